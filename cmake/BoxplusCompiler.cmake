@@ -1,0 +1,27 @@
+# Compiler settings of boxplus itself; nothing here reaches a client, except through target properties in src/.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(boxplus_warnings INTERFACE)
+target_compile_options(boxplus_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(boxplus_warnings INTERFACE -Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports false positives of these two deep inside Eigen and <string>.
+  target_compile_options(boxplus_warnings INTERFACE -Wno-maybe-uninitialized -Wno-restrict)
+endif()
+
+set(BOXPLUS_SANITIZE "" CACHE STRING "address, undefined or thread")
+if(BOXPLUS_SANITIZE)
+  add_compile_options(-fsanitize=${BOXPLUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${BOXPLUS_SANITIZE})
+endif()

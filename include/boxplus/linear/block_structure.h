@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sparsity of a symmetric block matrix.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "boxplus/base/abi.h"
+
+namespace boxplus {
+
+/// Lower triangle, diagonal included, of a symmetric matrix of blocks in compressed block columns.
+///
+/// Block i spans the scalars [offset[i], offset[i+1]). Column j holds the blocks k in
+/// [column_start[j], column_start[j+1]): block k lies in row row[k] (ascending; the first is the diagonal, row j)
+/// and its dim(row[k]) × dim(j) values lie column-major at values[value_start[k]]. Diagonal blocks hold both
+/// of their triangles. The columns' values are contiguous and in order.
+struct BlockStructure {
+  std::vector<std::uint32_t> offset{0};
+  std::vector<std::uint32_t> column_start{0};
+  std::vector<std::uint32_t> row;
+  std::vector<std::uint32_t> value_start{0};
+
+  std::uint32_t blocks() const { return static_cast<std::uint32_t>(offset.size() - 1); }
+  std::uint32_t scalars() const { return offset.back(); }
+  std::uint32_t nonzero_blocks() const { return static_cast<std::uint32_t>(row.size()); }
+  std::uint32_t nonzero_values() const { return value_start.back(); }
+  std::uint32_t dim(std::uint32_t block) const { return offset[block + 1] - offset[block]; }
+
+  /// Index k of block (row, column), row ≥ column, or kAbsent. O(log column length).
+  std::uint32_t find(std::uint32_t row_block, std::uint32_t column_block) const;
+
+  static constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
+  bool operator==(const BlockStructure&) const = default;
+};
+
+/// Builds the structure of `dims.size()` blocks from the coordinates of its lower off-diagonal blocks
+/// (row > column; any order, duplicates allowed). Diagonal blocks are always present. O(blocks + pairs log).
+struct BlockCoordinate {
+  std::uint32_t row, column;
+};
+BlockStructure make_block_structure(const std::vector<std::uint32_t>& dims,
+                                    const std::vector<BlockCoordinate>& lower);
+
+}  // namespace boxplus

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The seam between the optimiser and whatever solves (A + λ D) x = b.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "boxplus/linear/block_system.h"
+
+namespace boxplus {
+
+/// λ D, added to A inside the solver. D is the identity where `diagonal` is null, else diag(diagonal),
+/// one number ≥ 0 per scalar of the system.
+struct Damping {
+  double lambda = 0;
+  const double* diagonal = nullptr;
+  /// What is added to the i-th diagonal entry.
+  double operator()(std::uint32_t i) const { return diagonal ? lambda * diagonal[i] : lambda; }
+};
+
+enum class LinearStatus {
+  kOk,
+  kNotPositiveDefinite,  ///< a pivot was ≤ 0 or lost all its digits; `failed_block` names the block
+  kNotFinite,            ///< the matrix or the right-hand side holds NaN or Inf
+  kNotConverged,         ///< an iterative solver stopped at its iteration limit
+  kStopped               ///< the stop token was raised
+};
+
+struct FactorResult {
+  LinearStatus status = LinearStatus::kOk;
+  std::uint32_t failed_block = BlockStructure::kAbsent;  ///< in the numbering of the structure, not of the ordering
+};
+
+struct SolveControl {
+  double relative_tolerance = 1e-10;  ///< iterative solvers: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
+  int max_iterations = 0;             ///< iterative solvers; 0 = twice the number of scalars, at least 100
+  const std::atomic<bool>* stop = nullptr;
+};
+
+struct SolveResult {
+  LinearStatus status = LinearStatus::kOk;
+  int iterations = 0;  ///< 0 for direct solvers
+};
+
+struct AnalyzeHints {
+  int right_hand_sides = 1;  ///< the most that one solve() will be given
+  int threads = 1;
+  /// Blocks that must come last in the elimination order, in this order (for incremental use). May be empty.
+  std::span<const std::uint32_t> last;
+};
+
+/// Facts about the analysis, for reports.
+struct LinearStatistics {
+  std::uint64_t factor_nonzeros = 0;  ///< scalars of L with the zeros that amalgamation added
+  double factor_flops = 0;            ///< useful floating-point operations of one factorisation
+  std::uint32_t supernodes = 0;
+  std::uint32_t largest_front = 0;    ///< scalars
+};
+
+/// Solves symmetric positive definite block systems of one structure.
+///
+/// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any number
+/// of times after each factorize(). After the first factorize() and solve() of a structure, further calls of both
+/// allocate no memory. A solver is used by one thread at a time. Results are the same bits in every run and for
+/// every AnalyzeHints::threads.
+class LinearSolver {
+ public:
+  enum class Needs { kBlocks, kOperator };
+
+  virtual ~LinearSolver() = default;
+  virtual std::string_view name() const = 0;
+  virtual Needs needs() const = 0;
+  /// Ordering, symbolic factorisation and memory. `structure` must outlive the solver's use of it.
+  virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints) = 0;
+  /// Factorises (direct) or prepares the preconditioner (iterative) of A + λ D. `changed_columns` names the block
+  /// columns of A whose values differ from the last call's; empty = all. A solver may treat every call as "all".
+  virtual FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                                 std::span<const std::uint32_t> changed_columns = {}) = 0;
+  /// X = (A + λ D)⁻¹ B for `columns` right-hand sides, each contiguous (column-major); B and X may be the same.
+  virtual SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) = 0;
+  /// Blocks of (A + λ D)⁻¹: for each requested (row, column), row ≥ column, dim(row) × dim(column) values,
+  /// column-major, one after the other. Returns false where the solver cannot do it.
+  virtual bool selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) { return false; }
+  virtual LinearStatistics statistics() const { return {}; }
+};
+
+enum class LinearSolverKind { kAutomatic, kBlockCholesky, kPcg, kDense, kEigenSparse };
+
+/// kAutomatic gives the block Cholesky.
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind);
+std::string_view to_string(LinearSolverKind kind);
+
+}  // namespace boxplus
