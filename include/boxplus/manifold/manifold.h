@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a type a vertex: the manifold trait and its laws.
+//
+// The trait is specialised beside a type, also one that its user cannot change:
+//
+//     template <> struct boxplus::Manifold<Pose> {
+//       static constexpr int kDim = 3;                                      // tangent size, or kDynamic
+//       static Pose oplus(const Pose& x, const double* delta);              // x ⊞ δ
+//       static void ominus(const Pose& y, const Pose& x, double* delta);    // δ with x ⊞ δ = y
+//     };
+//
+// A run-time size (kDim == kDynamic) adds `static int dim(const Pose& x)`. Exact Jacobians of edges that use the
+// type ask for three more members, which let an estimate be lifted to another scalar S (a dual number):
+//
+//     template <class S> using Rebind = BasicPose<S>;
+//     template <class S> static BasicPose<S> cast(const Pose& x);
+//   and Manifold<BasicPose<S>>::oplus(const BasicPose<S>&, const S* delta).
+//
+// Without them the edges are differentiated numerically, and the Report says so.
+//
+// Laws, for all x, y and all small δ (testing/check_manifold.h checks them):
+//   (1) x ⊞ 0 = x                  (2) x ⊞ (y ⊟ x) = y
+//   (3) (x ⊞ δ) ⊟ x = δ            (4) ⊞ is smooth in δ at 0, with a Jacobian of full rank kDim there
+// where y ⊟ x is what ominus(y, x, ·) computes. Law 2 may fail on the cut locus of the chart (a rotation by π).
+#pragma once
+
+#include <concepts>
+
+#include "boxplus/base/matrix.h"
+
+namespace boxplus {
+
+template <class T>
+struct Manifold;
+
+/// A type with a complete trait. T is a copyable value.
+template <class T>
+concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, const double* in, double* out) {
+  { Manifold<T>::kDim } -> std::convertible_to<int>;
+  { Manifold<T>::oplus(x, in) } -> std::convertible_to<T>;
+  Manifold<T>::ominus(y, x, out);
+  requires Manifold<T>::kDim != kDynamic || requires { { Manifold<T>::dim(x) } -> std::convertible_to<int>; };
+};
+
+/// Tangent size of x.
+template <ManifoldType T>
+constexpr int tangent_dim(const T& x) {
+  if constexpr (Manifold<T>::kDim == kDynamic) {
+    return Manifold<T>::dim(x);
+  } else {
+    return Manifold<T>::kDim;
+  }
+}
+
+/// T over the scalar S.
+template <class T, class S>
+using Rebind = typename Manifold<T>::template Rebind<S>;
+
+/// A manifold whose estimates can be lifted to another scalar, so that exact derivatives pass through ⊞.
+template <class T, class S>
+concept LiftableManifold = ManifoldType<T> && requires(const T& x, const Rebind<T, S>& lifted, const S* delta) {
+  { Manifold<T>::template cast<S>(x) } -> std::convertible_to<Rebind<T, S>>;
+  { Manifold<Rebind<T, S>>::oplus(lifted, delta) } -> std::convertible_to<Rebind<T, S>>;
+};
+
+}  // namespace boxplus
