@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All edges of one type, side by side, and the tile through which everybody reads their Jacobians.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/graph/frame.h"
+#include "boxplus/graph/handle.h"
+#include "boxplus/graph/information.h"
+#include "boxplus/robust/robust_kernel.h"
+
+namespace boxplus {
+
+/// The sizes of an edge: how many vertices, how many rows of error, and the sum of its vertices' tangent sizes.
+struct EdgeShape {
+  int arity = 0;
+  int rows = 0;
+  int cols = 0;
+};
+
+/// Errors and Jacobians of a few edges of one shape, in memory that one worker owns and that stays in cache.
+struct EdgeTile {
+  static constexpr int kCapacity = 64;
+  int count = 0, rows = 0, cols = 0;
+  double* error = nullptr;     ///< edge k: rows numbers at error + k·rows; not whitened
+  double* jacobian = nullptr;  ///< edge k: rows × cols, column-major, at jacobian + k·rows·cols; the columns of its vertices in order
+};
+
+/// Where Jacobians come from.
+enum class JacobianSource : std::uint8_t { kAnalytic, kAutomatic, kNumeric };
+std::string_view to_string(JacobianSource source);
+
+/// The erased interface of the edges of one type: one virtual call per pool and list, never one per edge.
+class EdgePool {
+ public:
+  virtual ~EdgePool() = default;
+
+  virtual std::string_view type_name() const = 0;
+  virtual EdgeShape shape(std::uint32_t edge) const = 0;
+  /// True where all edges of the pool have one shape. Others are linearised one at a time.
+  virtual bool uniform_shape() const = 0;
+  /// The errors of the listed edges, one after the other.
+  virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
+  /// eᵀΩe per listed edge, before any robust kernel.
+  virtual void chi2(std::span<const std::uint32_t> edges, double* out) const;
+  /// Fills count, rows, cols, error and jacobian for the listed edges (at most EdgeTile::kCapacity, of one shape).
+  /// May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
+  virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
+  virtual JacobianSource jacobian_source() const = 0;
+  /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
+  virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
+
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
+  std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
+  bool alive(std::uint32_t edge) const { return (flags_[edge] & kAlive) != 0; }
+  bool enabled(std::uint32_t edge) const { return (flags_[edge] & kEnabled) != 0; }
+  int level(std::uint32_t edge) const { return levels_.empty() ? 0 : levels_[edge]; }
+  /// The edge's robust kernel or nullptr.
+  const RobustKernel* kernel(std::uint32_t edge) const {
+    return kernels_.empty() ? nullptr : kernels_[edge].get();
+  }
+  bool has_kernels() const { return !kernels_.empty(); }
+  int arity(std::uint32_t edge) const {
+    return uniform_arity_ >= 0 ? uniform_arity_ : static_cast<int>(vertex_start_[edge + 1] - vertex_start_[edge]);
+  }
+  /// Slots of the edge's vertices in their pools.
+  std::span<const std::uint32_t> vertex_slots(std::uint32_t edge) const {
+    return {vertex_slots_.data() + vertex_start(edge), static_cast<std::size_t>(arity(edge))};
+  }
+  /// Pool of the i-th vertex of every edge of this pool.
+  std::uint32_t vertex_pool(int i) const {
+    return vertex_pools_[std::min(static_cast<std::size_t>(i), vertex_pools_.size() - 1)];
+  }
+  InformationView information(std::uint32_t edge) const { return information(edge, shape(edge).rows); }
+  /// The same where the caller knows the number of rows.
+  InformationView information(std::uint32_t edge, int rows) const { return information_.view(edge, rows); }
+  std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
+
+ protected:
+  /// `vertex_pools`: the pool of each vertex; the last one is repeated where the arity is chosen at run time.
+  EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
+  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it was, in
+  /// which case the derived pool grows too.
+  std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
+
+ private:
+  friend class Graph;
+  std::size_t vertex_start(std::uint32_t edge) const {
+    return uniform_arity_ >= 0 ? std::size_t{edge} * static_cast<std::size_t>(uniform_arity_) : vertex_start_[edge];
+  }
+  enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
+
+  void remove(std::uint32_t edge);
+  void set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel> kernel);
+
+  std::vector<std::uint32_t> vertex_pools_;
+  int uniform_arity_ = -1;
+  std::vector<std::uint32_t> vertex_slots_;
+  std::vector<std::uint32_t> vertex_start_;  // only where the arity is chosen at run time
+  InformationStore information_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<int> levels_;                // empty while all are 0
+  std::vector<std::uint32_t> generations_;
+  std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while none is set
+  std::vector<std::uint32_t> free_;
+  std::uint32_t first_generation_ = 0;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a type an edge: an error function of the estimates of its vertices.
+//
+// Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates arrive by
+// const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen at run time. The
+// result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+//
+//   - A function that is generic in the scalar of its arguments is differentiated exactly, by dual numbers.
+//   - One that takes plain estimates only is differentiated numerically, and the Report says so.
+//   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows × dim(x_i), brings
+//     its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0. Fixed sizes and arity only.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "boxplus/autodiff/dual.h"
+#include "boxplus/manifold/manifold.h"
+
+namespace boxplus {
+
+/// Stands in a list of vertex types for "any number of T".
+template <class T>
+struct Tail {
+  using Element = T;
+};
+
+template <class V>
+inline constexpr bool kIsTail = false;
+template <class T>
+inline constexpr bool kIsTail<Tail<T>> = true;
+
+namespace edge {
+
+template <class V>
+struct Element {
+  using Type = V;
+};
+template <class T>
+struct Element<Tail<T>> {
+  using Type = T;
+};
+/// T for T and for Tail<T>.
+template <class V>
+using ElementOf = typename Element<V>::Type;
+
+template <class V>
+struct ArgumentOf {
+  using Type = const V&;
+};
+template <class T>
+struct ArgumentOf<Tail<T>> {
+  using Type = std::span<const T>;
+};
+/// How an estimate is handed to the error function.
+template <class V>
+using Argument = typename ArgumentOf<V>::Type;
+
+template <class V, class S>
+struct LiftedOf {
+  using Type = boxplus::Rebind<V, S>;
+};
+template <class T, class S>
+struct LiftedOf<Tail<T>, S> {
+  using Type = Tail<boxplus::Rebind<T, S>>;
+};
+/// V, or the elements of the tail, over the scalar S.
+template <class V, class S>
+using Lifted = typename LiftedOf<V, S>::Type;
+
+template <class E, class... A>
+concept HasErrorMember = requires(const E& e, A&&... a) { e.error(std::forward<A>(a)...); };
+
+template <class E, class... A>
+concept Callable = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
+
+template <class E, class... A>
+decltype(auto) call(const E& e, A&&... a) {
+  if constexpr (HasErrorMember<E, A...>) {
+    return e.error(std::forward<A>(a)...);
+  } else {
+    return e(std::forward<A>(a)...);
+  }
+}
+
+template <class E, class... V>
+using Result = std::remove_cvref_t<decltype(call(std::declval<const E&>(), std::declval<Argument<V>>()...))>;
+
+template <class R>
+inline constexpr int kRows = [] {
+  if constexpr (requires { R::SizeAtCompileTime; }) {
+    return static_cast<int>(R::SizeAtCompileTime);
+  } else if constexpr (requires { std::tuple_size<R>::value; }) {
+    return static_cast<int>(std::tuple_size<R>::value);
+  } else if constexpr (requires(const R& r) { r.size(); }) {
+    return kDynamic;
+  } else {
+    return 1;
+  }
+}();
+
+template <class R>
+int row_count(const R& result) {
+  if constexpr (requires { result.size(); }) {
+    return static_cast<int>(result.size());
+  } else {
+    return 1;
+  }
+}
+
+/// The result with Eigen expressions evaluated.
+template <class E, class... A>
+auto evaluate(const E& e, A&&... a) {
+  if constexpr (requires { call(e, std::forward<A>(a)...).eval(); }) {
+    return call(e, std::forward<A>(a)...).eval();
+  } else {
+    return call(e, std::forward<A>(a)...);
+  }
+}
+
+/// Row i of a result that may be a scalar.
+template <class R>
+decltype(auto) row(const R& result, int i) {
+  if constexpr (requires { result.size(); }) {
+    return result[static_cast<std::size_t>(i)];
+  } else {
+    return (result);
+  }
+}
+
+/// Throws InvalidArgument: an error function changed its number of rows.
+[[noreturn]] void throw_row_count(int expected, int actual);
+
+template <class R>
+void check_row_count(const R& result, int expected) {
+  if constexpr (kRows<R> == kDynamic) {
+    if (row_count(result) != expected) throw_row_count(expected, row_count(result));
+  }
+}
+
+template <class R>
+void copy_rows(const R& result, int rows, double* out) {
+  check_row_count(result, rows);
+  for (int i = 0; i < rows; ++i) out[i] = row(result, i);
+}
+
+/// Sum of the tangent sizes, or kDynamic.
+template <class... V>
+inline constexpr int kCols = [] {
+  int sum = 0;
+  bool dynamic = false;
+  ((kIsTail<V> || Manifold<ElementOf<V>>::kDim == kDynamic ? void(dynamic = true)
+                                                           : void(sum += Manifold<ElementOf<V>>::kDim)),
+   ...);
+  return dynamic ? kDynamic : sum;
+}();
+
+/// Dual numbers carry all columns at once up to this many; more columns go in passes of kDualChunk.
+inline constexpr int kDualLimit = 24;
+inline constexpr int kDualChunk = 8;
+template <class... V>
+inline constexpr int kDualSize =
+    (kCols<V...> != kDynamic && kCols<V...> <= kDualLimit && kCols<V...> > 0) ? kCols<V...> : kDualChunk;
+
+template <class... V>
+using DualFor = Dual<double, kDualSize<V...>>;
+
+template <class E, class S, class... V>
+concept DifferentiableWith = (LiftableManifold<ElementOf<V>, S> && ...) && Callable<E, Argument<Lifted<V, S>>...>;
+
+/// E asks for numeric Jacobians (see Numeric).
+template <class E>
+concept WantsNumeric = requires { requires E::kNumeric; };
+
+/// Exact Jacobians are available.
+template <class E, class... V>
+inline constexpr bool kDifferentiable = [] {
+  if constexpr (WantsNumeric<E>) {
+    return false;
+  } else if constexpr (requires { requires DifferentiableWith<E, DualFor<V...>, V...>; }) {
+    return true;
+  } else {
+    return false;
+  }
+}();
+
+template <class V, int Rows>
+using JacobianBlock = Eigen::Map<Matrix<double, Rows, Manifold<ElementOf<V>>::kDim>>;
+
+template <class E, class... V>
+inline constexpr bool kAnalytic = [] {
+  if constexpr (kCols<V...> == kDynamic || kRows<Result<E, V...>> == kDynamic) {
+    return false;
+  } else {
+    constexpr int rows = kRows<Result<E, V...>>;
+    return requires(const E& e, Argument<V>... x, JacobianBlock<V, rows>... J) { e.jacobians(x..., J...); };
+  }
+}();
+
+}  // namespace edge
+
+/// E is an error function of the vertex types V... (T, or Tail<T> in the last place).
+template <class E, class... V>
+concept EdgeType = std::copyable<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
+
+/// Wraps an error function whose Jacobians shall be numeric.
+template <class E>
+struct Numeric {
+  static constexpr bool kNumeric = true;
+  E function;
+  template <class... A>
+    requires edge::Callable<E, A...>
+  auto operator()(A&&... a) const {
+    return edge::call(function, std::forward<A>(a)...);
+  }
+};
+template <class E>
+Numeric(E) -> Numeric<E>;
+
+}  // namespace boxplus

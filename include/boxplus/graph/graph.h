@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The problem: vertices (estimates on manifolds) and edges (measurements), owned by value.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ranges>
+#include <span>
+#include <string>
+#include <typeindex>
+#include <unordered_map>
+#include <vector>
+
+#include "boxplus/base/error.h"
+#include "boxplus/graph/typed_edge_pool.h"
+#include "boxplus/graph/typed_vertex_pool.h"
+
+namespace boxplus {
+
+namespace edge {
+template <class H>
+inline constexpr bool kIsVertexHandle = false;
+template <class T>
+inline constexpr bool kIsVertexHandle<VertexHandle<T>> = true;
+
+template <class H>
+struct VertexTypeOf;
+template <class T>
+struct VertexTypeOf<VertexHandle<T>> {
+  using Type = T;
+};
+template <std::ranges::range R>
+  requires kIsVertexHandle<std::ranges::range_value_t<R>>
+struct VertexTypeOf<R> {
+  using Type = Tail<typename std::ranges::range_value_t<R>::Estimate>;
+};
+/// T for VertexHandle<T>, Tail<T> for a range of them.
+template <class H>
+using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
+
+template <class H>
+concept Attachable = requires { typename VertexTypeOf<std::remove_cvref_t<H>>::Type; };
+}  // namespace edge
+
+/// A hyper-graph: vertices of any manifold type, edges over any number of them.
+///
+/// Handles stay valid until their element is removed; a stale handle throws InvalidArgument. Methods that take a
+/// handle are O(1) unless they say otherwise. A Graph is used by one thread at a time.
+class Graph {
+ public:
+  Graph();
+  ~Graph();
+  Graph(Graph&&) noexcept;
+  Graph& operator=(Graph&&) noexcept;
+
+  /// ── Vertices ────────────────────────────────────────────────────────────────────────────────────────────────
+
+  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument where the id is taken or negative.
+  template <ManifoldType T>
+  VertexHandle<T> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
+    const Id chosen = claim_id(vertex_ids_, next_id_, id, "vertex");
+    return register_vertex<T>(std::move(estimate), chosen, vertex_ids_);
+  }
+
+  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed from the start, never fixes the gauge
+  /// and has its own ids. Calibrating it is unfix()ing it.
+  template <ManifoldType T>
+  VertexHandle<T> add_parameter(T value, std::optional<Id> id = std::nullopt) {
+    const Id chosen = claim_id(parameter_ids_, next_parameter_id_, id, "parameter");
+    const VertexHandle<T> handle = register_vertex<T>(std::move(value), chosen, parameter_ids_);
+    mark_parameter(handle);
+    return handle;
+  }
+
+  /// The vertex (parameter) with that id. Throws InvalidArgument where there is none or its type is another.
+  template <ManifoldType T>
+  VertexHandle<T> vertex(Id id) const {
+    return typed<T>(lookup(vertex_ids_, id, "vertex"));
+  }
+  template <ManifoldType T>
+  VertexHandle<T> parameter(Id id) const {
+    return typed<T>(lookup(parameter_ids_, id, "parameter"));
+  }
+  std::optional<VertexRef> find_vertex(Id id) const;
+  std::optional<VertexRef> find_parameter(Id id) const;
+  /// `vertex` as a handle of its type. Throws InvalidArgument where the estimate is no T.
+  template <ManifoldType T>
+  VertexHandle<T> typed(VertexRef vertex) const {
+    check(vertex);
+    if (vertex.pool != vertex_pool_index<T>()) throw_wrong_type(vertex, type_name<T>());
+    return {vertex};
+  }
+
+  template <ManifoldType T>
+  const T& estimate(VertexHandle<T> vertex) const {
+    check(vertex);
+    return typed_pool<T>(vertex).value(vertex.slot);
+  }
+  /// Moves a vertex. A run-time-size estimate keeps its size.
+  template <ManifoldType T>
+  void set_estimate(VertexHandle<T> vertex, T estimate) {
+    check(vertex);
+    T& value = typed_pool<T>(vertex).value(vertex.slot);
+    if (tangent_dim(value) != tangent_dim(estimate)) ++revision_;
+    value = std::move(estimate);
+  }
+
+  Id id(VertexRef vertex) const;
+  /// Throws InvalidArgument where the new id is taken or negative.
+  void change_id(VertexRef vertex, Id new_id);
+  bool contains(VertexRef vertex) const;
+  int tangent_dim(VertexRef vertex) const;
+
+  /// A fixed vertex keeps its estimate in every optimisation.
+  void fix(VertexRef vertex) { set_fixed(vertex, true); }
+  void unfix(VertexRef vertex) { set_fixed(vertex, false); }
+  void set_fixed(VertexRef vertex, bool fixed);
+  bool is_fixed(VertexRef vertex) const;
+
+  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). No edge may
+  /// join two eliminated vertices; optimize() throws InvalidArgument where one does.
+  void set_eliminated(VertexRef vertex, bool eliminated);
+  bool is_eliminated(VertexRef vertex) const;
+
+  /// Removes a vertex and every edge that uses it. O(edges).
+  void remove(VertexRef vertex);
+
+  /// ── Edges ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+  /// Adds an edge with the identity as information. The vertices are handles; the last may be a range of handles.
+  /// Throws InvalidArgument where a vertex appears twice or is stale.
+  template <class E, class... H>
+    requires(edge::Attachable<H> && ...)
+  EdgeHandle<E> add_edge(E error, const H&... vertices) {
+    return add_edge(std::move(error), Information(1.0), vertices...);
+  }
+
+  /// Adds an edge with information Ω (a number, an Eigen matrix, an Information). Throws InvalidArgument where Ω does
+  /// not fit the error, is not symmetric positive semi-definite or not finite.
+  template <class E, class... H>
+    requires(sizeof...(H) > 0 && (edge::Attachable<H> && ...))
+  EdgeHandle<E> add_edge(E error, const Information& information, const H&... vertices) {
+    static_assert(EdgeType<E, edge::VertexType<H>...>,
+                  "the error function cannot be called with the estimates of these vertices (in this order)");
+    std::vector<VertexRef> refs;
+    (gather(refs, vertices), ...);
+    check_distinct(refs);
+    auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
+    std::vector<std::uint32_t> slots;
+    for (const VertexRef& ref : refs) slots.push_back(ref.slot);
+    const std::uint32_t slot = pool.add(std::move(error), information, slots);
+    ++revision_;
+    return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
+  }
+
+  /// The error function (measurement) of an edge.
+  template <class E>
+  const E& measurement(EdgeHandle<E> edge) const {
+    check(edge);
+    return *static_cast<const E*>(edge_values_[edge.pool](*edge_pools_[edge.pool], edge.slot));
+  }
+  /// Replaces the error function; its number of rows must stay.
+  template <class E>
+  void set_measurement(EdgeHandle<E> edge, E error) {
+    check(edge);
+    *const_cast<E*>(static_cast<const E*>(edge_values_[edge.pool](*edge_pools_[edge.pool], edge.slot))) =
+        std::move(error);
+  }
+
+  bool contains(EdgeRef edge) const;
+  std::vector<VertexRef> vertices(EdgeRef edge) const;
+  InformationView information(EdgeRef edge) const;
+  void set_information(EdgeRef edge, const Information& information);
+  /// nullptr removes the kernel. Kernels may be shared between edges.
+  void set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel);
+  template <class K>
+    requires std::derived_from<K, RobustKernel>
+  void set_kernel(EdgeRef edge, const K& kernel) {
+    set_kernel(edge, std::make_shared<const K>(kernel));
+  }
+  const RobustKernel* kernel(EdgeRef edge) const;
+  /// A disabled edge weighs nothing; the structure of the problem stays.
+  void set_enabled(EdgeRef edge, bool enabled);
+  bool is_enabled(EdgeRef edge) const;
+  /// Options::level chooses which edges take part.
+  void set_level(EdgeRef edge, int level);
+  int level(EdgeRef edge) const;
+  void remove(EdgeRef edge);
+
+  /// eᵀΩe of one edge, before its kernel; the same without Ω: its error.
+  double chi2(EdgeRef edge) const;
+  std::vector<double> error(EdgeRef edge) const;
+  /// Σ ρ(eᵀΩe) over all enabled edges. O(edges).
+  double chi2() const;
+
+  /// ── State ───────────────────────────────────────────────────────────────────────────────────────────────────
+
+  /// Saves the estimates of all (the given) vertices on a stack; calls nest.
+  void push();
+  void push(std::span<const VertexRef> vertices);
+  /// Restores (forgets) what the matching push() saved. Vertices removed since are skipped. Throws InvalidArgument
+  /// where nothing was pushed.
+  void pop();
+  void discard_top();
+  int stack_size() const { return static_cast<int>(stack_.size()); }
+
+  std::size_t vertex_count() const;     ///< without parameters
+  std::size_t parameter_count() const { return parameter_ids_.size(); }
+  std::size_t edge_count() const;
+  /// All vertices without parameters, by id. O(n log n).
+  std::vector<VertexRef> all_vertices() const;
+  std::vector<VertexRef> all_parameters() const;
+  std::vector<EdgeRef> all_edges() const;
+  void clear();
+
+  /// ── For the engine ──────────────────────────────────────────────────────────────────────────────────────────
+
+  std::span<const std::unique_ptr<VertexPool>> vertex_pools() const { return vertex_pools_; }
+  std::span<const std::unique_ptr<EdgePool>> edge_pools() const { return edge_pools_; }
+  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, levels, sizes. Values,
+  /// weights, kernels and enabled flags do not count.
+  std::uint64_t revision() const { return revision_; }
+
+  /// Whatever an optimiser wants to keep between calls for this graph.
+  struct Cache {
+    virtual ~Cache() = default;
+  };
+  std::unique_ptr<Cache>& cache() { return cache_; }
+
+ private:
+  using IdMap = std::unordered_map<Id, VertexRef>;
+  struct Saved {
+    std::vector<std::vector<std::uint32_t>> slots;        // per pool
+    std::vector<std::vector<std::uint32_t>> generations;  // per pool
+  };
+
+  static Id claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what);
+  VertexRef lookup(const IdMap& ids, Id id, const char* what) const;
+  [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
+  void check(VertexRef vertex) const;
+  void check(EdgeRef edge) const;
+  void check_distinct(std::span<const VertexRef> vertices) const;
+  void mark_parameter(VertexRef vertex);
+  void save(Saved saved);
+  Saved live(const Saved& saved) const;
+
+  template <class T>
+  static void gather(std::vector<VertexRef>& out, const VertexHandle<T>& vertex) {
+    out.push_back(vertex);
+  }
+  template <std::ranges::range R>
+  static void gather(std::vector<VertexRef>& out, const R& vertices) {
+    for (const VertexRef& vertex : vertices) out.push_back(vertex);
+  }
+
+  template <class T>
+  std::uint32_t vertex_pool_index() const {
+    const auto found = vertex_pool_of_.find(typeid(T));
+    return found == vertex_pool_of_.end() ? 0xFFFFFFFFu : found->second;
+  }
+  template <class T>
+  TypedVertexPool<T>& typed_pool(VertexRef vertex) const {
+    return static_cast<TypedVertexPool<T>&>(*vertex_pools_[vertex.pool]);
+  }
+  /// The index of T's pool, which is made where it is missing.
+  template <class T>
+  std::uint32_t require_vertex_pool() {
+    const auto [entry, fresh] = vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
+    if (fresh) {
+      vertex_pools_.push_back(std::make_unique<TypedVertexPool<T>>());
+      vertex_pools_.back()->first_generation_ = epoch_;
+    }
+    return entry->second;
+  }
+  template <class T>
+  VertexHandle<T> register_vertex(T estimate, Id id, IdMap& ids) {
+    const std::uint32_t index = require_vertex_pool<T>();
+    auto& pool = static_cast<TypedVertexPool<T>&>(*vertex_pools_[index]);
+    const std::uint32_t slot = pool.add(std::move(estimate), id);
+    const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
+    ids.emplace(id, handle);
+    ++revision_;
+    return handle;
+  }
+
+  template <class E, class... V>
+  std::uint32_t edge_pool_index() const {
+    return edge_pool_of_.at(typeid(TypedEdgePool<E, V...>));
+  }
+  template <class E, class... V>
+  TypedEdgePool<E, V...>& edge_pool_for() {
+    using Pool = TypedEdgePool<E, V...>;
+    const auto [entry, fresh] = edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
+    if (fresh) {
+      const std::vector<std::uint32_t> indices{require_vertex_pool<edge::ElementOf<V>>()...};
+      typename Pool::VertexPools pools{static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
+          vertex_pools_[vertex_pool_index<edge::ElementOf<V>>()].get())...};
+      edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
+      edge_pools_.back()->first_generation_ = epoch_;
+      edge_values_.push_back([](const EdgePool& pool, std::uint32_t slot) -> const void* {
+        return &static_cast<const Pool&>(pool).value(slot);
+      });
+    }
+    return static_cast<Pool&>(*edge_pools_[entry->second]);
+  }
+
+  std::vector<std::unique_ptr<VertexPool>> vertex_pools_;
+  std::vector<std::unique_ptr<EdgePool>> edge_pools_;
+  std::vector<const void* (*)(const EdgePool&, std::uint32_t)> edge_values_;
+  std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
+  IdMap vertex_ids_, parameter_ids_;
+  Id next_id_ = 0, next_parameter_id_ = 0;
+  std::uint64_t revision_ = 1;
+  std::uint32_t epoch_ = 0;  // first generation of new slots: handles from before clear() stay stale
+  std::vector<Saved> stack_;
+  std::unique_ptr<Cache> cache_;
+};
+
+}  // namespace boxplus

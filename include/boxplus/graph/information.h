@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The information matrix Ω of an edge: scalar, diagonal or full; stored once, as read.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "boxplus/base/matrix.h"
+
+namespace boxplus {
+
+/// How the values of an Ω of n rows are laid out: 1 number, n numbers, or the n(n+1)/2 numbers of the upper triangle
+/// row by row (Ω11 Ω12 … Ω1n Ω22 …).
+enum class InformationKind : std::uint8_t { kScalar, kDiagonal, kFull };
+
+/// A borrowed Ω.
+struct InformationView {
+  InformationKind kind = InformationKind::kScalar;
+  int rows = 0;
+  const double* values = nullptr;
+
+  double operator()(int i, int j) const;
+  /// y = Ω x for `columns` columns of `rows` numbers each (column-major). y must not alias x.
+  void apply(const double* x, int columns, double* y) const;
+  /// eᵀ Ω e.
+  double squared_norm(const double* e) const;
+  Eigen::MatrixXd matrix() const;
+};
+
+/// An Ω on its way into a graph.
+class Information {
+ public:
+  /// value · I, for an error of any size.
+  Information(double value) : kind_(InformationKind::kScalar), values_{value} {}
+  /// A symmetric n × n matrix. Throws InvalidArgument where it is not square or not symmetric.
+  template <class Derived>
+  Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
+  static Information diagonal(std::span<const double> values);
+  /// n(n+1)/2 numbers, row by row; scalar and diagonal matrices are recognised and stored as such.
+  static Information upper_triangle(std::span<const double> values, int rows);
+
+  InformationKind kind() const { return kind_; }
+  std::span<const double> values() const { return values_; }
+  /// Number of rows, or 0 for a scalar, which fits any.
+  int rows() const { return rows_; }
+  /// What is wrong with this Ω for an error of `rows` rows (size, NaN, indefinite), or an empty string.
+  std::string complaint(int rows) const;
+
+ private:
+  Information() = default;
+  static Information from_matrix(const Eigen::MatrixXd& matrix);
+
+  InformationKind kind_ = InformationKind::kScalar;
+  int rows_ = 0;
+  std::vector<double> values_;
+};
+
+/// The Ω of all edges of a pool, one after the other.
+class InformationStore {
+ public:
+  void append(const Information& information, int rows);
+  void set(std::uint32_t edge, const Information& information, int rows);
+  InformationView view(std::uint32_t edge, int rows) const {
+    const std::uint64_t entry = entries_[edge];
+    return {static_cast<InformationKind>(entry >> 62), rows, values_.data() + (entry & kOffsetMask)};
+  }
+
+ private:
+  static constexpr std::uint64_t kOffsetMask = (std::uint64_t{1} << 62) - 1;
+  std::uint64_t store(const Information& information);
+
+  std::vector<std::uint64_t> entries_;  // kind in the top two bits, then the offset into values_
+  std::vector<double> values_;
+};
+
+}  // namespace boxplus

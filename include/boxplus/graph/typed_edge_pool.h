@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The edges of one error function over one list of vertex types, by value.
+#pragma once
+
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "boxplus/graph/differentiate.h"
+#include "boxplus/graph/edge_pool.h"
+#include "boxplus/graph/type_name.h"
+#include "boxplus/graph/typed_vertex_pool.h"
+
+namespace boxplus {
+
+template <class E, class... V>
+  requires EdgeType<E, V...>
+class TypedEdgePool final : public EdgePool {
+  using Result = edge::Result<E, V...>;
+  static constexpr int kArguments = sizeof...(V);
+  static constexpr int kRows = edge::kRows<Result>;
+  static constexpr int kCols = edge::kCols<V...>;
+  static constexpr bool kHasTail = (kIsTail<V> || ...);
+  using Indices = std::make_index_sequence<sizeof...(V)>;
+
+ public:
+  using VertexPools = std::tuple<const TypedVertexPool<edge::ElementOf<V>>*...>;
+
+  TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
+      : EdgePool(std::move(vertex_pools), kHasTail), pools_(pools) {}
+
+  std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots) {
+    const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots);
+    const std::uint32_t slot = acquire_slot(vertex_slots, information, rows);
+    if (slot == edges_.size()) {
+      edges_.push_back(std::move(edge));
+      if constexpr (kRows == kDynamic) rows_.push_back(rows);
+    } else {
+      edges_[slot] = std::move(edge);
+      if constexpr (kRows == kDynamic) rows_[slot] = rows;
+    }
+    return slot;
+  }
+
+  const E& value(std::uint32_t edge) const { return edges_[edge]; }
+  E& value(std::uint32_t edge) { return edges_[edge]; }
+
+  std::string_view type_name() const override { return boxplus::type_name<E>(); }
+  bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
+  JacobianSource jacobian_source() const override {
+    if constexpr (edge::kAnalytic<E, V...>) return JacobianSource::kAnalytic;
+    return edge::kDifferentiable<E, V...> ? JacobianSource::kAutomatic : JacobianSource::kNumeric;
+  }
+
+  EdgeShape shape(std::uint32_t edge) const override {
+    if constexpr (kCols != kDynamic) {
+      return {kArguments, rows(edge), kCols};
+    } else {
+      const int cols = with_arguments(edge, [](auto... x) { return (edge::argument_dim<V>(x.get()) + ...); });
+      return {arity(edge), rows(edge), cols};
+    }
+  }
+
+  void errors(std::span<const std::uint32_t> edges, double* out) const override {
+    for (std::uint32_t edge : edges) {
+      const int n = rows(edge);
+      with_arguments(edge, [&](auto... x) {
+        edge::copy_rows(edge::evaluate(edges_[edge], x.get()...), n, out);
+      });
+      out += n;
+    }
+  }
+
+  void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const override {
+    if (edges.empty()) return;
+    const EdgeShape first = shape(edges[0]);
+    tile.count = static_cast<int>(edges.size());
+    tile.rows = first.rows;
+    tile.cols = first.cols;
+    double* error = tile.error;
+    double* jacobian = tile.jacobian;
+    for (std::uint32_t edge : edges) {
+      linearize_one(edge, error, jacobian, first.rows, first.cols, force_numeric);
+      error += first.rows;
+      jacobian += static_cast<std::ptrdiff_t>(first.rows) * first.cols;
+    }
+  }
+
+  bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {
+    return with_arguments(edge, [&](auto... x) {
+      if constexpr (requires { edges_[edge].relative_frame(x.get()...); }) {
+        out = edges_[edge].relative_frame(x.get()...);
+        return true;
+      } else {
+        return false;
+      }
+    });
+  }
+
+ private:
+  /// An argument on its way to the error function; a tail is gathered into memory of the worker.
+  template <class A>
+  struct Loaded {
+    const edge::ElementOf<A>* value;
+    std::size_t count;
+    edge::Argument<A> get() const {
+      if constexpr (kIsTail<A>) {
+        return {value, count};
+      } else {
+        return *value;
+      }
+    }
+  };
+
+  template <class A, std::size_t I>
+  Loaded<A> load(std::span<const std::uint32_t> slots) const {
+    const auto& pool = *std::get<I>(pools_);
+    if constexpr (kIsTail<A>) {
+      thread_local std::vector<edge::ElementOf<A>> gathered;
+      gathered.clear();
+      for (std::uint32_t slot : slots.subspan(I)) gathered.push_back(pool.value(slot));
+      return {gathered.data(), gathered.size()};
+    } else {
+      return {&pool.value(slots[I]), 1};
+    }
+  }
+
+  template <class F>
+  decltype(auto) with_slots(std::span<const std::uint32_t> slots, F&& f) const {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) -> decltype(auto) {
+      return f(load<V, I>(slots)...);
+    }(Indices{});
+  }
+
+  template <class F>
+  decltype(auto) with_arguments(std::uint32_t edge, F&& f) const {
+    return with_slots(vertex_slots(edge), std::forward<F>(f));
+  }
+
+  int rows(std::uint32_t edge) const {
+    if constexpr (kRows != kDynamic) {
+      return kRows;
+    } else {
+      return rows_[edge];
+    }
+  }
+
+  int count_rows(const E& edge, std::span<const std::uint32_t> slots) const {
+    return with_slots(slots, [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
+  }
+
+  void linearize_one(std::uint32_t edge, double* error, double* jacobian, int rows, int cols,
+                     bool force_numeric) const {
+    const E& e = edges_[edge];
+    with_arguments(edge, [&](auto... x) {
+      if constexpr (edge::kAnalytic<E, V...>) {
+        if (!force_numeric) {
+          edge::copy_rows(edge::evaluate(e, x.get()...), rows, error);
+          double* block = jacobian;
+          const auto next = [&]<class A>(std::type_identity<A>) {
+            edge::JacobianBlock<A, kRows> map(block);
+            block += kRows * Manifold<A>::kDim;
+            return map;
+          };
+          std::tuple<edge::JacobianBlock<V, kRows>...> blocks{next(std::type_identity<V>{})...};
+          std::apply([&](auto&... J) { e.jacobians(x.get()..., J...); }, blocks);
+          return;
+        }
+      } else if constexpr (edge::kDifferentiable<E, V...>) {
+        if (!force_numeric) {
+          edge::automatic_jacobian<V...>(e, error, jacobian, rows, cols, x.get()...);
+          return;
+        }
+      }
+      edge::numeric_jacobian<V...>(e, error, jacobian, rows, cols, x.get()...);
+    });
+  }
+
+  VertexPools pools_;
+  std::vector<E> edges_;
+  std::vector<int> rows_;  // only where the error's size is chosen at run time
+};
+
+}  // namespace boxplus

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All vertices of one type, side by side.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/base/abi.h"
+#include "boxplus/graph/frame.h"
+#include "boxplus/graph/handle.h"
+
+namespace boxplus {
+
+/// The erased interface of the vertices of one type: one virtual call per pool and list, never one per vertex.
+///
+/// Slots are stable; a removed vertex leaves a tombstone whose slot may be used again under a new generation.
+class VertexPool {
+ public:
+  virtual ~VertexPool() = default;
+
+  virtual std::string_view type_name() const = 0;
+  /// Tangent size of the vertex in `slot`.
+  virtual int tangent_dim(std::uint32_t slot) const = 0;
+  /// x ← x ⊞ δ for every listed slot; the δ of slots[k] begins at delta[offsets[k]].
+  virtual void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
+                     const double* delta) = 0;
+  /// δ ← x ⊟ x_saved, where x_saved is what save() stored under `level`; same layout as oplus.
+  virtual void ominus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets, int level,
+                      double* delta) const = 0;
+  /// Copies the listed estimates to (from) backup `level`. Levels are independent of each other.
+  virtual void save(std::span<const std::uint32_t> slots, int level) = 0;
+  virtual void restore(std::span<const std::uint32_t> slots, int level) = 0;
+  /// The pose or point in `slot`; false where the type is neither.
+  virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
+  virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}
+
+  std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
+  std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
+  bool alive(std::uint32_t slot) const { return (flags_[slot] & kAlive) != 0; }
+  bool fixed(std::uint32_t slot) const { return (flags_[slot] & kFixed) != 0; }
+  bool eliminated(std::uint32_t slot) const { return (flags_[slot] & kEliminated) != 0; }
+  bool parameter(std::uint32_t slot) const { return (flags_[slot] & kParameter) != 0; }
+  Id id(std::uint32_t slot) const { return ids_[slot]; }
+  std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
+
+ protected:
+  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too.
+  std::uint32_t acquire_slot(Id id);
+
+ private:
+  friend class Graph;
+  enum Flag : std::uint8_t { kAlive = 1, kFixed = 2, kEliminated = 4, kParameter = 8 };
+
+  void release_slot(std::uint32_t slot);
+  void set_flag(std::uint32_t slot, Flag flag, bool on);
+
+  std::vector<Id> ids_;
+  std::vector<std::uint32_t> generations_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<std::uint32_t> free_;
+  std::uint32_t first_generation_ = 0;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fills H and the gradient of F(x) = Σ ρ(eᵀΩe) at the current estimates, tile by tile.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus {
+
+struct LinearizeOptions {
+  bool numeric_jacobians = false;  ///< differentiate every edge numerically
+  /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for robust
+  /// edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J, bounded so that each edge's term stays positive semi-definite.
+  bool triggs_correction = false;
+};
+
+/// The values that change from iteration to iteration, and the loops that fill them. Allocates only when constructed.
+///
+/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0; so F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and the
+/// Gauss-Newton step solves H δ = −gradient. Same bits for any number of workers.
+class Linearizer {
+ public:
+  Linearizer(const Graph& graph, const Plan& plan);
+
+  void linearize(const LinearizeOptions& options);
+  /// Σ ρ(eᵀΩe) over the active, enabled edges; not finite where an edge's is not.
+  double chi2();
+  /// The first active edge, in pool and slot order, whose eᵀΩe (whose Jacobian) is not finite.
+  std::optional<EdgeRef> find_non_finite_error() const;
+  std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
+
+  std::span<const double> values() const { return values_; }
+  std::span<const double> gradient() const { return gradient_; }
+  /// By how much F would fall if the k-th held vertex of the plan moved alone: gᵀH⁻¹g of its own normal equations.
+  /// Zero, up to rounding, at a minimum over the other vertices, if and only if holding it cost nothing, that is, if
+  /// it was a gauge freedom indeed. O(its edges).
+  double held_vertex_decrease(std::size_t k);
+  int workers() const { return static_cast<int>(plan_->chunks.size()); }
+
+ private:
+  struct TileMemory {
+    std::vector<double> error, jacobian, weighted, weighted_error;
+    std::vector<std::uint32_t> edges, positions;
+    std::vector<int> dims;
+  };
+
+  void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
+  void linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                     const LinearizeOptions& options);
+  void evaluate_share(int worker, int workers);
+
+  const Graph* graph_;
+  const Plan* plan_;
+  std::vector<double> values_, gradient_, edge_chi2_;
+  std::vector<TileMemory> memory_;
+  std::vector<double> held_gradient_, held_hessian_;
+  std::vector<std::uint32_t> held_targets_;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elimination of a set of vertices by the Schur complement, explicit or as an operator.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxplus/linear/block_system.h"
+#include "boxplus/linear/linear_solver.h"
+
+namespace boxplus {
+
+/// With H = [V Wᵀ; W U], V block diagonal over the eliminated vertices (the first blocks), solves
+/// (H + λD) x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H itself is only read, so another λ re-assembles nothing.
+/// (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958; Triggs et
+/// al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
+///
+/// Allocates only when constructed. `structure` must outlive it.
+class Schur {
+ public:
+  Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values);
+
+  /// Structure of S: the kept blocks, numbered from 0.
+  const BlockStructure& reduced_structure() const { return reduced_; }
+  std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
+
+  /// Factorises V + λD and, where asked for at construction, forms S without the λD of the kept blocks, which the
+  /// linear solver adds. `values` are H's and must stay until the last use. Names the block of H that is not positive
+  /// definite.
+  FactorResult eliminate(std::span<const double> values, const Damping& damping);
+  /// The part of a damping that concerns the kept blocks.
+  Damping reduced_damping(const Damping& damping) const;
+  /// r_kept − W V⁻¹ r_eliminated.
+  void reduce(const double* r, double* reduced_r);
+  /// Fills the eliminated part of x, x_e = V⁻¹ (r_e − Wᵀ x_kept), and copies the kept part.
+  void back_substitute(const double* r, const double* reduced_x, double* x) const;
+
+  /// Values of S (explicit_values only).
+  std::span<const double> reduced_values() const { return reduced_values_; }
+  /// y = (U − W V⁻¹ Wᵀ) x without forming S.
+  void multiply(const double* x, double* y);
+  /// Diagonal blocks of S.
+  void block_diagonal(double* out) const;
+
+ private:
+  template <class F>
+  void for_each_row(std::uint32_t column, F&& f) const;
+  void form_reduced_values();
+  void kept_multiply(const double* x, double* y) const;
+
+  const BlockStructure* structure_;
+  std::uint32_t eliminated_;
+  BlockStructure reduced_;
+  std::span<const double> values_;
+  std::vector<std::uint32_t> factor_start_;   // per eliminated block, into factors_
+  std::vector<double> factors_;               // L of V + λD, dim × dim, column-major
+  std::vector<double> reduced_values_;
+  std::vector<std::uint32_t> kept_target_;    // value of S for every kept block of H
+  std::vector<std::uint32_t> pair_target_;    // value of S for every pair of rows (a ≥ b) of every eliminated column
+  std::vector<double> half_column_;           // W L⁻ᵀ of one column
+  std::vector<double> small_;
+};
+
+/// S as an operator.
+class ImplicitSchur final : public BlockSystem {
+ public:
+  explicit ImplicitSchur(Schur& schur) : schur_(&schur) {}
+  const BlockStructure& structure() const override { return schur_->reduced_structure(); }
+  std::span<const double> values() const override { return {}; }
+  void multiply(const double* x, double* y) const override { schur_->multiply(x, y); }
+  void block_diagonal(double* out) const override { schur_->block_diagonal(out); }
+
+ private:
+  Schur* schur_;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What optimize() did, without anything left out: status, reason, start, gauge, iterations, fallbacks, timings.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/optimize/options.h"
+
+namespace boxplus {
+
+enum class Status : std::uint8_t {
+  kConverged,     ///< a minimum to within the tolerances
+  kNotConverged,  ///< stopped before: `reason` tells why; the estimates are the best found
+  kFailed         ///< no step could be computed; the estimates are the best found
+};
+std::string_view to_string(Status status);
+
+enum class Reason : std::uint8_t {
+  kCostTolerance,
+  kStepTolerance,
+  kGradientTolerance,
+  kNoFurtherDecrease,    ///< no step lowers chi2 any more; what the model promises is below rounding
+  kNothingToOptimize,    ///< no active edge touches a vertex that may move
+  kMaxIterations,
+  kTimeLimit,
+  kStopFlag,
+  kCallback,
+  kNoStepFound,          ///< every damped step raised chi2
+  kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
+  kNotFinite,            ///< an error or a Jacobian is NaN or Inf; `message` names the edge
+  kGaugeFreedom          ///< GaugePolicy::kError and a component that nothing holds
+};
+std::string_view to_string(Reason reason);
+
+/// Which start was asked for, which was used, and how they compared.
+struct StartReport {
+  Start requested = Start::kCurrent;
+  Start used = Start::kCurrent;
+  double chi2_current = 0;       ///< of the estimates as they came
+  double chi2_guess = -1;        ///< of the initial guess; negative where none was made
+  bool ran_both = false;         ///< automatic: both starts were run
+  double chi2_other_final = -1;  ///< where the run that was not kept ended; negative where there was none
+  std::string_view note;         ///< why a guess could not be made, or empty
+};
+
+struct GaugeReport {
+  std::vector<Id> held;        ///< vertices held for the solve, one per component that nothing else holds
+  std::vector<Id> released;    ///< held at first, found to be observable, and let go
+  int damped_components = 0;   ///< components held only in part (or GaugePolicy::kDamp): H was damped minutely
+};
+
+struct Timings {
+  double plan_s = 0, start_s = 0, linearize_s = 0, factorize_s = 0, solve_s = 0, evaluate_s = 0, total_s = 0;
+};
+
+struct Report {
+  Status status = Status::kNotConverged;
+  Reason reason = Reason::kMaxIterations;
+  std::string message;  ///< one sentence for people
+
+  double chi2_initial = 0;  ///< F = Σ ρ(eᵀΩe) over the active edges, at the estimates as they came
+  double chi2_final = 0;    ///< recomputed at the estimates as they are left
+  int iterations = 0;       ///< of all runs together
+  StartReport start;
+  GaugeReport gauge;
+  std::vector<IterationRecord> records;  ///< of the run that was kept
+
+  std::string_view algorithm, linear_solver;
+  std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
+  std::vector<std::string_view> numeric_jacobians;  ///< edge types that were differentiated numerically
+  LinearStatistics linear;
+  int regularised_steps = 0;  ///< steps for which H had to be damped to be positive definite
+  int threads = 1;            ///< the bound asked for
+  int workers = 1;            ///< that did work
+  bool plan_reused = false;
+  Timings time;
+
+  bool converged() const { return status == Status::kConverged; }
+};
+
+/// A table of the iterations and a summary.
+std::ostream& operator<<(std::ostream& out, const Report& report);
+std::string to_string(const Report& report);
+
+}  // namespace boxplus

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that an algorithm sees of a problem.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "boxplus/linear/linear_solver.h"
+#include "boxplus/optimize/options.h"
+
+namespace boxplus {
+
+struct StepDamping {
+  double lambda = 0;
+  DampingScale scale = DampingScale::kIdentity;
+};
+
+struct StepResult {
+  LinearStatus status = LinearStatus::kOk;
+  int linear_iterations = 0;
+};
+
+/// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.
+///
+/// Called per iteration: linearize(); then any number of solve() and try_step(), each try_step() answered by accept()
+/// or reject(). Spans stay valid until the next linearize().
+class System {
+ public:
+  virtual ~System() = default;
+  /// F at the current estimates.
+  virtual double chi2() = 0;
+  /// Computes g and H. False where they are not finite.
+  virtual bool linearize() = 0;
+  virtual std::span<const double> gradient() const = 0;
+  /// The diagonal of H, which scales trust regions and damping.
+  virtual std::span<const double> diagonal() const = 0;
+  /// dᵀHd.
+  virtual double curvature(std::span<const double> d) = 0;
+  /// (H + λD) step = −g. `step` has as many entries as the gradient.
+  virtual StepResult solve(const StepDamping& damping, std::span<double> step) = 0;
+  /// x ← x ⊞ step; returns F there.
+  virtual double try_step(std::span<const double> step) = 0;
+  virtual void accept() = 0;
+  virtual void reject() = 0;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/graph/graph.h"
+
+#include <algorithm>
+
+namespace boxplus {
+
+Graph::Graph() = default;
+Graph::~Graph() = default;
+Graph::Graph(Graph&&) noexcept = default;
+Graph& Graph::operator=(Graph&&) noexcept = default;
+
+Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what) {
+  if (!id) {
+    while (ids.contains(next)) ++next;
+    return next++;
+  }
+  if (*id < 0) throw InvalidArgument(std::string(what) + " id: expected a number ≥ 0, got " + std::to_string(*id));
+  if (ids.contains(*id)) throw InvalidArgument(std::string(what) + " id " + std::to_string(*id) + " is taken");
+  return *id;
+}
+
+VertexRef Graph::lookup(const IdMap& ids, Id id, const char* what) const {
+  const auto found = ids.find(id);
+  if (found == ids.end()) throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
+  return found->second;
+}
+
+void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
+  throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " + std::string(expected) +
+                        ", it is a " + std::string(vertex_pools_[vertex.pool]->type_name()));
+}
+
+bool Graph::contains(VertexRef vertex) const {
+  return vertex.pool < vertex_pools_.size() && vertex.slot < vertex_pools_[vertex.pool]->slots() &&
+         vertex_pools_[vertex.pool]->alive(vertex.slot) &&
+         vertex_pools_[vertex.pool]->generation(vertex.slot) == vertex.generation;
+}
+
+bool Graph::contains(EdgeRef edge) const {
+  return edge.pool < edge_pools_.size() && edge.slot < edge_pools_[edge.pool]->slots() &&
+         edge_pools_[edge.pool]->alive(edge.slot) && edge_pools_[edge.pool]->generation(edge.slot) == edge.generation;
+}
+
+void Graph::check(VertexRef vertex) const {
+  if (!contains(vertex)) throw InvalidArgument("stale vertex handle: its vertex was removed or is of another graph");
+}
+
+void Graph::check(EdgeRef edge) const {
+  if (!contains(edge)) throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
+}
+
+void Graph::check_distinct(std::span<const VertexRef> vertices) const {
+  if (vertices.empty()) throw InvalidArgument("an edge needs at least one vertex");
+  for (const VertexRef& vertex : vertices) check(vertex);
+  std::vector<VertexRef> sorted(vertices.begin(), vertices.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice != sorted.end()) {
+    throw InvalidArgument("vertex " + std::to_string(id(*twice)) + " appears twice in one edge");
+  }
+}
+
+void Graph::mark_parameter(VertexRef vertex) {
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kParameter, true);
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kFixed, true);
+}
+
+std::optional<VertexRef> Graph::find_vertex(Id id) const {
+  const auto found = vertex_ids_.find(id);
+  return found == vertex_ids_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<VertexRef> Graph::find_parameter(Id id) const {
+  const auto found = parameter_ids_.find(id);
+  return found == parameter_ids_.end() ? std::nullopt : std::optional(found->second);
+}
+
+Id Graph::id(VertexRef vertex) const {
+  check(vertex);
+  return vertex_pools_[vertex.pool]->id(vertex.slot);
+}
+
+void Graph::change_id(VertexRef vertex, Id new_id) {
+  check(vertex);
+  VertexPool& pool = *vertex_pools_[vertex.pool];
+  if (pool.id(vertex.slot) == new_id) return;
+  IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
+  Id unused = 0;
+  claim_id(ids, unused, new_id, "vertex");
+  ids.erase(pool.id(vertex.slot));
+  ids.emplace(new_id, vertex);
+  pool.ids_[vertex.slot] = new_id;
+  ++revision_;
+}
+
+int Graph::tangent_dim(VertexRef vertex) const {
+  check(vertex);
+  return vertex_pools_[vertex.pool]->tangent_dim(vertex.slot);
+}
+
+void Graph::set_fixed(VertexRef vertex, bool fixed) {
+  if (is_fixed(vertex) == fixed) return;
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kFixed, fixed);
+  ++revision_;
+}
+
+bool Graph::is_fixed(VertexRef vertex) const {
+  check(vertex);
+  return vertex_pools_[vertex.pool]->fixed(vertex.slot);
+}
+
+void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
+  if (is_eliminated(vertex) == eliminated) return;
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kEliminated, eliminated);
+  ++revision_;
+}
+
+bool Graph::is_eliminated(VertexRef vertex) const {
+  check(vertex);
+  return vertex_pools_[vertex.pool]->eliminated(vertex.slot);
+}
+
+void Graph::remove(VertexRef vertex) {
+  check(vertex);
+  for (const auto& pool : edge_pools_) {
+    for (std::uint32_t edge = 0; edge < pool->slots(); ++edge) {
+      if (!pool->alive(edge)) continue;
+      const auto slots = pool->vertex_slots(edge);
+      for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (slots[i] == vertex.slot && pool->vertex_pool(static_cast<int>(i)) == vertex.pool) {
+          pool->remove(edge);
+          break;
+        }
+      }
+    }
+  }
+  VertexPool& pool = *vertex_pools_[vertex.pool];
+  (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
+  pool.release_slot(vertex.slot);
+  ++revision_;
+}
+
+std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
+  check(edge);
+  const EdgePool& pool = *edge_pools_[edge.pool];
+  std::vector<VertexRef> result;
+  for (std::uint32_t slot : pool.vertex_slots(edge.slot)) {
+    const std::uint32_t index = pool.vertex_pool(static_cast<int>(result.size()));
+    result.push_back({index, slot, vertex_pools_[index]->generation(slot)});
+  }
+  return result;
+}
+
+InformationView Graph::information(EdgeRef edge) const {
+  check(edge);
+  return edge_pools_[edge.pool]->information(edge.slot);
+}
+
+void Graph::set_information(EdgeRef edge, const Information& information) {
+  check(edge);
+  EdgePool& pool = *edge_pools_[edge.pool];
+  pool.information_.set(edge.slot, information, pool.shape(edge.slot).rows);
+}
+
+void Graph::set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel) {
+  check(edge);
+  edge_pools_[edge.pool]->set_kernel(edge.slot, std::move(kernel));
+}
+
+const RobustKernel* Graph::kernel(EdgeRef edge) const {
+  check(edge);
+  return edge_pools_[edge.pool]->kernel(edge.slot);
+}
+
+void Graph::set_enabled(EdgeRef edge, bool enabled) {
+  check(edge);
+  auto& flags = edge_pools_[edge.pool]->flags_[edge.slot];
+  flags = static_cast<std::uint8_t>(enabled ? flags | EdgePool::kEnabled : flags & ~EdgePool::kEnabled);
+}
+
+bool Graph::is_enabled(EdgeRef edge) const {
+  check(edge);
+  return edge_pools_[edge.pool]->enabled(edge.slot);
+}
+
+void Graph::set_level(EdgeRef edge, int level) {
+  check(edge);
+  EdgePool& pool = *edge_pools_[edge.pool];
+  if (pool.level(edge.slot) == level) return;
+  if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
+  pool.levels_[edge.slot] = level;
+  ++revision_;
+}
+
+int Graph::level(EdgeRef edge) const {
+  check(edge);
+  return edge_pools_[edge.pool]->level(edge.slot);
+}
+
+void Graph::remove(EdgeRef edge) {
+  check(edge);
+  edge_pools_[edge.pool]->remove(edge.slot);
+  ++revision_;
+}
+
+double Graph::chi2(EdgeRef edge) const {
+  check(edge);
+  double result = 0;
+  edge_pools_[edge.pool]->chi2(std::span(&edge.slot, 1), &result);
+  return result;
+}
+
+std::vector<double> Graph::error(EdgeRef edge) const {
+  check(edge);
+  const EdgePool& pool = *edge_pools_[edge.pool];
+  std::vector<double> result(static_cast<std::size_t>(pool.shape(edge.slot).rows));
+  pool.errors(std::span(&edge.slot, 1), result.data());
+  return result;
+}
+
+double Graph::chi2() const {
+  double sum = 0;
+  for (const auto& pool : edge_pools_) {
+    for (std::uint32_t edge = 0; edge < pool->slots(); ++edge) {
+      if (!pool->alive(edge) || !pool->enabled(edge)) continue;
+      double e2 = 0;
+      pool->chi2(std::span(&edge, 1), &e2);
+      const RobustKernel* kernel = pool->kernel(edge);
+      sum += kernel ? (*kernel)(e2).value : e2;
+    }
+  }
+  return sum;
+}
+
+void Graph::push() {
+  const std::vector<VertexRef> all = all_vertices();
+  push(all);
+}
+
+void Graph::push(std::span<const VertexRef> vertices) {
+  Saved saved;
+  saved.slots.resize(vertex_pools_.size());
+  saved.generations.resize(vertex_pools_.size());
+  for (const VertexRef& vertex : vertices) {
+    check(vertex);
+    saved.slots[vertex.pool].push_back(vertex.slot);
+    saved.generations[vertex.pool].push_back(vertex.generation);
+  }
+  save(std::move(saved));
+}
+
+/// Backup level 0 belongs to the optimiser; the stack uses 1, 2, …
+void Graph::save(Saved saved) {
+  const int level = stack_size() + 1;
+  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->save(saved.slots[p], level);
+  stack_.push_back(std::move(saved));
+}
+
+/// What of `saved` still exists.
+Graph::Saved Graph::live(const Saved& saved) const {
+  Saved result;
+  for (std::size_t p = 0; p < saved.slots.size(); ++p) {
+    result.slots.emplace_back();
+    for (std::size_t k = 0; k < saved.slots[p].size(); ++k) {
+      const VertexRef vertex{static_cast<std::uint32_t>(p), saved.slots[p][k], saved.generations[p][k]};
+      if (contains(vertex)) result.slots.back().push_back(vertex.slot);
+    }
+  }
+  return result;
+}
+
+void Graph::pop() {
+  if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, the stack is empty");
+  const Saved saved = live(stack_.back());
+  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->restore(saved.slots[p], stack_size());
+  stack_.pop_back();
+}
+
+void Graph::discard_top() {
+  if (stack_.empty()) throw InvalidArgument("discard_top: expected an earlier push, the stack is empty");
+  stack_.pop_back();
+}
+
+std::size_t Graph::vertex_count() const {
+  return vertex_ids_.size();
+}
+
+std::size_t Graph::edge_count() const {
+  std::size_t count = 0;
+  for (const auto& pool : edge_pools_) count += pool->alive_count();
+  return count;
+}
+
+namespace {
+
+std::vector<VertexRef> by_id(const std::unordered_map<Id, VertexRef>& ids) {
+  std::vector<std::pair<Id, VertexRef>> sorted(ids.begin(), ids.end());
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<VertexRef> result;
+  result.reserve(sorted.size());
+  for (const auto& [id, vertex] : sorted) result.push_back(vertex);
+  return result;
+}
+
+}  // namespace
+
+std::vector<VertexRef> Graph::all_vertices() const {
+  return by_id(vertex_ids_);
+}
+
+std::vector<VertexRef> Graph::all_parameters() const {
+  return by_id(parameter_ids_);
+}
+
+std::vector<EdgeRef> Graph::all_edges() const {
+  std::vector<EdgeRef> result;
+  for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {
+    for (std::uint32_t edge = 0; edge < edge_pools_[p]->slots(); ++edge) {
+      if (edge_pools_[p]->alive(edge)) result.push_back({p, edge, edge_pools_[p]->generation(edge)});
+    }
+  }
+  return result;
+}
+
+void Graph::clear() {
+  constexpr std::uint32_t kGenerationsPerEpoch = 1u << 20;
+  const std::uint64_t revision = revision_ + 1;
+  const std::uint32_t epoch = epoch_ + kGenerationsPerEpoch;
+  *this = Graph();
+  revision_ = revision;
+  epoch_ = epoch;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/graph/information.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus {
+namespace {
+
+/// Position of (i, j), i ≤ j, in an upper triangle of n rows stored row by row.
+int triangle_index(int i, int j, int n) {
+  return i * n - i * (i - 1) / 2 + (j - i);
+}
+
+}  // namespace
+
+double InformationView::operator()(int i, int j) const {
+  switch (kind) {
+    case InformationKind::kScalar:
+      return i == j ? values[0] : 0;
+    case InformationKind::kDiagonal:
+      return i == j ? values[i] : 0;
+    default:
+      return i <= j ? values[triangle_index(i, j, rows)] : values[triangle_index(j, i, rows)];
+  }
+}
+
+void InformationView::apply(const double* x, int columns, double* y) const {
+  for (int c = 0; c < columns; ++c, x += rows, y += rows) {
+    if (kind == InformationKind::kScalar) {
+      for (int i = 0; i < rows; ++i) y[i] = values[0] * x[i];
+    } else if (kind == InformationKind::kDiagonal) {
+      for (int i = 0; i < rows; ++i) y[i] = values[i] * x[i];
+    } else {
+      std::fill_n(y, rows, 0.0);
+      const double* omega = values;
+      for (int i = 0; i < rows; ++i) {
+        double sum = y[i] + *omega++ * x[i];
+        for (int j = i + 1; j < rows; ++j, ++omega) {
+          sum += *omega * x[j];
+          y[j] += *omega * x[i];
+        }
+        y[i] = sum;
+      }
+    }
+  }
+}
+
+double InformationView::squared_norm(const double* e) const {
+  double sum = 0;
+  if (kind == InformationKind::kScalar) {
+    for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
+    return values[0] * sum;
+  }
+  if (kind == InformationKind::kDiagonal) {
+    for (int i = 0; i < rows; ++i) sum += values[i] * e[i] * e[i];
+    return sum;
+  }
+  const double* omega = values;
+  for (int i = 0; i < rows; ++i) {
+    double half = 0.5 * *omega++ * e[i];
+    for (int j = i + 1; j < rows; ++j) half += *omega++ * e[j];
+    sum += e[i] * half;
+  }
+  return 2 * sum;
+}
+
+Eigen::MatrixXd InformationView::matrix() const {
+  Eigen::MatrixXd full(rows, rows);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) full(i, j) = (*this)(i, j);
+  }
+  return full;
+}
+
+Information Information::diagonal(std::span<const double> values) {
+  Information result;
+  result.kind_ = InformationKind::kDiagonal;
+  result.rows_ = static_cast<int>(values.size());
+  result.values_.assign(values.begin(), values.end());
+  return result;
+}
+
+Information Information::upper_triangle(std::span<const double> values, int rows) {
+  if (values.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2) {
+    throw InvalidArgument("information: expected the " + std::to_string(rows * (rows + 1) / 2) +
+                          " numbers of an upper triangle of " + std::to_string(rows) + " rows, got " +
+                          std::to_string(values.size()));
+  }
+  bool diagonal = true;
+  std::vector<double> on_diagonal(static_cast<std::size_t>(rows));
+  std::size_t k = 0;
+  for (int i = 0; i < rows; ++i) {
+    on_diagonal[static_cast<std::size_t>(i)] = values[k++];
+    for (int j = i + 1; j < rows; ++j) diagonal = (values[k++] == 0) && diagonal;
+  }
+  if (diagonal && rows > 0) {
+    const bool scalar = std::all_of(on_diagonal.begin(), on_diagonal.end(), [&](double v) { return v == on_diagonal[0]; });
+    Information result = scalar ? Information(on_diagonal[0]) : Information::diagonal(on_diagonal);
+    result.rows_ = rows;
+    return result;
+  }
+  Information result;
+  result.kind_ = InformationKind::kFull;
+  result.rows_ = rows;
+  result.values_.assign(values.begin(), values.end());
+  return result;
+}
+
+Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
+  const int n = static_cast<int>(matrix.rows());
+  if (matrix.cols() != n) {
+    throw InvalidArgument("information: expected a square matrix, got " + std::to_string(n) + " × " +
+                          std::to_string(matrix.cols()) + " (for a diagonal use Information::diagonal)");
+  }
+  std::vector<double> upper;
+  upper.reserve(static_cast<std::size_t>(n * (n + 1) / 2));
+  for (int i = 0; i < n; ++i) {
+    for (int j = i; j < n; ++j) {
+      const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
+      if (std::abs(matrix(i, j) - matrix(j, i)) > tolerance) {
+        throw InvalidArgument("information: expected a symmetric matrix, but (" + std::to_string(i) + "," +
+                              std::to_string(j) + ") = " + std::to_string(matrix(i, j)) + " and (" + std::to_string(j) +
+                              "," + std::to_string(i) + ") = " + std::to_string(matrix(j, i)));
+      }
+      upper.push_back(matrix(i, j));
+    }
+  }
+  return upper_triangle(upper, n);
+}
+
+std::string Information::complaint(int rows) const {
+  if (rows_ != 0 && rows_ != rows) {
+    return "information: expected " + std::to_string(rows) + " rows like the error, got " + std::to_string(rows_);
+  }
+  for (double v : values_) {
+    if (!std::isfinite(v)) return "information: expected finite numbers, got " + std::to_string(v);
+  }
+  if (kind_ != InformationKind::kFull) {
+    for (double v : values_) {
+      if (v < 0) return "information: expected a positive semi-definite matrix, got the diagonal entry " + std::to_string(v);
+    }
+    return {};
+  }
+  const Eigen::MatrixXd full = InformationView{kind_, rows_, values_.data()}.matrix();
+  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell indefinite ones.
+  const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
+  Eigen::MatrixXd l = full;
+  for (int k = 0; k < rows_; ++k) {
+    const double pivot = l(k, k) + shift;
+    if (!(pivot > 0)) {
+      const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
+      if (smallest < -shift) {
+        return "information: expected a positive semi-definite matrix, got the eigenvalue " + std::to_string(smallest);
+      }
+      return {};
+    }
+    for (int i = k + 1; i < rows_; ++i) {
+      const double factor = l(i, k) / pivot;
+      for (int j = k + 1; j <= i; ++j) l(i, j) -= factor * l(j, k);
+    }
+  }
+  return {};
+}
+
+void InformationStore::append(const Information& information, int rows) {
+  if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
+  entries_.push_back(store(information));
+}
+
+void InformationStore::set(std::uint32_t edge, const Information& information, int rows) {
+  if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
+  entries_[edge] = store(information);
+}
+
+std::uint64_t InformationStore::store(const Information& information) {
+  const std::uint64_t offset = values_.size();
+  values_.insert(values_.end(), information.values().begin(), information.values().end());
+  return (static_cast<std::uint64_t>(information.kind()) << 62) | offset;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/graph/vertex_pool.h"
+
+namespace boxplus {
+
+std::uint32_t VertexPool::acquire_slot(Id id) {
+  if (!free_.empty()) {
+    const std::uint32_t slot = free_.back();
+    free_.pop_back();
+    ids_[slot] = id;
+    flags_[slot] = kAlive;
+    return slot;
+  }
+  ids_.push_back(id);
+  generations_.push_back(first_generation_);
+  flags_.push_back(kAlive);
+  return slots() - 1;
+}
+
+void VertexPool::release_slot(std::uint32_t slot) {
+  flags_[slot] = 0;
+  ++generations_[slot];
+  free_.push_back(slot);
+}
+
+void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {
+  flags_[slot] = static_cast<std::uint8_t>(on ? flags_[slot] | flag : flags_[slot] & ~flag);
+}
+
+}  // namespace boxplus

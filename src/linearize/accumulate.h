@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tile consumer that adds JᵀΩJ and JᵀΩe of one edge to H and to the gradient.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "boxplus/graph/information.h"
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus {
+
+/// The weights of one edge: its Ω is scaled by `first` = max(0, ρ′) and gets the rank-one term `second` · Ωe eᵀΩ.
+struct EdgeWeight {
+  double first = 1;
+  double second = 0;
+};
+
+/// The weights of an edge with squared error e2. `triggs` asks for the second-order term.
+EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs);
+
+/// One edge of a tile.
+struct EdgeSystem {
+  int rows, cols;
+  std::span<const int> dims;  ///< tangent size of each vertex
+  const double* error;
+  const double* jacobian;     ///< rows × cols, column-major
+};
+
+/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted` and `weighted_error` are scratch
+/// of rows·cols and rows + cols numbers.
+void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+                const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                double* weighted_error);
+
+}  // namespace boxplus

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The vertices and edges that take part in one optimisation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus {
+
+struct ActiveSet {
+  static constexpr std::uint32_t kInactive = 0xFFFFFFFFu;
+
+  /// Per edge pool: the slots of its active edges, ascending.
+  std::vector<std::vector<std::uint32_t>> edges;
+  /// Per vertex pool and slot: the block of the vertex in H, or kInactive.
+  std::vector<std::vector<std::uint32_t>> block;
+  std::vector<VertexRef> block_vertex;
+  std::uint32_t eliminated_blocks = 0;
+  std::vector<GaugeVertex> held;
+  int free_components = 0;
+  int damped_components = 0;
+};
+
+ActiveSet find_active_set(const Graph& graph, const PlanRequest& request);
+
+}  // namespace boxplus

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/linearize/linearizer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxplus/base/parallel.h"
+#include "linearize/accumulate.h"
+#include "linearize/pairwise_sum.h"
+
+namespace boxplus {
+namespace {
+
+/// Tangent sizes of an edge's vertices.
+void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, std::vector<int>& dims) {
+  dims.clear();
+  const auto slots = pool.vertex_slots(edge);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    dims.push_back(graph.vertex_pools()[pool.vertex_pool(static_cast<int>(i))]->tangent_dim(slots[i]));
+  }
+}
+
+/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat are left out.
+double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
+  const std::size_t n = g.size();
+  double decrease = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double pivot = a[k + k * n];
+    if (!(pivot > 0)) continue;
+    decrease += g[k] * g[k] / pivot;
+    for (std::size_t j = k + 1; j < n; ++j) {
+      const double factor = a[j + k * n] / pivot;
+      g[j] -= factor * g[k];
+      for (std::size_t i = k + 1; i < n; ++i) a[i + j * n] -= factor * a[i + k * n];
+    }
+  }
+  return decrease;
+}
+
+bool all_finite(std::span<const double> values) {
+  // NaN and Inf survive multiplication by zero, so one comparison at the end tells.
+  double sum = 0;
+  for (double v : values) sum += v * 0.0;
+  return sum == 0;
+}
+
+}  // namespace
+
+Linearizer::Linearizer(const Graph& graph, const Plan& plan)
+    : graph_(&graph),
+      plan_(&plan),
+      values_(plan.structure.nonzero_values()),
+      gradient_(plan.scalars()),
+      edge_chi2_(plan.edge_count),
+      memory_(plan.chunks.size()) {
+  const auto values = static_cast<std::size_t>(plan.max_tile_values);
+  const auto rows = static_cast<std::size_t>(plan.max_tile_rows);
+  if (memory_.empty()) memory_.resize(1);
+  for (TileMemory& memory : memory_) {
+    memory.error.resize(rows);
+    memory.jacobian.resize(values);
+    memory.weighted.resize(values);
+    memory.weighted_error.resize(values + rows);
+    memory.edges.reserve(EdgeTile::kCapacity);
+    memory.positions.reserve(EdgeTile::kCapacity);
+  }
+}
+
+void Linearizer::linearize(const LinearizeOptions& options) {
+  parallel_tasks(workers(), [&](int worker) {
+    const auto w = static_cast<std::size_t>(worker);
+    linearize_chunk(plan_->chunks[w], memory_[w], options);
+  });
+}
+
+void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options) {
+  const BlockStructure& structure = plan_->structure;
+  const auto first_value = structure.value_start[structure.column_start[chunk.first_column]];
+  const auto last_value = structure.value_start[structure.column_start[chunk.last_column]];
+  std::fill(values_.begin() + first_value, values_.begin() + last_value, 0.0);
+  std::fill(gradient_.begin() + structure.offset[chunk.first_column],
+            gradient_.begin() + structure.offset[chunk.last_column], 0.0);
+  for (const Chunk::Run& run : chunk.runs) linearize_run(chunk.scatters[run.scatter], run, memory, options);
+}
+
+void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                               const LinearizeOptions& options) {
+  const EdgePool& pool = *graph_->edge_pools()[scatter.pool];
+  std::vector<int>& dims = memory.dims;
+  vertex_dims(*graph_, pool, scatter.edges[run.begin], dims);
+  const bool uniform = pool.uniform_shape();
+  const auto capacity =
+      uniform ? static_cast<std::size_t>(tile_capacity(pool.shape(scatter.edges[run.begin]))) : std::size_t{1};
+  const std::uint32_t stride = Scatter::targets_of(static_cast<int>(dims.size()));
+  EdgeTile tile;
+  tile.error = memory.error.data();
+  tile.jacobian = memory.jacobian.data();
+  for (std::uint32_t next = run.begin; next < run.end;) {
+    memory.edges.clear();
+    memory.positions.clear();
+    for (; next < run.end && memory.edges.size() < capacity; ++next) {
+      if (!pool.enabled(scatter.edges[next])) continue;
+      memory.edges.push_back(scatter.edges[next]);
+      memory.positions.push_back(next);
+    }
+    if (memory.edges.empty()) continue;
+    pool.linearize(memory.edges, tile, options.numeric_jacobians);
+    if (!uniform) vertex_dims(*graph_, pool, memory.edges[0], dims);
+    for (std::size_t k = 0; k < memory.edges.size(); ++k) {
+      const std::uint32_t position = memory.positions[k];
+      const std::uint32_t start = scatter.target_start.empty() ? position * stride : scatter.target_start[position];
+      const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
+      const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
+      const InformationView omega = pool.information(memory.edges[k], tile.rows);
+      const RobustKernel* kernel = pool.kernel(memory.edges[k]);
+      const EdgeWeight weight = kernel ? edge_weight(kernel, omega.squared_norm(error), options.triggs_correction)
+                                       : EdgeWeight{};
+      accumulate({tile.rows, tile.cols, dims, error, jacobian}, omega, weight, scatter.targets.data() + start,
+                 values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
+    }
+  }
+}
+
+double Linearizer::chi2() {
+  const int count = workers();
+  parallel_tasks(count, [&](int worker) { evaluate_share(worker, count); });
+  return pairwise_sum(edge_chi2_);
+}
+
+/// Each worker evaluates an equal share of the active edges.
+void Linearizer::evaluate_share(int worker, int workers) {
+  const auto bound = [&](int w) {
+    return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /
+                                      static_cast<std::uint64_t>(workers));
+  };
+  const std::uint32_t begin = bound(worker), end = bound(worker + 1);
+  for (const EdgeList& list : plan_->edges) {
+    const auto size = static_cast<std::uint32_t>(list.edges.size());
+    const std::uint32_t from = std::clamp(begin, list.first, list.first + size);
+    const std::uint32_t to = std::clamp(end, list.first, list.first + size);
+    if (from == to) continue;
+    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    const std::span edges(list.edges.data() + (from - list.first), to - from);
+    double* out = edge_chi2_.data() + from;
+    pool.chi2(edges, out);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      if (!pool.enabled(edges[k])) {
+        out[k] = 0;
+      } else if (const RobustKernel* kernel = pool.kernel(edges[k])) {
+        out[k] = (*kernel)(out[k]).value;
+      }
+    }
+  }
+}
+
+std::optional<EdgeRef> Linearizer::find_non_finite_error() const {
+  for (const EdgeList& list : plan_->edges) {
+    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    for (std::size_t k = 0; k < list.edges.size(); ++k) {
+      if (std::isfinite(edge_chi2_[list.first + k])) continue;
+      return EdgeRef{list.pool, list.edges[k], pool.generation(list.edges[k])};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptions& options) const {
+  for (const EdgeList& list : plan_->edges) {
+    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    for (const std::uint32_t edge : list.edges) {
+      if (!pool.enabled(edge)) continue;
+      const EdgeShape shape = pool.shape(edge);
+      std::vector<double> error(static_cast<std::size_t>(shape.rows));
+      std::vector<double> jacobian(static_cast<std::size_t>(shape.rows * shape.cols));
+      EdgeTile tile;
+      tile.error = error.data();
+      tile.jacobian = jacobian.data();
+      pool.linearize(std::span(&edge, 1), tile, options.numeric_jacobians);
+      if (!all_finite(jacobian) || !all_finite(error)) return EdgeRef{list.pool, edge, pool.generation(edge)};
+    }
+  }
+  return std::nullopt;
+}
+
+double Linearizer::held_vertex_decrease(std::size_t k) {
+  const GaugeVertex& held = plan_->held[k];
+  const int dim = graph_->tangent_dim(held.vertex);
+  held_gradient_.assign(static_cast<std::size_t>(dim), 0.0);
+  held_hessian_.assign(static_cast<std::size_t>(dim * dim), 0.0);
+  TileMemory& memory = memory_.front();
+  EdgeTile tile;
+  tile.error = memory.error.data();
+  tile.jacobian = memory.jacobian.data();
+  for (const GaugeVertex::Use& use : held.uses) {
+    const EdgePool& pool = *graph_->edge_pools()[use.pool];
+    if (!pool.enabled(use.edge)) continue;
+    vertex_dims(*graph_, pool, use.edge, memory.dims);
+    pool.linearize(std::span(&use.edge, 1), tile, false);
+    held_targets_.assign(Scatter::targets_of(static_cast<int>(memory.dims.size())), Scatter::kNowhere);
+    held_targets_[use.position] = 0;
+    held_targets_[memory.dims.size() + use.position * (use.position + 1) / 2 + use.position] = 0;
+    const InformationView omega = pool.information(use.edge, tile.rows);
+    const EdgeWeight weight = edge_weight(pool.kernel(use.edge), omega.squared_norm(tile.error), false);
+    accumulate({tile.rows, tile.cols, memory.dims, tile.error, tile.jacobian}, omega, weight, held_targets_.data(),
+               held_hessian_.data(), held_gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
+  }
+  return newton_decrease(held_hessian_, held_gradient_);
+}
+
+}  // namespace boxplus

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/linearize/plan.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+
+#include "linearize/active_set.h"
+
+namespace boxplus {
+namespace {
+
+/// Below this many active edges a second worker costs more than it brings.
+constexpr std::uint32_t kEdgesPerWorker = 500;
+
+/// Blocks of an edge's vertices, in order; ActiveSet::kInactive for those that do not move.
+void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& active, std::vector<std::uint32_t>& out) {
+  out.clear();
+  const auto slots = pool.vertex_slots(edge);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    out.push_back(active.block[pool.vertex_pool(static_cast<int>(i))][slots[i]]);
+  }
+}
+
+template <class F>
+void for_each_active_edge(const Graph& graph, const ActiveSet& active, F&& f) {
+  std::vector<std::uint32_t> blocks;
+  for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
+    for (std::uint32_t edge : active.edges[p]) {
+      edge_blocks(*graph.edge_pools()[p], edge, active, blocks);
+      f(p, edge, blocks);
+    }
+  }
+}
+
+void check_elimination(const Graph& graph, const ActiveSet& active, const std::vector<std::uint32_t>& blocks) {
+  std::uint32_t other = ActiveSet::kInactive;
+  for (std::uint32_t block : blocks) {
+    if (block >= active.eliminated_blocks) continue;
+    if (other != ActiveSet::kInactive) {
+      throw InvalidArgument("vertices " + std::to_string(graph.id(active.block_vertex[other])) + " and " +
+                            std::to_string(graph.id(active.block_vertex[block])) +
+                            " are both marked as eliminated, but an edge joins them");
+    }
+    other = block;
+  }
+}
+
+BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active) {
+  std::vector<std::uint32_t> dims;
+  dims.reserve(active.block_vertex.size());
+  for (const VertexRef& v : active.block_vertex) {
+    dims.push_back(static_cast<std::uint32_t>(graph.vertex_pools()[v.pool]->tangent_dim(v.slot)));
+  }
+  std::vector<BlockCoordinate> pairs;
+  for_each_active_edge(graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
+    check_elimination(graph, active, blocks);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (blocks[i] == ActiveSet::kInactive || blocks[j] == ActiveSet::kInactive) continue;
+        pairs.push_back({std::max(blocks[i], blocks[j]), std::min(blocks[i], blocks[j])});
+      }
+    }
+  });
+  BlockStructure structure = make_block_structure(dims, pairs);
+  if (structure.nonzero_values() >= Scatter::kTransposed) {
+    throw InvalidArgument("the problem is too large: H has more than 2^31 values");
+  }
+  return structure;
+}
+
+void list_vertices(const ActiveSet& active, Plan& plan) {
+  std::vector<std::uint32_t> list_of(active.block.size(), ActiveSet::kInactive);
+  for (std::uint32_t block = 0; block < active.block_vertex.size(); ++block) {
+    const VertexRef& vertex = active.block_vertex[block];
+    if (list_of[vertex.pool] == ActiveSet::kInactive) {
+      list_of[vertex.pool] = static_cast<std::uint32_t>(plan.vertices.size());
+      plan.vertices.push_back({vertex.pool, {}, {}});
+    }
+    VertexList& list = plan.vertices[list_of[vertex.pool]];
+    list.slots.push_back(vertex.slot);
+    list.offsets.push_back(plan.structure.offset[block]);
+  }
+}
+
+void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
+  for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
+    if (active.edges[p].empty()) continue;
+    const EdgePool& pool = *graph.edge_pools()[p];
+    for (std::uint32_t edge : active.edges[p]) {
+      const EdgeShape shape = pool.shape(edge);
+      const int capacity = pool.uniform_shape() ? tile_capacity(shape) : 1;
+      plan.max_tile_values = std::max(plan.max_tile_values, capacity * shape.rows * shape.cols);
+      plan.max_tile_rows = std::max(plan.max_tile_rows, capacity * shape.rows);
+      if (pool.uniform_shape()) break;
+    }
+    plan.edges.push_back({p, plan.edge_count, active.edges[p]});
+    plan.edge_count += static_cast<std::uint32_t>(active.edges[p].size());
+  }
+}
+
+/// Contiguous ranges of block columns with about the same number of touching edges.
+std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers) {
+  std::vector<std::uint64_t> weight(active.block_vertex.size(), 1);
+  for_each_active_edge(graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
+    for (std::uint32_t block : blocks) {
+      if (block != ActiveSet::kInactive) ++weight[block];
+    }
+  });
+  const std::uint64_t total = std::accumulate(weight.begin(), weight.end(), std::uint64_t{0});
+  std::vector<std::uint32_t> bounds{0};
+  std::uint64_t sum = 0;
+  for (std::uint32_t block = 0; block < weight.size(); ++block) {
+    sum += weight[block];
+    const auto share = static_cast<std::uint64_t>(bounds.size());
+    if (bounds.size() < static_cast<std::size_t>(workers) && sum * static_cast<std::uint64_t>(workers) >= total * share) {
+      bounds.push_back(block + 1);
+    }
+  }
+  bounds.push_back(static_cast<std::uint32_t>(weight.size()));
+  return bounds;
+}
+
+/// The scatter map of one chunk.
+class ChunkBuilder {
+ public:
+  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure, std::uint32_t first,
+               std::uint32_t last)
+      : graph_(graph), active_(active), structure_(structure) {
+    chunk_.first_column = first;
+    chunk_.last_column = last;
+  }
+
+  Chunk build() {
+    struct Entry {
+      std::uint32_t group, pool, edge;  // group: the eliminated block, or one past them all
+    };
+    std::vector<Entry> entries;
+    for_each_active_edge(graph_, active_, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+      if (std::none_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(b); })) return;
+      const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+      entries.push_back({std::min(first, active_.eliminated_blocks), pool, edge});
+    });
+    if (active_.eliminated_blocks > 0) {
+      std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.group < b.group; });
+    }
+    std::vector<std::uint32_t> scatter_of(graph_.edge_pools().size(), ActiveSet::kInactive);
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const Entry& entry = entries[k];
+      std::uint32_t& scatter = scatter_of[entry.pool];
+      if (scatter == ActiveSet::kInactive) {
+        scatter = static_cast<std::uint32_t>(chunk_.scatters.size());
+        chunk_.scatters.push_back({entry.pool, {}, {}, {}});
+      }
+      const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
+      const bool starts_run = k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
+      if (starts_run) chunk_.runs.push_back({scatter, position, position});
+      ++chunk_.runs.back().end;
+      append(chunk_.scatters[scatter], entry.edge);
+    }
+    return std::move(chunk_);
+  }
+
+ private:
+  bool owns(std::uint32_t block) const {
+    return block != ActiveSet::kInactive && block >= chunk_.first_column && block < chunk_.last_column;
+  }
+
+  void append(Scatter& scatter, std::uint32_t edge) {
+    const EdgePool& pool = *graph_.edge_pools()[scatter.pool];
+    edge_blocks(pool, edge, active_, blocks_);
+    scatter.edges.push_back(edge);
+    if (!pool.uniform_shape()) scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
+    for (std::uint32_t block : blocks_) {
+      scatter.targets.push_back(owns(block) ? structure_.offset[block] : Scatter::kNowhere);
+    }
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) scatter.targets.push_back(target(blocks_[i], blocks_[j]));
+    }
+  }
+
+  std::uint32_t target(std::uint32_t i, std::uint32_t j) const {
+    if (i == ActiveSet::kInactive || j == ActiveSet::kInactive || !owns(std::min(i, j))) return Scatter::kNowhere;
+    const std::uint32_t value = structure_.value_start[structure_.find(std::max(i, j), std::min(i, j))];
+    return i >= j ? value : value | Scatter::kTransposed;
+  }
+
+  const Graph& graph_;
+  const ActiveSet& active_;
+  const BlockStructure& structure_;
+  Chunk chunk_;
+  std::vector<std::uint32_t> blocks_;
+};
+
+}  // namespace
+
+int tile_capacity(const EdgeShape& shape) {
+  constexpr int kTileBytes = 16 * 1024;
+  const int bytes = std::max(1, shape.rows * (shape.cols + 1)) * static_cast<int>(sizeof(double));
+  return std::clamp(kTileBytes / bytes, 1, EdgeTile::kCapacity);
+}
+
+Plan make_plan(const Graph& graph, const PlanRequest& request) {
+  ActiveSet active = find_active_set(graph, request);
+  Plan plan;
+  plan.block_vertex = active.block_vertex;
+  plan.eliminated_blocks = active.eliminated_blocks;
+  plan.held = active.held;
+  plan.free_components = active.free_components;
+  plan.damped_components = active.damped_components;
+  plan.structure = hessian_structure(graph, active);
+  list_vertices(active, plan);
+  list_edges(graph, active, plan);
+  const int workers = std::clamp(static_cast<int>(plan.edge_count / kEdgesPerWorker), 1, std::max(1, request.threads));
+  const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers);
+  for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
+    plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, bounds[c], bounds[c + 1]).build());
+  }
+  return plan;
+}
+
+}  // namespace boxplus

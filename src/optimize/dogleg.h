@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "boxplus/optimize/algorithm.h"
+
+namespace boxplus {
+
+/// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ, D = diag H, so that metres
+/// and radians weigh alike. A rejected step costs no factorisation. The trust region begins unbounded, so that
+/// Gauss-Newton runs freely while its steps lower chi2.
+class Dogleg final : public Algorithm {
+ public:
+  std::string_view name() const override { return "dogleg"; }
+  void reset(const Options& options, std::size_t scalars) override;
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override;
+  int regularised_steps() const override { return regularised_steps_; }
+
+ private:
+  LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
+  void find_cauchy_step(System& system);
+  void scale_from(const System& system);
+  double norm(const std::vector<double>& step) const;
+  void blend();
+  void update_radius(double gain, double step_norm);
+
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  double radius_ = kUnbounded;
+  double regularisation_ = 0;  // relative to the diagonal
+  int regularised_steps_ = 0;
+  double newton_norm_ = 0, cauchy_norm_ = 0;
+  std::vector<double> scale_, newton_, cauchy_, step_;
+};
+
+}  // namespace boxplus

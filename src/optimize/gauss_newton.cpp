@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/gauss_newton.h"
+
+#include "optimize/outcome.h"
+#include "optimize/vector_math.h"
+
+namespace boxplus {
+
+void GaussNewton::reset(const Options&, std::size_t scalars) {
+  step_.resize(scalars);
+}
+
+IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationRecord& record) {
+  if (!system.linearize()) return IterationOutcome::kNotFinite;
+  record.gradient_max = max_abs(system.gradient());
+  const StepResult solved = system.solve({}, step_);
+  record.linear_iterations = solved.linear_iterations;
+  if (solved.status != LinearStatus::kOk) return outcome_of(solved.status);
+  record.tries = 1;
+  record.step_max = max_abs(step_);
+  record.chi2 = system.try_step(step_);
+  record.chi2_decrease = chi2 - record.chi2;
+  if (!std::isfinite(record.chi2)) {
+    system.reject();
+    return IterationOutcome::kNoStepFound;
+  }
+  system.accept();
+  return IterationOutcome::kAccepted;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "boxplus/optimize/algorithm.h"
+
+namespace boxplus {
+
+/// Levenberg-Marquardt with Nielsen's damping update (Nielsen, "Damping parameter in Marquardt's method", 1999).
+class LevenbergMarquardt final : public Algorithm {
+ public:
+  std::string_view name() const override { return "Levenberg-Marquardt"; }
+  void reset(const Options& options, std::size_t scalars) override;
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override;
+
+ private:
+  void start_damping(const System& system);
+  void raise_damping();
+
+  DampingScale scale_ = DampingScale::kDiagonal;
+  double user_lambda_ = 0;
+  double lambda_ = 0, growth_ = 2;
+  bool started_ = false;
+  std::vector<double> step_;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "boxplus/optimize/algorithm.h"
+
+namespace boxplus {
+
+/// The outcome of an iteration whose linear system could not be solved.
+inline IterationOutcome outcome_of(LinearStatus status) {
+  switch (status) {
+    case LinearStatus::kNotFinite:
+      return IterationOutcome::kNotFinite;
+    case LinearStatus::kStopped:
+      return IterationOutcome::kStopped;
+    default:
+      return IterationOutcome::kNotPositiveDefinite;
+  }
+}
+
+/// The outcome when no trial step lowered chi2: at a minimum where the best of them promised no more than rounding.
+inline IterationOutcome outcome_without_decrease(double largest_promise, double chi2, double tolerance) {
+  return largest_promise <= tolerance * chi2 ? IterationOutcome::kNoFurtherDecrease : IterationOutcome::kNoStepFound;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Norms and products of steps.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace boxplus {
+
+inline double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+inline double max_abs(std::span<const double> a) {
+  double largest = 0;
+  for (double v : a) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+inline bool all_finite(std::span<const double> a) {
+  double sum = 0;
+  for (double v : a) sum += v * 0.0;  // NaN and Inf survive
+  return sum == 0;
+}
+
+/// How much F falls along δ according to the quadratic model: −(2 gᵀδ + δᵀHδ).
+inline double model_decrease(std::span<const double> gradient, std::span<const double> step, double curvature) {
+  return -(2 * dot(gradient, step) + curvature);
+}
+
+/// Decreases below this fraction of F are rounding.
+inline constexpr double kRounding = 1e-12;
+
+}  // namespace boxplus
