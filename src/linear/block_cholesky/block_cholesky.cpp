@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/block_cholesky.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "boxplus/base/error.h"
+#include "linear/block_cholesky/triangular_solve.h"
+#include "linear/finite_check.h"
+
+namespace boxplus {
+
+void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
+  structure_ = &structure;
+  factorized_ = false;
+  symbolic_ = analyze_structure(structure, hints.last, rule_);
+  batch_ = std::max(1, hints.right_hand_sides);
+  const auto batch = static_cast<std::size_t>(batch_);
+  const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size, scalars = structure.scalars();
+  const std::size_t size = factor_size + scalars + batch * (scalars + symbolic_.largest_front);
+  arena_ = std::make_unique_for_overwrite<double[]>(size);
+  factor_.arena = arena_.get();
+  factor_.minimum_pivot = arena_.get() + factor_size;
+  x_ = factor_.minimum_pivot + scalars;
+  work_ = x_ + batch * scalars;
+}
+
+FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& damping,
+                                      std::span<const std::uint32_t> /*changed_columns*/) {
+  factorized_ = false;
+  if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected a call of analyze() before");
+  if (system.values().size() != structure_->nonzero_values()) {
+    throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
+  }
+  const double* values = system.values().data();
+  std::uint32_t failed = factorize_fronts(symbolic_, *structure_, values, damping, factor_);
+  if (failed == structure_->scalars()) failed = find_lost_pivot();
+  if (failed != structure_->scalars()) return failure(failed, values, damping);
+  factorized_ = true;
+  return {};
+}
+
+/// Applies the test of kLostPivot to the suspects; returns the first lost one, or the number of scalars.
+std::uint32_t BlockCholesky::find_lost_pivot() {
+  const auto suspects = factor_.suspects.list();
+  std::sort(suspects.begin(), suspects.end(), [](auto a, auto b) { return a.scalar < b.scalar; });
+  for (const auto [scalar, ratio] : suspects) {
+    const auto above = std::upper_bound(symbolic_.offset.begin(), symbolic_.offset.end(), scalar);
+    const std::uint32_t s =
+        symbolic_.front_of[static_cast<std::size_t>(above - symbolic_.offset.begin()) - 1];
+    const Front& front = symbolic_.fronts[s];
+    const std::size_t column = scalar - symbolic_.offset[front.first_block];
+    const double root = factor_.arena[front.panel + column * (front.leading + 1)];
+    std::fill_n(x_, structure_->scalars(), 0.0);
+    x_[scalar] = root;
+    solve_upper_from(symbolic_, factor_.arena, s, x_, work_);
+    double noise = 0;
+    for (std::uint32_t i = 0; i <= scalar; ++i) noise += factor_.minimum_pivot[i] * x_[i] * x_[i];
+    if (!(root * root > noise)) return scalar;
+  }
+  return structure_->scalars();
+}
+
+FactorResult BlockCholesky::failure(std::uint32_t permuted_scalar, const double* values,
+                                    const Damping& damping) const {
+  const std::uint32_t not_finite = find_not_finite(*structure_, values, damping);
+  if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
+  const auto above = std::upper_bound(symbolic_.offset.begin(), symbolic_.offset.end(), permuted_scalar);
+  const auto position = static_cast<std::size_t>(above - symbolic_.offset.begin()) - 1;
+  return {LinearStatus::kNotPositiveDefinite, symbolic_.order[position]};
+}
+
+void BlockCholesky::load_right_hand_sides(const double* b, int columns) {
+  const std::size_t scalars = structure_->scalars(), stride = static_cast<std::size_t>(columns);
+  double* to = x_;
+  for (const std::uint32_t block : symbolic_.order) {
+    for (std::uint32_t i = structure_->offset[block]; i < structure_->offset[block + 1]; ++i) {
+      for (std::size_t c = 0; c < stride; ++c) *to++ = b[c * scalars + i];
+    }
+  }
+}
+
+void BlockCholesky::store_solutions(int columns, double* x) const {
+  const std::size_t scalars = structure_->scalars(), stride = static_cast<std::size_t>(columns);
+  const double* from = x_;
+  for (const std::uint32_t block : symbolic_.order) {
+    for (std::uint32_t i = structure_->offset[block]; i < structure_->offset[block + 1]; ++i) {
+      for (std::size_t c = 0; c < stride; ++c) x[c * scalars + i] = *from++;
+    }
+  }
+}
+
+SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const SolveControl& /*control*/) {
+  if (!factorized_) throw InvalidArgument("BlockCholesky::solve: expected a successful factorize() before");
+  const std::size_t scalars = structure_->scalars();
+  if (!all_finite(b, scalars * static_cast<std::size_t>(std::max(0, columns))))
+    return {LinearStatus::kNotFinite, 0};
+  for (int done = 0; done < columns; done += batch_) {
+    const int batch = std::min(batch_, columns - done);
+    const std::size_t first = static_cast<std::size_t>(done) * scalars;
+    load_right_hand_sides(b + first, batch);
+    solve_lower(symbolic_, factor_.arena, batch, x_, work_);
+    solve_upper(symbolic_, factor_.arena, batch, x_, work_);
+    store_solutions(batch, x + first);
+  }
+  return {};
+}
+
+bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) {
+  return false;
+}
+
+LinearStatistics BlockCholesky::statistics() const {
+  LinearStatistics statistics;
+  for (const Front& front : symbolic_.fronts) {
+    const std::uint64_t columns = front.columns;
+    statistics.factor_nonzeros += columns * (columns + 1) / 2 + columns * front.below;
+  }
+  statistics.factor_flops = symbolic_.flops;
+  statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());
+  statistics.largest_front = symbolic_.largest_front;
+  return statistics;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/dense_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "linear/block_cholesky/micro_kernels.h"
+
+namespace boxplus::dense {
+namespace {
+
+/// Columns that are factored together before the rest of the panel is updated: a strip of A over them stays
+/// in L1.
+constexpr int kBlock = 64;
+
+double* at(double* a, int ld, int i, int j) {
+  return a + i + static_cast<std::ptrdiff_t>(ld) * j;
+}
+const double* at(const double* a, int ld, int i, int j) {
+  return a + i + static_cast<std::ptrdiff_t>(ld) * j;
+}
+
+/// Cholesky factor of a tiny square in place; returns the bad column or `size`.
+int factor_tiny(double* a, int size, int ld, const double* minimum_pivot, double* inverse_diagonal) {
+  for (int j = 0; j < size; ++j) {
+    double pivot = a[j + j * ld];
+    for (int k = 0; k < j; ++k) pivot -= a[j + k * ld] * a[j + k * ld];
+    if (!(pivot > minimum_pivot[j] && pivot <= std::numeric_limits<double>::max())) return j;
+    const double root = std::sqrt(pivot), inverse = 1 / root;
+    a[j + j * ld] = root;
+    inverse_diagonal[j] = inverse;
+    for (int i = j + 1; i < size; ++i) {
+      double value = a[i + j * ld];
+      for (int k = 0; k < j; ++k) value -= a[i + k * ld] * a[j + k * ld];
+      a[i + j * ld] = value * inverse;
+    }
+  }
+  return size;
+}
+
+/// Left-looking, strip by strip: update with the columns to the left, factor the diagonal, divide the rows
+/// below.
+int factor_narrow_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+  for (int j = 0; j < columns;) {
+    const int width = strip_width(columns - j);
+    const double* left = panel + j;
+    const Operand top{left, ld, 1};
+    double* diagonal = at(panel, ld, j, j);
+    run_strip<TileUse::kSubtract>(width, diagonal, ld, left, ld, top, width, j);
+    double inverse_diagonal[kStrip];
+    const int good = factor_tiny(diagonal, width, ld, minimum_pivot + j, inverse_diagonal);
+    if (good < width) return j + good;
+    run_strip<TileUse::kDivide>(width, diagonal + width, ld, left + width, ld, top, rows - j - width, j,
+                                {diagonal, ld, inverse_diagonal});
+    j += width;
+  }
+  return columns;
+}
+
+/// C −= A Aᵀ or C = −A Aᵀ on the lower trapezoid of the first `columns` columns, k of A at most kBlock.
+template <TileUse Use>
+void update_trapezoid(double* c, int ldc, const double* a, int lda, int rows, int columns, int k) {
+  for (int j = 0; j < columns;) {
+    const int width = strip_width(columns - j);
+    run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, {a + j, lda, 1}, rows - j, k);
+    j += width;
+  }
+}
+
+void subtract_general(double* c, int ldc, const double* a, int lda, Operand b, int rows, int columns, int k) {
+  for (int k0 = 0; k0 < k; k0 += kBlock) {
+    const int depth = std::min(kBlock, k - k0);
+    const double* left = at(a, lda, 0, k0);
+    for (int j = 0; j < columns;) {
+      const int width = strip_width(columns - j);
+      const Operand right{b.data + static_cast<std::ptrdiff_t>(k0) * b.step_k +
+                              static_cast<std::ptrdiff_t>(j) * b.step_column,
+                          b.step_k, b.step_column};
+      run_strip<TileUse::kSubtract>(width, at(c, ldc, 0, j), ldc, left, lda, right, rows, depth);
+      j += width;
+    }
+  }
+}
+
+}  // namespace
+
+int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+  for (int j = 0; j < columns; j += kBlock) {
+    const int width = std::min(kBlock, columns - j);
+    double* block = at(panel, ld, j, j);
+    const int good = factor_narrow_panel(block, rows - j, width, ld, minimum_pivot + j);
+    if (good < width) return j + good;
+    const int next = j + width;
+    update_trapezoid<TileUse::kSubtract>(at(panel, ld, next, next), ld, block + width, ld, rows - next,
+                                         columns - next, width);
+  }
+  return columns;
+}
+
+void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k) {
+  update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, size, std::min(k, kBlock));
+  for (int k0 = kBlock; k0 < k; k0 += kBlock) {
+    update_trapezoid<TileUse::kSubtract>(c, ldc, at(a, lda, 0, k0), lda, size, size,
+                                         std::min(kBlock, k - k0));
+  }
+}
+
+void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
+                                 int rows, int columns, int k) {
+  subtract_general(c, ldc, a, lda, {b, ldb, 1}, rows, columns, k);
+}
+
+void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
+                      int columns, int k) {
+  subtract_general(c, ldc, a, lda, {b, 1, ldb}, rows, columns, k);
+}
+
+void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+  for (int j = 0; j < size;) {
+    const int width = strip_width(size - j);
+    const double* diagonal = at(l, ldl, j, j);
+    double inverse_diagonal[kStrip];
+    for (int i = 0; i < width; ++i) inverse_diagonal[i] = 1 / diagonal[i + i * ldl];
+    run_strip<TileUse::kDivide>(width, at(x, ldx, 0, j), ldx, x, ldx, {l + j, ldl, 1}, rows, j,
+                                {diagonal, ldl, inverse_diagonal});
+    j += width;
+  }
+}
+
+void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+  // Columns from the last to the first; the triangle of a strip is Lᵀ of its diagonal square, reversed.
+  for (int end = size; end > 0;) {
+    const int width = strip_width(end), j = end - width;
+    subtract_general(at(x, ldx, 0, j), ldx, at(x, ldx, 0, end), ldx, {at(l, ldl, end, j), 1, ldl}, rows,
+                     width, size - end);
+    for (int column = end - 1; column >= j; --column) {
+      const double inverse = 1 / *at(l, ldl, column, column);
+      double* __restrict target = at(x, ldx, 0, column);
+      for (int k = column + 1; k < end; ++k) {
+        const double factor = *at(l, ldl, k, column);
+        const double* source = at(x, ldx, 0, k);
+        for (int i = 0; i < rows; ++i) target[i] -= source[i] * factor;
+      }
+      for (int i = 0; i < rows; ++i) target[i] *= inverse;
+    }
+    end = j;
+  }
+}
+
+}  // namespace boxplus::dense

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The elimination tree of a block matrix and what follows from it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxplus/linear/block_structure.h"
+
+namespace boxplus {
+
+inline constexpr std::uint32_t kNoParent = BlockStructure::kAbsent;
+
+/// Rows of the strictly upper triangle of the permuted matrix, by column, in compressed form.
+/// `order[k]` is the block of the structure that is eliminated k-th.
+struct UpperPattern {
+  std::vector<std::uint32_t> column_start, row;
+  UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order);
+  std::uint32_t columns() const { return static_cast<std::uint32_t>(column_start.size() - 1); }
+  std::span<const std::uint32_t> rows(std::uint32_t column) const {
+    return std::span(row).subspan(column_start[column], column_start[column + 1] - column_start[column]);
+  }
+};
+
+/// parent[j] = the first row below the diagonal of column j of L, or kNoParent (Liu 1986, with path
+/// compression).
+std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern);
+
+/// Sequence of the nodes in which every subtree is contiguous and children precede their parents; the last
+/// `keep` nodes stay where they are. parent[j] > j is required.
+std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep);
+
+/// Sizes of the columns of L below the diagonal.
+struct ColumnCounts {
+  std::vector<std::uint32_t> blocks, scalars;
+};
+
+/// Counts by walking the row subtrees (Liu 1990, section 5): O(blocks of L) time, O(columns) memory. The
+/// nearly linear method of Gilbert, Ng and Peyton (1994) would save little here, where blocks are counted,
+/// not scalars.
+ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
+                           std::span<const std::uint32_t> dims);
+
+}  // namespace boxplus

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Addresses in one arena for buffers whose lifetimes are known beforehand.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+namespace boxplus {
+
+/// First-fit allocation played through once, when the structure is analysed: the addresses are then used in
+/// every factorisation. Buffers that live at the same time never overlap.
+class MemoryPlan {
+ public:
+  /// Address of `size` free numbers, from here until release().
+  std::uint64_t reserve(std::uint64_t size);
+  void release(std::uint64_t address, std::uint64_t size);
+  /// Numbers that the arena must have.
+  std::uint64_t peak() const { return end_; }
+
+ private:
+  std::map<std::uint64_t, std::uint64_t> free_;  // address → size, never adjacent
+  std::uint64_t end_ = 0;
+};
+
+}  // namespace boxplus

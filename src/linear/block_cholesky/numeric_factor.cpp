@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/numeric_factor.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "linear/block_cholesky/dense_kernels.h"
+
+namespace boxplus {
+namespace {
+
+template <std::uint32_t Rows>
+void copy_columns(const double* from, double* to, std::uint32_t leading, std::uint32_t columns) {
+  for (std::uint32_t j = 0; j < columns; ++j, from += Rows, to += leading) {
+    for (std::uint32_t i = 0; i < Rows; ++i) to[i] = from[i];
+  }
+}
+
+void copy_block(const BlockCopy& copy, const double* from, double* to, std::uint32_t leading) {
+  if (copy.transposed) {
+    for (std::uint32_t j = 0; j < copy.columns; ++j) {
+      for (std::uint32_t i = 0; i < copy.rows; ++i) to[j + i * leading] = *from++;
+    }
+    return;
+  }
+  if (copy.rows == 3) return copy_columns<3>(from, to, leading, copy.columns);
+  if (copy.rows == 6) return copy_columns<6>(from, to, leading, copy.columns);
+  for (std::uint32_t j = 0; j < copy.columns; ++j, from += copy.rows, to += leading) {
+    std::copy_n(from, copy.rows, to);
+  }
+}
+
+void add_run(const double* __restrict from, double* __restrict to, std::uint32_t length) {
+  for (std::uint32_t i = 0; i < length; ++i) to[i] += from[i];
+}
+
+/// Adds the columns of an update matrix that `columns` names, at and below the diagonal, into `to`.
+/// `all` are the runs of rows, of which `columns` is a part; destinations count from `origin` in both
+/// directions.
+void extend_add(const double* update, std::uint32_t below, std::span<const Run> columns,
+                std::span<const Run> all, double* to, std::uint32_t leading, std::uint32_t row_origin,
+                std::uint32_t column_origin) {
+  const Run* const end = all.data() + all.size();
+  for (const Run& column : columns) {
+    for (std::uint32_t j = 0; j < column.length; ++j) {
+      const double* from = update + std::size_t{column.source + j} * below;
+      double* target = to + std::size_t{column.destination + j - column_origin} * leading;
+      add_run(from + column.source + j, target + (column.destination + j - row_origin), column.length - j);
+      for (const Run* row = &column + 1; row != end; ++row) {
+        add_run(from + row->source, target + (row->destination - row_origin), row->length);
+      }
+    }
+  }
+}
+
+/// A + λD in the panel, with the limits of its pivots.
+void load_panel(const SymbolicFactor& symbolic, const BlockStructure& structure, const Front& front,
+                const double* values, const Damping& damping, double* panel, double* minimum_pivot) {
+  std::fill_n(panel, std::size_t{front.leading} * front.columns, 0.0);
+  for (const BlockCopy& copy : symbolic.copies_of(front)) {
+    copy_block(copy, values + copy.source, panel + copy.destination, front.leading);
+  }
+  double* diagonal = panel;
+  for (std::uint32_t k = front.first_block; k < front.end_block; ++k) {
+    const std::uint32_t block = symbolic.order[k], offset = structure.offset[block];
+    for (std::uint32_t i = 0; i < structure.dim(block); ++i, diagonal += front.leading + 1) {
+      *diagonal += damping(offset + i);
+      *minimum_pivot++ = kLostPivot * *diagonal;
+    }
+  }
+}
+
+void collect_suspects(const Front& front, std::uint32_t first_scalar, const double* panel,
+                      const double* minimum_pivot, Suspects& suspects) {
+  constexpr double kScale = kSuspiciousPivot / kLostPivot;
+  for (std::uint32_t j = 0; j < front.columns; ++j) {
+    const double root = panel[std::size_t{j} * (front.leading + 1)];
+    const double pivot = root * root;
+    if (pivot < kScale * minimum_pivot[j]) suspects.add({first_scalar + j, pivot / minimum_pivot[j]});
+  }
+}
+
+}  // namespace
+
+void Suspects::add(Suspect suspect) {
+  if (count_ == list_.size()) {
+    if (!(suspect.ratio < list_.back().ratio)) return;
+    --count_;
+  }
+  std::size_t place = count_++;
+  for (; place > 0 && suspect.ratio < list_[place - 1].ratio; --place) list_[place] = list_[place - 1];
+  list_[place] = suspect;
+}
+
+std::uint32_t factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                               const double* values, const Damping& damping, NumericFactor& factor) {
+  factor.suspects.clear();
+  for (const Front& front : symbolic.fronts) {
+    const std::uint32_t first_scalar = symbolic.offset[front.first_block];
+    double* const panel = factor.arena + front.panel;
+    double* const update = factor.arena + front.update;
+    double* const minimum_pivot = factor.minimum_pivot + first_scalar;
+    load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
+    for (const std::uint32_t c : symbolic.children_of(front)) {
+      const Front& child = symbolic.fronts[c];
+      extend_add(factor.arena + child.update, child.below, symbolic.pivot_runs(child),
+                 symbolic.all_runs(child), panel, front.leading, 0, 0);
+    }
+    const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
+    const int leading = static_cast<int>(front.leading);
+    const int good = dense::factor_panel(panel, columns + below, columns, leading, minimum_pivot);
+    if (good < columns) return first_scalar + static_cast<std::uint32_t>(good);
+    collect_suspects(front, first_scalar, panel, minimum_pivot, factor.suspects);
+    dense::set_to_minus_square(update, below, panel + columns, leading, below, columns);
+    for (const std::uint32_t c : symbolic.children_of(front)) {
+      const Front& child = symbolic.fronts[c];
+      const auto all = symbolic.all_runs(child);
+      extend_add(factor.arena + child.update, child.below, all.subspan(symbolic.pivot_runs(child).size()),
+                 all, update, front.below, front.columns, front.columns);
+    }
+  }
+  return symbolic.offset.back();
+}
+
+}  // namespace boxplus

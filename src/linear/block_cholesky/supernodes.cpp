@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/supernodes.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace boxplus {
+namespace {
+
+/// A supernode while it grows. `merged_into` is itself as long as it lives.
+struct Node {
+  std::uint32_t first_column, last_column, parent = kNoParent, merged_into;
+  double columns, below;  // scalars
+  double zeros = 0;
+  bool kept;
+};
+
+double predicted_time(const AmalgamationRule& rule, double columns, double below) {
+  const double rows = columns + below;
+  const double flops = (rows * rows * rows - below * below * below) / 3;
+  return rule.per_front + rule.per_panel_entry * rows * columns + rule.per_update_entry * below * below / 2 +
+         rule.per_flop * flops;
+}
+
+std::vector<Node> fundamental_supernodes(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
+                                         std::span<const std::uint32_t> dims, std::uint32_t keep) {
+  const auto count = static_cast<std::uint32_t>(parent.size());
+  std::vector<std::uint32_t> children(count, 0), node_of(count);
+  for (const std::uint32_t p : parent) {
+    if (p != kNoParent) ++children[p];
+  }
+  std::vector<Node> nodes;
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const bool kept = j >= count - keep;
+    const bool joins = j > 0 && parent[j - 1] == j && children[j] == 1 && nodes.back().kept == kept &&
+                       counts.blocks[j - 1] == counts.blocks[j] + 1;
+    if (!joins) {
+      const auto self = static_cast<std::uint32_t>(nodes.size());
+      nodes.push_back({j, j, kNoParent, self, 0, 0, 0, kept});
+    }
+    Node& node = nodes.back();
+    node_of[j] = node.merged_into;
+    node.last_column = j;
+    node.columns += dims[j];
+    node.below = counts.scalars[j];
+  }
+  for (Node& node : nodes) {
+    if (parent[node.last_column] != kNoParent) node.parent = node_of[parent[node.last_column]];
+  }
+  return nodes;
+}
+
+double added_zeros(const Node& child, const Node& parent) {
+  return child.columns * (parent.columns + parent.below - child.below);
+}
+
+bool merging_pays(const Node& child, const Node& parent, const AmalgamationRule& rule) {
+  if (child.kept != parent.kept || (child.kept && child.last_column + 1 != parent.first_column)) return false;
+  const double columns = child.columns + parent.columns;
+  const double entries = columns * (columns + 1) / 2 + columns * parent.below;
+  const double zeros = child.zeros + parent.zeros + added_zeros(child, parent);
+  return zeros <= rule.max_zero_fraction * entries &&
+         predicted_time(rule, columns, parent.below) <=
+             predicted_time(rule, child.columns, child.below) +
+                 predicted_time(rule, parent.columns, parent.below);
+}
+
+void merge(Node& child, Node& parent, std::uint32_t parent_index) {
+  parent.zeros += child.zeros + added_zeros(child, parent);
+  parent.columns += child.columns;
+  if (child.kept) parent.first_column = child.first_column;
+  child.merged_into = parent_index;
+}
+
+/// Children first, cheapest merge first. Children that a merged child had stay separate.
+void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
+  std::vector<std::vector<std::uint32_t>> children(nodes.size());
+  for (std::uint32_t s = 0; s < nodes.size(); ++s) {
+    auto& list = children[s];
+    std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const double zeros_a = added_zeros(nodes[a], nodes[s]), zeros_b = added_zeros(nodes[b], nodes[s]);
+      return zeros_a != zeros_b ? zeros_a < zeros_b : a > b;
+    });
+    for (const std::uint32_t child : list) {
+      if (merging_pays(nodes[child], nodes[s], rule)) merge(nodes[child], nodes[s], s);
+    }
+    if (nodes[s].parent != kNoParent) children[nodes[s].parent].push_back(s);
+  }
+}
+
+}  // namespace
+
+SupernodePartition partition_columns(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
+                                     std::span<const std::uint32_t> dims, std::uint32_t keep,
+                                     const AmalgamationRule& rule) {
+  std::vector<Node> nodes = fundamental_supernodes(parent, counts, dims, keep);
+  const std::vector<Node> fundamental = nodes;  // with the columns before merging
+  amalgamate(nodes, rule);
+  // Representatives: the topmost node of each merged set; parents come later, so a backward sweep settles
+  // them.
+  const auto count = static_cast<std::uint32_t>(nodes.size());
+  std::vector<std::uint32_t> representative(count), number(count, 0), tops;
+  for (std::uint32_t s = count; s-- > 0;) {
+    representative[s] = nodes[s].merged_into == s ? s : representative[nodes[s].merged_into];
+  }
+  for (std::uint32_t s = 0; s < count; ++s) {
+    if (representative[s] == s) number[s] = static_cast<std::uint32_t>(tops.size()), tops.push_back(s);
+  }
+  std::vector<std::vector<std::uint32_t>> members(tops.size());
+  for (std::uint32_t s = 0; s < count; ++s) members[number[representative[s]]].push_back(s);
+  std::vector<std::uint32_t> top_parent;
+  std::uint32_t kept_tops = 0;
+  for (const std::uint32_t s : tops) {
+    const std::uint32_t p = nodes[s].parent;
+    top_parent.push_back(p == kNoParent ? kNoParent : number[representative[p]]);
+    kept_tops += nodes[s].kept;
+  }
+  SupernodePartition partition;
+  partition.order.reserve(parent.size());
+  for (const std::uint32_t top : postorder(top_parent, kept_tops)) {
+    for (const std::uint32_t s : members[top]) {
+      for (std::uint32_t j = fundamental[s].first_column; j <= fundamental[s].last_column; ++j) {
+        partition.order.push_back(j);
+      }
+    }
+    partition.start.push_back(static_cast<std::uint32_t>(partition.order.size()));
+  }
+  return partition;
+}
+
+}  // namespace boxplus

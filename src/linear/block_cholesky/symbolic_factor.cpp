@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/symbolic_factor.h"
+
+#include <algorithm>
+
+#include "boxplus/base/error.h"
+#include "linear/block_cholesky/memory_plan.h"
+#include "linear/ordering/amd_ordering.h"
+
+namespace boxplus {
+namespace {
+
+template <class T>
+std::uint32_t size_of(const std::vector<T>& v) {
+  return static_cast<std::uint32_t>(v.size());
+}
+
+std::vector<std::uint32_t> composed(const std::vector<std::uint32_t>& order,
+                                    const std::vector<std::uint32_t>& sequence) {
+  std::vector<std::uint32_t> result;
+  result.reserve(sequence.size());
+  for (const std::uint32_t k : sequence) result.push_back(order[k]);
+  return result;
+}
+
+std::vector<std::uint32_t> dims_in(const BlockStructure& structure, const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> dims;
+  dims.reserve(order.size());
+  for (const std::uint32_t block : order) dims.push_back(structure.dim(block));
+  return dims;
+}
+
+/// (1 + l)² operations for each scalar column with l entries below the diagonal.
+double count_flops(const ColumnCounts& counts, const std::vector<std::uint32_t>& dims) {
+  double flops = 0;
+  for (std::size_t j = 0; j < dims.size(); ++j) {
+    for (std::uint32_t i = 1; i <= dims[j]; ++i) {
+      const double length = counts.scalars[j] + double{0} + i;
+      flops += length * length;
+    }
+  }
+  return flops;
+}
+
+/// Columns far apart by a multiple of the page size fall into the same cache set: avoid such leading
+/// dimensions.
+std::uint32_t choose_leading(std::uint32_t rows) {
+  if (rows <= 32) return rows;
+  const std::uint32_t rounded = (rows + 3) / 4 * 4;
+  return rounded % 64 == 0 ? rounded + 4 : rounded;
+}
+
+/// Fills a SymbolicFactor front by front.
+class Builder {
+ public:
+  Builder(const BlockStructure& structure, SymbolicFactor& factor)
+      : structure_(structure),
+        f_(factor),
+        local_(structure.blocks(), 0),
+        mark_(structure.blocks(), kNoParent) {}
+
+  void build(const SupernodePartition& partition) {
+    number_scalars(partition);
+    list_entries_by_column();
+    const std::uint32_t count = size_of(partition.start) - 1;
+    f_.fronts.reserve(count);
+    std::vector<std::uint32_t> first_child(count, kNoParent), sibling(count, kNoParent);
+    for (std::uint32_t s = 0; s < count; ++s) {
+      Front front{partition.start[s], partition.start[s + 1], 0, 0, 0};
+      front.child_begin = size_of(f_.children);
+      for (std::uint32_t c = first_child[s]; c != kNoParent; c = sibling[c]) f_.children.push_back(c);
+      front.child_end = size_of(f_.children);
+      std::sort(f_.children.begin() + front.child_begin, f_.children.end());
+      find_rows(front, s);
+      place_blocks(front);
+      for (const std::uint32_t c : f_.children_of(front)) find_runs(f_.fronts[c], front);
+      if (front.row_end > front.row_begin) {
+        front.parent = f_.front_of[f_.row_blocks[front.row_begin]];
+        sibling[s] = first_child[front.parent];
+        first_child[front.parent] = s;
+      }
+      f_.fronts.push_back(front);
+    }
+    assign_memory();
+  }
+
+ private:
+  std::uint32_t dim(std::uint32_t position) const { return f_.offset[position + 1] - f_.offset[position]; }
+
+  void number_scalars(const SupernodePartition& partition) {
+    f_.position.resize(f_.order.size());
+    f_.offset.assign(1, 0);
+    for (std::uint32_t k = 0; k < f_.order.size(); ++k) {
+      f_.position[f_.order[k]] = k;
+      f_.offset.push_back(f_.offset.back() + structure_.dim(f_.order[k]));
+    }
+    f_.front_of.resize(f_.order.size());
+    for (std::uint32_t s = 0; s + 1 < partition.start.size(); ++s) {
+      std::fill(f_.front_of.begin() + partition.start[s], f_.front_of.begin() + partition.start[s + 1], s);
+    }
+  }
+
+  /// Blocks of A by the position of the column that they have in the permuted lower triangle.
+  void list_entries_by_column() {
+    entry_start_.assign(structure_.blocks() + 1, 0);
+    const auto for_each = [&](auto visit) {
+      for (std::uint32_t j = 0; j < structure_.blocks(); ++j) {
+        for (std::uint32_t k = structure_.column_start[j]; k < structure_.column_start[j + 1]; ++k) {
+          const auto [low, high] = std::minmax(f_.position[j], f_.position[structure_.row[k]]);
+          visit(low, Entry{high, k, f_.position[j] != low});
+        }
+      }
+    };
+    for_each([&](std::uint32_t column, const Entry&) { ++entry_start_[column + 1]; });
+    for (std::uint32_t j = 0; j < structure_.blocks(); ++j) entry_start_[j + 1] += entry_start_[j];
+    std::vector<std::uint32_t> next(entry_start_.begin(), entry_start_.end() - 1);
+    entries_.resize(structure_.nonzero_blocks());
+    for_each([&](std::uint32_t column, const Entry& entry) { entries_[next[column]++] = entry; });
+  }
+
+  /// Union of the rows of A's columns and of the children's, below the front's own columns.
+  void find_rows(Front& front, std::uint32_t s) {
+    front.row_begin = size_of(f_.row_blocks);
+    const auto add = [&](std::uint32_t row) {
+      if (row < front.end_block || mark_[row] == s) return;
+      mark_[row] = s;
+      f_.row_blocks.push_back(row);
+    };
+    for (std::uint32_t j = front.first_block; j < front.end_block; ++j) {
+      for (std::uint32_t e = entry_start_[j]; e < entry_start_[j + 1]; ++e) add(entries_[e].row);
+    }
+    for (const std::uint32_t c : f_.children_of(front)) {
+      for (std::uint32_t k = f_.fronts[c].row_begin; k < f_.fronts[c].row_end; ++k) add(f_.row_blocks[k]);
+    }
+    front.row_end = size_of(f_.row_blocks);
+    std::sort(f_.row_blocks.begin() + front.row_begin, f_.row_blocks.end());
+    for (std::uint32_t j = front.first_block; j < front.end_block; ++j) {
+      local_[j] = f_.offset[j] - f_.offset[front.first_block];
+    }
+    front.columns = f_.offset[front.end_block] - f_.offset[front.first_block];
+    front.row_run_begin = size_of(f_.row_runs);
+    for (const std::uint32_t row : f_.rows(front)) {
+      local_[row] = front.columns + front.below;
+      append_run(f_.row_runs, front.row_run_begin, {front.below, f_.offset[row], dim(row)});
+      front.below += dim(row);
+    }
+    front.row_run_end = size_of(f_.row_runs);
+    front.leading = choose_leading(front.rows());
+  }
+
+  void place_blocks(Front& front) {
+    front.copy_begin = size_of(f_.copies);
+    for (std::uint32_t j = front.first_block; j < front.end_block; ++j) {
+      for (std::uint32_t e = entry_start_[j]; e < entry_start_[j + 1]; ++e) {
+        const Entry& entry = entries_[e];
+        const std::uint32_t rows = entry.transposed ? dim(j) : dim(entry.row);
+        const std::uint32_t columns = entry.transposed ? dim(entry.row) : dim(j);
+        f_.copies.push_back({structure_.value_start[entry.index],
+                             local_[entry.row] + local_[j] * front.leading, entry.index, rows, columns,
+                             entry.transposed});
+      }
+    }
+    front.copy_end = size_of(f_.copies);
+  }
+
+  /// Appends a run, or extends the last one (of those from `begin`) where both sides go on where it ended.
+  static void append_run(std::vector<Run>& runs, std::uint32_t begin, const Run& run) {
+    if (runs.size() > begin && runs.back().source + runs.back().length == run.source &&
+        runs.back().destination + runs.back().length == run.destination) {
+      runs.back().length += run.length;
+    } else {
+      runs.push_back(run);
+    }
+  }
+
+  void find_runs(Front& child, const Front& parent) {
+    child.run_begin = child.run_split = size_of(f_.runs);
+    std::uint32_t source = 0, begin = child.run_begin;
+    for (const std::uint32_t row : f_.rows(child)) {
+      if (row >= parent.end_block && begin == child.run_begin) begin = child.run_split = size_of(f_.runs);
+      append_run(f_.runs, begin, {source, local_[row], dim(row)});
+      source += dim(row);
+      if (row < parent.end_block) child.run_split = size_of(f_.runs);
+    }
+    child.run_end = size_of(f_.runs);
+  }
+
+  void assign_memory() {
+    MemoryPlan updates;
+    for (Front& front : f_.fronts) {
+      front.panel = f_.panel_size;
+      f_.panel_size += std::uint64_t{front.leading} * front.columns;
+      front.update = updates.reserve(std::uint64_t{front.below} * front.below);
+      for (const std::uint32_t c : f_.children_of(front)) {
+        const std::uint64_t below = f_.fronts[c].below;
+        updates.release(f_.fronts[c].update, below * below);
+      }
+      f_.largest_front = std::max(f_.largest_front, front.rows());
+      f_.most_columns = std::max(f_.most_columns, front.columns);
+      f_.most_below = std::max(f_.most_below, front.below);
+      if (std::uint64_t{front.leading} * front.columns >= kNoParent) {
+        throw Error("block Cholesky: a front of more than 2^32 numbers");
+      }
+    }
+    f_.update_size = updates.peak();
+    for (Front& front : f_.fronts) front.update += f_.panel_size;
+  }
+
+  struct Entry {
+    std::uint32_t row, index;
+    bool transposed;
+  };
+  const BlockStructure& structure_;
+  SymbolicFactor& f_;
+  std::vector<std::uint32_t> local_;  // position → scalar offset in the current front
+  std::vector<std::uint32_t> mark_;
+  std::vector<std::uint32_t> entry_start_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                                 const AmalgamationRule& rule) {
+  const auto keep = static_cast<std::uint32_t>(last.size());
+  SymbolicFactor factor;
+  std::vector<std::uint32_t> order = amd_ordering(structure, last);
+  order = composed(order, postorder(elimination_tree(UpperPattern(structure, order)), keep));
+  const UpperPattern pattern(structure, order);
+  const std::vector<std::uint32_t> parent = elimination_tree(pattern), dims = dims_in(structure, order);
+  const ColumnCounts counts = count_columns(pattern, parent, dims);
+  const SupernodePartition partition = partition_columns(parent, counts, dims, keep, rule);
+  factor.order = composed(order, partition.order);
+  factor.flops = count_flops(counts, dims);
+  Builder(structure, factor).build(partition);
+  return factor;
+}
+
+}  // namespace boxplus

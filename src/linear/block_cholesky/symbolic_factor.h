@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that the block Cholesky knows of a structure before it sees a value.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxplus/linear/block_structure.h"
+#include "linear/block_cholesky/supernodes.h"
+
+namespace boxplus {
+
+/// A run of consecutive scalars and the place it goes to.
+struct Run {
+  std::uint32_t source, destination, length;
+};
+
+/// Where one block of A goes in the panel of its supernode (an offset from the panel's start).
+struct BlockCopy {
+  std::uint32_t source, destination, block;  // `block` is its index k in the structure
+  std::uint32_t rows, columns;               // as stored in A
+  bool transposed;
+};
+
+/// One supernode. Its panel is the lower trapezoid [L11; L21] of (columns + below) × columns numbers,
+/// column-major with the given leading dimension; its update matrix is below × below, of which the lower
+/// triangle is used.
+struct Front {
+  std::uint32_t first_block, end_block;  // positions in the elimination order
+  std::uint32_t columns, below;          // scalars
+  std::uint32_t leading;
+  std::uint32_t parent = kNoParent;
+  std::uint64_t panel = 0, update = 0;         // addresses in the arena
+  std::uint32_t row_begin = 0, row_end = 0;    // into row_blocks: the blocks below, by position
+  std::uint32_t copy_begin = 0, copy_end = 0;  // into copies
+  std::uint32_t child_begin = 0, child_end = 0;
+  std::uint32_t run_begin = 0, run_split = 0,
+                run_end = 0;  // into runs: update rows → scalars of the parent's front;
+                              // those before run_split are pivots of the parent
+  std::uint32_t row_run_begin = 0, row_run_end = 0;  // into row_runs: update rows → permuted scalars
+  std::uint32_t rows() const { return columns + below; }
+};
+
+/// The symbolic factorisation.
+struct SymbolicFactor {
+  std::vector<std::uint32_t> order, position;  // position → block of the structure, and back
+  std::vector<std::uint32_t> offset;           // first permuted scalar of each position; one more at the end
+  std::vector<std::uint32_t> front_of;         // position → supernode
+  std::vector<Front> fronts;
+  std::vector<std::uint32_t> row_blocks, children;
+  std::vector<BlockCopy> copies;
+  std::vector<Run> runs, row_runs;
+  std::uint64_t panel_size = 0, update_size = 0;  // numbers in the arena
+  std::uint32_t largest_front = 0, most_columns = 0, most_below = 0;
+  double flops = 0;  // of the factor without added zeros
+
+  std::span<const std::uint32_t> rows(const Front& f) const {
+    return part(row_blocks, f.row_begin, f.row_end);
+  }
+  std::span<const std::uint32_t> children_of(const Front& f) const {
+    return part(children, f.child_begin, f.child_end);
+  }
+  std::span<const BlockCopy> copies_of(const Front& f) const {
+    return part(copies, f.copy_begin, f.copy_end);
+  }
+  std::span<const Run> pivot_runs(const Front& f) const { return part(runs, f.run_begin, f.run_split); }
+  std::span<const Run> all_runs(const Front& f) const { return part(runs, f.run_begin, f.run_end); }
+  std::span<const Run> row_runs_of(const Front& f) const {
+    return part(row_runs, f.row_run_begin, f.row_run_end);
+  }
+
+ private:
+  template <class T>
+  static std::span<const T> part(const std::vector<T>& all, std::uint32_t begin, std::uint32_t end) {
+    return std::span<const T>(all).subspan(begin, end - begin);
+  }
+};
+
+/// Orders the blocks (AMD), forms the supernodes and lays out the memory.
+SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                                 const AmalgamationRule& rule = {});
+
+}  // namespace boxplus

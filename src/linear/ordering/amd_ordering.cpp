@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/ordering/amd_ordering.h"
+
+#include <amd.h>
+
+#include <string>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus {
+namespace {
+
+constexpr int kIsLast = -1;
+
+/// Number of each block among those that may be ordered freely, kIsLast for the others.
+std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last) {
+  std::vector<int> number(structure.blocks(), 0);
+  for (const std::uint32_t block : last) {
+    if (block >= structure.blocks() || number[block] == kIsLast) {
+      throw InvalidArgument("AnalyzeHints::last: expected distinct blocks below " +
+                            std::to_string(structure.blocks()) + ", got " + std::to_string(block));
+    }
+    number[block] = kIsLast;
+  }
+  int next = 0;
+  for (int& n : number) {
+    if (n != kIsLast) n = next++;
+  }
+  return number;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
+                                        std::span<const std::uint32_t> last) {
+  const std::vector<int> number = number_free_blocks(structure, last);
+  std::vector<int> start{0}, row;
+  std::vector<std::uint32_t> free_blocks;
+  for (std::uint32_t j = 0; j < structure.blocks(); ++j) {
+    if (number[j] == kIsLast) continue;
+    for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k) {
+      if (number[structure.row[k]] != kIsLast) row.push_back(number[structure.row[k]]);
+    }
+    start.push_back(static_cast<int>(row.size()));
+    free_blocks.push_back(j);
+  }
+  std::vector<int> permutation(free_blocks.size());
+  row.reserve(1);  // AMD wants a non-null pointer
+  if (!free_blocks.empty()) {
+    const int status = amd_order(static_cast<int>(free_blocks.size()), start.data(), row.data(),
+                                 permutation.data(), nullptr, nullptr);
+    if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status < AMD_OK) throw InvalidArgument("amd_ordering: expected sorted columns of distinct rows");
+  }
+  std::vector<std::uint32_t> order;
+  order.reserve(structure.blocks());
+  for (const int k : permutation) order.push_back(free_blocks[static_cast<std::size_t>(k)]);
+  order.insert(order.end(), last.begin(), last.end());
+  return order;
+}
+
+}  // namespace boxplus
