@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Dual numbers with all that belongs to them: arithmetic, functions, Eigen.
+#pragma once
+
+#include "boxplus/autodiff/dual_eigen.h"
+#include "boxplus/autodiff/dual_functions.h"
+#include "boxplus/autodiff/dual_number.h"
+#include "boxplus/autodiff/dual_trigonometry.h"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vector spaces as manifolds: every Eigen column vector, and the scalar itself (one-dimensional). ⊞ is
+// addition.
+#pragma once
+
+#include "boxplus/autodiff/dual.h"
+#include "boxplus/base/matrix.h"
+#include "boxplus/manifold/manifold.h"
+#include "boxplus/manifold/scalar.h"
+
+namespace boxplus {
+
+/// Column vectors of fixed or run-time size, with any Eigen options.
+template <class S, int N, int Options, int MaxRows, int MaxCols>
+struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
+  using Point = Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>;
+  template <class T>
+  using Rebind = Eigen::Matrix<T, N, 1, Options, MaxRows, MaxCols>;
+  static constexpr int kDim = N == Eigen::Dynamic ? kDynamic : N;
+
+  static int dim(const Point& x) { return static_cast<int>(x.size()); }
+
+  template <class D>
+  static Rebind<Promoted<S, D>> oplus(const Point& x, const D* delta) {
+    Rebind<Promoted<S, D>> y(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = x[i] + delta[i];
+    return y;
+  }
+  template <class D>
+  static void ominus(const Point& y, const Point& x, D* delta) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) delta[i] = y[i] - x[i];
+  }
+  template <class T>
+  static Rebind<T> cast(const Point& x) {
+    Rebind<T> y(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = T(x[i]);
+    return y;
+  }
+};
+
+/// The real line.
+template <class S>
+requires(std::is_same_v<S, double> || kIsDual<S>) struct Manifold<S> {
+  template <class T>
+  using Rebind = T;
+  static constexpr int kDim = 1;
+
+  template <class D>
+  static Promoted<S, D> oplus(const S& x, const D* delta) {
+    return x + delta[0];
+  }
+  template <class D>
+  static void ominus(const S& y, const S& x, D* delta) {
+    delta[0] = y - x;
+  }
+  template <class T>
+  static T cast(const S& x) {
+    return T(x);
+  }
+};
+
+}  // namespace boxplus

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two charts of rotations in space: how three numbers become a unit quaternion, and back.
+//
+// Both are exactly differentiable at 0 on dual numbers. They differ by a factor two in units, which decides
+// what an information matrix means: the quaternion chart measures about half the angle per axis.
+#pragma once
+
+#include <cmath>
+
+#include "boxplus/manifold/quaternion.h"
+
+namespace boxplus {
+
+/// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). Where |δ| ≥ 1 it is normalised, with w = 0.
+/// Covers every rotation once, with w ≥ 0. The chart of VERTEX_SE3:QUAT.
+struct QuaternionChart {
+  template <class S>
+  static Quaternion<S> exp(const S& x, const S& y, const S& z) {
+    using std::sqrt;
+    const S n2 = x * x + y * y + z * z;
+    if (n2 < S(1)) return {x, y, z, S(sqrt(S(1.0 - n2)))};
+    const S f = 1.0 / sqrt(n2);
+    return {x * f, y * f, z * f, S(0)};
+  }
+  template <class S>
+  static Vector<S, 3> log(const Quaternion<S>& q) {
+    if (q.w < S(0)) return {-q.x, -q.y, -q.z};
+    return {q.x, q.y, q.z};
+  }
+};
+
+/// δ is the rotation vector: axis times angle (radians). q = (δ sin(|δ|/2)/|δ|, cos(|δ|/2)).
+/// log() returns the vector of length ≤ π.
+struct RotationVectorChart {
+  template <class S>
+  static Quaternion<S> exp(const S& x, const S& y, const S& z) {
+    using std::cos;
+    using std::sin;
+    using std::sqrt;
+    const S t = x * x + y * y + z * z;
+    if (t < S(kSmallSquaredAngle)) {
+      const S f = 0.5 - t * (1.0 / 48.0 - t * (1.0 / 3840.0 - t * (1.0 / 645120.0)));
+      return {x * f, y * f, z * f, S(1.0 - t * (1.0 / 8.0 - t * (1.0 / 384.0 - t * (1.0 / 46080.0))))};
+    }
+    const S angle = sqrt(t), half = 0.5 * angle;
+    const S f = sin(half) / angle;
+    return {x * f, y * f, z * f, S(cos(half))};
+  }
+  template <class S>
+  static Vector<S, 3> log(const Quaternion<S>& q) {
+    using std::atan2;
+    using std::sqrt;
+    if (q.w < S(0)) return log(-q);
+    const S n2 = q.x * q.x + q.y * q.y + q.z * q.z;
+    if (n2 < S(kSmallSquaredAngle)) {  // 2 atan(n/w)/n
+      const S t = n2 / (q.w * q.w);
+      const S f = (2.0 - t * (2.0 / 3.0 - t * (2.0 / 5.0 - t * (2.0 / 7.0 - t * (2.0 / 9.0))))) / q.w;
+      return {q.x * f, q.y * f, q.z * f};
+    }
+    const S n = sqrt(n2);
+    const S f = 2.0 * atan2(n, q.w) / n;
+    return {q.x * f, q.y * f, q.z * f};
+  }
+};
+
+}  // namespace boxplus

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rigid motions of space: translation (metres) and unit quaternion.
+#pragma once
+
+#include <array>
+
+#include "boxplus/manifold/manifold.h"
+#include "boxplus/manifold/so3.h"
+
+namespace boxplus {
+
+/// A pose, in the order x y z qx qy qz qw of the files. T_world_body * p_body = p_world.
+/// Chart chooses the tangent of the rotation: (Δt, q_v) with QuaternionChart, which is what VERTEX_SE3:QUAT
+/// and the information of EDGE_SE3:QUAT mean, or (Δt, ω) with RotationVectorChart, both in the body frame.
+template <class S, class Chart = QuaternionChart>
+class BasicSE3 {
+ public:
+  using Scalar = S;
+
+  /// The identity.
+  BasicSE3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1)} {}
+  /// Normalises q unless it is a unit quaternion to rounding.
+  template <class Derived>
+  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q)
+      : BasicSE3(from_unit(translation, normalized(q))) {}
+  template <class Derived>
+  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const BasicSO3<S, Chart>& rotation)
+      : BasicSE3(from_unit(translation, rotation.quaternion())) {}
+  template <class Derived>
+  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Matrix<S, 3, 3>& rotation)
+      : BasicSE3(translation, quaternion_of(rotation)) {}
+
+  /// For q known to be a unit quaternion.
+  template <class Derived>
+  static BasicSE3 from_unit(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q) {
+    BasicSE3 x;
+    x.coefficients_ = {S(translation[0]), S(translation[1]), S(translation[2]), q.x, q.y, q.z, q.w};
+    return x;
+  }
+  /// From x y z qx qy qz qw.
+  template <class Derived>
+  static BasicSE3 from_vector(const Eigen::MatrixBase<Derived>& v) {
+    return BasicSE3(v.template head<3>(), Quaternion<S>{S(v[3]), S(v[4]), S(v[5]), S(v[6])});
+  }
+  /// The inverse of minimal().
+  template <class Derived>
+  static BasicSE3 from_minimal(const Eigen::MatrixBase<Derived>& v) {
+    return from_unit(v.template head<3>(), QuaternionChart::exp(S(v[3]), S(v[4]), S(v[5])));
+  }
+
+  Vector<S, 3> translation() const { return {coefficients_[0], coefficients_[1], coefficients_[2]}; }
+  Quaternion<S> quaternion() const {
+    return {coefficients_[3], coefficients_[4], coefficients_[5], coefficients_[6]};
+  }
+  BasicSO3<S, Chart> so3() const { return BasicSO3<S, Chart>::from_unit(quaternion()); }
+  Matrix<S, 3, 3> rotation() const { return rotation_matrix(quaternion()); }
+  /// x y z qx qy qz qw.
+  Vector<S, 7> vector() const { return Eigen::Map<const Vector<S, 7>>(data()); }
+  /// The error vector of EDGE_SE3:QUAT: [translation; vector part of the quaternion with w ≥ 0].
+  Vector<S, 6> minimal() const {
+    const Vector<S, 3> v = QuaternionChart::log(quaternion());
+    Vector<S, 6> e;
+    e << coefficients_[0], coefficients_[1], coefficients_[2], v[0], v[1], v[2];
+    return e;
+  }
+  /// x y z qx qy qz qw, contiguous.
+  const S* data() const { return coefficients_.data(); }
+
+  BasicSE3 inverse() const {
+    const Quaternion<S> q = quaternion().conjugate();
+    return from_unit(rotate(q, S(-coefficients_[0]), S(-coefficients_[1]), S(-coefficients_[2])), q);
+  }
+
+  /// Composition.
+  template <class T>
+  BasicSE3<Promoted<S, T>, Chart> operator*(const BasicSE3<T, Chart>& b) const {
+    return BasicSE3<Promoted<S, T>, Chart>::from_unit(*this * b.translation(),
+                                                      renormalized(quaternion() * b.quaternion()));
+  }
+  /// The point p of the body frame, in the frame of the pose.
+  template <class Derived>
+  Vector<Promoted<S, typename Derived::Scalar>, 3> operator*(const Eigen::MatrixBase<Derived>& p) const {
+    using P = typename Derived::Scalar;
+    const Vector<Promoted<S, P>, 3> r = rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
+    return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
+  }
+
+  /// inverse() * b with one rotation less.
+  template <class T>
+  BasicSE3<Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
+    return BasicSE3<Promoted<S, T>, Chart>::from_unit(
+        inverse_times(b.translation()), renormalized(quaternion().conjugate() * b.quaternion()));
+  }
+  /// inverse() * p for a point p.
+  template <class Derived>
+  Vector<Promoted<S, typename Derived::Scalar>, 3> inverse_times(const Eigen::MatrixBase<Derived>& p) const {
+    using R = Promoted<S, typename Derived::Scalar>;
+    return rotate(quaternion().conjugate(), R(p[0] - coefficients_[0]), R(p[1] - coefficients_[1]),
+                  R(p[2] - coefficients_[2]));
+  }
+
+  template <class T>
+  BasicSE3<T, Chart> cast() const {
+    return BasicSE3<T, Chart>::from_unit(translation().template cast<T>(), quaternion().template cast<T>());
+  }
+
+ private:
+  std::array<S, 7> coefficients_;
+};
+
+using SE3 = BasicSE3<double>;
+using SE3RotationVector = BasicSE3<double, RotationVectorChart>;
+
+/// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart.
+/// y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
+template <class S, class Chart>
+struct Manifold<BasicSE3<S, Chart>> {
+  template <class T>
+  using Rebind = BasicSE3<T, Chart>;
+  static constexpr int kDim = 6;
+
+  template <class D>
+  static Rebind<Promoted<S, D>> oplus(const BasicSE3<S, Chart>& x, const D* delta) {
+    const Quaternion<D> step = Chart::exp(delta[3], delta[4], delta[5]);
+    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta),
+                                             renormalized(x.quaternion() * step));
+  }
+  template <class D>
+  static void ominus(const BasicSE3<S, Chart>& y, const BasicSE3<S, Chart>& x, D* delta) {
+    const Vector<S, 3> translation = x.inverse_times(y.translation());
+    const Vector<S, 3> rotation = Chart::log(x.quaternion().conjugate() * y.quaternion());
+    for (int i = 0; i < 3; ++i) delta[i] = translation[i];
+    for (int i = 0; i < 3; ++i) delta[3 + i] = rotation[i];
+  }
+  template <class T>
+  static Rebind<T> cast(const BasicSE3<S, Chart>& x) {
+    return x.template cast<T>();
+  }
+};
+
+}  // namespace boxplus

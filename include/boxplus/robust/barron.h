@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Barron's general and adaptive robust loss (CVPR 2019): one family with a shape α.
+#pragma once
+
+#include "boxplus/robust/kernel_base.h"
+
+namespace boxplus {
+
+/// ρ(e²) = 2c² · (|α−2|/α) · ((e²/(c²|α−2|) + 1)^(α/2) − 1), which is twice Barron's (eq. 13), with the
+/// squared scale put back, so that ρ(e²) ≈ e² near 0 like every other kernel. Smooth in e² and continuous in
+/// α: α = 2 squared error · 1 pseudo-Huber · 0 Cauchy · −2 Geman-McClure · −∞ Welsch (widths differ by
+/// constants). α > 2 punishes outliers more than least squares; +∞ is allowed.
+class Barron final : public RobustKernel {
+ public:
+  /// The shape may be any number or ±∞; c > 0 is the width in units of √e².
+  explicit Barron(double shape, double c = 1);
+  Rho operator()(double e2) const override;
+  std::string_view name() const override { return "Barron"; }
+  double delta() const override { return c_; }
+  double shape() const { return shape_; }
+  std::unique_ptr<RobustKernel> clone() const override;
+
+ private:
+  double shape_, c_;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the kernels with one width have in common.
+#pragma once
+
+#include "boxplus/robust/robust_kernel.h"
+
+namespace boxplus {
+
+/// `delta`, if it is finite and positive; throws InvalidArgument otherwise.
+double checked_kernel_width(double delta, std::string_view kernel);
+
+/// Base of a kernel K with a width: K provides kName and operator().
+template <class K>
+class KernelBase : public RobustKernel {
+ public:
+  explicit KernelBase(double delta) : delta_(checked_kernel_width(delta, K::kName)) {}
+  std::string_view name() const final { return K::kName; }
+  double delta() const final { return delta_; }
+  std::unique_ptr<RobustKernel> clone() const final {
+    return std::make_unique<K>(static_cast<const K&>(*this));
+  }
+
+ protected:
+  double delta_;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robust kernels by name, as the command line and files give them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "boxplus/robust/robust_kernel.h"
+
+namespace boxplus {
+
+/// The names that make_robust_kernel knows, in alphabetical order.
+std::span<const std::string_view> robust_kernel_names();
+
+/// The kernel of that name and width. "Barron:ALPHA" gives Barron's kernel with shape ALPHA ("Barron:-inf"
+/// too). Throws InvalidArgument for an unknown name (the message lists the known ones) or a width that is not
+/// positive.
+std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta = 1);
+
+}  // namespace boxplus

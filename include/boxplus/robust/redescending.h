@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kernels whose influence falls off again with the error: gross outliers hardly pull, at the price of
+// convexity.
+#pragma once
+
+#include "boxplus/robust/kernel_base.h"
+
+namespace boxplus {
+
+/// Cauchy (Lorentzian): δ² ln(1 + e²/δ²).
+class Cauchy final : public KernelBase<Cauchy> {
+ public:
+  static constexpr std::string_view kName = "Cauchy";
+  explicit Cauchy(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+/// Geman & McClure (1985): δ e²/(δ + e²). Here δ is in units of e², not squared.
+class GemanMcClure final : public KernelBase<GemanMcClure> {
+ public:
+  static constexpr std::string_view kName = "GemanMcClure";
+  explicit GemanMcClure(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+/// Welsch (Leclerc): δ²(1 − exp(−e²/δ²)).
+class Welsch final : public KernelBase<Welsch> {
+ public:
+  static constexpr std::string_view kName = "Welsch";
+  explicit Welsch(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+/// Tukey's biweight: δ²/3 (1 − (1 − e²/δ²)³) within δ, the constant δ²/3 beyond.
+class Tukey final : public KernelBase<Tukey> {
+ public:
+  static constexpr std::string_view kName = "Tukey";
+  explicit Tukey(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+/// Truncated least squares: e² within δ, the constant δ² beyond.
+class Saturated final : public KernelBase<Saturated> {
+ public:
+  static constexpr std::string_view kName = "Saturated";
+  explicit Saturated(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+/// Dynamic covariance scaling (Agarwal et al., ICRA 2013): s²e² with s = min(1, 2Φ/(Φ + e²)); δ is Φ, in
+/// units of e². ρ falls again for e² > Φ: ρ′ is negative there.
+class DCS final : public KernelBase<DCS> {
+ public:
+  static constexpr std::string_view kName = "DCS";
+  explicit DCS(double delta = 1) : KernelBase(delta) {}
+  Rho operator()(double e2) const override;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Robust kernels: an edge contributes ρ(e²) instead of e² = eᵀΩe, so that outliers count less.
+//
+// A kernel is a function of the SQUARED error. Contract, for e² ≥ 0 (testing/check_kernel.h checks it):
+//   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e²
+//   wherever these exist. At a kink, the values of the inner side are returned.
+// ρ′ is the weight of the edge in H and b. A kernel may return a negative ρ′ (DCS): the linearisation clamps
+// it.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "boxplus/base/matrix.h"
+
+namespace boxplus {
+
+/// ρ and its first and second derivative with respect to the squared error.
+struct Rho {
+  double value, first, second;
+};
+
+class RobustKernel {
+ public:
+  virtual ~RobustKernel() = default;
+  /// Called once per edge and evaluation, from several threads at a time.
+  virtual Rho operator()(double e2) const = 0;
+  virtual std::string_view name() const = 0;
+  /// The width, in units of the whitened error √e² (of e² for GemanMcClure and DCS).
+  virtual double delta() const = 0;
+  virtual std::unique_ptr<RobustKernel> clone() const = 0;
+
+ protected:
+  RobustKernel() = default;
+  RobustKernel(const RobustKernel&) = default;
+  RobustKernel& operator=(const RobustKernel&) = default;
+};
+
+}  // namespace boxplus
