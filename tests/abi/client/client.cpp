@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client with types of its own whose layout Eigen decides, kept and changed through the library's templates.
+// A client with types of its own whose layout Eigen decides, kept and changed through the library's
+// templates.
 #include <Eigen/Geometry>
 #include <cstdio>
 #include <vector>
@@ -34,7 +35,8 @@ bool fill_in_parallel(Make make) {
   });
   for (const auto& chunk : things) {
     for (int i = 0; i < 100; ++i) {
-      if (chunk[static_cast<std::size_t>(i)].id != i || !chunk[static_cast<std::size_t>(i)].active) return false;
+      if (chunk[static_cast<std::size_t>(i)].id != i || !chunk[static_cast<std::size_t>(i)].active)
+        return false;
     }
   }
   return true;
