@@ -2,36 +2,30 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cstdlib>
-#include <new>
+#include <memory>
 
+#include "allocation_counter.h"
 #include "boxplus/base/parallel.h"
-
-namespace {
-std::atomic<int> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace boxplus {
 namespace {
 
+TEST(AllocationCounter, SeesNewAndEigen) {
+  if (!testing::allocations_are_counted()) GTEST_SKIP();
+  const long before = testing::allocation_count();
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(testing::allocation_count(), before + 1);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Ones(100 + *number);
+  EXPECT_EQ(testing::allocation_count(), before + 2);
+}
+
 TEST(ParallelTasks, AllocateNothingOnceTheWorkersExist) {
+  if (!testing::allocations_are_counted()) GTEST_SKIP();
   std::atomic<int> runs{0};
   parallel_tasks(4, [&](int) { ++runs; });
-  const int before = allocations;
+  const long before = testing::allocation_count();
   for (int call = 0; call < 100; ++call) parallel_tasks(1 + call % 4, [&](int) { ++runs; });
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(testing::allocation_count(), before);
   EXPECT_EQ(runs, 4 + 250);
 }
 
