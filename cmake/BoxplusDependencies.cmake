@@ -1,7 +1,5 @@
-# What the library needs. Also included by the installed package file.
-include(CMakeFindDependencyMacro)
-find_dependency(Eigen3 3.4)
-find_dependency(Threads)
-find_path(AMD_INCLUDE_DIR amd.h PATH_SUFFIXES suitesparse REQUIRED)
-find_library(AMD_LIBRARY amd REQUIRED)
-find_dependency(fmt)
+# What the library needs. What its clients need, too, stands again in boxplusConfig.cmake.in.
+find_package(Eigen3 3.4 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(AMD REQUIRED)
+find_package(fmt REQUIRED)

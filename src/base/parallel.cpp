@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/base/parallel.h"
 
+#include <pthread.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -17,7 +22,12 @@
 namespace boxplus {
 namespace {
 
+using Task = FunctionRef<void(int)>;
+
 constexpr auto kSpin = std::chrono::microseconds(50);
+
+/// True on workers, and on a caller while it runs its own share: calls from there do not fork again.
+thread_local bool inside_task = false;
 
 void pause_briefly() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -41,94 +51,125 @@ void spin_then_sleep(std::mutex& mutex, std::condition_variable& wake, Ready rea
   }
 }
 
-class Pool {
- public:
-  ~Pool() {
-    for (auto& worker : workers_) {
-      worker->quit.store(true);
-      worker->post(nullptr);
-      worker->thread.join();
-    }
-  }
-
-  void run(int count, const FunctionRef<void(int)>& task) {
-    std::lock_guard one_caller(callers_);
-    while (static_cast<int>(workers_.size()) < count - 1) {
-      workers_.push_back(std::make_unique<Worker>(static_cast<int>(workers_.size()) + 1));
-    }
-    for (int i = 1; i < count; ++i) workers_[static_cast<std::size_t>(i - 1)]->post(&task);
-    std::exception_ptr failure;
+/// Runs task(first) … task(last − 1) here, all of them whatever they throw; returns the first exception.
+std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
+  std::exception_ptr failure;
+  for (int i = first; i < last; ++i) {
     try {
-      inside_task = true;
-      task(0);
+      task(i);
     } catch (...) {
-      failure = std::current_exception();
+      if (!failure) failure = std::current_exception();
     }
-    inside_task = false;
-    for (int i = 1; i < count; ++i) {
-      auto theirs = workers_[static_cast<std::size_t>(i - 1)]->wait();
-      if (!failure) failure = theirs;
-    }
-    if (failure) std::rethrow_exception(failure);
+  }
+  return failure;
+}
+
+/// One thread with a mailbox for one task at a time.
+///
+/// `posted` and `done` count tasks given and finished; the owner posts again only after wait(). Both are
+/// changed under the mutex, so that no sleeper misses a change, and read without it by who spins: `task` and
+/// `failure` are published by them.
+class Worker {
+ public:
+  explicit Worker(int index) : thread_([this, index] { loop(index); }) {}
+
+  ~Worker() {
+    post(nullptr);
+    thread_.join();
   }
 
-  static thread_local bool inside_task;
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  /// Starts the task; nullptr ends the thread.
+  void post(const Task* task) {
+    {
+      std::lock_guard lock(mutex_);
+      task_ = task;
+      posted_.fetch_add(1);
+    }
+    wake_.notify_one();
+  }
+
+  /// Returns when the posted task has ended, with what it threw.
+  std::exception_ptr wait() {
+    spin_then_sleep(mutex_, finished_, [this] { return done_.load() == posted_.load(); });
+    return std::exchange(failure_, nullptr);
+  }
 
  private:
-  /// One thread with a mailbox: `posted` counts the tasks given, `done` those finished.
-  struct Worker {
-    explicit Worker(int index) : thread([this, index] { loop(index); }) {}
-
-    void post(const FunctionRef<void(int)>* next) {
+  void loop(int index) {
+    inside_task = true;
+    for (unsigned seen = 0;; ++seen) {
+      spin_then_sleep(mutex_, wake_, [this, seen] { return posted_.load() != seen; });
+      if (task_ == nullptr) return;
+      failure_ = run_here(*task_, index, index + 1);
       {
-        std::lock_guard lock(mutex);
-        task = next;
-        posted.fetch_add(1);
+        std::lock_guard lock(mutex_);
+        done_.fetch_add(1);
       }
-      wake.notify_one();
+      finished_.notify_one();
     }
+  }
 
-    std::exception_ptr wait() {
-      spin_then_sleep(mutex, finished, [this] { return done.load() == posted.load(); });
-      return std::exchange(failure, nullptr);
+  std::mutex mutex_;
+  std::condition_variable wake_, finished_;
+  const Task* task_ = nullptr;
+  std::exception_ptr failure_;
+  std::atomic<unsigned> posted_{0}, done_{0};
+  std::thread thread_;  // last: it uses the members above
+};
+
+class Pool {
+ public:
+  void run(int count, const Task& task) {
+    std::lock_guard one_caller(callers_);
+    const int forked = grow_to(count - 1);
+    for (int i = 1; i <= forked; ++i) worker(i).post(&task);
+    inside_task = true;
+    std::exception_ptr failure = run_here(task, 0, 1);
+    std::exception_ptr unforked = run_here(task, forked + 1, count);
+    inside_task = false;
+    for (int i = 1; i <= forked; ++i) {
+      std::exception_ptr theirs = worker(i).wait();
+      if (!failure) failure = std::move(theirs);
     }
+    if (!failure) failure = std::move(unforked);
+    if (failure) std::rethrow_exception(std::move(failure));
+  }
 
-    void loop(int index) {
-      inside_task = true;
-      for (unsigned seen = 0;; ++seen) {
-        spin_then_sleep(mutex, wake, [this, seen] { return posted.load() != seen; });
-        if (quit.load()) return;
-        try {
-          (*task)(index);
-        } catch (...) {
-          failure = std::current_exception();
-        }
-        {
-          std::lock_guard lock(mutex);
-          done.fetch_add(1);
-        }
-        finished.notify_one();
+ private:
+  /// Makes workers until there are `count`; where the system grants no more, fewer must do. Returns how many
+  /// of them there are to use.
+  int grow_to(int count) {
+    workers_.reserve(static_cast<std::size_t>(count));
+    try {
+      while (static_cast<int>(workers_.size()) < count) {
+        workers_.push_back(std::make_unique<Worker>(static_cast<int>(workers_.size()) + 1));
       }
+    } catch (const std::system_error&) {
+      return static_cast<int>(workers_.size());
     }
+    return count;
+  }
 
-    std::mutex mutex;
-    std::condition_variable wake, finished;
-    const FunctionRef<void(int)>* task = nullptr;
-    std::exception_ptr failure;
-    std::atomic<unsigned> posted{0}, done{0};
-    std::atomic<bool> quit{false};
-    std::thread thread;  // last: it uses the members above
-  };
+  Worker& worker(int index) { return *workers_[static_cast<std::size_t>(index - 1)]; }
 
   std::mutex callers_;
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 
-thread_local bool Pool::inside_task = false;
-
+/// The pool of this process. A forked child has none of its parent's threads, so it gets a new pool and
+/// abandons the copy of the old one.
 Pool& pool() {
-  static Pool instance;
-  return instance;
+  static std::unique_ptr<Pool> instance = [] {
+    pthread_atfork(nullptr, nullptr, [] {
+      static_cast<void>(instance.release());
+      instance = std::make_unique<Pool>();
+    });
+    return std::make_unique<Pool>();
+  }();
+  return *instance;
 }
 
 }  // namespace
@@ -139,11 +180,11 @@ int hardware_threads() noexcept {
 }
 
 void parallel_tasks(int count, FunctionRef<void(int)> task) {
-  if (count <= 1 || Pool::inside_task) {
-    for (int i = 0; i < count; ++i) task(i);
-    return;
+  if (count > 1 && !inside_task) {
+    pool().run(count, task);
+  } else if (std::exception_ptr failure = run_here(task, 0, count)) {
+    std::rethrow_exception(std::move(failure));
   }
-  pool().run(count, task);
 }
 
 }  // namespace boxplus

@@ -14,7 +14,8 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An argument that breaks the contract of the called function (wrong size, stale handle, indefinite information …).
+/// An argument that breaks the contract of the called function (wrong size, stale handle, indefinite
+/// information …).
 class InvalidArgument : public Error {
  public:
   using Error::Error;

@@ -10,10 +10,12 @@ namespace boxplus {
 
 inline constexpr int kDynamic = Eigen::Dynamic;
 
-/// Column-major matrix without alignment requirement (row-major where Eigen demands it: one row, several columns).
+/// Column-major matrix without alignment requirement (row-major where Eigen demands it: one row, several
+/// columns).
 template <class Scalar, int Rows, int Cols>
-using Matrix = Eigen::Matrix<Scalar, Rows, Cols,
-                             Eigen::DontAlign | ((Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor)>;
+using Matrix =
+    Eigen::Matrix<Scalar, Rows, Cols,
+                  Eigen::DontAlign | ((Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor)>;
 
 /// Column vector without alignment requirement.
 template <class Scalar, int Size>

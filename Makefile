@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One-word commands over CMakePresets.json and scripts/; `make help` lists them.
+
+PREFIX ?= /usr/local
+JOBS ?= $(shell nproc)
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build demo test dev asan ubsan tsan tidy format check install clean
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
+
+setup: ## installs the Debian packages that are missing (root or sudo)
+	@scripts/install_dependencies.sh
+
+build: setup ## builds the programs into build/release/bin
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS) --target programs
+
+demo: build ## simulates a sphere of 2500 poses, optimises it, draws it before and after
+	@scripts/demo.sh
+
+test: setup ## builds everything and runs all tests
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS)
+	@ctest --preset release --parallel $(JOBS)
+
+dev asan ubsan tsan: setup
+	@cmake --preset $@
+	@cmake --build --preset $@ --parallel $(JOBS)
+	@ctest --preset $@ --parallel $(JOBS)
+
+dev: ## runs the tests with asserts
+asan: ## runs the tests under AddressSanitizer
+ubsan: ## runs the tests under UndefinedBehaviorSanitizer
+tsan: ## runs the tests under ThreadSanitizer
+
+tidy: setup ## builds with clang++ and runs clang-tidy over every source
+	@cmake --preset tidy
+	@cmake --build --preset tidy --parallel $(JOBS)
+
+format: ## formats all C++ files
+	@scripts/check_format.sh --fix
+
+check: ## checks the format and the direction of includes
+	@scripts/check_format.sh
+	@scripts/check_includes.py
+
+install: build ## installs headers, library, programs and CMake package under PREFIX (/usr/local)
+	@cmake --install build/release --prefix $(PREFIX)
+
+clean: ## removes build/
+	@rm -rf build

@@ -1,0 +1,17 @@
+# What `cmake --install` puts where, and the package that find_package(boxplus) finds.
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxplus)
+
+install(TARGETS boxplus EXPORT boxplus)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/boxplus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT boxplus FILE boxplusTargets.cmake NAMESPACE boxplus:: DESTINATION ${package_dir})
+
+# A static library leaves its private dependencies to the final link, so that its clients must find them.
+get_target_property(type boxplus TYPE)
+string(COMPARE EQUAL ${type} STATIC_LIBRARY BOXPLUS_IS_STATIC)
+configure_package_config_file(cmake/boxplusConfig.cmake.in boxplusConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(boxplusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/boxplusConfig.cmake ${PROJECT_BINARY_DIR}/boxplusConfigVersion.cmake
+              cmake/FindAMD.cmake DESTINATION ${package_dir})
+
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that includes point only downwards, and never from public headers to private ones.
+
+    check_includes.py [ROOT]
+
+Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in include/, src/, apps/ and
+tests/ below ROOT, by default the project. Prints file:line of each arrow that ALLOWED does not have.
+"""
+
+import pathlib
+import re
+import sys
+
+# The arrows: a file in the folder on the left may include its own folder and those on the right; lowest first.
+# ARCHITECTURE.md tells why.
+ALLOWED = {
+    "base": "",
+    "manifold": "base",
+    "autodiff": "base manifold",
+    "robust": "base manifold autodiff",
+    "graph": "base manifold autodiff robust",
+    "linear": "base",
+    "linearize": "base manifold autodiff robust graph linear",
+    "optimize": "base manifold autodiff robust graph linear linearize",
+    "types": "base manifold autodiff robust graph optimize",
+    "io": "base manifold autodiff robust graph optimize types",
+    "action": "base manifold autodiff robust graph linear linearize optimize types io",
+    "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
+    # The law-checkers that users run on their own types: everything below optimize.
+    "testing": "base manifold autodiff robust graph linear linearize",
+}
+LIBRARY = set(ALLOWED) - {"testing"}
+MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
+MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
+MAY_INCLUDE["apps"] = LIBRARY | {"boxplus.h"}
+MAY_INCLUDE["tests"] = set(ALLOWED) | {"boxplus.h"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+
+
+def folder_of_file(path):
+    """Which row of the table a file (relative to the root) belongs to."""
+    parts = path.parts
+    if parts[0] in ("apps", "tests"):
+        return parts[0]
+    inside = parts[2:] if parts[0] == "include" else parts[1:]
+    return inside[0] if inside else None
+
+
+def target_of_include(root, path, quote, name):
+    """(folder, is_private) of an included file of ours, or None for one that is not ours."""
+    parts = pathlib.PurePosixPath(name).parts
+    if parts[0] == "boxplus":
+        return parts[1], False
+    if quote == '"':
+        # "graph/x.h" from src/, or a neighbour of the including file.
+        for base in (root / "src", (root / path).parent):
+            file = (base / name).resolve()
+            if file.is_file() and file.is_relative_to((root / "src").resolve()):
+                return file.relative_to((root / "src").resolve()).parts[0], True
+    return None
+
+
+def violations(root):
+    files = (p for top in ("include", "src", "apps", "tests") for p in (root / top).rglob("*"))
+    for file in sorted(f for f in files if f.suffix in (".h", ".hpp", ".cpp", ".cc")):
+        path = file.relative_to(root)
+        folder = folder_of_file(path)
+        text = file.read_text(encoding="utf-8")
+        if folder not in MAY_INCLUDE:
+            yield f"{path}:1: folder '{folder}' has no row in the table of scripts/check_includes.py"
+            continue
+        for match in INCLUDE.finditer(text):
+            target = target_of_include(root, path, *match.groups())
+            if target is None:
+                continue
+            where = f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}"
+            to, private = target
+            if to not in MAY_INCLUDE[folder]:
+                yield f"{where}: {folder} must not include {to} ({match.group(2)})"
+            if private and path.parts[0] == "include":
+                yield f"{where}: a public header must not include a private one ({match.group(2)})"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent.parent).resolve()
+    found = list(violations(root))
+    print(*found, sep="\n", end="\n" if found else "")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Makes a noisy pose graph on a sphere, optimises it, and draws it before and after.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+boxplus=build/release/bin/boxplus
+folder=build/demo
+mkdir -p "$folder"
+
+# Prints a command as a user would type it, then runs it.
+run() {
+  printf '\n$ %s\n' "$*"
+  "$@"
+}
+
+run "$boxplus" simulate sphere --poses 2500 -o "$folder/sphere.g2o"
+run "$boxplus" optimize "$folder/sphere.g2o" -o "$folder/sphere_optimized.g2o"
+run "$boxplus" plot "$folder/sphere.g2o" "$folder/sphere_optimized.g2o" -o "$folder/sphere.svg"
+
+cat <<END
+
+Written:
+  $folder/sphere.g2o            the simulated graph, from odometry
+  $folder/sphere_optimized.g2o  the optimised graph
+  $folder/sphere.svg            the picture: before and after
+END

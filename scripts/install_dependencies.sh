@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs those packages of debian-packages.txt that are missing. Says and does nothing when none is.
+set -euo pipefail
+
+list="$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt"
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  echo "boxplus: not a Debian system, so nothing is installed; what is needed stands in $list" >&2
+  exit 0
+fi
+
+mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$list")
+installed="$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
+  sed -n 's/^installed //p' || true)"
+mapfile -t missing < <(comm -23 <(printf '%s\n' "${wanted[@]}" | sort) <(sort <<<"$installed"))
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    {
+      echo "boxplus: these packages are missing, and only root can install them:"
+      echo "    apt-get install --no-install-recommends ${missing[*]}"
+      echo "Run that line as root, or install sudo, then repeat the command."
+    } >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+echo "boxplus: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}"

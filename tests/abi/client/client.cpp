@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A client with types of its own whose layout Eigen decides, kept and changed through the library's
+// templates.
+#include <Eigen/Geometry>
+#include <cstdio>
+#include <vector>
+
+#include "boxplus/base/error.h"
+#include "boxplus/base/parallel.h"
+
+namespace {
+
+struct Camera {
+  int id;
+  Eigen::Isometry3d T_world_camera;
+  bool active;
+};
+
+struct Plane {
+  int id;
+  Eigen::Vector4d coefficients;
+  bool active;
+};
+
+#if EIGEN_MAX_ALIGN_BYTES == 16
+static_assert(sizeof(Camera) == 160 && sizeof(Plane) == 64);
+#endif
+
+/// Fills one vector of Things per task on the library's threads; the caller frees them.
+template <class Thing, class Make>
+bool fill_in_parallel(Make make) {
+  std::vector<std::vector<Thing>> things(4);
+  boxplus::parallel_tasks(4, [&](int task) {
+    for (int i = 0; i < 100; ++i) things[static_cast<std::size_t>(task)].push_back(make(i));
+  });
+  for (const auto& chunk : things) {
+    for (int i = 0; i < 100; ++i) {
+      if (chunk[static_cast<std::size_t>(i)].id != i || !chunk[static_cast<std::size_t>(i)].active)
+        return false;
+    }
+  }
+  return true;
+}
+
+bool vectors_of_eigen_structs_survive() {
+  const auto camera = [](int id) { return Camera{id, Eigen::Isometry3d::Identity(), true}; };
+  const auto plane = [](int id) { return Plane{id, Eigen::Vector4d::Constant(id), true}; };
+  return fill_in_parallel<Camera>(camera) && fill_in_parallel<Plane>(plane);
+}
+
+bool dynamic_matrices_survive() {
+  std::vector<Eigen::MatrixXd> matrices(4);
+  boxplus::parallel_tasks(4, [&](int i) { matrices[static_cast<std::size_t>(i)].setIdentity(7, 7); });
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(7, 7);
+  for (const auto& matrix : matrices) sum += matrix;
+  return sum.trace() == 28;
+}
+
+bool exceptions_arrive() {
+  try {
+    boxplus::parallel_tasks(2, [](int) { throw boxplus::InvalidArgument("expected"); });
+  } catch (const boxplus::InvalidArgument&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// Each new kind of exchange between a client and the library is one more line here.
+int main() {
+  const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() && exceptions_arrive();
+  std::puts(good ? "good" : "bad");
+  return good ? 0 : 1;
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/base/function_ref.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace boxplus {
+namespace {
+
+TEST(FunctionRef, CallsTheOriginalAndNotACopy) {
+  int calls = 0;
+  auto count = [calls]() mutable { return ++calls; };
+  const FunctionRef<int()> reference = count;
+  reference();
+  EXPECT_EQ(count(), 2);
+}
+
+TEST(FunctionRef, CallsConstCallables) {
+  const auto twice = [](int x) { return 2 * x; };
+  EXPECT_EQ(FunctionRef<int(int)>(twice)(21), 42);
+}
+
+TEST(FunctionRef, ForwardsReferencesAndMoveOnlyArguments) {
+  auto store = [](std::unique_ptr<int> from, int& to) { to = *from; };
+  const FunctionRef<void(std::unique_ptr<int>, int&)> reference = store;
+  int value = 0;
+  reference(std::make_unique<int>(7), value);
+  EXPECT_EQ(value, 7);
+}
+
+TEST(FunctionRef, IsTwoWordsAndTriviallyCopied) {
+  EXPECT_EQ(sizeof(FunctionRef<void(int)>), 2 * sizeof(void*));
+  EXPECT_TRUE(std::is_trivially_copyable_v<FunctionRef<void(int)>>);
+}
+
+}  // namespace
+}  // namespace boxplus

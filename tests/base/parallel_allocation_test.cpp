@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+
+#include "allocation_counter.h"
+#include "boxplus/base/parallel.h"
+
+namespace boxplus {
+namespace {
+
+TEST(AllocationCounter, SeesNewAndEigen) {
+  if (!testing::allocations_are_counted()) GTEST_SKIP();
+  const long before = testing::allocation_count();
+  const auto number = std::make_unique<int>(1);
+  EXPECT_EQ(testing::allocation_count(), before + 1);
+  const Eigen::VectorXd vector = Eigen::VectorXd::Ones(100 + *number);
+  EXPECT_EQ(testing::allocation_count(), before + 2);
+}
+
+TEST(ParallelTasks, AllocateNothingOnceTheWorkersExist) {
+  if (!testing::allocations_are_counted()) GTEST_SKIP();
+  std::atomic<int> runs{0};
+  parallel_tasks(4, [&](int) { ++runs; });
+  const long before = testing::allocation_count();
+  for (int call = 0; call < 100; ++call) parallel_tasks(1 + call % 4, [&](int) { ++runs; });
+  EXPECT_EQ(testing::allocation_count(), before);
+  EXPECT_EQ(runs, 4 + 250);
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/base/parallel.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace boxplus {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+std::vector<std::thread::id> threads_of_tasks(int count) {
+  std::vector<std::thread::id> ids(static_cast<std::size_t>(count));
+  parallel_tasks(count, [&](int i) { ids[static_cast<std::size_t>(i)] = std::this_thread::get_id(); });
+  return ids;
+}
+
+/// How often each task of one call runs.
+std::vector<int> runs_of_tasks(int count) {
+  std::vector<int> runs(static_cast<std::size_t>(count));
+  parallel_tasks(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
+  return runs;
+}
+
+/// What a call throws whose tasks throw their index from `first` on; -1 for nothing.
+int index_thrown(int count, int first) {
+  try {
+    parallel_tasks(count, [&](int i) {
+      if (i >= first) throw i;
+    });
+  } catch (int index) {
+    return index;
+  }
+  return -1;
+}
+
+TEST(HardwareThreads, AreAtLeastOne) {
+  EXPECT_GE(hardware_threads(), 1);
+}
+
+TEST(ParallelTasks, RunEachTaskOnce) {
+  for (int count : {0, 1, 2, 3, 8, 17}) {
+    EXPECT_EQ(runs_of_tasks(count).size(), static_cast<std::size_t>(count));
+    EXPECT_THAT(runs_of_tasks(count), Each(1));
+  }
+}
+
+TEST(ParallelTasks, RunNothingForANegativeCount) {
+  parallel_tasks(-1, [](int) { FAIL(); });
+}
+
+TEST(ParallelTasks, RunOnOneWorkerEachAndTheFirstOnTheCaller) {
+  const auto ids = threads_of_tasks(6);
+  EXPECT_EQ(std::set(ids.begin(), ids.end()).size(), 6U);
+  EXPECT_EQ(ids[0], std::this_thread::get_id());
+}
+
+TEST(ParallelTasks, StayOnTheirWorkersFromCallToCall) {
+  const auto six = threads_of_tasks(6);
+  const auto four = threads_of_tasks(4);
+  EXPECT_TRUE(std::equal(four.begin(), four.end(), six.begin()));
+  EXPECT_EQ(threads_of_tasks(6), six);
+}
+
+TEST(ParallelTasks, AreAllDoneAtReturnInManyCallsOfChangingSize) {
+  std::array<int, 5> sums{};
+  for (int call = 0; call < 20000; ++call) {
+    const int count = 1 + call % 5;
+    parallel_tasks(count, [&](int i) { ++sums[static_cast<std::size_t>(i)]; });
+  }
+  EXPECT_THAT(sums, ElementsAre(20000, 16000, 12000, 8000, 4000));
+}
+
+TEST(ParallelTasks, WakeWorkersThatFellAsleep) {
+  for (int call = 0; call < 20; ++call) {
+    EXPECT_THAT(runs_of_tasks(4), Each(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+TEST(ParallelTasks, WaitForATaskThatOutlastsTheSpinning) {
+  std::vector<int> slept(3);
+  parallel_tasks(3, [&](int i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 * i));
+    slept[static_cast<std::size_t>(i)] = 1;
+  });
+  EXPECT_THAT(slept, Each(1));
+}
+
+TEST(ParallelTasks, RunNestedCallsInOrderOnTheCallingWorker) {
+  std::array<std::vector<int>, 4> orders;
+  std::atomic<int> strays{0};
+  parallel_tasks(4, [&](int outer) {
+    const auto here = std::this_thread::get_id();
+    parallel_tasks(3, [&](int inner) {
+      orders[static_cast<std::size_t>(outer)].push_back(inner);
+      if (std::this_thread::get_id() != here) ++strays;
+    });
+  });
+  EXPECT_THAT(orders, Each(ElementsAre(0, 1, 2)));
+  EXPECT_EQ(strays, 0);
+}
+
+TEST(ParallelTasks, ForkAgainAfterNestedAndThrowingCalls) {
+  parallel_tasks(2, [](int) { parallel_tasks(2, [](int) {}); });
+  EXPECT_EQ(index_thrown(2, 0), 0);
+  EXPECT_NE(threads_of_tasks(2)[1], std::this_thread::get_id());
+}
+
+TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndex) {
+  EXPECT_EQ(index_thrown(4, 4), -1);
+  for (int first = 3; first >= 0; --first) EXPECT_EQ(index_thrown(4, first), first);
+  EXPECT_EQ(index_thrown(1, 0), 0);
+}
+
+TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndexFromNestedCalls) {
+  std::array<int, 3> thrown{};
+  parallel_tasks(3, [&](int i) { thrown[static_cast<std::size_t>(i)] = index_thrown(4, i); });
+  EXPECT_THAT(thrown, ElementsAre(0, 1, 2));
+}
+
+TEST(ParallelTasks, RunAllTasksThoughSomeThrow) {
+  const auto count_runs = [](std::atomic<int>& runs) {
+    try {
+      parallel_tasks(4, [&](int) {
+        ++runs;
+        throw std::runtime_error("each");
+      });
+    } catch (const std::runtime_error&) {
+    }
+  };
+  std::atomic<int> outer{0}, nested{0};
+  count_runs(outer);
+  parallel_tasks(2, [&](int i) {
+    if (i == 1) count_runs(nested);
+  });
+  EXPECT_EQ(outer, 4);
+  EXPECT_EQ(nested, 4);
+}
+
+TEST(ParallelTasks, ForgetTheExceptionOfAnEarlierCall) {
+  EXPECT_EQ(index_thrown(4, 0), 0);
+  EXPECT_EQ(index_thrown(4, 4), -1);
+}
+
+TEST(ParallelTasks, ServeSeveralCallersAtOnce) {
+  std::vector<long> sums(4);
+  std::vector<std::thread> callers;
+  for (auto& sum : sums) {
+    callers.emplace_back([&sum] {
+      for (int call = 0; call < 500; ++call) {
+        const auto runs = runs_of_tasks(3);
+        sum += std::accumulate(runs.begin(), runs.end(), 0L);
+      }
+    });
+  }
+  for (auto& caller : callers) caller.join();
+  EXPECT_THAT(sums, Each(1500));
+}
+
+#ifndef BOXPLUS_SANITIZED  // the sanitizers allow neither fork with threads nor a tight limit of address
+                           // space
+TEST(ParallelTasks, WorkInAForkedChild) {
+  parallel_tasks(4, [](int) {});
+  const pid_t child = fork();
+  if (child == 0) _exit(runs_of_tasks(4) == std::vector<int>(4, 1) ? 0 : 1);
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+}
+
+/// Leaves the process too little address space for the stack of another thread.
+void forbid_more_threads() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t limit = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (1U << 20);
+  const rlimit limits{limit, limit};
+  setrlimit(RLIMIT_AS, &limits);
+}
+
+TEST(ParallelTasksDeathTest, AllRunOnTheCallerWhereTheSystemGrantsNoThreads) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const auto run_without_threads = [] {
+    forbid_more_threads();
+    const auto ids = threads_of_tasks(4);
+    const bool all_here = std::set(ids.begin(), ids.end()) == std::set{std::this_thread::get_id()};
+    std::exit(all_here && index_thrown(4, 2) == 2 ? 0 : 1);
+  };
+  EXPECT_EXIT(run_without_threads(), testing::ExitedWithCode(0), "");
+}
+#endif
+
+}  // namespace
+}  // namespace boxplus
