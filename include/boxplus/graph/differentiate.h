@@ -171,8 +171,7 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
     slot = original;
   };
   const auto visit = [&](auto& argument) {
-    if constexpr (requires { ManifoldType<std::remove_cvref_t<decltype(argument)>>; } &&
-                  ManifoldType<std::remove_cvref_t<decltype(argument)>>) {
+    if constexpr (ManifoldType<std::remove_cvref_t<decltype(argument)>>) {
       columns_of(argument);
     } else {
       for (auto& element : argument) columns_of(element);

@@ -112,14 +112,24 @@ int row_count(const R& result) {
   }
 }
 
-/// The result with Eigen expressions evaluated.
+/// A result that owns its numbers. An unevaluated Eigen expression does not: it refers to temporaries that died with
+/// the function that returned it.
+template <class R>
+inline constexpr bool kOwnsItsNumbers = [] {
+  if constexpr (requires { typename R::PlainObject; }) {
+    return std::is_same_v<R, typename R::PlainObject>;
+  } else {
+    return true;
+  }
+}();
+
 template <class E, class... A>
 auto evaluate(const E& e, A&&... a) {
-  if constexpr (requires { call(e, std::forward<A>(a)...).eval(); }) {
-    return call(e, std::forward<A>(a)...).eval();
-  } else {
-    return call(e, std::forward<A>(a)...);
-  }
+  using R = std::remove_cvref_t<decltype(call(e, std::forward<A>(a)...))>;
+  static_assert(kOwnsItsNumbers<R>,
+                "the error function returns an unevaluated Eigen expression, which refers to dead temporaries: "
+                "give it a return type, or end it with .eval()");
+  return call(e, std::forward<A>(a)...);
 }
 
 /// Row i of a result that may be a scalar.
