@@ -117,7 +117,7 @@ int row_count(const R& result) {
 template <class R>
 inline constexpr bool kOwnsItsNumbers = [] {
   if constexpr (requires { typename R::PlainObject; }) {
-    return std::is_same_v<R, typename R::PlainObject>;
+    return std::derived_from<R, Eigen::PlainObjectBase<R>>;
   } else {
     return true;
   }
