@@ -49,7 +49,7 @@ struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
   /// Blocks that must come last in the elimination order, in this order (for incremental use). May be empty.
-  std::span<const std::uint32_t> last;
+  std::span<const std::uint32_t> last = {};
 };
 
 /// Facts about the analysis, for reports.
