@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "linear/block_cholesky/dense_kernels.h"
+#include "linear/kernels/dense_kernels.h"
 
 namespace boxplus {
 namespace {
@@ -37,16 +37,16 @@ void add_run(const double* __restrict from, double* __restrict to, std::uint32_t
 /// Adds the columns of an update matrix that `columns` names, at and below the diagonal, into `to`.
 /// `all` are the runs of rows, of which `columns` is a part; destinations count from `origin` in both
 /// directions.
-void extend_add(const double* update, std::uint32_t below, std::span<const Run> columns,
-                std::span<const Run> all, double* to, std::uint32_t leading, std::uint32_t row_origin,
+void extend_add(const double* update, std::uint32_t below, std::span<const ScalarRun> columns,
+                std::span<const ScalarRun> all, double* to, std::uint32_t leading, std::uint32_t row_origin,
                 std::uint32_t column_origin) {
-  const Run* const end = all.data() + all.size();
-  for (const Run& column : columns) {
+  const ScalarRun* const end = all.data() + all.size();
+  for (const ScalarRun& column : columns) {
     for (std::uint32_t j = 0; j < column.length; ++j) {
       const double* from = update + std::size_t{column.source + j} * below;
       double* target = to + std::size_t{column.destination + j - column_origin} * leading;
       add_run(from + column.source + j, target + (column.destination + j - row_origin), column.length - j);
-      for (const Run* row = &column + 1; row != end; ++row) {
+      for (const ScalarRun* row = &column + 1; row != end; ++row) {
         add_run(from + row->source, target + (row->destination - row_origin), row->length);
       }
     }

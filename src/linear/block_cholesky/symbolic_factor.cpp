@@ -85,7 +85,7 @@ class Builder {
   }
 
  private:
-  std::uint32_t dim(std::uint32_t position) const { return f_.offset[position + 1] - f_.offset[position]; }
+  std::uint32_t dim(std::uint32_t position) const { return f_.dim(position); }
 
   void number_scalars(const SupernodePartition& partition) {
     f_.position.resize(f_.order.size());
@@ -141,6 +141,7 @@ class Builder {
     front.row_run_begin = size_of(f_.row_runs);
     for (const std::uint32_t row : f_.rows(front)) {
       local_[row] = front.columns + front.below;
+      f_.row_offsets.push_back(local_[row]);
       append_run(f_.row_runs, front.row_run_begin, {front.below, f_.offset[row], dim(row)});
       front.below += dim(row);
     }
@@ -164,7 +165,7 @@ class Builder {
   }
 
   /// Appends a run, or extends the last one (of those from `begin`) where both sides go on where it ended.
-  static void append_run(std::vector<Run>& runs, std::uint32_t begin, const Run& run) {
+  static void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
     if (runs.size() > begin && runs.back().source + runs.back().length == run.source &&
         runs.back().destination + runs.back().length == run.destination) {
       runs.back().length += run.length;
@@ -219,6 +220,14 @@ class Builder {
 };
 
 }  // namespace
+
+std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const {
+  if (at < front.end_block) return offset[at] - offset[front.first_block];
+  const auto all = rows(front);
+  const auto found = std::lower_bound(all.begin(), all.end(), at);
+  if (found == all.end() || *found != at) return kNoParent;
+  return row_offsets[front.row_begin + static_cast<std::size_t>(found - all.begin())];
+}
 
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule) {

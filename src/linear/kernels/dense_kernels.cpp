@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/block_cholesky/dense_kernels.h"
+#include "linear/kernels/dense_kernels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "linear/block_cholesky/micro_kernels.h"
+#include "linear/kernels/micro_kernels.h"
 
 namespace boxplus::dense {
 namespace {
