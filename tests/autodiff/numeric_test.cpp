@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/autodiff/numeric.h"
+#include "boxplus/manifold/numeric_jacobian.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-<<<<<<< HEAD
 // SPDX-License-Identifier: BSD-3-Clause
 // Estimates to begin from, made of the relative measurements alone: whatever the estimates were, they do not
 // matter.
@@ -46,13 +45,3 @@ GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
 GuessResult guess_chordal(Graph& graph, const Plan& plan);
 
 }  // namespace boxplus
-=======
-#pragma once
-#include "boxplus/linearize/plan.h"
-namespace boxplus {
-struct GuessResult { bool made; std::string_view note; };
-GuessResult guess_odometry(Graph&, const Plan&);
-GuessResult guess_spanning_tree(Graph&, const Plan&);
-GuessResult guess_chordal(Graph&, const Plan&);
-}
->>>>>>> main

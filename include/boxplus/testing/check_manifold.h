@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "boxplus/autodiff/dual.h"
-#include "boxplus/autodiff/numeric.h"
+#include "boxplus/manifold/numeric_jacobian.h"
 #include "boxplus/manifold/manifold.h"
 
 namespace boxplus {
