@@ -26,6 +26,9 @@ struct AmalgamationRule {
   double max_zero_fraction = 0.3;  ///< hard cap: part of a front's entries of L that may be added zeros
 };
 
+/// Nanoseconds for one front.
+double predicted_time(const AmalgamationRule& rule, double columns, double below);
+
 /// Finds the fundamental supernodes (Liu, Ng, Peyton 1993) of a postordered tree and merges children into
 /// their parents wherever the predicted time (fixed work + entries + flops) falls and the zeros added stay
 /// below the cap. The last `keep` columns keep their places and are never merged with others.
