@@ -8,7 +8,7 @@
 // the unknowns of axis a,
 //   pose → pose      X_j = M X_i,                 M = [R_ijᵀ 0; t_ijᵀ 1]
 //   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
-// A constant frame, or the world, has a known X.
+// A constant frame, or the world, has a known X. Between points, l − k = z.
 //
 // Weights. A rotation that is off by a small θ weighs ω θ² in chi2, where ω is the information per squared
 // radian; its relaxed equation is off by ‖R_i R_ij − R_j‖² ≈ 2θ². So rotation rows get ω/2, with ω the mean
@@ -115,6 +115,7 @@ LinearStatus Chordal::solve_joint() {
 void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system) const {
   const Frame motion = frames_.motion(m);
   const int rows = m.has_rotation ? d_ + 1 : 1;
+  if (m.from != FrameGraph::kWorld && !frames_.pose(m.from)) return add_position_term(m, system);
   SmallMatrix b = SmallMatrix::Zero(rows, d_ + 1);
   if (m.has_rotation) b.topLeftCorner(d_, d_) = rotation_of(motion).transpose();
   b.bottomLeftCorner(1, d_) = translation_of(motion).transpose();

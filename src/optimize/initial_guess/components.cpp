@@ -49,11 +49,21 @@ Components::Components(const FrameGraph& frames) : frames_(frames), label_(frame
   for (const Measurement& m : frames.measurements()) {
     if (is_root(m)) flood(movable_end(m), kRooted);
   }
-  for (Node pose : frames.poses_by_id(true)) {
-    if (label_[pose] != kNone) continue;
-    flood(pose, static_cast<std::uint32_t>(free_roots_.size()));
-    free_roots_.push_back(pose);
+  const std::vector<Node> by_id = frames.movable_by_id();
+  for (Node node : by_id) {
+    if (frames.pose(node)) add_free_root(node);
   }
+  // What is left are points among themselves: a known position holds them.
+  for (const Measurement& m : frames.measurements()) {
+    if (is_position_anchor(m)) flood(movable_end(m), kRooted);
+  }
+  for (Node node : by_id) add_free_root(node);
+}
+
+void Components::add_free_root(Node node) {
+  if (label_[node] != kNone) return;
+  flood(node, static_cast<std::uint32_t>(free_roots_.size()));
+  free_roots_.push_back(node);
 }
 
 /// The end that moves of a measurement against a constant, or kWorld where both ends move.
@@ -62,14 +72,16 @@ Node Components::movable_end(const Measurement& m) const {
   return frames_.movable(m.to) ? FrameGraph::kWorld : m.from;
 }
 
-bool Components::is_position_anchor(const Measurement& m) const {
-  if (movable_end(m) == FrameGraph::kWorld) return false;
-  if (movable_end(m) == m.from) return !m.has_rotation;
-  return m.flexible || (m.from == FrameGraph::kWorld && !frames_.pose(m.to));
+/// Against a constant; and a pose is involved whose rotation says how the movable end is turned.
+bool Components::is_root(const Measurement& m) const {
+  const Node moving = movable_end(m);
+  if (moving == FrameGraph::kWorld) return false;
+  if (m.has_rotation) return true;
+  return moving == m.to && m.leads_forward && m.from != FrameGraph::kWorld && frames_.pose(m.from);
 }
 
-bool Components::is_root(const Measurement& m) const {
-  return movable_end(m) != FrameGraph::kWorld && !is_position_anchor(m);
+bool Components::is_position_anchor(const Measurement& m) const {
+  return movable_end(m) != FrameGraph::kWorld && !is_root(m);
 }
 
 bool Components::left_for_alignment(const Measurement& m) const {

@@ -19,7 +19,7 @@ class Components {
  public:
   explicit Components(const FrameGraph& frames);
 
-  /// The poses that stand in for missing roots, by id.
+  /// The poses (in parts without poses, the points) that stand in for missing roots.
   const std::vector<Node>& free_roots() const { return free_roots_; }
   /// True for the absolute positions of a part without root.
   bool left_for_alignment(const Measurement& measurement) const;
@@ -33,6 +33,7 @@ class Components {
   bool is_position_anchor(const Measurement& measurement) const;
   bool is_root(const Measurement& measurement) const;
   Node movable_end(const Measurement& measurement) const;
+  void add_free_root(Node node);
   void flood(Node start, std::uint32_t label);
 
   const FrameGraph& frames_;

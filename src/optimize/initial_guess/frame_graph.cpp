@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "optimize/initial_guess/frame_math.h"
 
@@ -48,11 +49,12 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   const bool absolute = relative.from < 0;
   const Node to = node_at(relative.to), from = absolute ? kWorld : node_at(relative.from);
   if (from == to || !look_at(to, relative.motion.dimension)) return;
-  if (!absolute && (!look_at(from, relative.motion.dimension) || !pose(from))) return;
+  const bool has_rotation = relative.motion.has_rotation && pose(to);
+  if (!absolute && !look_at(from, relative.motion.dimension)) return;
+  if (!absolute && !pose(from) && pose(to)) return;  // nothing that a point could tell of a pose
   if (!movable(to) && (absolute || !movable(from))) return;
 
   const InformationView information = pool.information(edge);
-  const bool has_rotation = relative.motion.has_rotation && pose(to);
   const double unit = relative.rotation_unit;
   const double rotation_weight =
       has_rotation
@@ -63,8 +65,9 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   if (rotation_weight <= 0 && translation_weight <= 0) return;
   flags_[to] |= kUsed;
   if (!absolute) flags_[from] |= kUsed;
-  measurements_.push_back({from, to, pool_index, edge, has_rotation, pose(to) && !has_rotation,
-                           rotation_weight, translation_weight});
+  const bool from_point = !absolute && !pose(from);
+  measurements_.push_back({from, to, pool_index, edge, has_rotation, has_rotation || !pose(to),
+                           has_rotation || from_point, rotation_weight, translation_weight});
 }
 
 /// Notes what kind of vertex it is; false where it is neither pose nor point of that dimension.
@@ -125,13 +128,14 @@ Id FrameGraph::id(Node node) const {
   return graph_->vertex_pools()[pool]->id(node - first_[pool]);
 }
 
-std::vector<Node> FrameGraph::poses_by_id(bool movable) const {
-  std::vector<Node> poses;
+std::vector<Node> FrameGraph::movable_by_id() const {
+  std::vector<Node> result;
   for (Node node = 0; node < nodes(); ++node) {
-    if (used(node) && pose(node) && this->movable(node) == movable) poses.push_back(node);
+    if (used(node) && movable(node)) result.push_back(node);
   }
-  std::sort(poses.begin(), poses.end(), [&](Node a, Node b) { return id(a) < id(b); });
-  return poses;
+  const auto rank = [&](Node node) { return std::pair(!pose(node), id(node)); };
+  std::sort(result.begin(), result.end(), [&](Node a, Node b) { return rank(a) < rank(b); });
+  return result;
 }
 
 Frame FrameGraph::frame(Node node) const {

@@ -14,13 +14,14 @@ namespace boxplus::guess {
 /// Index of a vertex among the slots of all pools: flat arrays instead of maps.
 using Node = std::uint32_t;
 
-/// A relative measurement T_to ≈ T_from · motion. The motion itself is asked of the edge again when it is
-/// needed.
+/// A relative measurement T_to ≈ T_from · motion; a point stands for a frame with the axes of the world. The
+/// motion itself is asked of the edge again when it is needed.
 struct Measurement {
-  Node from, to;              ///< `from` is a pose or FrameGraph::kWorld
+  Node from, to;              ///< `from` may be FrameGraph::kWorld
   std::uint32_t pool, edge;   ///< where it comes from
   bool has_rotation;          ///< false: only the position of `to` is measured
-  bool flexible;              ///< the frame of `to` does not follow from that of `from`: a position of a pose
+  bool leads_forward;         ///< the frame of `to` follows from that of `from`
+  bool leads_backward;        ///< the frame of `from` follows from that of `to`
   double rotation_weight;     ///< mean information per squared radian
   double translation_weight;  ///< mean information per squared metre
 };
@@ -44,8 +45,8 @@ class FrameGraph {
   bool parameter(Node node) const;
   int dimension(Node node) const { return (flags_[node] & kPlanar) != 0 ? 2 : 3; }
   Id id(Node node) const;
-  /// The poses that take part and may move (do not move), by id.
-  std::vector<Node> poses_by_id(bool movable) const;
+  /// The vertices that take part and may move, by id: poses before points.
+  std::vector<Node> movable_by_id() const;
 
   Frame frame(Node node) const;
   void set_frame(Node node, const Frame& frame);

@@ -20,12 +20,14 @@ class ShortestPaths {
 
   void run() {
     relax_neighbours(FrameGraph::kWorld, 0);
-    for (Node root : frames_.poses_by_id(false)) start_at(root);
+    for (Node node = 0; node < frames_.nodes(); ++node) {
+      if (frames_.used(node) && !frames_.movable(node)) start_at(node);
+    }
     for (Node root : components_.free_roots()) start_at(root);
     settle_all();
-    for (Node pose : frames_.poses_by_id(true)) {  // those that are joined to a root through landmarks only
-      if (distance_[pose] < std::numeric_limits<double>::infinity()) continue;
-      start_at(pose);
+    for (Node node : frames_.movable_by_id()) {  // poses that are joined to a root through landmarks only
+      if (distance_[node] < std::numeric_limits<double>::infinity()) continue;
+      start_at(node);
       settle_all();
     }
     components_.align(frames_);
@@ -52,7 +54,7 @@ class ShortestPaths {
       queue_.pop();
       if (distance > distance_[node]) continue;
       set_from_arrival(node);
-      if (frames_.pose(node)) relax_neighbours(node, distance);
+      relax_neighbours(node, distance);
     }
   }
 
@@ -62,7 +64,7 @@ class ShortestPaths {
       const bool forward = m.from == node;
       const Node other = forward ? m.to : m.from;
       const bool leads_there =
-          !m.flexible && (forward || m.has_rotation) && !components_.left_for_alignment(m);
+          (forward ? m.leads_forward : m.leads_backward) && !components_.left_for_alignment(m);
       if (!leads_there || other == FrameGraph::kWorld || !frames_.movable(other)) continue;
       const double through = distance + cost_[k];
       if (!(through < distance_[other])) continue;
