@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <type_traits>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/so3.h"
@@ -16,6 +18,8 @@ template <class S, class Chart = QuaternionChart>
 class BasicSE3 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName =
+      std::is_same_v<Chart, RotationVectorChart> ? "SE3RotationVector" : "SE3";
 
   /// The identity.
   BasicSE3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1)} {}

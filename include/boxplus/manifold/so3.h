@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <type_traits>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/rotation_charts.h"
@@ -15,6 +17,8 @@ template <class S, class Chart = QuaternionChart>
 class BasicSO3 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName =
+      std::is_same_v<Chart, RotationVectorChart> ? "SO3RotationVector" : "SO3";
 
   /// The identity.
   BasicSO3() : coefficients_{S(0), S(0), S(0), S(1)} {}
