@@ -3,6 +3,12 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxplus)
 
 install(TARGETS boxplus EXPORT boxplus)
+foreach(target IN LISTS app_targets)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL EXECUTABLE)
+    install(TARGETS ${target} RUNTIME)
+  endif()
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/boxplus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT boxplus FILE boxplusTargets.cmake NAMESPACE boxplus:: DESTINATION ${package_dir})
 

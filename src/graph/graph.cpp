@@ -250,9 +250,8 @@ void Graph::push(std::span<const VertexRef> vertices) {
   save(std::move(saved));
 }
 
-/// Backup level 0 belongs to the optimiser; the stack uses 1, 2, …
 void Graph::save(Saved saved) {
-  const int level = stack_size() + 1;
+  const int level = VertexPool::kFirstStackLevel + stack_size();
   for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->save(saved.slots[p], level);
   stack_.push_back(std::move(saved));
 }
@@ -273,7 +272,8 @@ Graph::Saved Graph::live(const Saved& saved) const {
 void Graph::pop() {
   if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, the stack is empty");
   const Saved saved = live(stack_.back());
-  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->restore(saved.slots[p], stack_size());
+  const int level = VertexPool::kFirstStackLevel + stack_size() - 1;
+  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->restore(saved.slots[p], level);
   stack_.pop_back();
 }
 

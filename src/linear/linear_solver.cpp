@@ -4,6 +4,8 @@
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/block_cholesky.h"
 #include "linear/dense/dense_solver.h"
+#include "linear/eigen_sparse/eigen_sparse_solver.h"
+#include "linear/pcg/pcg.h"
 
 namespace boxplus {
 
@@ -14,8 +16,10 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind) {
       return std::make_unique<BlockCholesky>();
     case LinearSolverKind::kDense:
       return std::make_unique<DenseSolver>();
-    default:
-      break;
+    case LinearSolverKind::kPcg:
+      return std::make_unique<Pcg>();
+    case LinearSolverKind::kEigenSparse:
+      return std::make_unique<EigenSparseSolver>();
   }
   throw InvalidArgument("make_linear_solver: unknown kind");
 }

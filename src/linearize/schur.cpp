@@ -69,6 +69,11 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     }
   }
   reduced_ = make_block_structure(dims, pairs);
+  std::uint32_t diagonal = 0;
+  for (std::uint32_t dim : dims) {
+    diagonal_start_.push_back(diagonal);
+    diagonal += dim * dim;
+  }
   half_column_.resize(longest);
   small_.resize(largest);
   if (!explicit_values) return;
@@ -202,22 +207,19 @@ void Schur::multiply(const double* x, double* y) {
   }
 }
 
-void Schur::block_diagonal(double* out) const {
-  std::vector<std::size_t> start;
-  std::size_t size = 0;
+void Schur::block_diagonal(double* out) {
   for (std::uint32_t block = 0; block < reduced_.blocks(); ++block) {
     const std::uint32_t k = structure_->column_start[eliminated_ + block];
-    start.push_back(size);
-    std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1], out + size);
-    size += std::size_t{reduced_.dim(block)} * reduced_.dim(block);
+    std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1],
+              out + diagonal_start_[block]);
   }
-  std::vector<double> half(half_column_.size());
+  double* half = half_column_.data();
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      std::copy_n(w, rows * n, half.data());
-      for (int r = 0; r < rows; ++r) small_forward(factors_.data() + factor_start_[e], n, half.data() + r, rows);
-      subtract_product(half.data(), rows, half.data(), rows, n, out + start[row]);
+      std::copy_n(w, rows * n, half);
+      for (int r = 0; r < rows; ++r) small_forward(factors_.data() + factor_start_[e], n, half + r, rows);
+      subtract_product(half, rows, half, rows, n, out + diagonal_start_[row]);
     });
   }
 }

@@ -68,7 +68,8 @@ def check(folder, program, alignment, runnable):
 def check_compiler(compiler, prefix):
     folder = WORK / compiler
     must_run(CMAKE, "-S", pathlib.Path(__file__).parent / "client", "-B", folder, "-G", "Ninja",
-             f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}")
+             f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}",
+             f"-DCMAKE_CXX_COMPILER_LAUNCHER={shutil.which('ccache') or ''}")
     run(CMAKE, "--build", folder, "--parallel", os.cpu_count(), "--", "-k", "0")  # links that must fail do so here
 
     bare = {"plain": 16, "debug": 16, "native": eigen_alignment(compiler, "-march=native")}

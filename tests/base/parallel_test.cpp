@@ -161,6 +161,7 @@ TEST(ParallelTasks, ForgetTheExceptionOfAnEarlierCall) {
 TEST(ParallelTasks, ServeSeveralCallersAtOnce) {
   std::vector<long> sums(4);
   std::vector<std::thread> callers;
+  callers.reserve(sums.size());
   for (auto& sum : sums) {
     callers.emplace_back([&sum] {
       for (int call = 0; call < 500; ++call) {

@@ -8,15 +8,18 @@
 
 namespace boxplus {
 
+template <class T, class U>
+concept OtherThan = !std::is_same_v<std::remove_cvref_t<T>, U>;
+
 template <class Signature>
 class FunctionRef;
 
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
-  template <class Callable>
-  requires(!std::is_same_v<std::remove_cvref_t<Callable>, FunctionRef>) FunctionRef(Callable&& callable)
-  noexcept
+  template <OtherThan<FunctionRef> Callable>
+  // NOLINTNEXTLINE(google-explicit-constructor): as implicit as a reference
+  FunctionRef(Callable&& callable) noexcept
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_([](void* object, Arguments... arguments) -> Result {
           return (*static_cast<std::remove_reference_t<Callable>*>(object))(

@@ -101,7 +101,7 @@ class Graph {
   void set_estimate(VertexHandle<T> vertex, T estimate) {
     check(vertex);
     T& value = typed_pool<T>(vertex).value(vertex.slot);
-    if (tangent_dim(value) != tangent_dim(estimate)) ++revision_;
+    if (boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate)) ++revision_;
     value = std::move(estimate);
   }
 

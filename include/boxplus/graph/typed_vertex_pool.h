@@ -60,6 +60,12 @@ class TypedVertexPool final : public VertexPool {
     for (std::uint32_t slot : slots) values_[slot] = backup[slot];
   }
 
+  void copy_backup(std::span<const std::uint32_t> slots, int from, int to) override {
+    const std::vector<T>& source = backups_[static_cast<std::size_t>(from)];
+    std::vector<T>& target = backups_[static_cast<std::size_t>(to)];
+    for (std::uint32_t slot : slots) target[slot] = source[slot];
+  }
+
   bool get_frame(std::uint32_t slot, Frame& out) const override {
     if constexpr (FrameType<T>) {
       out = FrameTrait<T>::get(values_[slot]);

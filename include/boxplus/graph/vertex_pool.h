@@ -20,6 +20,9 @@ class VertexPool {
  public:
   virtual ~VertexPool() = default;
 
+  /// Backup levels: the optimiser's trial steps and starts come first, then the stack of Graph::push().
+  static constexpr int kTrialLevel = 0, kStartLevel = 1, kBestLevel = 2, kFirstStackLevel = 3;
+
   virtual std::string_view type_name() const = 0;
   /// Tangent size of the vertex in `slot`.
   virtual int tangent_dim(std::uint32_t slot) const = 0;
@@ -32,6 +35,8 @@ class VertexPool {
   /// Copies the listed estimates to (from) backup `level`. Levels are independent of each other.
   virtual void save(std::span<const std::uint32_t> slots, int level) = 0;
   virtual void restore(std::span<const std::uint32_t> slots, int level) = 0;
+  /// Copies backups of the listed slots from one level to another.
+  virtual void copy_backup(std::span<const std::uint32_t> slots, int from, int to) = 0;
   /// The pose or point in `slot`; false where the type is neither.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}

@@ -12,9 +12,9 @@ namespace boxplus {
 /// Lower triangle, diagonal included, of a symmetric matrix of blocks in compressed block columns.
 ///
 /// Block i spans the scalars [offset[i], offset[i+1]). Column j holds the blocks k in
-/// [column_start[j], column_start[j+1]): block k lies in row row[k] (ascending; the first is the diagonal, row j)
-/// and its dim(row[k]) × dim(j) values lie column-major at values[value_start[k]]. Diagonal blocks hold both
-/// of their triangles. The columns' values are contiguous and in order.
+/// [column_start[j], column_start[j+1]): block k lies in row row[k] (ascending; the first is the diagonal,
+/// row j) and its dim(row[k]) × dim(j) values lie column-major at values[value_start[k]]. Diagonal blocks
+/// hold both of their triangles. The columns' values are contiguous and in order.
 struct BlockStructure {
   std::vector<std::uint32_t> offset{0};
   std::vector<std::uint32_t> column_start{0};

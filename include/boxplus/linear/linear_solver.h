@@ -31,12 +31,14 @@ enum class LinearStatus {
 
 struct FactorResult {
   LinearStatus status = LinearStatus::kOk;
-  std::uint32_t failed_block = BlockStructure::kAbsent;  ///< in the numbering of the structure, not of the ordering
+  std::uint32_t failed_block =
+      BlockStructure::kAbsent;  ///< in the numbering of the structure, not of the ordering
 };
 
 struct SolveControl {
-  double relative_tolerance = 1e-10;  ///< iterative solvers: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
-  int max_iterations = 0;             ///< iterative solvers; 0 = twice the number of scalars, at least 100
+  double relative_tolerance =
+      1e-10;  ///< iterative solvers: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
+  int max_iterations = 0;  ///< iterative solvers; 0 = twice the number of scalars, at least 100
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -49,7 +51,7 @@ struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
   /// Blocks that must come last in the elimination order, in this order (for incremental use). May be empty.
-  std::span<const std::uint32_t> last;
+  std::span<const std::uint32_t> last = {};
 };
 
 /// Facts about the analysis, for reports.
@@ -57,15 +59,15 @@ struct LinearStatistics {
   std::uint64_t factor_nonzeros = 0;  ///< scalars of L with the zeros that amalgamation added
   double factor_flops = 0;            ///< useful floating-point operations of one factorisation
   std::uint32_t supernodes = 0;
-  std::uint32_t largest_front = 0;    ///< scalars
+  std::uint32_t largest_front = 0;  ///< scalars
 };
 
 /// Solves symmetric positive definite block systems of one structure.
 ///
-/// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any number
-/// of times after each factorize(). After the first factorize() and solve() of a structure, further calls of both
-/// allocate no memory. A solver is used by one thread at a time. Results are the same bits in every run and for
-/// every AnalyzeHints::threads.
+/// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any
+/// number of times after each factorize(). After the first factorize() and solve() of a structure, further
+/// calls of both allocate no memory. A solver is used by one thread at a time. Results are the same bits in
+/// every run and for every AnalyzeHints::threads.
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };
@@ -75,15 +77,19 @@ class LinearSolver {
   virtual Needs needs() const = 0;
   /// Ordering, symbolic factorisation and memory. `structure` must outlive the solver's use of it.
   virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints) = 0;
-  /// Factorises (direct) or prepares the preconditioner (iterative) of A + λ D. `changed_columns` names the block
-  /// columns of A whose values differ from the last call's; empty = all. A solver may treat every call as "all".
+  /// Factorises (direct) or prepares the preconditioner (iterative) of A + λ D. `changed_columns` names the
+  /// block columns of A whose values differ from the last call's; empty = all. A solver may treat every call
+  /// as "all".
   virtual FactorResult factorize(const BlockSystem& system, const Damping& damping,
                                  std::span<const std::uint32_t> changed_columns = {}) = 0;
-  /// X = (A + λ D)⁻¹ B for `columns` right-hand sides, each contiguous (column-major); B and X may be the same.
+  /// X = (A + λ D)⁻¹ B for `columns` right-hand sides, each contiguous (column-major); B and X may be the
+  /// same.
   virtual SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) = 0;
   /// Blocks of (A + λ D)⁻¹: for each requested (row, column), row ≥ column, dim(row) × dim(column) values,
   /// column-major, one after the other. Returns false where the solver cannot do it.
-  virtual bool selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) { return false; }
+  virtual bool selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) {
+    return false;
+  }
   virtual LinearStatistics statistics() const { return {}; }
 };
 

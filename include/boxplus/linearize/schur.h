@@ -41,7 +41,7 @@ class Schur {
   /// y = (U − W V⁻¹ Wᵀ) x without forming S.
   void multiply(const double* x, double* y);
   /// Diagonal blocks of S.
-  void block_diagonal(double* out) const;
+  void block_diagonal(double* out);
 
  private:
   template <class F>
@@ -60,6 +60,7 @@ class Schur {
   std::vector<std::uint32_t> pair_target_;    // value of S for every pair of rows (a ≥ b) of every eliminated column
   std::vector<double> half_column_;           // W L⁻ᵀ of one column
   std::vector<double> small_;
+  std::vector<std::uint32_t> diagonal_start_; // of each kept block among the diagonal blocks
 };
 
 /// S as an operator.

@@ -9,8 +9,8 @@
 //       static void ominus(const Pose& y, const Pose& x, double* delta);    // δ with x ⊞ δ = y
 //     };
 //
-// A run-time size (kDim == kDynamic) adds `static int dim(const Pose& x)`. Exact Jacobians of edges that use the
-// type ask for three more members, which let an estimate be lifted to another scalar S (a dual number):
+// A run-time size (kDim == kDynamic) adds `static int dim(const Pose& x)`. Exact Jacobians of edges that use
+// the type ask for three more members, which let an estimate be lifted to another scalar S (a dual number):
 //
 //     template <class S> using Rebind = BasicPose<S>;
 //     template <class S> static BasicPose<S> cast(const Pose& x);
@@ -21,7 +21,8 @@
 // Laws, for all x, y and all small δ (testing/check_manifold.h checks them):
 //   (1) x ⊞ 0 = x                  (2) x ⊞ (y ⊟ x) = y
 //   (3) (x ⊞ δ) ⊟ x = δ            (4) ⊞ is smooth in δ at 0, with a Jacobian of full rank kDim there
-// where y ⊟ x is what ominus(y, x, ·) computes. Law 2 may fail on the cut locus of the chart (a rotation by π).
+// where y ⊟ x is what ominus(y, x, ·) computes. Law 2 may fail on the cut locus of the chart (a rotation by
+// π).
 #pragma once
 
 #include <concepts>
@@ -39,7 +40,9 @@ concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, cons
   { Manifold<T>::kDim } -> std::convertible_to<int>;
   { Manifold<T>::oplus(x, in) } -> std::convertible_to<T>;
   Manifold<T>::ominus(y, x, out);
-  requires Manifold<T>::kDim != kDynamic || requires { { Manifold<T>::dim(x) } -> std::convertible_to<int>; };
+  requires Manifold<T>::kDim != kDynamic || requires {
+    { Manifold<T>::dim(x) } -> std::convertible_to<int>;
+  };
 };
 
 /// Tangent size of x.
@@ -58,7 +61,8 @@ using Rebind = typename Manifold<T>::template Rebind<S>;
 
 /// A manifold whose estimates can be lifted to another scalar, so that exact derivatives pass through ⊞.
 template <class T, class S>
-concept LiftableManifold = ManifoldType<T> && requires(const T& x, const Rebind<T, S>& lifted, const S* delta) {
+concept LiftableManifold = ManifoldType<T> &&
+    requires(const T& x, const Rebind<T, S>& lifted, const S* delta) {
   { Manifold<T>::template cast<S>(x) } -> std::convertible_to<Rebind<T, S>>;
   { Manifold<Rebind<T, S>>::oplus(lifted, delta) } -> std::convertible_to<Rebind<T, S>>;
 };

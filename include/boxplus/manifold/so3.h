@@ -80,7 +80,7 @@ struct Manifold<BasicSO3<S, Chart>> {
   template <class D>
   static Rebind<Promoted<S, D>> oplus(const BasicSO3<S, Chart>& x, const D* delta) {
     const Quaternion<D> step = Chart::exp(delta[0], delta[1], delta[2]);
-    return Rebind<Promoted<S, D>>::from_unit(renormalized(x.quaternion() * step));
+    return Rebind<Promoted<S, D>>::from_unit(x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSO3<S, Chart>& y, const BasicSO3<S, Chart>& x, D* delta) {

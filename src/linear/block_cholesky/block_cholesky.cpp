@@ -6,6 +6,7 @@
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/triangular_solve.h"
+#include "linear/column_inverse.h"
 #include "linear/finite_check.h"
 
 namespace boxplus {
@@ -13,7 +14,10 @@ namespace boxplus {
 void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
   structure_ = &structure;
   factorized_ = false;
-  symbolic_ = analyze_structure(structure, hints.last, rule_);
+  inverse_.clear();
+  symbolic_ = analyze_structure(structure, hints.last, rule_, hints.threads);
+  factor_.suspects_of_thread.resize(symbolic_.schedule.threads.size());
+  factor_.thread_failed.resize(symbolic_.schedule.threads.size());
   batch_ = std::max(1, hints.right_hand_sides);
   const auto batch = static_cast<std::size_t>(batch_);
   const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size, scalars = structure.scalars();
@@ -28,6 +32,7 @@ void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints&
 FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& damping,
                                       std::span<const std::uint32_t> /*changed_columns*/) {
   factorized_ = false;
+  inverse_.clear();
   if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
@@ -106,8 +111,34 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
   return {};
 }
 
-bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) {
-  return false;
+/// Whether solving for the requested columns takes fewer operations than the inverse on the whole pattern.
+/// Solves read each number of L for two operations and so run at a fraction of the speed.
+bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks) const {
+  constexpr double kSlowdown = 8, kInverseOverFactor = 3;
+  std::vector<std::uint32_t> columns;
+  columns.reserve(blocks.size());
+  for (const auto& block : blocks) columns.push_back(block.column);
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  double scalars = 0;
+  for (const std::uint32_t column : columns) scalars += structure_->dim(column);
+  return kSlowdown * scalars * 4 * static_cast<double>(statistics().factor_nonzeros) <
+         kInverseOverFactor * symbolic_.flops;
+}
+
+bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
+  if (!factorized_)
+    throw InvalidArgument("BlockCholesky::selected_inverse: expected a successful factorize() before");
+  std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
+  if (!inverse_.computed()) {
+    if (columns_are_cheaper(blocks)) return solve_for_inverse(*this, *structure_, requests);
+    inverse_.compute(symbolic_, factor_.arena);
+  }
+  std::erase_if(requests, [this](const InverseRequest& request) {
+    return inverse_.read(symbolic_, symbolic_.position[request.block.row],
+                         symbolic_.position[request.block.column], request.out);
+  });
+  return solve_for_inverse(*this, *structure_, requests);
 }
 
 LinearStatistics BlockCholesky::statistics() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
+#include "linear/block_cholesky/inverse_on_pattern.h"
 #include "linear/block_cholesky/numeric_factor.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 
@@ -32,6 +33,7 @@ class BlockCholesky final : public LinearSolver {
  private:
   std::uint32_t find_lost_pivot();
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
+  bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;
   void load_right_hand_sides(const double* b, int columns);
   void store_solutions(int columns, double* x) const;
 
@@ -41,6 +43,7 @@ class BlockCholesky final : public LinearSolver {
   std::unique_ptr<double[]> arena_;  // panels, update matrices, minimum pivots, right-hand sides, work
   double *x_ = nullptr, *work_ = nullptr;
   NumericFactor factor_{};
+  InverseOnPattern inverse_;
   int batch_ = 1;  // right-hand sides that x_ and work_ hold
   bool factorized_ = false;
 };

@@ -8,11 +8,12 @@
 
 #include "boxplus/linear/block_structure.h"
 #include "linear/block_cholesky/supernodes.h"
+#include "linear/block_cholesky/tree_schedule.h"
 
 namespace boxplus {
 
 /// A run of consecutive scalars and the place it goes to.
-struct Run {
+struct ScalarRun {
   std::uint32_t source, destination, length;
 };
 
@@ -48,12 +49,19 @@ struct SymbolicFactor {
   std::vector<std::uint32_t> offset;           // first permuted scalar of each position; one more at the end
   std::vector<std::uint32_t> front_of;         // position → supernode
   std::vector<Front> fronts;
+  TreeSchedule schedule;
   std::vector<std::uint32_t> row_blocks, children;
+  std::vector<std::uint32_t> row_offsets;  // of each of row_blocks: its first row in the front
   std::vector<BlockCopy> copies;
-  std::vector<Run> runs, row_runs;
+  std::vector<ScalarRun> runs, row_runs;
   std::uint64_t panel_size = 0, update_size = 0;  // numbers in the arena
   std::uint32_t largest_front = 0, most_columns = 0, most_below = 0;
   double flops = 0;  // of the factor without added zeros
+
+  std::uint32_t dim(std::uint32_t at) const { return offset[at + 1] - offset[at]; }
+  /// First row of the block at a position ≥ front.first_block, or kNoParent where the front does not have it.
+  /// O(log blocks of the front).
+  std::uint32_t row_in(const Front& front, std::uint32_t at) const;
 
   std::span<const std::uint32_t> rows(const Front& f) const {
     return part(row_blocks, f.row_begin, f.row_end);
@@ -64,9 +72,9 @@ struct SymbolicFactor {
   std::span<const BlockCopy> copies_of(const Front& f) const {
     return part(copies, f.copy_begin, f.copy_end);
   }
-  std::span<const Run> pivot_runs(const Front& f) const { return part(runs, f.run_begin, f.run_split); }
-  std::span<const Run> all_runs(const Front& f) const { return part(runs, f.run_begin, f.run_end); }
-  std::span<const Run> row_runs_of(const Front& f) const {
+  std::span<const ScalarRun> pivot_runs(const Front& f) const { return part(runs, f.run_begin, f.run_split); }
+  std::span<const ScalarRun> all_runs(const Front& f) const { return part(runs, f.run_begin, f.run_end); }
+  std::span<const ScalarRun> row_runs_of(const Front& f) const {
     return part(row_runs, f.row_run_begin, f.row_run_end);
   }
 
@@ -79,6 +87,6 @@ struct SymbolicFactor {
 
 /// Orders the blocks (AMD), forms the supernodes and lays out the memory.
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                 const AmalgamationRule& rule = {});
+                                 const AmalgamationRule& rule = {}, int threads = 1);
 
 }  // namespace boxplus

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "linear/block_cholesky/dense_kernels.h"
+#include "linear/kernels/dense_kernels.h"
 
 namespace boxplus {
 namespace {
@@ -12,14 +12,14 @@ namespace {
 /// The rows of x below the front's columns, one after the other.
 void gather(const SymbolicFactor& symbolic, const Front& front, std::size_t columns, const double* x,
             double* work) {
-  for (const Run& run : symbolic.row_runs_of(front)) {
+  for (const ScalarRun& run : symbolic.row_runs_of(front)) {
     std::copy_n(x + run.destination * columns, run.length * columns, work + run.source * columns);
   }
 }
 
 void scatter(const SymbolicFactor& symbolic, const Front& front, std::size_t columns, const double* work,
              double* x) {
-  for (const Run& run : symbolic.row_runs_of(front)) {
+  for (const ScalarRun& run : symbolic.row_runs_of(front)) {
     std::copy_n(work + run.source * columns, run.length * columns, x + run.destination * columns);
   }
 }

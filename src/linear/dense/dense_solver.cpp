@@ -5,9 +5,10 @@
 #include <string>
 
 #include "boxplus/base/error.h"
-#include "linear/block_cholesky/dense_kernels.h"
-#include "linear/block_cholesky/numeric_factor.h"
+#include "linear/column_inverse.h"
 #include "linear/finite_check.h"
+#include "linear/kernels/dense_kernels.h"
+#include "linear/lost_pivot.h"
 
 namespace boxplus {
 namespace {
@@ -122,9 +123,11 @@ bool DenseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, doub
     throw InvalidArgument("DenseSolver::selected_inverse: expected a successful factorize() before");
   form_inverse();
   const BlockStructure& s = *structure_;
-  for (const auto [row, column] : blocks) {
-    for (std::uint32_t j = s.offset[column]; j < s.offset[column + 1]; ++j) {
-      out = std::copy_n(inverse_.data() + std::size_t{j} * s.scalars() + s.offset[row], s.dim(row), out);
+  for (const auto& [block, to] : list_requests(s, blocks, out)) {
+    double* target = to;
+    for (std::uint32_t j = s.offset[block.column]; j < s.offset[block.column + 1]; ++j) {
+      const double* from = inverse_.data() + std::size_t{j} * s.scalars() + s.offset[block.row];
+      target = std::copy_n(from, s.dim(block.row), target);
     }
   }
   return true;

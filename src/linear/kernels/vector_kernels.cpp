@@ -2,8 +2,8 @@
 // Triangular solves with one right-hand side: bound by reading L, four columns at a time.
 #include <cstddef>
 
-#include "linear/block_cholesky/dense_kernels.h"
-#include "linear/block_cholesky/simd_pack.h"
+#include "linear/kernels/dense_kernels.h"
+#include "linear/kernels/simd_pack.h"
 
 namespace boxplus::dense {
 namespace {

@@ -2,7 +2,7 @@
 // Register tiles: a strip of rows (some packs) times up to four columns, accumulated over k.
 #pragma once
 
-#include "linear/block_cholesky/simd_pack.h"
+#include "linear/kernels/simd_pack.h"
 
 namespace boxplus::dense {
 

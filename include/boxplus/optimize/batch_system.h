@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The System of a whole graph: linearised at once, solved directly, through the Schur complement, or matrix-free.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "boxplus/linearize/linearizer.h"
+#include "boxplus/linearize/schur.h"
+#include "boxplus/optimize/report.h"
+#include "boxplus/optimize/system.h"
+
+namespace boxplus {
+
+class BatchSystem final : public System {
+ public:
+  /// Makes the plan and all memory. `graph` must outlive it and keep its structure.
+  BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur);
+
+  /// Takes what may differ from run to run from `options`, and adds times to `timings` from now on.
+  void configure(const Options& options, Timings& timings);
+
+  double chi2() override;
+  bool linearize() override;
+  std::span<const double> gradient() const override { return linearizer_.gradient(); }
+  std::span<const double> diagonal() const override { return diagonal_; }
+  double curvature(std::span<const double> d) override;
+  StepResult solve(const StepDamping& damping, std::span<double> step) override;
+  double try_step(std::span<const double> step) override;
+  void accept() override {}
+  void reject() override { restore(VertexPool::kTrialLevel); }
+
+  const Plan& plan() const { return *plan_; }
+  Linearizer& linearizer() { return linearizer_; }
+  const LinearSolver& linear_solver() const { return *solver_; }
+  /// The vertex whose block was not positive definite in the last failed solve().
+  VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
+  const LinearizeOptions& linearize_options() const { return linearize_options_; }
+
+  /// Copies all active estimates to (from) a backup level of their pools.
+  void save(int level);
+  void restore(int level);
+
+ private:
+  Damping full_damping(const StepDamping& damping);
+  StepResult solve_full(const Damping& damping, std::span<double> step);
+  StepResult solve_reduced(const Damping& damping, std::span<double> step);
+  StepResult fail(const FactorResult& result, std::uint32_t first_block);
+
+  Graph* graph_;
+  std::unique_ptr<const Plan> plan_;
+  Linearizer linearizer_;
+  AssembledSystem assembled_;
+  std::unique_ptr<Schur> schur_;
+  std::unique_ptr<BlockSystem> reduced_;
+  std::unique_ptr<LinearSolver> solver_;
+  std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_, reduced_step_;
+  std::uint32_t failed_block_ = 0;
+  LinearizeOptions linearize_options_;
+  SolveControl control_;
+  Timings* timings_ = nullptr;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eigen's simplicial Cholesky behind the seam: a second opinion, and a baseline for measurements.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "boxplus/linear/linear_solver.h"
+
+namespace boxplus {
+
+/// An exception to the seam's contract: Eigen's factorize() and solve() allocate temporaries on every call.
+///
+/// Eigen reports only that a pivot was ≤ 0, not which. The block is then named by factorising once more with
+/// BlockCholesky, whose elimination order differs: of several bad blocks it may name another. Pivots that
+/// lost their digits without becoming ≤ 0 are found and named in Eigen's own order (see kLostPivot).
+class EigenSparseSolver final : public LinearSolver {
+ public:
+  std::string_view name() const override { return "eigen_sparse"; }
+  Needs needs() const override { return Needs::kBlocks; }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         std::span<const std::uint32_t> changed_columns) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+  LinearStatistics statistics() const override;
+
+ private:
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  void load(const BlockSystem& system, const Damping& damping);
+  std::uint32_t find_lost_pivot();
+  FactorResult explain_failure(const BlockSystem& system, const Damping& damping) const;
+
+  const BlockStructure* structure_ = nullptr;
+  Sparse matrix_;  // lower triangle
+  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
+  Eigen::VectorXd diagonal_, direction_, solution_;
+  bool factorized_ = false;
+};
+
+}  // namespace boxplus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Preconditioned conjugate gradients with the Cholesky factors of the damped diagonal blocks as
+// preconditioner.
+#pragma once
+
+#include <vector>
+
+#include "boxplus/linear/linear_solver.h"
+
+namespace boxplus {
+
+/// Needs multiply() and block_diagonal() only. factorize() keeps a reference to the system, which must
+/// outlive the solves; the damping is copied. A diagonal block that is not positive definite is named by
+/// factorize(); a direction of curvature ≤ 0 met in solve() gives kNotPositiveDefinite there. Where solve()
+/// does not return kOk, x holds the last iterate.
+class Pcg final : public LinearSolver {
+ public:
+  std::string_view name() const override { return "pcg"; }
+  Needs needs() const override { return Needs::kOperator; }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         std::span<const std::uint32_t> changed_columns) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+  LinearStatistics statistics() const override;
+
+ private:
+  SolveResult solve_one(const double* b, const SolveControl& control);
+  SolveResult iterate(double target, int& iterations_left, const std::atomic<bool>* stop);
+  void multiply(const double* x, double* y) const;
+  void precondition(const double* r, double* z) const;
+
+  const BlockStructure* structure_ = nullptr;
+  const BlockSystem* system_ = nullptr;
+  std::vector<double> preconditioner_;  // Cholesky factors of the diagonal blocks
+  std::vector<double> damping_, minimum_pivot_;
+  std::vector<double> b_, x_, r_, z_, p_, q_;
+};
+
+}  // namespace boxplus

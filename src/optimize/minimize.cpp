@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/minimize.h"
+
+#include <cmath>
+#include <optional>
+
+namespace boxplus {
+namespace {
+
+std::optional<Reason> interruption(const Options& options, const Stopwatch& clock, int iteration) {
+  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return Reason::kStopFlag;
+  if (clock.seconds() >= options.time_limit_s) return Reason::kTimeLimit;
+  if (iteration >= options.max_iterations) return Reason::kMaxIterations;
+  return std::nullopt;
+}
+
+/// Why an iteration that took no step ends the run.
+RunResult ended(IterationOutcome outcome, double chi2, int iterations) {
+  switch (outcome) {
+    case IterationOutcome::kNoFurtherDecrease:
+      return {Status::kConverged, Reason::kNoFurtherDecrease, chi2, iterations};
+    case IterationOutcome::kNoStepFound:
+      return {Status::kNotConverged, Reason::kNoStepFound, chi2, iterations};
+    case IterationOutcome::kStopped:
+      return {Status::kNotConverged, Reason::kStopFlag, chi2, iterations};
+    case IterationOutcome::kNotFinite:
+      return {Status::kFailed, Reason::kNotFinite, chi2, iterations};
+    default:
+      return {Status::kFailed, Reason::kNotPositiveDefinite, chi2, iterations};
+  }
+}
+
+std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before) {
+  if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
+  if (record.step_max <= options.step_tolerance) return Reason::kStepTolerance;
+  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
+  return std::nullopt;
+}
+
+}  // namespace
+
+RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2, const Stopwatch& clock,
+                   std::vector<IterationRecord>& records) {
+  for (int iteration = 0;; ++iteration) {
+    if (const auto reason = interruption(options, clock, iteration)) {
+      return {Status::kNotConverged, *reason, chi2, iteration};
+    }
+    IterationRecord record;
+    record.iteration = iteration;
+    record.chi2 = chi2;
+    const IterationOutcome outcome = algorithm.iterate(system, chi2, record);
+    if (outcome != IterationOutcome::kAccepted) return ended(outcome, chi2, iteration);
+    record.time_s = clock.seconds();
+    records.push_back(record);
+    const double before = chi2;
+    chi2 = record.chi2;
+    if (const auto reason = convergence(options, record, before)) {
+      return {Status::kConverged, *reason, chi2, iteration + 1};
+    }
+    if (options.callback && !options.callback(record)) {
+      return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
+    }
+  }
+}
+
+}  // namespace boxplus

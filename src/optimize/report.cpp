@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <ostream>
+
+namespace boxplus {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+template <class... A>
+void add(Text& text, fmt::format_string<A...> format, A&&... arguments) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<A>(arguments)...);
+}
+
+/// The first and the last rows of a long table.
+constexpr std::size_t kHeadRows = 12, kTailRows = 4;
+
+void add_records(Text& text, const Report& report) {
+  if (report.records.empty()) return;
+  const bool damped = report.algorithm == "Levenberg-Marquardt";
+  add(text, "\n  iter           chi2     decrease   |gradient|       |step|  {:>11}  tries   time [s]\n",
+      damped ? "lambda" : "radius");
+  const std::size_t count = report.records.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (count > kHeadRows + kTailRows && k == kHeadRows) {
+      add(text, "  …    ({} more)\n", count - kHeadRows - kTailRows);
+      k = count - kTailRows;
+    }
+    const IterationRecord& r = report.records[k];
+    const std::string control = std::isinf(r.control) ? "∞" : fmt::format("{:.3e}", r.control);
+    add(text, "  {:4}  {:13.7g}  {:11.4g}  {:11.3e}  {:11.3e}  {:>11}  {:5}  {:9.4f}\n", r.iteration, r.chi2,
+        r.chi2_decrease, r.gradient_max, r.step_max, control, r.tries, r.time_s);
+  }
+}
+
+void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
+  if (ids.empty()) return;
+  constexpr std::size_t kShown = 8;
+  add(text, "  {:<14}", what);
+  for (std::size_t k = 0; k < std::min(ids.size(), kShown); ++k) add(text, "{}{}", k == 0 ? "" : ", ", ids[k]);
+  if (ids.size() > kShown) add(text, ", … ({} in all)", ids.size());
+  add(text, "\n");
+}
+
+void add_start(Text& text, const StartReport& start) {
+  add(text, "  {:<14}{}", "start", to_string(start.used));
+  if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
+  add(text, "; chi2 {:.7g} as given", start.chi2_current);
+  if (start.chi2_guess >= 0) add(text, ", {:.7g} after the initial guess", start.chi2_guess);
+  if (start.ran_both) add(text, "; both were run, the other ended at {:.7g}", start.chi2_other_final);
+  if (!start.note.empty()) add(text, " ({})", start.note);
+  add(text, "\n");
+}
+
+void add_notes(Text& text, const Report& report) {
+  add_ids(text, "gauge", report.gauge.held);
+  add_ids(text, "gauge released", report.gauge.released);
+  if (report.gauge.damped_components > 0) {
+    add(text, "  {:<14}{} component(s) not held in all directions: damped minutely\n", "gauge",
+        report.gauge.damped_components);
+  }
+  for (std::string_view type : report.numeric_jacobians) add(text, "  {:<14}numeric for {}\n", "Jacobians", type);
+  if (report.disabled_edges > 0) add(text, "  {:<14}{} disabled edge(s)\n", "note", report.disabled_edges);
+  if (report.regularised_steps > 0) {
+    add(text, "  {:<14}H was not positive definite in {} step(s) and was damped\n", "note", report.regularised_steps);
+  }
+}
+
+}  // namespace
+
+std::string to_string(const Report& report) {
+  Text text;
+  add(text, "{}: chi2 {:.9g} → {:.9g} in {} iteration{}, {:.4f} s\n", to_string(report.status), report.chi2_initial,
+      report.chi2_final, report.iterations, report.iterations == 1 ? "" : "s", report.time.total_s);
+  add(text, "  {:<14}{}\n", "because", report.message);
+  add(text, "  {:<14}{} vertices ({} unknowns), {} edges\n", "problem", report.vertices, report.scalars, report.edges);
+  if (report.eliminated > 0) add(text, "  {:<14}{} vertices\n", "eliminated", report.eliminated);
+  add(text, "  {:<14}{}, {}, {} of {} thread{}\n", "method", report.algorithm, report.linear_solver, report.workers,
+      report.threads, report.threads == 1 ? "" : "s");
+  add_start(text, report.start);
+  add_notes(text, report);
+  const Timings& t = report.time;
+  add(text, "  {:<14}plan {:.4f}, start {:.4f}, linearise {:.4f}, factorise {:.4f}, solve {:.4f}, evaluate {:.4f}\n",
+      "time [s]", t.plan_s, t.start_s, t.linearize_s, t.factorize_s, t.solve_s, t.evaluate_s);
+  add_records(text, report);
+  return fmt::to_string(text);
+}
+
+std::ostream& operator<<(std::ostream& out, const Report& report) {
+  return out << to_string(report);
+}
+
+std::string_view to_string(Status status) {
+  switch (status) {
+    case Status::kConverged:
+      return "converged";
+    case Status::kNotConverged:
+      return "not converged";
+    default:
+      return "failed";
+  }
+}
+
+std::string_view to_string(Reason reason) {
+  switch (reason) {
+    case Reason::kCostTolerance:
+      return "chi2 no longer falls noticeably";
+    case Reason::kStepTolerance:
+      return "the step is negligible";
+    case Reason::kGradientTolerance:
+      return "the gradient vanishes";
+    case Reason::kNoFurtherDecrease:
+      return "no step lowers chi2 by more than rounding";
+    case Reason::kNothingToOptimize:
+      return "there is nothing to optimise: no active edge touches a vertex that may move";
+    case Reason::kMaxIterations:
+      return "the iteration limit is reached";
+    case Reason::kTimeLimit:
+      return "the time limit is reached";
+    case Reason::kStopFlag:
+      return "the stop flag was raised";
+    case Reason::kCallback:
+      return "the callback asked to stop";
+    case Reason::kNoStepFound:
+      return "no step that lowers chi2 was found";
+    case Reason::kNotPositiveDefinite:
+      return "the linear system cannot be solved";
+    case Reason::kNotFinite:
+      return "the problem is not finite";
+    default:
+      return "a component is held by nothing (Options::gauge = error)";
+  }
+}
+
+std::string_view to_string(Start start) {
+  switch (start) {
+    case Start::kCurrent:
+      return "current";
+    case Start::kOdometry:
+      return "odometry";
+    case Start::kSpanningTree:
+      return "spanning tree";
+    case Start::kChordal:
+      return "chordal";
+    default:
+      return "automatic";
+  }
+}
+
+}  // namespace boxplus

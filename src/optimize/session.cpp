@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/session.h"
+
+#include "boxplus/base/parallel.h"
+
+namespace boxplus {
+
+int resolved_threads(const Options& options) {
+  return options.threads > 0 ? options.threads : hardware_threads();
+}
+
+Session& Session::find(Graph& graph, const Options& options, bool& reused) {
+  auto* session = dynamic_cast<Session*>(graph.cache().get());
+  reused = session != nullptr && session->fits(graph, options);
+  if (reused) return *session;
+  auto fresh = std::make_unique<Session>();
+  session = fresh.get();
+  session->revision_ = graph.revision();
+  session->level_ = options.level;
+  session->threads_ = resolved_threads(options);
+  session->gauge_ = options.gauge;
+  session->solver_ = options.linear_solver;
+  session->schur_ = options.schur;
+  session->vertices_ = options.vertices;
+  session->edges_ = options.edges;
+  graph.cache().reset();  // its memory first
+  session->plan(graph);
+  graph.cache() = std::move(fresh);
+  return *session;
+}
+
+bool Session::fits(const Graph& graph, const Options& options) const {
+  return revision_ == graph.revision() && level_ == options.level && threads_ == resolved_threads(options) &&
+         gauge_ == options.gauge && solver_ == options.linear_solver && schur_ == options.schur &&
+         vertices_ == options.vertices && edges_ == options.edges;
+}
+
+void Session::plan(Graph& graph) {
+  const PlanRequest request{level_, vertices_, edges_, gauge_, released_, threads_};
+  system_.reset();
+  system_ = std::make_unique<BatchSystem>(graph, request, solver_, schur_);
+}
+
+void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {
+  released_.insert(released_.end(), vertices.begin(), vertices.end());
+  plan(graph);
+}
+
+Algorithm& Session::algorithm(const Options& options) {
+  AlgorithmKind kind = options.algorithm;
+  if (kind == AlgorithmKind::kAutomatic) {
+    kind = system_->plan().eliminated_blocks > 0 ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
+  }
+  auto& algorithm = algorithms_[static_cast<std::size_t>(kind)];
+  if (!algorithm) algorithm = make_algorithm(kind);
+  return *algorithm;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What optimize() keeps in a graph between calls: the plan, the memory, the algorithms.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "boxplus/optimize/algorithm.h"
+#include "boxplus/optimize/batch_system.h"
+
+namespace boxplus {
+
+class Session final : public Graph::Cache {
+ public:
+  /// The session of `graph` for these options; `reused` tells whether it was there already.
+  static Session& find(Graph& graph, const Options& options, bool& reused);
+
+  BatchSystem& system() { return *system_; }
+  Algorithm& algorithm(const Options& options);
+  /// Plans anew without holding these vertices for the gauge.
+  void release(Graph& graph, const std::vector<VertexRef>& vertices);
+  const std::vector<VertexRef>& released() const { return released_; }
+
+ private:
+  bool fits(const Graph& graph, const Options& options) const;
+  void plan(Graph& graph);
+
+  std::uint64_t revision_ = 0;
+  int level_ = 0, threads_ = 1;
+  GaugePolicy gauge_ = GaugePolicy::kFixFirst;
+  LinearSolverKind solver_ = LinearSolverKind::kAutomatic;
+  SchurMode schur_ = SchurMode::kAutomatic;
+  std::vector<VertexRef> vertices_, released_;
+  std::vector<EdgeRef> edges_;
+  std::unique_ptr<BatchSystem> system_;
+  std::array<std::unique_ptr<Algorithm>, 4> algorithms_;
+};
+
+/// Options::threads with 0 resolved.
+int resolved_threads(const Options& options);
+
+}  // namespace boxplus
