@@ -47,7 +47,8 @@ SE3 FileFields<SE3>::read(FieldReader& in) {
     in.fail(column, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
                                 kNormTolerance, norm));
   }
-  return {t, Quaternion<double>{q[0], q[1], q[2], q[3]}};
+  const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
+  return std::abs(norm - 1) <= kRounding ? SE3::from_unit(t, as_read) : SE3(t, as_read);
 }
 
 void FileFields<SE3>::write(const SE3& x, FieldWriter& out) {

@@ -47,12 +47,12 @@ struct FileFields<SE2> {
   static void write(const SE2& x, FieldWriter& out);
 };
 
-/// x y z qx qy qz qw. A quaternion is normalised on reading where | |q| − 1 | ≤ 1e-3, and refused beyond. One
-/// that is normalised to rounding is left as it is, bit for bit, so that what was read and written once never
-/// changes again.
+/// x y z qx qy qz qw. The quaternion's length must be within kNormTolerance of 1. Within kRounding of 1,
+/// which is what few digits do, a pose is kept as read, bit for bit: then the chi2 of a file is what other
+/// programs find, and the file is written as it was read. Otherwise it is normalised.
 template <>
 struct FileFields<SE3> {
-  static constexpr double kNormTolerance = 1e-3;
+  static constexpr double kNormTolerance = 1e-3, kRounding = 1e-5;
   static SE3 read(FieldReader& in);
   static void write(const SE3& x, FieldWriter& out);
 };
@@ -71,12 +71,21 @@ struct FileFields<WheelSpeeds> {
   static void write(const WheelSpeeds& x, FieldWriter& out);
 };
 
-/// How the measurement of an edge stands in a file; by default as its member `measurement`.
+/// How the measurement of an edge stands in a file; by default as its member `measurement`. Quaternions of
+/// measurements are normalised, to rounding: what was read and written once never changes again.
 template <class E>
 struct EdgeFields {
-  static E read(FieldReader& in) { return E(FileFields<decltype(E::measurement)>::read(in)); }
+  using Measurement = decltype(E::measurement);
+  static E read(FieldReader& in) {
+    if constexpr (std::is_same_v<Measurement, SE3>) {
+      const SE3 z = FileFields<SE3>::read(in);
+      return E(SE3(z.translation(), z.quaternion()));
+    } else {
+      return E(FileFields<Measurement>::read(in));
+    }
+  }
   static void write(const E& edge, FieldWriter& out) {
-    FileFields<decltype(E::measurement)>::write(edge.measurement, out);
+    FileFields<Measurement>::write(edge.measurement, out);
   }
 };
 
