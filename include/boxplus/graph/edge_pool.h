@@ -55,6 +55,11 @@ class EdgePool {
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
+  /// The error function of an edge, for callers that know its type (EdgeHandle<E>).
+  virtual const void* measurement(std::uint32_t edge) const = 0;
+  /// Moves *error, of that type, into the edge.
+  virtual void set_measurement(std::uint32_t edge, void* error) = 0;
+
   std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
   bool alive(std::uint32_t edge) const { return (flags_[edge] & kAlive) != 0; }

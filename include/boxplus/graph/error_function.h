@@ -215,7 +215,7 @@ inline constexpr bool kAnalytic = [] {
 
 /// E is an error function of the vertex types V... (T, or Tail<T> in the last place).
 template <class E, class... V>
-concept EdgeType = std::copyable<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
+concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
 
 /// Wraps an error function whose Jacobians shall be numeric.
 template <class E>

@@ -157,14 +157,13 @@ class Graph {
   template <class E>
   const E& measurement(EdgeHandle<E> edge) const {
     check(edge);
-    return *static_cast<const E*>(edge_values_[edge.pool](*edge_pools_[edge.pool], edge.slot));
+    return *static_cast<const E*>(edge_pools_[edge.pool]->measurement(edge.slot));
   }
   /// Replaces the error function; its number of rows must stay.
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
     check(edge);
-    *const_cast<E*>(static_cast<const E*>(edge_values_[edge.pool](*edge_pools_[edge.pool], edge.slot))) =
-        std::move(error);
+    edge_pools_[edge.pool]->set_measurement(edge.slot, &error);
   }
 
   bool contains(EdgeRef edge) const;
@@ -297,16 +296,12 @@ class Graph {
           vertex_pools_[vertex_pool_index<edge::ElementOf<V>>()].get())...};
       edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
       edge_pools_.back()->first_generation_ = epoch_;
-      edge_values_.push_back([](const EdgePool& pool, std::uint32_t slot) -> const void* {
-        return &static_cast<const Pool&>(pool).value(slot);
-      });
     }
     return static_cast<Pool&>(*edge_pools_[entry->second]);
   }
 
   std::vector<std::unique_ptr<VertexPool>> vertex_pools_;
   std::vector<std::unique_ptr<EdgePool>> edge_pools_;
-  std::vector<const void* (*)(const EdgePool&, std::uint32_t)> edge_values_;
   std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
   IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;

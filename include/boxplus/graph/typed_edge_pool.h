@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -37,14 +38,23 @@ class TypedEdgePool final : public EdgePool {
       edges_.push_back(std::move(edge));
       if constexpr (kRows == kDynamic) rows_.push_back(rows);
     } else {
-      edges_[slot] = std::move(edge);
+      replace(slot, std::move(edge));
       if constexpr (kRows == kDynamic) rows_[slot] = rows;
     }
     return slot;
   }
 
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
-  E& value(std::uint32_t edge) { return edges_[edge]; }
+  /// Closures with captures can be copied but not assigned.
+  void replace(std::uint32_t slot, E edge) {
+    if constexpr (std::is_move_assignable_v<E>) {
+      edges_[slot] = std::move(edge);
+    } else {
+      static_assert(std::is_nothrow_move_constructible_v<E>);
+      std::destroy_at(&edges_[slot]);
+      std::construct_at(&edges_[slot], std::move(edge));
+    }
+  }
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
@@ -85,6 +95,11 @@ class TypedEdgePool final : public EdgePool {
       error += first.rows;
       jacobian += static_cast<std::ptrdiff_t>(first.rows) * first.cols;
     }
+  }
+
+  const void* measurement(std::uint32_t edge) const override { return &edges_[edge]; }
+  void set_measurement(std::uint32_t edge, void* error) override {
+    replace(edge, std::move(*static_cast<E*>(error)));
   }
 
   bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {
