@@ -1,1 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/io/registry.h"
+
+#include <gmock/gmock.h>
+
+#include "boxplus/boxplus.h"
+
+namespace boxplus {
+namespace {
+
+/// An edge of a user: the distance of a point from the origin.
+struct FromOrigin {
+  double measurement;
+  explicit FromOrigin(double z) : measurement(z) {}
+  template <class P>
+  auto error(const P& p) const {
+    return p.norm() - measurement;
+  }
+};
+
+TEST(Registry, LearnsANewEdgeInOneLine) {
+  Registry registry = default_registry();
+  registry.edge<FromOrigin, Vector2>("EDGE_FROM_ORIGIN");
+  const char* text = "VERTEX_XY 0 3 4\nEDGE_FROM_ORIGIN 0 4.5 2\n";
+  ReadOptions options;
+  options.registry = &registry;
+  const GraphFile file = parse_graph(text, "g", options);
+  EXPECT_DOUBLE_EQ(file.graph.chi2(), 0.5);
+  EXPECT_EQ(format_graph(file, &registry), text);
+}
+
+TEST(Registry, RefusesAWordTwiceAndWhatIsNoWord) {
+  Registry registry = default_registry();
+  EXPECT_THROW(registry.vertex<SE2>("VERTEX_SE2"), InvalidArgument);
+  EXPECT_THROW(registry.vertex<SE2>("TWO WORDS"), InvalidArgument);
+  EXPECT_THROW(registry.vertex<SE2>("FIX"), InvalidArgument);
+  EXPECT_THROW(registry.vertex<SE2>("#X"), InvalidArgument);
+}
+
+TEST(Registry, WritesTheFirstWordOfAType) {
+  const GraphFile file = parse_graph("VERTEX_XYZ 0 1 2 3\nVERTEX2 1 0 0 0\n", "g");
+  EXPECT_EQ(format_graph(file), "VERTEX_TRACKXYZ 0 1 2 3\nVERTEX_SE2 1 0 0 0\n");
+}
+
+}  // namespace
+}  // namespace boxplus

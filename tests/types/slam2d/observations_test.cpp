@@ -62,5 +62,13 @@ TEST(PointsObservation2, AgreesWithItsSinglePoints) {
   EXPECT_EQ(e.tail<2>(), PointObservation2(Vector2(3, 4)).error(kX, kM));
 }
 
+TEST(PointsObservation2, RefusesAnotherNumberOfPointsThanItMeasured) {
+  Graph graph;
+  const auto x = graph.add_vertex(kX);
+  const std::vector points{graph.add_vertex(kL)};
+  EXPECT_THROW(graph.add_edge(PointsObservation2(Eigen::Vector4d(1, 2, 3, 4)), x, points), InvalidArgument);
+  EXPECT_EQ(graph.edge_count(), 0u);
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <utility>
 
+#include "boxplus/base/error.h"
 #include "boxplus/types/pose_math.h"
 
 namespace boxplus {
@@ -24,7 +26,8 @@ struct TwoPointsObservation2 {
   }
 };
 
-/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. EDGE_SE2_LOTSOFXY.
+/// Error: X⁻¹ p_k − z_k for any number of points, one after the other; throws InvalidArgument for
+/// another number of them than z has. EDGE_SE2_LOTSOFXY.
 struct PointsObservation2 {
   static constexpr std::string_view kName = "PointsObservation2";
   Vector<double, kDynamic> measurement;  ///< x1, y1, x2, y2, …
@@ -33,7 +36,12 @@ struct PointsObservation2 {
 
   template <class S, class Point>
   Vector<S, kDynamic> error(const BasicSE2<S>& pose, std::span<const Point> points) const {
-    Vector<S, kDynamic> e(2 * static_cast<Eigen::Index>(points.size()));
+    if (measurement.size() != 2 * static_cast<Eigen::Index>(points.size())) {
+      throw InvalidArgument("PointsObservation2: expected 2 numbers for each of " +
+                            std::to_string(points.size()) + " points, the measurement has " +
+                            std::to_string(measurement.size()));
+    }
+    Vector<S, kDynamic> e(measurement.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
       e.template segment<2>(2 * static_cast<Eigen::Index>(k)) = pose.inverse_times(points[k]);
     }
