@@ -90,19 +90,45 @@ TEST(BlockCholesky, JoinsBlocksIntoSupernodes) {
   EXPECT_GT(solver.statistics().factor_nonzeros, grid.structure.nonzero_values());
 }
 
-TEST(BlockCholesky, GivesTheSameBitsEveryTime) {
-  const TestSystem system = random_system(150, 150, 9);
+/// Large enough for several threads to get subtrees, and for fronts with threads inside.
+TestSystem large_grid() {
+  std::mt19937 random(9);
+  return random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
+}
+
+TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
+  const TestSystem system = large_grid();
   const std::vector<double> b(system.structure.scalars(), 1.0);
   std::vector<std::vector<double>> solutions;
   for (const int threads : {1, 1, 2, 3}) {
     BlockCholesky solver;
     solver.analyze(system.structure, {.threads = threads});
-    ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
-    solutions.push_back(solve(solver, b));
-    ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
-    solutions.push_back(solve(solver, b));
+    EXPECT_EQ(solver.symbolic().schedule.is_parallel(), threads > 1);
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
+      solutions.push_back(solve(solver, b));
+    }
   }
   for (const auto& x : solutions) EXPECT_EQ(x, solutions.front());
+}
+
+TEST(BlockCholesky, NamesTheSameVertexOnAnyNumberOfThreads) {
+  TestSystem system = large_grid();
+  for (const std::uint32_t bad : {100u, 450u, 700u}) system.block(bad, bad).diagonal().array() -= 1e3;
+  std::vector<std::uint32_t> named;
+  for (const int threads : {1, 2, 3}) {
+    BlockCholesky solver;
+    solver.analyze(system.structure, {.threads = threads});
+    named.push_back(solver.factorize(system.view(), {}, {}).failed_block);
+  }
+  EXPECT_THAT(named, ::testing::Each(named.front()));
+  EXPECT_THAT(named.front(), ::testing::AnyOf(100, 450, 700));
+}
+
+TEST(BlockCholesky, SolvesWithThreadsAndLastBlocks) {
+  const TestSystem system = large_grid();
+  const std::vector<std::uint32_t> last{400, 5, 899, 17};
+  expect_as_reference(system, {.threads = 2, .last = last}, {});
 }
 
 TEST(BlockCholesky, NamesTheVertexWhosePivotIsNotPositive) {

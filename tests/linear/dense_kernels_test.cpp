@@ -88,7 +88,9 @@ TEST(DenseKernels, SquareAsTheReferenceDoes) {
       if (size == 0) continue;
       const Matrix a = padded(size, k, random);
       Matrix fast = padded(size, size, random), slow = fast;
-      dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k);
+      const int middle = size / 3;  // in two parts
+      dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, 0, middle);
+      dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, middle, size);
       dense::reference::set_to_minus_square(slow.data(), ld(slow), a.data(), ld(a), size, k);
       expect_equal(lower(fast, size), lower(slow, size));
       EXPECT_EQ(fast.bottomRows(kPadding), slow.bottomRows(kPadding));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of <cmath> on dual numbers, found by argument-dependent lookup: `using std::sin; sin(x)`.
+// The functions of <cmath> on dual numbers, found by argument-dependent lookup: `using std::sin; sin(x)`
+// in any namespace; boxplus::sin(x) takes both duals and plain numbers.
 //
 // Where the derivative is infinite (sqrt at 0, asin at 1, log at 0), directions in which the argument does
 // not change keep derivative zero: the norm of a constant zero vector has derivative 0, not NaN. Where a
@@ -12,6 +13,32 @@
 #include "boxplus/autodiff/dual_number.h"
 
 namespace boxplus {
+
+// Unqualified calls in generic code of this namespace serve double and duals alike.
+using std::abs;
+using std::cbrt;
+using std::ceil;
+using std::copysign;
+using std::exp;
+using std::exp2;
+using std::expm1;
+using std::fabs;
+using std::floor;
+using std::fmax;
+using std::fmin;
+using std::hypot;
+using std::isfinite;
+using std::isinf;
+using std::isnan;
+using std::log;
+using std::log10;
+using std::log1p;
+using std::log2;
+using std::pow;
+using std::round;
+using std::signbit;
+using std::sqrt;
+using std::trunc;
 
 /// f(x) from the value f and the slope f′ at x.value.
 template <class S, int N>
@@ -45,7 +72,6 @@ constexpr Dual<S, N> chain_singular(const S& value, const S& slope, const Dual<S
 
 template <class S, int N>
 Dual<S, N> sqrt(const Dual<S, N>& x) {
-  using std::sqrt;
   const S root = sqrt(x.value);
   const S slope = S(0.5) / root;
   return x.value == S(0) ? chain_singular(root, slope, x) : chain(root, slope, x);
@@ -53,14 +79,12 @@ Dual<S, N> sqrt(const Dual<S, N>& x) {
 
 template <class S, int N>
 Dual<S, N> cbrt(const Dual<S, N>& x) {
-  using std::cbrt;
   const S root = cbrt(x.value);
   return chain_singular(root, S(1) / (S(3) * root * root), x);
 }
 
 template <class S, int N>
 Dual<S, N> hypot(const Dual<S, N>& x, const Dual<S, N>& y) {
-  using std::hypot;
   const S length = hypot(x.value, y.value);
   if (length == S(0)) return Dual<S, N>(length);  // the subgradient 0
   return chain(length, S(x.value / length), x, S(y.value / length), y);
@@ -77,14 +101,11 @@ Dual<S, N> hypot(const T& x, const Dual<S, N>& y) {
 /// xᵖ with a constant exponent.
 template <class S, int N, LowerScalar<S> T>
 Dual<S, N> pow(const Dual<S, N>& x, const T& p) {
-  using std::pow;
   if (p == T(0)) return Dual<S, N>(1);
   return chain_singular(S(pow(x.value, p)), S(p * pow(x.value, p - T(1))), x);
 }
 template <class S, int N, LowerScalar<S> T>
 Dual<S, N> pow(const T& base, const Dual<S, N>& y) {
-  using std::log;
-  using std::pow;
   const S power = pow(S(base), y.value);
   return chain_singular(power, base == T(0) ? S(0) : S(log(S(base)) * power), y);
 }
@@ -101,46 +122,38 @@ Dual<S, N> pow(const Dual<S, N>& x, const Dual<S, N>& y) {
 
 template <class S, int N>
 Dual<S, N> exp(const Dual<S, N>& x) {
-  using std::exp;
   const S e = exp(x.value);
   return chain(e, e, x);
 }
 
 template <class S, int N>
 Dual<S, N> exp2(const Dual<S, N>& x) {
-  using std::exp2;
   const S e = exp2(x.value);
   return chain(e, S(e * 0.69314718055994530942), x);
 }
 
 template <class S, int N>
 Dual<S, N> expm1(const Dual<S, N>& x) {
-  using std::exp;
-  using std::expm1;
   return chain(S(expm1(x.value)), S(exp(x.value)), x);
 }
 
 template <class S, int N>
 Dual<S, N> log(const Dual<S, N>& x) {
-  using std::log;
   return chain_singular(S(log(x.value)), S(S(1) / x.value), x);
 }
 
 template <class S, int N>
 Dual<S, N> log2(const Dual<S, N>& x) {
-  using std::log2;
   return chain_singular(S(log2(x.value)), S(1.4426950408889634074 / x.value), x);
 }
 
 template <class S, int N>
 Dual<S, N> log10(const Dual<S, N>& x) {
-  using std::log10;
   return chain_singular(S(log10(x.value)), S(0.43429448190325182765 / x.value), x);
 }
 
 template <class S, int N>
 Dual<S, N> log1p(const Dual<S, N>& x) {
-  using std::log1p;
   return chain_singular(S(log1p(x.value)), S(S(1) / (S(1) + x.value)), x);
 }
 
@@ -183,28 +196,23 @@ constexpr Dual<S, N> fmax(const T& x, const Dual<S, N>& y) {
 
 template <class S, int N>
 Dual<S, N> floor(const Dual<S, N>& x) {
-  using std::floor;
   return Dual<S, N>(floor(x.value));
 }
 template <class S, int N>
 Dual<S, N> ceil(const Dual<S, N>& x) {
-  using std::ceil;
   return Dual<S, N>(ceil(x.value));
 }
 template <class S, int N>
 Dual<S, N> trunc(const Dual<S, N>& x) {
-  using std::trunc;
   return Dual<S, N>(trunc(x.value));
 }
 template <class S, int N>
 Dual<S, N> round(const Dual<S, N>& x) {
-  using std::round;
   return Dual<S, N>(round(x.value));
 }
 
 template <class S, int N>
 Dual<S, N> copysign(const Dual<S, N>& x, const Dual<S, N>& sign) {
-  using std::signbit;
   return signbit(x) == signbit(sign) ? x : -x;
 }
 template <class S, int N, LowerScalar<S> T>
@@ -227,7 +235,6 @@ bool isinf(const Dual<S, N>& x) {
 /// Whether the value and all derivatives are finite.
 template <class S, int N>
 bool isfinite(const Dual<S, N>& x) {
-  using std::isfinite;
   bool finite = isfinite(x.value);
   for (int i = 0; i < N; ++i) finite = finite && isfinite(x.derivative[i]);
   return finite;

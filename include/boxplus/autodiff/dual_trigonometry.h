@@ -6,51 +6,54 @@
 
 namespace boxplus {
 
+using std::acos;
+using std::acosh;
+using std::asin;
+using std::asinh;
+using std::atan;
+using std::atan2;
+using std::atanh;
+using std::cos;
+using std::cosh;
+using std::sin;
+using std::sinh;
+using std::tan;
+using std::tanh;
+
 template <class S, int N>
 Dual<S, N> sin(const Dual<S, N>& x) {
-  using std::cos;
-  using std::sin;
   return chain(S(sin(x.value)), S(cos(x.value)), x);
 }
 
 template <class S, int N>
 Dual<S, N> cos(const Dual<S, N>& x) {
-  using std::cos;
-  using std::sin;
   return chain(S(cos(x.value)), S(-sin(x.value)), x);
 }
 
 template <class S, int N>
 Dual<S, N> tan(const Dual<S, N>& x) {
-  using std::tan;
   const S t = tan(x.value);
   return chain(t, S(S(1) + t * t), x);
 }
 
 template <class S, int N>
 Dual<S, N> asin(const Dual<S, N>& x) {
-  using std::asin;
-  using std::sqrt;
   return chain_singular(S(asin(x.value)), S(S(1) / sqrt((S(1) - x.value) * (S(1) + x.value))), x);
 }
 
 template <class S, int N>
 Dual<S, N> acos(const Dual<S, N>& x) {
-  using std::acos;
-  using std::sqrt;
   return chain_singular(S(acos(x.value)), S(S(-1) / sqrt((S(1) - x.value) * (S(1) + x.value))), x);
 }
 
 template <class S, int N>
 Dual<S, N> atan(const Dual<S, N>& x) {
-  using std::atan;
   return chain(S(atan(x.value)), S(S(1) / (S(1) + x.value * x.value)), x);
 }
 
 /// The angle of the point (x, y). Its derivative at the origin does not exist and is NaN.
 template <class S, int N>
 Dual<S, N> atan2(const Dual<S, N>& y, const Dual<S, N>& x) {
-  using std::atan2;
   const S inverse = S(1) / (x.value * x.value + y.value * y.value);
   return chain(S(atan2(y.value, x.value)), S(x.value * inverse), y, S(-y.value * inverse), x);
 }
@@ -65,42 +68,32 @@ Dual<S, N> atan2(const T& y, const Dual<S, N>& x) {
 
 template <class S, int N>
 Dual<S, N> sinh(const Dual<S, N>& x) {
-  using std::cosh;
-  using std::sinh;
   return chain(S(sinh(x.value)), S(cosh(x.value)), x);
 }
 
 template <class S, int N>
 Dual<S, N> cosh(const Dual<S, N>& x) {
-  using std::cosh;
-  using std::sinh;
   return chain(S(cosh(x.value)), S(sinh(x.value)), x);
 }
 
 template <class S, int N>
 Dual<S, N> tanh(const Dual<S, N>& x) {
-  using std::tanh;
   const S t = tanh(x.value);
   return chain(t, S((S(1) - t) * (S(1) + t)), x);
 }
 
 template <class S, int N>
 Dual<S, N> asinh(const Dual<S, N>& x) {
-  using std::asinh;
-  using std::sqrt;
   return chain(S(asinh(x.value)), S(S(1) / sqrt(x.value * x.value + S(1))), x);
 }
 
 template <class S, int N>
 Dual<S, N> acosh(const Dual<S, N>& x) {
-  using std::acosh;
-  using std::sqrt;
   return chain_singular(S(acosh(x.value)), S(S(1) / sqrt((x.value - S(1)) * (x.value + S(1)))), x);
 }
 
 template <class S, int N>
 Dual<S, N> atanh(const Dual<S, N>& x) {
-  using std::atanh;
   return chain_singular(S(atanh(x.value)), S(S(1) / ((S(1) - x.value) * (S(1) + x.value))), x);
 }
 

@@ -21,4 +21,8 @@ using Matrix =
 template <class Scalar, int Size>
 using Vector = Matrix<Scalar, Size, 1>;
 
+/// Points and directions of the plane and of space.
+using Vector2 = Vector<double, 2>;
+using Vector3 = Vector<double, 3>;
+
 }  // namespace boxplus

@@ -5,10 +5,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <vector>
 
+#include "boxplus/autodiff/numeric.h"
 #include "boxplus/graph/error_function.h"
 
 namespace boxplus::edge {
@@ -98,47 +97,8 @@ void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, i
   } while (first < cols);
 }
 
-/// One numeric derivative by Ridders' method ("Accurate computation of F′(x) and F′(x) F″(x)", 1982): central
-/// differences over shrinking steps, extrapolated to zero; per row the entry of the tableau with the least
-/// estimated error is kept, so the step adapts to the scale of the function.
-/// `evaluate_at(h, out)` writes e(x ⊞ h·δ) as `rows` numbers.
-template <class F>
-void ridders_derivative(F&& evaluate_at, int rows, double* out) {
-  constexpr int kSteps = 8;
-  constexpr double kShrink = 1.6, kFirstStep = 2e-2;
-  thread_local std::vector<double> scratch;
-  const auto n = static_cast<std::size_t>(rows);
-  scratch.assign(n * (2 + 2 * kSteps + 1), 0.0);
-  double* plus = scratch.data();
-  double* minus = plus + n;
-  double* previous = minus + n;           // kSteps columns of the tableau's last line
-  double* current = previous + kSteps * n;
-  double* best_error = current + kSteps * n;
-  std::fill_n(best_error, n, std::numeric_limits<double>::infinity());
-
-  double step = kFirstStep;
-  for (int k = 0; k < kSteps; ++k, step /= kShrink) {
-    evaluate_at(step, plus);
-    evaluate_at(-step, minus);
-    for (std::size_t i = 0; i < n; ++i) {
-      current[i] = (plus[i] - minus[i]) / (2 * step);
-      if (k == 0) out[i] = current[i];
-      double factor = kShrink * kShrink;
-      for (int j = 1; j <= k; ++j, factor *= kShrink * kShrink) {
-        const std::size_t at = static_cast<std::size_t>(j) * n + i, before = at - n;
-        current[at] = (current[before] * factor - previous[before]) / (factor - 1);
-        const double estimate = std::max(std::abs(current[at] - current[before]), std::abs(current[at] - previous[before]));
-        if (estimate <= best_error[i]) {
-          best_error[i] = estimate;
-          out[i] = current[at];
-        }
-      }
-    }
-    std::swap(previous, current);
-  }
-}
-
-/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by adaptive central differences.
+/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by adaptive central differences
+/// (autodiff/numeric.h).
 template <class... V, class E>
 void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int cols, Argument<V>... x) {
   copy_rows(evaluate(e, x...), rows, error);
@@ -153,20 +113,20 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
     std::apply([&](const auto&... a) { copy_rows(evaluate(e, Argument<V>(a)...), rows, out); }, moved);
   };
   std::vector<double> delta(static_cast<std::size_t>(cols), 0.0);
+  NumericDerivative differentiate;
   int column = 0;
   const auto columns_of = [&](auto& slot) {
     using T = std::remove_reference_t<decltype(slot)>;
     const T original = slot;
     const int dim = boxplus::tangent_dim(original);
     for (int k = 0; k < dim; ++k, ++column) {
-      ridders_derivative(
-          [&](double h, double* out) {
-            delta[static_cast<std::size_t>(k)] = h;
-            slot = Manifold<T>::oplus(original, delta.data());
-            delta[static_cast<std::size_t>(k)] = 0;
-            evaluate_moved(out);
-          },
-          rows, jacobian + static_cast<std::ptrdiff_t>(column) * rows);
+      const auto along_k = [&](double h, double* out) {
+        delta[static_cast<std::size_t>(k)] = h;
+        slot = Manifold<T>::oplus(original, delta.data());
+        delta[static_cast<std::size_t>(k)] = 0;
+        evaluate_moved(out);
+      };
+      differentiate(along_k, rows, jacobian + static_cast<std::ptrdiff_t>(column) * rows);
     }
     slot = original;
   };

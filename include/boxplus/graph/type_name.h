@@ -7,17 +7,27 @@
 #include <typeinfo>
 
 #include "boxplus/base/abi.h"
+#include "boxplus/base/matrix.h"
 
 namespace boxplus {
 
 /// `mangled` in plain C++, or itself where that fails.
 std::string demangle(const char* mangled);
 
-/// T::kName where T has one, else T's C++ name.
+template <class T>
+inline constexpr bool kIsRealVector = false;
+template <int N, int Options, int MaxRows, int MaxCols>
+inline constexpr bool kIsRealVector<Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>> = true;
+
+/// T::kName where T has one, "Vector2" and the like for Eigen's column vectors, else T's C++ name.
 template <class T>
 std::string_view type_name() {
   if constexpr (requires { std::string_view(T::kName); }) {
     return T::kName;
+  } else if constexpr (kIsRealVector<T>) {
+    static const std::string name =
+        "Vector" + (T::RowsAtCompileTime == kDynamic ? "X" : std::to_string(T::RowsAtCompileTime));
+    return name;
   } else {
     static const std::string name = demangle(typeid(T).name());
     return name;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/graph/manifold_frames.h"
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/vertex_pool.h"
 #include "boxplus/manifold/manifold.h"

@@ -38,23 +38,32 @@ Quaternion<S> scaled(const Quaternion<S>& q, const S& factor) {
   return {q.x * factor, q.y * factor, q.z * factor, q.w * factor};
 }
 
-/// q of unit norm; q itself, bit for bit, where it is a unit quaternion to rounding (so that values read from
-/// a file survive). The zero quaternion becomes the identity.
+/// Squared norms this close to one are taken for rounding, and the numbers left bit for bit: values read from
+/// a file survive, and a zero step changes nothing.
+inline constexpr double kUnitNormTolerance = 1e-15;
+
+/// q of unit norm. The zero quaternion becomes the identity.
 template <class S>
 Quaternion<S> normalized(const Quaternion<S>& q) {
   using std::sqrt;
   const S n2 = q.squared_norm();
-  if (n2 > S(1 - 2e-15) && n2 < S(1 + 2e-15)) return q;
+  if (n2 > S(1 - kUnitNormTolerance) && n2 < S(1 + kUnitNormTolerance)) return q;
   if (n2 == S(0)) return Quaternion<S>::identity();
   return scaled(q, S(S(1) / sqrt(n2)));
 }
 
-/// Removes the drift of one product of unit quaternions: one Newton step towards 1/|q|. Dual numbers are left
-/// as they are: on the unit sphere the step has no derivative along the sphere.
+/// The factor that removes the drift of one product from a unit vector: one Newton step towards 1/√n2, or
+/// exactly 1.
+inline double renormalizing_factor(double n2) {
+  return std::abs(n2 - 1) < kUnitNormTolerance ? 1.0 : 1.5 - 0.5 * n2;
+}
+
+/// Removes the drift of one product of unit quaternions. Dual numbers are left as they are: on the unit
+/// sphere the step has no derivative along the sphere.
 template <class S>
 Quaternion<S> renormalized(const Quaternion<S>& q) {
   if constexpr (std::is_floating_point_v<S>) {
-    return scaled(q, S(1.5 - 0.5 * q.squared_norm()));
+    return scaled(q, renormalizing_factor(q.squared_norm()));
   } else {
     return q;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/angle.h"
@@ -17,6 +18,7 @@ template <class S>
 class BasicSE2 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName = "SE2";
 
   /// The identity.
   BasicSE2() : coefficients_{S(0), S(0), S(0)} {}

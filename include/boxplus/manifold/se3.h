@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <type_traits>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/so3.h"
@@ -16,6 +18,8 @@ template <class S, class Chart = QuaternionChart>
 class BasicSE3 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName =
+      std::is_same_v<Chart, RotationVectorChart> ? "SE3RotationVector" : "SE3";
 
   /// The identity.
   BasicSE3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1)} {}
@@ -112,6 +116,8 @@ using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, RotationVectorChart>;
 
 /// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart.
+/// The step is a unit quaternion, so ⊞ keeps the norm of x's: a pose read from rounded digits (from_unit) stays the
+/// pose that the file means, and its chi2 the file's.
 /// y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
 template <class S, class Chart>
 struct Manifold<BasicSE3<S, Chart>> {
@@ -122,8 +128,7 @@ struct Manifold<BasicSE3<S, Chart>> {
   template <class D>
   static Rebind<Promoted<S, D>> oplus(const BasicSE3<S, Chart>& x, const D* delta) {
     const Quaternion<D> step = Chart::exp(delta[3], delta[4], delta[5]);
-    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta),
-                                             renormalized(x.quaternion() * step));
+    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta), x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSE3<S, Chart>& y, const BasicSE3<S, Chart>& x, D* delta) {

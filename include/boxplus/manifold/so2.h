@@ -2,6 +2,8 @@
 // Rotations of the plane.
 #pragma once
 
+#include <string_view>
+
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/angle.h"
 #include "boxplus/manifold/manifold.h"
@@ -14,6 +16,7 @@ template <class S>
 class BasicSO2 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName = "SO2";
 
   /// The identity.
   BasicSO2() : angle_(0) {}

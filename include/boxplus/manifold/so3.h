@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <type_traits>
 
 #include "boxplus/manifold/manifold.h"
 #include "boxplus/manifold/rotation_charts.h"
@@ -15,6 +17,8 @@ template <class S, class Chart = QuaternionChart>
 class BasicSO3 {
  public:
   using Scalar = S;
+  static constexpr std::string_view kName =
+      std::is_same_v<Chart, RotationVectorChart> ? "SO3RotationVector" : "SO3";
 
   /// The identity.
   BasicSO3() : coefficients_{S(0), S(0), S(0), S(1)} {}
@@ -76,7 +80,7 @@ struct Manifold<BasicSO3<S, Chart>> {
   template <class D>
   static Rebind<Promoted<S, D>> oplus(const BasicSO3<S, Chart>& x, const D* delta) {
     const Quaternion<D> step = Chart::exp(delta[0], delta[1], delta[2]);
-    return Rebind<Promoted<S, D>>::from_unit(renormalized(x.quaternion() * step));
+    return Rebind<Promoted<S, D>>::from_unit(x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSO3<S, Chart>& y, const BasicSO3<S, Chart>& x, D* delta) {

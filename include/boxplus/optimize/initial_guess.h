@@ -1,8 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates to begin from, made of the relative measurements alone: whatever the estimates were before does
+// not matter.
+//
+// A relative measurement is an edge whose type has a relative_frame() hook (graph/frame.h); vertices are
+// poses and points where their type has a FrameTrait. What all guesses have in common:
+//
+//   - Only active vertices of the plan move, and never a parameter. Those that no relative measurement
+//     reaches keep their estimates, as do vertices of other types. Edges that are disabled or weigh nothing
+//     are ignored.
+//   - Roots are the fixed and inactive vertices, the plan's held ones, and absolute measurements
+//     (RelativeFrame::kWorld). Where no root reaches, the pose of lowest id stays where it is; if absolute
+//     positions were measured there, or points of known position seen, all is then moved rigidly onto them.
+//   - They give the same bits in every run.
 #pragma once
+
+#include <string_view>
+
+#include "boxplus/graph/graph.h"
 #include "boxplus/linearize/plan.h"
+
 namespace boxplus {
-struct GuessResult { bool made; std::string_view note; };
-GuessResult guess_odometry(Graph&, const Plan&);
-GuessResult guess_spanning_tree(Graph&, const Plan&);
-GuessResult guess_chordal(Graph&, const Plan&);
-}
+
+struct GuessResult {
+  bool made = false;      ///< false: all estimates are as they were
+  std::string_view note;  ///< why it was not made; static text
+};
+
+/// Chains the measurements between poses that follow each other by id (landmarks in between do not count).
+/// Where the chain is broken, as few other measurements as possible bridge the gap. O(n log n).
+GuessResult guess_odometry(Graph& graph, const Plan& plan);
+
+/// Follows the shortest paths from the roots (Dijkstra). An edge costs the variance that it adds: that of its
+/// translation, plus that of its rotation times the mean squared length of the measured translations.
+/// O(n log n).
+GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
+
+/// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
+/// projects the rotations onto SO(d), and solves again for positions and landmarks with these. Not made where
+/// the problem is singular. The cost is about that of one Gauss-Newton iteration.
+/// (Martinec & Pajdla, "Robust rotation and translation estimation in multiview reconstruction", CVPR 2007;
+/// Carlone, Tron, Daniilidis & Dellaert, "Initialization techniques for 3D SLAM: a survey on rotation
+/// estimation and its use in pose graph optimization", ICRA 2015.)
+GuessResult guess_chordal(Graph& graph, const Plan& plan);
+
+}  // namespace boxplus

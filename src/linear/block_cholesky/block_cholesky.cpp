@@ -15,7 +15,9 @@ void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints&
   structure_ = &structure;
   factorized_ = false;
   inverse_.clear();
-  symbolic_ = analyze_structure(structure, hints.last, rule_);
+  symbolic_ = analyze_structure(structure, hints.last, rule_, hints.threads);
+  factor_.suspects_of_thread.resize(symbolic_.schedule.threads.size());
+  factor_.thread_failed.resize(symbolic_.schedule.threads.size());
   batch_ = std::max(1, hints.right_hand_sides);
   const auto batch = static_cast<std::size_t>(batch_);
   const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size, scalars = structure.scalars();

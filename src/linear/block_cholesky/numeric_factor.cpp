@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "linear/kernels/dense_kernels.h"
+#include "boxplus/base/parallel.h"
+#include "linear/block_cholesky/parallel_front.h"
 
 namespace boxplus {
 namespace {
@@ -80,46 +81,102 @@ void collect_suspects(const Front& front, std::uint32_t first_scalar, const doub
   }
 }
 
+/// All that factor_front needs besides the front.
+struct Context {
+  const SymbolicFactor& symbolic;
+  const BlockStructure& structure;
+  const double* values;
+  const Damping& damping;
+  const NumericFactor& factor;
+};
+
+/// Assembles and factors one front whose children are done. Returns the permuted scalar of the lost pivot, or
+/// kNoParent.
+std::uint32_t factor_front(const Context& context, const Front& front, int threads, Suspects& suspects) {
+  const auto& [symbolic, structure, values, damping, factor] = context;
+  const std::uint32_t first_scalar = symbolic.offset[front.first_block];
+  double* const panel = factor.arena + front.panel;
+  double* const update = factor.arena + front.update;
+  double* const minimum_pivot = factor.minimum_pivot + first_scalar;
+  load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
+  for (const std::uint32_t c : symbolic.children_of(front)) {
+    const Front& child = symbolic.fronts[c];
+    extend_add(factor.arena + child.update, child.below, symbolic.pivot_runs(child), symbolic.all_runs(child),
+               panel, front.leading, 0, 0);
+  }
+  const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
+  const int leading = static_cast<int>(front.leading);
+  const int good = factor_panel_with(threads, panel, columns + below, columns, leading, minimum_pivot);
+  if (good < columns) return first_scalar + static_cast<std::uint32_t>(good);
+  collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
+  set_to_minus_square_with(threads, update, below, panel + columns, leading, below, columns);
+  for (const std::uint32_t c : symbolic.children_of(front)) {
+    const Front& child = symbolic.fronts[c];
+    const auto all = symbolic.all_runs(child);
+    extend_add(factor.arena + child.update, child.below, all.subspan(symbolic.pivot_runs(child).size()), all,
+               update, front.below, front.columns, front.columns);
+  }
+  return kNoParent;
+}
+
+std::uint32_t factor_in_order(const Context& context, Suspects& suspects) {
+  for (const Front& front : context.symbolic.fronts) {
+    const std::uint32_t failed = factor_front(context, front, 1, suspects);
+    if (failed != kNoParent) return failed;
+  }
+  return context.symbolic.offset.back();
+}
+
+/// Subtrees by thread, then the rest with threads inside the fronts. Returns whether all pivots were good.
+bool factor_in_parallel(const Context& context, NumericFactor& factor) {
+  const auto& [threads, top] = context.symbolic.schedule;
+  parallel_tasks(static_cast<int>(threads.size()), [&, &shares = threads](int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    Suspects suspects;
+    factor.thread_failed[t] = false;
+    for (const auto& subtree : shares[t]) {
+      for (std::uint32_t s = subtree.begin; s < subtree.end && !factor.thread_failed[t]; ++s) {
+        factor.thread_failed[t] = factor_front(context, context.symbolic.fronts[s], 1, suspects) != kNoParent;
+      }
+    }
+    factor.suspects_of_thread[t] = suspects;
+  });
+  for (std::size_t t = 0; t < threads.size(); ++t) {
+    if (factor.thread_failed[t]) return false;
+    factor.suspects.add(factor.suspects_of_thread[t]);
+  }
+  for (const std::uint32_t s : top) {
+    const Front& front = context.symbolic.fronts[s];
+    if (factor_front(context, front, static_cast<int>(threads.size()), factor.suspects) != kNoParent)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Suspects::add(Suspect suspect) {
+  const auto comes_before = [](const Suspect& a, const Suspect& b) {
+    return a.ratio < b.ratio || (a.ratio == b.ratio && a.scalar < b.scalar);
+  };
   if (count_ == list_.size()) {
-    if (!(suspect.ratio < list_.back().ratio)) return;
+    if (!comes_before(suspect, list_.back())) return;
     --count_;
   }
   std::size_t place = count_++;
-  for (; place > 0 && suspect.ratio < list_[place - 1].ratio; --place) list_[place] = list_[place - 1];
+  for (; place > 0 && comes_before(suspect, list_[place - 1]); --place) list_[place] = list_[place - 1];
   list_[place] = suspect;
 }
 
 std::uint32_t factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                                const double* values, const Damping& damping, NumericFactor& factor) {
+  const Context context{symbolic, structure, values, damping, factor};
   factor.suspects.clear();
-  for (const Front& front : symbolic.fronts) {
-    const std::uint32_t first_scalar = symbolic.offset[front.first_block];
-    double* const panel = factor.arena + front.panel;
-    double* const update = factor.arena + front.update;
-    double* const minimum_pivot = factor.minimum_pivot + first_scalar;
-    load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
-    for (const std::uint32_t c : symbolic.children_of(front)) {
-      const Front& child = symbolic.fronts[c];
-      extend_add(factor.arena + child.update, child.below, symbolic.pivot_runs(child),
-                 symbolic.all_runs(child), panel, front.leading, 0, 0);
-    }
-    const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
-    const int leading = static_cast<int>(front.leading);
-    const int good = dense::factor_panel(panel, columns + below, columns, leading, minimum_pivot);
-    if (good < columns) return first_scalar + static_cast<std::uint32_t>(good);
-    collect_suspects(front, first_scalar, panel, minimum_pivot, factor.suspects);
-    dense::set_to_minus_square(update, below, panel + columns, leading, below, columns);
-    for (const std::uint32_t c : symbolic.children_of(front)) {
-      const Front& child = symbolic.fronts[c];
-      const auto all = symbolic.all_runs(child);
-      extend_add(factor.arena + child.update, child.below, all.subspan(symbolic.pivot_runs(child).size()),
-                 all, update, front.below, front.columns, front.columns);
-    }
+  if (symbolic.schedule.is_parallel()) {
+    if (factor_in_parallel(context, factor)) return symbolic.offset.back();
+    factor.suspects.clear();  // once more in order, to name the first lost pivot
   }
-  return symbolic.offset.back();
+  return factor_in_order(context, factor.suspects);
 }
 
 }  // namespace boxplus

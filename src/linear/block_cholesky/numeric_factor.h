@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "boxplus/linear/linear_solver.h"
 #include "linear/block_cholesky/symbolic_factor.h"
@@ -12,7 +13,7 @@
 
 namespace boxplus {
 
-/// The pivots that lost most digits, smallest ratio first.
+/// The pivots that lost most digits, smallest ratio first (of equal ones the lower scalar).
 class Suspects {
  public:
   struct Suspect {
@@ -21,6 +22,9 @@ class Suspects {
   };
   void clear() { count_ = 0; }
   void add(Suspect suspect);
+  void add(const Suspects& others) {
+    for (std::size_t i = 0; i < others.count_; ++i) add(others.list_[i]);
+  }
   std::span<Suspect> list() { return std::span(list_).first(count_); }
 
  private:
@@ -29,9 +33,11 @@ class Suspects {
 };
 
 struct NumericFactor {
-  double* arena;          // panels, then update matrices
-  double* minimum_pivot;  // kLostPivot · diagonal of A + λD, by permuted scalar
+  double* arena = nullptr;          // panels, then update matrices
+  double* minimum_pivot = nullptr;  // kLostPivot · diagonal of A + λD, by permuted scalar
   Suspects suspects;
+  std::vector<Suspects> suspects_of_thread;  // one per thread
+  std::vector<char> thread_failed;
 };
 
 /// Factorises A + λD into the panels. Returns the permuted scalar of the first lost pivot, or the number of

@@ -15,13 +15,6 @@ struct Node {
   bool kept;
 };
 
-double predicted_time(const AmalgamationRule& rule, double columns, double below) {
-  const double rows = columns + below;
-  const double flops = (rows * rows * rows - below * below * below) / 3;
-  return rule.per_front + rule.per_panel_entry * rows * columns + rule.per_update_entry * below * below / 2 +
-         rule.per_flop * flops;
-}
-
 std::vector<Node> fundamental_supernodes(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
                                          std::span<const std::uint32_t> dims, std::uint32_t keep) {
   const auto count = static_cast<std::uint32_t>(parent.size());
@@ -89,6 +82,13 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
 }
 
 }  // namespace
+
+double predicted_time(const AmalgamationRule& rule, double columns, double below) {
+  const double rows = columns + below;
+  const double flops = (rows * rows * rows - below * below * below) / 3;
+  return rule.per_front + rule.per_panel_entry * rows * columns + rule.per_update_entry * below * below / 2 +
+         rule.per_flop * flops;
+}
 
 SupernodePartition partition_columns(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
                                      std::span<const std::uint32_t> dims, std::uint32_t keep,

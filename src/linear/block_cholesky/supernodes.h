@@ -19,12 +19,15 @@ struct SupernodePartition {
 
 /// Limits of amalgamation. The defaults are for this library's own kernels.
 struct AmalgamationRule {
-  double per_front = 400;          ///< ns of fixed work per front
-  double per_panel_entry = 0.6;    ///< ns to clear, fill and read back one entry of L
-  double per_update_entry = 0.9;   ///< ns to write one entry of an update matrix and add it into the parent
+  double per_front = 200;          ///< ns of fixed work per front
+  double per_panel_entry = 0.4;    ///< ns to clear, fill and read back one entry of L
+  double per_update_entry = 0.6;   ///< ns to write one entry of an update matrix and add it into the parent
   double per_flop = 0.12;          ///< ns
-  double max_zero_fraction = 0.4;  ///< hard cap: part of a front's entries of L that may be added zeros
+  double max_zero_fraction = 0.3;  ///< hard cap: part of a front's entries of L that may be added zeros
 };
+
+/// Nanoseconds for one front.
+double predicted_time(const AmalgamationRule& rule, double columns, double below);
 
 /// Finds the fundamental supernodes (Liu, Ng, Peyton 1993) of a postordered tree and merges children into
 /// their parents wherever the predicted time (fixed work + entries + flops) falls and the zeros added stay

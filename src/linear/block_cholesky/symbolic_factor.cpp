@@ -59,7 +59,7 @@ class Builder {
         local_(structure.blocks(), 0),
         mark_(structure.blocks(), kNoParent) {}
 
-  void build(const SupernodePartition& partition) {
+  void build(const SupernodePartition& partition, const AmalgamationRule& rule, int threads) {
     number_scalars(partition);
     list_entries_by_column();
     const std::uint32_t count = size_of(partition.start) - 1;
@@ -81,6 +81,7 @@ class Builder {
       }
       f_.fronts.push_back(front);
     }
+    f_.schedule = make_schedule(f_.fronts, rule, threads);
     assign_memory();
   }
 
@@ -186,25 +187,46 @@ class Builder {
     child.run_end = size_of(f_.runs);
   }
 
+  /// Panels one after the other; update matrices where there is room. Subtrees of different threads share no
+  /// room.
   void assign_memory() {
-    MemoryPlan updates;
     for (Front& front : f_.fronts) {
+      const std::uint64_t size = std::uint64_t{front.leading} * front.columns;
+      if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 numbers");
       front.panel = f_.panel_size;
-      f_.panel_size += std::uint64_t{front.leading} * front.columns;
-      front.update = updates.reserve(std::uint64_t{front.below} * front.below);
-      for (const std::uint32_t c : f_.children_of(front)) {
-        const std::uint64_t below = f_.fronts[c].below;
-        updates.release(f_.fronts[c].update, below * below);
-      }
+      f_.panel_size += size;
       f_.largest_front = std::max(f_.largest_front, front.rows());
       f_.most_columns = std::max(f_.most_columns, front.columns);
       f_.most_below = std::max(f_.most_below, front.below);
-      if (std::uint64_t{front.leading} * front.columns >= kNoParent) {
-        throw Error("block Cholesky: a front of more than 2^32 numbers");
+    }
+    MemoryPlan updates;
+    if (!f_.schedule.is_parallel()) {
+      for (Front& front : f_.fronts) place_update(front, updates, 0);
+      f_.update_size = updates.peak();
+      return;
+    }
+    for (const auto& share : f_.schedule.threads) {
+      for (const auto& subtree : share) {
+        MemoryPlan own;
+        for (std::uint32_t s = subtree.begin; s < subtree.end; ++s)
+          place_update(f_.fronts[s], own, f_.update_size);
+        f_.update_size += own.peak();
       }
     }
-    f_.update_size = updates.peak();
-    for (Front& front : f_.fronts) front.update += f_.panel_size;
+    // The updates of the subtrees' roots are never released: the top fronts have room of their own.
+    for (const std::uint32_t s : f_.schedule.top) place_update(f_.fronts[s], updates, f_.update_size);
+    f_.update_size += updates.peak();
+  }
+
+  /// Finds room above `base` while the children's updates are alive, then releases those that `plan` placed.
+  void place_update(Front& front, MemoryPlan& plan, std::uint64_t base) {
+    const std::uint64_t below = front.below, origin = f_.panel_size + base;
+    front.update = origin + plan.reserve(below * below);
+    for (const std::uint32_t c : f_.children_of(front)) {
+      const Front& child = f_.fronts[c];
+      const std::uint64_t rows = child.below;
+      if (child.update >= origin) plan.release(child.update - origin, rows * rows);
+    }
   }
 
   struct Entry {
@@ -230,7 +252,7 @@ std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const
 }
 
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                 const AmalgamationRule& rule) {
+                                 const AmalgamationRule& rule, int threads) {
   const auto keep = static_cast<std::uint32_t>(last.size());
   SymbolicFactor factor;
   std::vector<std::uint32_t> order = amd_ordering(structure, last);
@@ -241,7 +263,7 @@ SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<cons
   const SupernodePartition partition = partition_columns(parent, counts, dims, keep, rule);
   factor.order = composed(order, partition.order);
   factor.flops = count_flops(counts, dims);
-  Builder(structure, factor).build(partition);
+  Builder(structure, factor).build(partition, rule, threads);
   return factor;
 }
 

@@ -8,6 +8,7 @@
 
 #include "boxplus/linear/block_structure.h"
 #include "linear/block_cholesky/supernodes.h"
+#include "linear/block_cholesky/tree_schedule.h"
 
 namespace boxplus {
 
@@ -48,6 +49,7 @@ struct SymbolicFactor {
   std::vector<std::uint32_t> offset;           // first permuted scalar of each position; one more at the end
   std::vector<std::uint32_t> front_of;         // position → supernode
   std::vector<Front> fronts;
+  TreeSchedule schedule;
   std::vector<std::uint32_t> row_blocks, children;
   std::vector<std::uint32_t> row_offsets;  // of each of row_blocks: its first row in the front
   std::vector<BlockCopy> copies;
@@ -85,6 +87,6 @@ struct SymbolicFactor {
 
 /// Orders the blocks (AMD), forms the supernodes and lays out the memory.
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                 const AmalgamationRule& rule = {});
+                                 const AmalgamationRule& rule = {}, int threads = 1);
 
 }  // namespace boxplus

@@ -11,10 +11,6 @@
 namespace boxplus::dense {
 namespace {
 
-/// Columns that are factored together before the rest of the panel is updated: a strip of A over them stays
-/// in L1.
-constexpr int kBlock = 64;
-
 double* at(double* a, int ld, int i, int j) {
   return a + i + static_cast<std::ptrdiff_t>(ld) * j;
 }
@@ -59,11 +55,11 @@ int factor_narrow_panel(double* panel, int rows, int columns, int ld, const doub
   return columns;
 }
 
-/// C −= A Aᵀ or C = −A Aᵀ on the lower trapezoid of the first `columns` columns, k of A at most kBlock.
+/// C −= A Aᵀ or C = −A Aᵀ in the columns [begin, end) of the lower trapezoid, k of A at most kBlock.
 template <TileUse Use>
-void update_trapezoid(double* c, int ldc, const double* a, int lda, int rows, int columns, int k) {
-  for (int j = 0; j < columns;) {
-    const int width = strip_width(columns - j);
+void update_trapezoid(double* c, int ldc, const double* a, int lda, int rows, int k, int begin, int end) {
+  for (int j = begin; j < end;) {
+    const int width = strip_width(end - j);
     run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, {a + j, lda, 1}, rows - j, k);
     j += width;
   }
@@ -93,17 +89,19 @@ int factor_panel(double* panel, int rows, int columns, int ld, const double* min
     const int good = factor_narrow_panel(block, rows - j, width, ld, minimum_pivot + j);
     if (good < width) return j + good;
     const int next = j + width;
-    update_trapezoid<TileUse::kSubtract>(at(panel, ld, next, next), ld, block + width, ld, rows - next,
-                                         columns - next, width);
+    subtract_square(at(panel, ld, next, next), ld, block + width, ld, rows - next, width, 0, columns - next);
   }
   return columns;
 }
 
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k) {
-  update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, size, std::min(k, kBlock));
+void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
+  update_trapezoid<TileUse::kSubtract>(c, ldc, a, lda, size, k, begin, end);
+}
+
+void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
+  update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, std::min(k, kBlock), begin, end);
   for (int k0 = kBlock; k0 < k; k0 += kBlock) {
-    update_trapezoid<TileUse::kSubtract>(c, ldc, at(a, lda, 0, k0), lda, size, size,
-                                         std::min(kBlock, k - k0));
+    subtract_square(c, ldc, at(a, lda, 0, k0), lda, size, std::min(kBlock, k - k0), begin, end);
   }
 }
 

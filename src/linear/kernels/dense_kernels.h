@@ -11,8 +11,16 @@ namespace boxplus::dense {
 /// column; else `columns`.
 int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot);
 
-/// C = −A Aᵀ (lower triangle; entries above the diagonal may be overwritten), C size × size, A size × k.
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k);
+/// Columns that are factored together before the rest of a panel is updated: a strip of A over them stays in
+/// L1.
+inline constexpr int kBlock = 64;
+
+/// Columns [begin, end) of C = −A Aᵀ (lower triangle; entries above the diagonal may be overwritten), C size
+/// × size, A size × k. The values do not depend on how the columns are divided into calls.
+void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
+
+/// The same for C −= A Aᵀ, k ≤ kBlock.
+void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
 
 /// C −= A Bᵀ; C rows × columns, A rows × k, B columns × k.
 void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The frames of the manifold types: SE2 and SE3 are poses, vectors of two or three numbers are points.
+//
+// Included by the vertex pools, so that every translation unit sees the same pools.
+#pragma once
+
+#include <algorithm>
+
+#include "boxplus/graph/frame.h"
+#include "boxplus/manifold/rn.h"
+#include "boxplus/manifold/se2.h"
+#include "boxplus/manifold/se3.h"
+
+namespace boxplus {
+
+template <>
+struct FrameTrait<SE2> {
+  static Frame get(const SE2& x) {
+    const Matrix<double, 2, 2> r = x.rotation();
+    return {2, true, {r(0, 0), r(0, 1), r(1, 0), r(1, 1)}, {x.x(), x.y()}};
+  }
+  static void set(SE2& x, const Frame& frame) {
+    x = SE2(frame.translation[0], frame.translation[1], std::atan2(frame.rotation[2], frame.rotation[0]));
+  }
+};
+
+template <class Chart>
+struct FrameTrait<BasicSE3<double, Chart>> {
+  using Pose = BasicSE3<double, Chart>;
+  static Frame get(const Pose& x) {
+    Frame frame{3, true, {}, {x.data()[0], x.data()[1], x.data()[2]}};
+    const Matrix<double, 3, 3> r = x.rotation();
+    for (int i = 0; i < 9; ++i) frame.rotation[static_cast<std::size_t>(i)] = r(i / 3, i % 3);
+    return frame;
+  }
+  static void set(Pose& x, const Frame& frame) {
+    const Matrix<double, 3, 3> r =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.rotation.data());
+    x = Pose(Vector3(frame.translation.data()), r);
+  }
+};
+
+/// Points of the plane and of space.
+template <int N, int Options, int MaxRows, int MaxCols>
+requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>> {
+  using Point = Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>;
+  static Frame get(const Point& x) {
+    Frame frame{N, false, {}, {}};
+    std::copy_n(x.data(), N, frame.translation.begin());
+    return frame;
+  }
+  static void set(Point& x, const Frame& frame) { std::copy_n(frame.translation.begin(), N, x.data()); }
+};
+
+}  // namespace boxplus

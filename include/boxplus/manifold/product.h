@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Products of manifolds: a vertex made of several parts, e.g. a pose with a velocity and a bias.
+#pragma once
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "boxplus/manifold/manifold.h"
+
+namespace boxplus {
+
+/// The parts in order; the tangent is their tangents, one after the other. Parts of run-time size are
+/// allowed. `auto& [pose, velocity] = product;` works, as does product.get<0>().
+template <class... Parts>
+struct Product {
+  std::tuple<Parts...> parts;
+
+  Product() = default;
+  explicit Product(const Parts&... values) requires(sizeof...(Parts) > 0) : parts(values...) {}
+
+  template <std::size_t I>
+  auto& get() {
+    return std::get<I>(parts);
+  }
+  template <std::size_t I>
+  const auto& get() const {
+    return std::get<I>(parts);
+  }
+};
+
+template <class... Parts>
+struct Manifold<Product<Parts...>> {
+  using Point = Product<Parts...>;
+  template <class T>
+  using Rebind =
+      Product<boxplus::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // looked up on use only
+  static constexpr int kDim =
+      ((Manifold<Parts>::kDim == kDynamic) || ...) ? kDynamic : (0 + ... + Manifold<Parts>::kDim);
+
+  static int dim(const Point& x) {
+    return std::apply([](const Parts&... part) { return (0 + ... + tangent_size(part)); }, x.parts);
+  }
+
+  template <class D>
+  static auto oplus(const Point& x, const D* delta) {
+    const auto part_oplus = [&delta]<class Part>(const Part& part) {
+      const D* mine = delta;
+      delta += tangent_size(part);
+      return Manifold<Part>::oplus(part, mine);
+    };
+    return std::apply(
+        [&](const Parts&... part) {
+          // Braces: evaluated from left to right.
+          return from_tuple(std::tuple<std::decay_t<decltype(part_oplus(part))>...>{part_oplus(part)...});
+        },
+        x.parts);
+  }
+
+  template <class D>
+  static void ominus(const Point& y, const Point& x, D* delta) {
+    const auto part_ominus = [&delta]<class Part>(const Part& part_y, const Part& part_x) {
+      Manifold<Part>::ominus(part_y, part_x, delta);
+      delta += tangent_size(part_x);
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (part_ominus(std::get<I>(y.parts), std::get<I>(x.parts)), ...);
+    }
+    (std::index_sequence_for<Parts...>{});
+  }
+
+  template <class T>
+  static Rebind<T> cast(const Point& x) {
+    return std::apply(
+        [](const Parts&... part) { return Rebind<T>(Manifold<Parts>::template cast<T>(part)...); }, x.parts);
+  }
+
+ private:
+  /// tangent_dim(), also for parts that are lifted to another scalar.
+  template <class Part>
+  static int tangent_size(const Part& part) {
+    if constexpr (Manifold<Part>::kDim == kDynamic) {
+      return Manifold<Part>::dim(part);
+    } else {
+      return Manifold<Part>::kDim;
+    }
+  }
+  template <class... Results>
+  static Product<Results...> from_tuple(std::tuple<Results...>&& results) {
+    Product<Results...> product;
+    product.parts = std::move(results);
+    return product;
+  }
+};
+
+}  // namespace boxplus
+
+template <class... Parts>
+struct std::tuple_size<boxplus::Product<Parts...>> : std::tuple_size<std::tuple<Parts...>> {};
+template <std::size_t I, class... Parts>
+struct std::tuple_element<I, boxplus::Product<Parts...>> : std::tuple_element<I, std::tuple<Parts...>> {};

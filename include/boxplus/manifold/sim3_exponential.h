@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The 3×3 matrix W that couples translation with rotation and scale in the exponential of Sim(3).
+//
+// Exp(ω, υ, σ) = (R, s, t) with R = Exp(ω), s = e^σ and t = W υ (Strasdat, "Local Accuracy and Global
+// Consistency for Efficient Visual SLAM", PhD thesis, 2012, §2.4), where
+//     W = ∫₀¹ e^{σu} Exp(uω) du = C I + A [ω]× + B [ω]×².
+// With θ = |ω|, z = σ + iθ and φ(z) = (e^z − 1)/z = Σ zⁿ/(n+1)! the coefficients are
+//     C = φ(σ),   A = Im φ(z) / θ,   B = (φ(σ) − Re φ(z)) / θ²,
+// all of them entire functions of (σ, θ²). The series is summed for |z| < 4, so that there is no small-angle
+// hole to patch; beyond, the closed form is used.
+#pragma once
+
+#include <cmath>
+
+#include "boxplus/base/matrix.h"
+#include "boxplus/manifold/scalar.h"
+
+namespace boxplus {
+
+/// W = c I + a [ω]× + b [ω]×².
+template <class S>
+struct Sim3Coupling {
+  S a, b, c;
+
+  /// Sums the series. With zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ²:
+  /// pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, rₙ₊₁ = σ rₙ + qₙ; nothing is divided by θ.
+  static Sim3Coupling from_series(const S& sigma, const S& theta2) {
+    S p(1), q(0), r(0), power(1);
+    Sim3Coupling sum{S(0), S(0), S(1)};
+    double inverse_factorial = 1;  // 1 / (n + 1)!
+    constexpr int kTerms = 36;     // 4³⁶ / 37! < 1e-21
+    for (int n = 1; n < kTerms; ++n) {
+      inverse_factorial /= n + 1;
+      r = sigma * r + q;
+      const S next_p = sigma * p - theta2 * q;
+      q = p + sigma * q;
+      p = next_p;
+      power = power * sigma;
+      sum.a = sum.a + inverse_factorial * q;
+      sum.b = sum.b + inverse_factorial * r;
+      sum.c = sum.c + inverse_factorial * power;
+    }
+    return sum;
+  }
+
+  /// φ(z) in closed form, for |z| ≥ 4. θ² < 1/400 with a large |σ| needs B from the moments Iₙ = ∫ uⁿ e^{σu}
+  /// du.
+  static Sim3Coupling from_closed_form(const S& sigma, const S& theta2) {
+    using std::cos;
+    using std::exp;
+    using std::expm1;
+    using std::sin;
+    using std::sqrt;
+    const S scale = exp(sigma), norm2 = sigma * sigma + theta2;
+    if (theta2 < S(1.0 / 400)) {
+      S moment[9];
+      moment[0] = expm1(sigma) / sigma;
+      for (int n = 1; n < 9; ++n) moment[n] = (scale - double(n) * moment[n - 1]) / sigma;
+      const auto series = [&](int first, double f0, double f1, double f2, double f3) -> S {
+        const S high = f2 * moment[first + 4] - theta2 * f3 * moment[first + 6];
+        return f0 * moment[first] - theta2 * (f1 * moment[first + 2] - theta2 * high);
+      };
+      return {series(1, 1, 1.0 / 6, 1.0 / 120, 1.0 / 5040),
+              series(2, 1.0 / 2, 1.0 / 24, 1.0 / 720, 1.0 / 40320), moment[0]};
+    }
+    const S theta = sqrt(theta2);
+    const S real = scale * cos(theta) - 1.0, imaginary = scale * sin(theta);  // e^z − 1
+    const S c = sigma * sigma < S(1e-2) ? from_series(sigma, S(0)).c : S(expm1(sigma) / sigma);
+    return {(imaginary * sigma - real * theta) / (norm2 * theta),
+            (c - (real * sigma + imaginary * theta) / norm2) / theta2, c};
+  }
+
+  static Sim3Coupling of(const S& sigma, const S& theta2) {
+    return sigma * sigma + theta2 < S(16) ? from_series(sigma, theta2) : from_closed_form(sigma, theta2);
+  }
+
+  /// The coefficients of W⁻¹. W acts as c along ω and as the complex number (c − bθ²) + iaθ on the plane
+  /// across it.
+  Sim3Coupling inverse(const S& theta2) const {
+    const S p = c - b * theta2;
+    const S determinant = p * p + a * a * theta2;
+    return {-a / determinant, (a * a - p * b) / (c * determinant), S(1) / c};
+  }
+
+  /// W v.
+  Vector<S, 3> apply(const Vector<S, 3>& omega, const Vector<S, 3>& v) const {
+    const Vector<S, 3> across = cross(omega, v);
+    return v * c + across * a + cross(omega, across) * b;
+  }
+
+ private:
+  static Vector<S, 3> cross(const Vector<S, 3>& x, const Vector<S, 3>& y) {
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  }
+};
+
+}  // namespace boxplus

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Are the Jacobians of an edge right? For users' own tests; needs no test framework:
+//
+//     const JacobianCheck check = check_jacobians(MyEdge{…}, x_1, x_2);
+//     if (!check.ok) std::cerr << check.message;
+//
+// The edge's own Jacobians (if it has any) are compared with exact ones from dual numbers (if the error is
+// generic in its scalar), and those with numeric ones. The estimates should be away from kinks and far from
+// all-zero errors, so that no term vanishes.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "boxplus/graph/differentiate.h"
+#include "boxplus/graph/type_name.h"
+
+namespace boxplus {
+
+struct JacobianTolerances {
+  double analytic = 1e-10;  ///< analytic against dual numbers, relative to the largest entry (at least 1)
+  double numeric = 1e-7;    ///< anything against numeric derivatives, likewise
+};
+
+struct JacobianCheck {
+  bool ok = true;
+  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
+  /// against automatic)". Rows, columns and vertices count from 1. Empty where ok.
+  std::string message;
+  double largest_difference = 0;  ///< relative to the largest entry of the Jacobian (at least 1)
+};
+
+namespace edge {
+
+/// One argument's columns within the Jacobian.
+struct ArgumentColumns {
+  std::string_view type;
+  int first = 0, count = 0;
+};
+
+/// Adds what differs between two column-major Jacobians of `rows` rows to `check`.
+void compare_jacobians(std::span<const double> expected, std::span<const double> actual, int rows,
+                       double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
+                       JacobianCheck& check);
+
+template <class A>
+struct CheckedType {
+  using Type = A;
+  static const A& argument(const A& x) { return x; }
+};
+template <class T>
+struct CheckedType<std::vector<T>> {
+  using Type = Tail<T>;
+  static std::span<const T> argument(const std::vector<T>& x) { return x; }
+};
+
+template <class... V, class E>
+void analytic_jacobian(const E& e, std::vector<double>& jacobian, int rows, Argument<V>... x) {
+  constexpr int kRowsOfEdge = kRows<Result<E, V...>>;
+  double* block = jacobian.data();
+  const auto next = [&]<class A>(std::type_identity<A>) {
+    JacobianBlock<A, kRowsOfEdge> map(block);
+    block += rows * Manifold<A>::kDim;
+    return map;
+  };
+  std::tuple<JacobianBlock<V, kRowsOfEdge>...> blocks{next(std::type_identity<V>{})...};
+  std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
+}
+
+template <class... V, class E>
+JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerances, Argument<V>... x) {
+  const int rows = row_count(evaluate(e, x...));
+  int cols = 0;
+  const auto columns = [&](std::string_view type, int count) {
+    cols += count;
+    return ArgumentColumns{type, cols - count, count};
+  };
+  const std::array<ArgumentColumns, sizeof...(V)> arguments{
+      columns(type_name<ElementOf<V>>(), argument_dim<V>(x))...};
+  const auto size = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
+  std::vector<double> error(static_cast<std::size_t>(rows)), numeric(size), automatic(size), analytic(size);
+
+  JacobianCheck check;
+  numeric_jacobian<V...>(e, error.data(), numeric.data(), rows, cols, x...);
+  if constexpr (kDifferentiable<E, V...>) {
+    automatic_jacobian<V...>(e, error.data(), automatic.data(), rows, cols, x...);
+    compare_jacobians(numeric, automatic, rows, tolerances.numeric, arguments, "automatic against numeric",
+                      check);
+  }
+  if constexpr (kAnalytic<E, V...>) {
+    analytic_jacobian<V...>(e, analytic, rows, x...);
+    if constexpr (kDifferentiable<E, V...>) {
+      compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments,
+                        "analytic against automatic", check);
+    } else {
+      compare_jacobians(numeric, analytic, rows, tolerances.numeric, arguments, "analytic against numeric",
+                        check);
+    }
+  }
+  return check;
+}
+
+}  // namespace edge
+
+/// Checks an edge at the given estimates; a std::vector of estimates stands for a tail of any number of
+/// vertices.
+template <class E, class... X>
+JacobianCheck check_jacobians(const JacobianTolerances& tolerances, const E& e, const X&... x) {
+  return edge::check_jacobians_of<typename edge::CheckedType<X>::Type...>(
+      e, tolerances, edge::CheckedType<X>::argument(x)...);
+}
+template <class E, class... X>
+JacobianCheck check_jacobians(const E& e, const X&... x) {
+  return check_jacobians(JacobianTolerances{}, e, x...);
+}
+
+}  // namespace boxplus

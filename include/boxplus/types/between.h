@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The relative measurement between two vertices of one type: Between(SE2(1, 0, 0)).
+#pragma once
+
+#include <utility>
+
+#include "boxplus/types/pose_math.h"
+#include "boxplus/types/slam2d/between_jacobians.h"
+#include "boxplus/types/slam3d/between_jacobians.h"
+#include "boxplus/types/type_label.h"
+
+namespace boxplus {
+
+struct BetweenText {
+  static constexpr std::string_view kText = "Between";
+};
+
+/// z measures b from a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent:
+///   SE2  vec(z⁻¹ a⁻¹ b) = (x, y, θ)                                   EDGE_SE2
+///   SE3  (t, q_v) of z⁻¹ a⁻¹ b, with the sign of q that has w ≥ 0     EDGE_SE3:QUAT
+///   Vector2, Vector3  (b − a) − z                                     EDGE_POINTXY, EDGE_POINTXYZ
+/// and likewise for every manifold with inverse() and operator*, or with operator−.
+template <class T>
+struct Between {
+  static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
+  T measurement;
+
+  explicit Between(T z) : measurement(std::move(z)) {}
+
+  template <class X>
+  auto error(const X& a, const X& b) const {
+    return difference(motion_between(a, b), measurement);
+  }
+
+  template <class A, class B>
+  requires requires(const T& x, A& J) { between_jacobians(x, x, x, J, J); }
+  void jacobians(const T& a, const T& b, A& J_a, B& J_b) const {
+    between_jacobians(measurement, a, b, J_a, J_b);
+  }
+
+  RelativeFrame relative_frame(const T&, const T&) const requires FrameType<T> {
+    return relative_pose(0, 1, measurement);
+  }
+};
+
+}  // namespace boxplus

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The absolute measurement of a sensor that sits on a pose.
+#pragma once
+
+#include "boxplus/types/pose_math.h"
+#include "boxplus/types/type_label.h"
+
+namespace boxplus {
+
+struct OffsetPriorText {
+  static constexpr std::string_view kText = "OffsetPrior";
+};
+
+/// z measures the sensor x·p in the world; p is its pose on the body. Error: (x p) ⊟ z. For SE3:
+/// EDGE_SE3_PRIOR.
+template <class T>
+struct OffsetPrior {
+  static constexpr std::string_view kName = TypeLabel<OffsetPriorText, T>::kValue;
+  T measurement;
+
+  explicit OffsetPrior(const T& z) : measurement(z) {}
+
+  template <class X>
+  auto error(const X& x, const X& p) const {
+    return difference(X(x * p), measurement);
+  }
+
+  RelativeFrame relative_frame(const T&, const T& p) const {
+    return relative_pose(RelativeFrame::kWorld, 0, T(measurement * p.inverse()));
+  }
+};
+
+}  // namespace boxplus

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The few operations that edge types share over poses and points of either dimension.
+#pragma once
+
+#include "boxplus/graph/manifold_frames.h"
+#include "boxplus/manifold/scalar.h"
+
+namespace boxplus {
+
+/// b seen from a: a⁻¹ b for poses and rotations, b − a for vectors.
+template <class X>
+X motion_between(const X& a, const X& b) {
+  if constexpr (requires { a.inverse_times(b); }) {
+    return a.inverse_times(b);
+  } else if constexpr (requires { a - b; }) {
+    return b - a;
+  } else {
+    return a.inverse() * b;
+  }
+}
+
+/// e = x ⊟ z over x's scalar: vec(z⁻¹ x) for poses, x − z for vectors.
+template <class X, class T>
+auto difference(const X& x, const T& z) {
+  using S = ScalarOf<X>;
+  Vector<S, Manifold<T>::kDim> e(boxplus::tangent_dim(x));
+  Manifold<X>::ominus(x, Manifold<T>::template cast<S>(z), e.data());
+  return e;
+}
+
+/// Where a pose or point is.
+template <class X>
+auto position(const X& x) {
+  if constexpr (requires { x.translation(); }) {
+    return x.translation();
+  } else {
+    return x;
+  }
+}
+
+/// "T_to = T_from · motion", measured with an error whose first rows are metres, and whose last are the
+/// rotation. Quaternion vectors are half angles.
+template <class T>
+RelativeFrame relative_pose(int from, int to, const T& motion) {
+  RelativeFrame result{from, to, FrameTrait<T>::get(motion)};
+  const int d = result.motion.dimension;
+  result.translation_rows = d;
+  if (result.motion.has_rotation) {
+    result.rotation_row = d;
+    result.rotation_rows = Manifold<T>::kDim - d;
+    result.rotation_unit = std::is_same_v<T, SE3> ? 0.5 : 1;
+  }
+  return result;
+}
+
+}  // namespace boxplus

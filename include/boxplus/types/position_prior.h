@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The absolute measurement of where a pose is, such as by GPS.
+#pragma once
+
+#include "boxplus/types/pose_math.h"
+#include "boxplus/types/type_label.h"
+
+namespace boxplus {
+
+struct PositionPriorText {
+  static constexpr std::string_view kText = "PositionPrior";
+};
+
+/// z measures the position of a pose in the world. Error: t(x) − z. EDGE_PRIOR_SE2_XY, EDGE_SE3_XYZ_PRIOR.
+/// EDGE_SE3_XYZ_PRIOR names a sensor offset that its error does not use; it is the second vertex here, so
+/// that files keep it.
+template <class V>
+struct PositionPrior {
+  static constexpr std::string_view kName = TypeLabel<PositionPriorText, V>::kValue;
+  V measurement;
+
+  explicit PositionPrior(const V& z) : measurement(z) {}
+
+  template <class X>
+  auto error(const X& x) const {
+    using S = ScalarOf<X>;
+    return Vector<S, V::SizeAtCompileTime>(x.translation() - measurement);
+  }
+  template <class X>
+  auto error(const X& x, const X& /*offset*/) const {
+    return error(x);
+  }
+
+  template <class X, class... Offset>
+  RelativeFrame relative_frame(const X&, const Offset&...) const {
+    return relative_pose(RelativeFrame::kWorld, 0, measurement);
+  }
+};
+
+template <class V>
+PositionPrior(const V&) -> PositionPrior<V>;
+
+}  // namespace boxplus

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All ready-made types of the plane. Their pools are compiled once, in the library.
+#pragma once
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/types/between.h"
+#include "boxplus/types/offset_between.h"
+#include "boxplus/types/position_prior.h"
+#include "boxplus/types/prior.h"
+#include "boxplus/types/range.h"
+#include "boxplus/types/slam2d/bearing_observation.h"
+#include "boxplus/types/slam2d/differential_drive.h"
+#include "boxplus/types/slam2d/point_observation.h"
+#include "boxplus/types/slam2d/points_observation.h"
+#include "boxplus/types/slam2d/wheel_odometry.h"
+
+namespace boxplus {
+
+extern template class TypedVertexPool<SE2>;
+extern template class TypedVertexPool<Vector2>;
+extern template class TypedVertexPool<DifferentialDrive>;
+extern template class TypedEdgePool<Between<SE2>, SE2, SE2>;
+extern template class TypedEdgePool<Between<Vector2>, Vector2, Vector2>;
+extern template class TypedEdgePool<Prior<SE2>, SE2>;
+extern template class TypedEdgePool<Prior<Vector2>, Vector2>;
+extern template class TypedEdgePool<PositionPrior<Vector2>, SE2>;
+extern template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2>;
+extern template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2, SE2>;
+extern template class TypedEdgePool<PointObservation2, SE2, Vector2>;
+extern template class TypedEdgePool<OffsetPointObservation2, SE2, Vector2, SE2>;
+extern template class TypedEdgePool<TwoPointsObservation2, SE2, Vector2, Vector2>;
+extern template class TypedEdgePool<PointsObservation2, SE2, Tail<Vector2>>;
+extern template class TypedEdgePool<BearingObservation2, SE2, Vector2>;
+extern template class TypedEdgePool<Range, SE2, Vector2>;
+extern template class TypedEdgePool<WheelOdometry, SE2, SE2, DifferentialDrive>;
+
+}  // namespace boxplus

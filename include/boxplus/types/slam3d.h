@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All ready-made types of space. Their pools are compiled once, in the library.
+#pragma once
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/types/between.h"
+#include "boxplus/types/offset_between.h"
+#include "boxplus/types/offset_prior.h"
+#include "boxplus/types/position_prior.h"
+#include "boxplus/types/prior.h"
+#include "boxplus/types/range.h"
+#include "boxplus/types/slam3d/bearing_observation.h"
+#include "boxplus/types/slam3d/point_observation.h"
+#include "boxplus/types/slam3d/points_observation.h"
+
+namespace boxplus {
+
+extern template class TypedVertexPool<SE3>;
+extern template class TypedVertexPool<Vector3>;
+extern template class TypedEdgePool<Between<SE3>, SE3, SE3>;
+extern template class TypedEdgePool<Between<Vector3>, Vector3, Vector3>;
+extern template class TypedEdgePool<Prior<SE3>, SE3>;
+extern template class TypedEdgePool<Prior<Vector3>, Vector3>;
+extern template class TypedEdgePool<PositionPrior<Vector3>, SE3>;
+extern template class TypedEdgePool<PositionPrior<Vector3>, SE3, SE3>;
+extern template class TypedEdgePool<OffsetPrior<SE3>, SE3, SE3>;
+extern template class TypedEdgePool<OffsetBetween<SE3>, SE3, SE3, SE3>;
+extern template class TypedEdgePool<OffsetBetween<SE3>, SE3, SE3, SE3, SE3>;
+extern template class TypedEdgePool<PointObservation3, SE3, Vector3>;
+extern template class TypedEdgePool<OffsetPointObservation3, SE3, Vector3, SE3>;
+extern template class TypedEdgePool<PointsObservation3, SE3, Tail<Vector3>>;
+extern template class TypedEdgePool<BearingObservation3, SE3, Vector3>;
+extern template class TypedEdgePool<Range, SE3, Vector3>;
+
+}  // namespace boxplus

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/parallel_front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "boxplus/base/parallel.h"
+#include "linear/kernels/dense_kernels.h"
+
+namespace boxplus {
+namespace {
+
+constexpr double kWorthThreads = 1e6;  // flops
+
+/// Where the columns of part `part` of `parts` begin, if each is to have the same area of the lower
+/// trapezoid.
+int part_begin(int rows, int columns, int part, int parts) {
+  const double r = rows, c = columns, area = (r * c - c * c / 2) * part / parts;
+  return std::min(columns, static_cast<int>(r - std::sqrt(std::max(0.0, r * r - 2 * area))));
+}
+
+}  // namespace
+
+int factor_panel_with(int threads, double* panel, int rows, int columns, int ld,
+                      const double* minimum_pivot) {
+  for (int j = 0; j < columns; j += dense::kBlock) {
+    const int width = std::min(dense::kBlock, columns - j), next = j + width;
+    double* block = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
+    const int good = dense::factor_panel(block, rows - j, width, ld, minimum_pivot + j);
+    if (good < width) return j + good;
+    double* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
+    const int below = rows - next, right = columns - next;
+    const int parts = 2.0 * below * right * width < kWorthThreads ? 1 : threads;
+    parallel_tasks(parts, [&](int part) {
+      const int begin = part_begin(below, right, part, parts);
+      const int end = part + 1 == parts ? right : part_begin(below, right, part + 1, parts);
+      dense::subtract_square(trailing, ld, block + width, ld, below, width, begin, end);
+    });
+  }
+  return columns;
+}
+
+void set_to_minus_square_with(int threads, double* c, int ldc, const double* a, int lda, int size, int k) {
+  const int parts = 1.0 * size * size * k < kWorthThreads ? 1 : threads;
+  parallel_tasks(parts, [&](int part) {
+    const int begin = part_begin(size, size, part, parts);
+    const int end = part + 1 == parts ? size : part_begin(size, size, part + 1, parts);
+    dense::set_to_minus_square(c, ldc, a, lda, size, k, begin, end);
+  });
+}
+
+}  // namespace boxplus

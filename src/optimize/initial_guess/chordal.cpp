@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The joint chordal guess.
+//
+// With rotations relaxed to arbitrary d × d matrices, what was measured is linear in the unknowns:
+//   R_j = R_i R_ij,   t_j − t_i = R_i t_ij,   l − t_i = R_i z.
+// Row a of R_i and coordinate a of t_i appear together and with no other row; so the problem falls apart into
+// d problems (one per axis of the world) of the same matrix. With X_i = [R_iᵀ; t_iᵀ], whose column a holds
+// the unknowns of axis a,
+//   pose → pose      X_j = M X_i,                 M = [R_ijᵀ 0; t_ijᵀ 1]
+//   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
+// A constant frame, or the world, has a known X. Between points, l − k = z.
+//
+// Weights. A rotation that is off by a small θ weighs ω θ² in chi2, where ω is the information per squared
+// radian; its relaxed equation is off by ‖R_i R_ij − R_j‖² ≈ 2θ². So rotation rows get ω/2, with ω the mean
+// over the axes (a scalar, or the axes of the world would not separate); translation rows get the mean
+// information of the translation.
+#include <utility>
+
+#include "boxplus/optimize/initial_guess.h"
+#include "optimize/initial_guess/components.h"
+#include "optimize/initial_guess/nearest_rotation.h"
+#include "optimize/initial_guess/notes.h"
+#include "optimize/initial_guess/separable_least_squares.h"
+
+namespace boxplus {
+namespace {
+
+using namespace guess;
+
+/// [Rᵀ; tᵀ] of a pose, tᵀ of a point.
+SmallMatrix stacked(const Frame& frame) {
+  const int d = frame.dimension, rows = frame.has_rotation ? d + 1 : 1;
+  SmallMatrix x(rows, d);
+  if (frame.has_rotation) x.topRows(d) = rotation_of(frame).transpose();
+  x.row(rows - 1) = translation_of(frame).transpose();
+  return x;
+}
+
+/// The guess for all vertices of one dimension d.
+class Chordal {
+ public:
+  Chordal(const FrameGraph& frames, const Components& components, int d);
+
+  /// Finds all frames without moving anything.
+  LinearStatus solve();
+  void move_vertices(FrameGraph& frames) const;
+
+ private:
+  static constexpr std::uint32_t kConstant = SeparableLeastSquares::kConstant;
+
+  LinearStatus solve_joint();
+  LinearStatus solve_positions();
+  SeparableLeastSquares make_system(std::vector<std::uint32_t> dims) const;
+  void add_joint_term(const Measurement& m, SeparableLeastSquares& system) const;
+  void add_position_term(const Measurement& m, SeparableLeastSquares& system) const;
+  std::uint32_t block(Node node) const { return node == FrameGraph::kWorld ? kConstant : block_[node]; }
+  Frame frame(Node node) const;
+
+  const FrameGraph& frames_;
+  int d_;
+  std::vector<const Measurement*> measurements_;
+  std::vector<std::uint32_t> block_;  // per node
+  std::vector<Node> unknowns_;        // node of each block
+  std::vector<Frame> found_;          // frame of each block
+};
+
+Chordal::Chordal(const FrameGraph& frames, const Components& components, int d)
+    : frames_(frames), d_(d), block_(frames.nodes(), kConstant) {
+  for (const Measurement& m : frames.measurements()) {
+    if (frames.dimension(m.to) == d && !components.left_for_alignment(m)) measurements_.push_back(&m);
+  }
+  std::vector<bool> known(frames.nodes());
+  for (Node root : components.free_roots()) known[root] = true;
+  for (Node node = 0; node < frames.nodes(); ++node) {
+    if (!frames.used(node) || !frames.movable(node) || frames.dimension(node) != d || known[node]) continue;
+    block_[node] = static_cast<std::uint32_t>(unknowns_.size());
+    unknowns_.push_back(node);
+    found_.push_back(frames.frame(node));
+  }
+}
+
+Frame Chordal::frame(Node node) const {
+  if (node == FrameGraph::kWorld) return world_frame(d_);
+  return block_[node] == kConstant ? frames_.frame(node) : found_[block_[node]];
+}
+
+LinearStatus Chordal::solve() {
+  const LinearStatus status = solve_joint();
+  return status == LinearStatus::kOk ? solve_positions() : status;
+}
+
+SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) const {
+  SeparableLeastSquares system(std::move(dims), d_);
+  for (const Measurement* m : measurements_) system.join(block(m->from), block(m->to));
+  system.finish_structure();
+  return system;
+}
+
+LinearStatus Chordal::solve_joint() {
+  std::vector<std::uint32_t> dims;
+  for (Node node : unknowns_) dims.push_back(frames_.pose(node) ? static_cast<std::uint32_t>(d_) + 1 : 1);
+  SeparableLeastSquares system = make_system(std::move(dims));
+  for (const Measurement* m : measurements_) add_joint_term(*m, system);
+  const LinearStatus status = system.solve();
+  if (status != LinearStatus::kOk) return status;
+  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) {
+    if (!frames_.pose(unknowns_[k])) continue;
+    const SmallMatrix relaxed = system.block(k).topRows(d_).transpose();
+    if (const auto rotation = nearest_rotation(relaxed)) set_rotation(found_[k], *rotation);
+  }
+  return status;
+}
+
+/// ‖ A X_to − B X_from ‖²_W, where what is known of the two goes to the right-hand side.
+void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system) const {
+  const Frame motion = frames_.motion(m);
+  const int rows = m.has_rotation ? d_ + 1 : 1;
+  if (m.from != FrameGraph::kWorld && !frames_.pose(m.from)) return add_position_term(m, system);
+  SmallMatrix b = SmallMatrix::Zero(rows, d_ + 1);
+  if (m.has_rotation) b.topLeftCorner(d_, d_) = rotation_of(motion).transpose();
+  b.bottomLeftCorner(1, d_) = translation_of(motion).transpose();
+  b(rows - 1, d_) = 1;
+  const int to_dim = frames_.pose(m.to) ? d_ + 1 : 1;
+  const SmallMatrix a = SmallMatrix::Identity(to_dim, to_dim).bottomRows(rows);
+  SmallVector weight = SmallVector::Constant(rows, m.rotation_weight / 2);
+  weight[rows - 1] = m.translation_weight;
+  SmallMatrix c = SmallMatrix::Zero(rows, d_);
+  if (block(m.from) == kConstant) c += b * stacked(frame(m.from));
+  if (block(m.to) == kConstant) c -= a * stacked(frame(m.to));
+  system.add(block(m.to), a, block(m.from), b, c, weight);
+}
+
+/// Relaxed rotations shrink with their distance from the roots, and the positions with them: so positions and
+/// points are found again, t_j − t_i = R_i t_ij, for the projected rotations. The matrix is a part of the
+/// joint one.
+LinearStatus Chordal::solve_positions() {
+  SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
+  for (const Measurement* m : measurements_) add_position_term(*m, system);
+  const LinearStatus status = system.solve();
+  if (status != LinearStatus::kOk) return status;
+  for (std::uint32_t k = 0; k < unknowns_.size(); ++k)
+    set_translation(found_[k], system.block(k).transpose());
+  return status;
+}
+
+void Chordal::add_position_term(const Measurement& m, SeparableLeastSquares& system) const {
+  const Frame from = frame(m.from);
+  const SmallMatrix one = SmallMatrix::Identity(1, 1);
+  SmallMatrix c = (rotation_of(from) * translation_of(frames_.motion(m))).transpose();
+  if (block(m.from) == kConstant) c += translation_of(from).transpose();
+  if (block(m.to) == kConstant) c -= translation_of(frame(m.to)).transpose();
+  system.add(block(m.to), one, block(m.from), one, c, SmallVector::Constant(1, m.translation_weight));
+}
+
+void Chordal::move_vertices(FrameGraph& frames) const {
+  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) frames.set_frame(unknowns_[k], found_[k]);
+}
+
+}  // namespace
+
+GuessResult guess_chordal(Graph& graph, const Plan& plan) {
+  FrameGraph frames(graph, plan);
+  if (frames.measurements().empty()) return {false, kNothingMeasured};
+  const Components components(frames);
+  Chordal plane(frames, components, 2), space(frames, components, 3);
+  for (Chordal* part : {&plane, &space}) {
+    const LinearStatus status = part->solve();
+    if (status != LinearStatus::kOk)
+      return {false, status == LinearStatus::kNotFinite ? kNotFinite : kSingular};
+  }
+  plane.move_vertices(frames);
+  space.move_vertices(frames);
+  components.align(frames);
+  return {true, {}};
+}
+
+}  // namespace boxplus

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/initial_guess/frame_graph.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "optimize/initial_guess/frame_math.h"
+
+namespace boxplus::guess {
+namespace {
+
+/// Mean of the diagonal entries [first, first + count) of Ω.
+double mean_information(const InformationView& information, int first, int count) {
+  double sum = 0;
+  for (int i = first; i < first + count; ++i) sum += information(i, i);
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+FrameGraph::FrameGraph(Graph& graph, const Plan& plan) : graph_(&graph), first_{0} {
+  for (const auto& pool : graph.vertex_pools()) first_.push_back(first_.back() + pool->slots());
+  flags_.assign(nodes(), 0);
+  mark_movable(plan);
+  measurements_.reserve(plan.edge_count);
+  for (const EdgeList& list : plan.edges) {
+    for (std::uint32_t edge : list.edges) read_edge(list.pool, edge);
+  }
+  list_touching();
+}
+
+void FrameGraph::mark_movable(const Plan& plan) {
+  for (const VertexRef& vertex : plan.block_vertex) {
+    if (!graph_->vertex_pools()[vertex.pool]->parameter(vertex.slot)) {
+      flags_[node(vertex.pool, vertex.slot)] |= kMovable;
+    }
+  }
+}
+
+void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
+  const EdgePool& pool = *graph_->edge_pools()[pool_index];
+  RelativeFrame relative;
+  if (!pool.enabled(edge) || !pool.relative_frame(edge, relative) || !is_finite(relative.motion)) return;
+  const auto slots = pool.vertex_slots(edge);
+  const auto node_at = [&](int i) { return node(pool.vertex_pool(i), slots[static_cast<std::size_t>(i)]); };
+  const int arity = static_cast<int>(slots.size());
+  if (relative.to < 0 || relative.to >= arity || relative.from >= arity) return;
+  const bool absolute = relative.from < 0;
+  const Node to = node_at(relative.to), from = absolute ? kWorld : node_at(relative.from);
+  if (from == to || !look_at(to, relative.motion.dimension)) return;
+  const bool has_rotation = relative.motion.has_rotation && pose(to);
+  if (!absolute && !look_at(from, relative.motion.dimension)) return;
+  if (!absolute && !pose(from) && pose(to)) return;  // nothing that a point could tell of a pose
+  if (!movable(to) && (absolute || !movable(from))) return;
+
+  const InformationView information = pool.information(edge);
+  const double unit = relative.rotation_unit;
+  const double rotation_weight =
+      has_rotation
+          ? unit * unit * mean_information(information, relative.rotation_row, relative.rotation_rows)
+          : 0;
+  const double translation_weight =
+      mean_information(information, relative.translation_row, relative.translation_rows);
+  if (rotation_weight <= 0 && translation_weight <= 0) return;
+  flags_[to] |= kUsed;
+  if (!absolute) flags_[from] |= kUsed;
+  const bool from_point = !absolute && !pose(from);
+  measurements_.push_back({from, to, pool_index, edge, has_rotation, has_rotation || !pose(to),
+                           has_rotation || from_point, rotation_weight, translation_weight});
+}
+
+/// Notes what kind of vertex it is; false where it is neither pose nor point of that dimension.
+bool FrameGraph::look_at(Node node, int dimension) {
+  std::uint8_t& flags = flags_[node];
+  if ((flags & kSeen) == 0) {
+    flags |= kSeen;
+    const std::uint32_t pool = pool_of(node);
+    Frame frame;
+    if (graph_->vertex_pools()[pool]->get_frame(node - first_[pool], frame)) {
+      flags |= frame.has_rotation ? kPose : kPoint;
+      if (frame.dimension == 2) flags |= kPlanar;
+    }
+  }
+  return (flags & (kPose | kPoint)) != 0 && this->dimension(node) == dimension;
+}
+
+void FrameGraph::list_touching() {
+  const auto row = [&](Node node) { return node == kWorld ? nodes() : node; };
+  touching_start_.assign(nodes() + 2, 0);
+  for (const Measurement& m : measurements_) {
+    ++touching_start_[row(m.from) + 1];
+    ++touching_start_[row(m.to) + 1];
+  }
+  std::partial_sum(touching_start_.begin(), touching_start_.end(), touching_start_.begin());
+  touching_.resize(touching_start_.back());
+  std::vector<std::uint32_t> next(touching_start_.begin(), touching_start_.end() - 1);
+  for (std::uint32_t k = 0; k < measurements_.size(); ++k) {
+    touching_[next[row(measurements_[k].from)]++] = k;
+    touching_[next[row(measurements_[k].to)]++] = k;
+  }
+}
+
+std::span<const std::uint32_t> FrameGraph::touching(Node node) const {
+  const Node row = node == kWorld ? nodes() : node;
+  return std::span(touching_).subspan(touching_start_[row], touching_start_[row + 1] - touching_start_[row]);
+}
+
+Frame FrameGraph::motion(const Measurement& measurement) const {
+  RelativeFrame relative;
+  graph_->edge_pools()[measurement.pool]->relative_frame(measurement.edge, relative);
+  relative.motion.has_rotation = measurement.has_rotation;
+  return relative.motion;
+}
+
+std::uint32_t FrameGraph::pool_of(Node node) const {
+  const auto next = std::upper_bound(first_.begin(), first_.end(), node);
+  return static_cast<std::uint32_t>(next - first_.begin() - 1);
+}
+
+bool FrameGraph::parameter(Node node) const {
+  const std::uint32_t pool = pool_of(node);
+  return graph_->vertex_pools()[pool]->parameter(node - first_[pool]);
+}
+
+Id FrameGraph::id(Node node) const {
+  const std::uint32_t pool = pool_of(node);
+  return graph_->vertex_pools()[pool]->id(node - first_[pool]);
+}
+
+std::vector<Node> FrameGraph::movable_by_id() const {
+  std::vector<Node> result;
+  for (Node node = 0; node < nodes(); ++node) {
+    if (used(node) && movable(node)) result.push_back(node);
+  }
+  const auto rank = [&](Node node) { return std::pair(!pose(node), id(node)); };
+  std::sort(result.begin(), result.end(), [&](Node a, Node b) { return rank(a) < rank(b); });
+  return result;
+}
+
+Frame FrameGraph::frame(Node node) const {
+  const std::uint32_t pool = pool_of(node);
+  Frame frame;
+  graph_->vertex_pools()[pool]->get_frame(node - first_[pool], frame);
+  return frame;
+}
+
+void FrameGraph::set_frame(Node node, const Frame& frame) {
+  const std::uint32_t pool = pool_of(node);
+  graph_->vertex_pools()[pool]->set_frame(node - first_[pool], frame);
+}
+
+}  // namespace boxplus::guess

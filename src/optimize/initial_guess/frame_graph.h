@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The graph as initial guesses see it: poses and points, and what was measured between them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus::guess {
+
+/// Index of a vertex among the slots of all pools: flat arrays instead of maps.
+using Node = std::uint32_t;
+
+/// A relative measurement T_to ≈ T_from · motion; a point stands for a frame with the axes of the world. The
+/// motion itself is asked of the edge again when it is needed.
+struct Measurement {
+  Node from, to;              ///< `from` may be FrameGraph::kWorld
+  std::uint32_t pool, edge;   ///< where it comes from
+  bool has_rotation;          ///< false: only the position of `to` is measured
+  bool leads_forward;         ///< the frame of `to` follows from that of `from`
+  bool leads_backward;        ///< the frame of `from` follows from that of `to`
+  double rotation_weight;     ///< mean information per squared radian
+  double translation_weight;  ///< mean information per squared metre
+};
+
+class FrameGraph {
+ public:
+  static constexpr Node kWorld = 0xFFFFFFFFu;
+
+  FrameGraph(Graph& graph, const Plan& plan);
+
+  std::span<const Measurement> measurements() const { return measurements_; }
+  Frame motion(const Measurement& measurement) const;
+  /// Indices of the measurements that touch a node, or of those from the world.
+  std::span<const std::uint32_t> touching(Node node) const;
+
+  Node nodes() const { return first_.back(); }
+  /// Taking part: touched by a measurement.
+  bool used(Node node) const { return (flags_[node] & kUsed) != 0; }
+  bool movable(Node node) const { return (flags_[node] & kMovable) != 0; }
+  bool pose(Node node) const { return (flags_[node] & kPose) != 0; }
+  bool parameter(Node node) const;
+  int dimension(Node node) const { return (flags_[node] & kPlanar) != 0 ? 2 : 3; }
+  Id id(Node node) const;
+  /// The vertices that take part and may move, by id: poses before points.
+  std::vector<Node> movable_by_id() const;
+
+  Frame frame(Node node) const;
+  void set_frame(Node node, const Frame& frame);
+
+ private:
+  enum Flag : std::uint8_t { kSeen = 1, kUsed = 2, kMovable = 4, kPose = 8, kPoint = 16, kPlanar = 32 };
+
+  Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
+  void mark_movable(const Plan& plan);
+  void read_edge(std::uint32_t pool, std::uint32_t edge);
+  bool look_at(Node node, int dimension);
+  void list_touching();
+  std::uint32_t pool_of(Node node) const;
+
+  Graph* graph_;
+  std::vector<Node> first_;  // per vertex pool, and the total
+  std::vector<std::uint8_t> flags_;
+  std::vector<Measurement> measurements_;
+  std::vector<std::uint32_t> touching_start_, touching_;  // per node, then the world
+};
+
+}  // namespace boxplus::guess

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the initial guesses say about themselves.
+#pragma once
+
+#include <string_view>
+
+namespace boxplus::guess {
+
+inline constexpr std::string_view kNothingMeasured = "no enabled edge measures a relative pose or position";
+inline constexpr std::string_view kSingular =
+    "the measured poses and positions do not determine all vertices";
+inline constexpr std::string_view kNotFinite = "the linear problem of the chordal guess is not finite";
+
+}  // namespace boxplus::guess

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdlib>
+
+#include "boxplus/optimize/initial_guess.h"
+#include "optimize/initial_guess/notes.h"
+#include "optimize/initial_guess/propagate.h"
+
+namespace boxplus {
+namespace {
+
+using guess::FrameGraph;
+using guess::Measurement;
+using guess::Node;
+
+/// The position of every pose among all poses by id. Parameters, which have their own ids, get none.
+std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames) {
+  constexpr std::int64_t kFar = -2;
+  std::vector<Node> poses;
+  for (Node node = 0; node < frames.nodes(); ++node) {
+    if (frames.used(node) && frames.pose(node) && !frames.parameter(node)) poses.push_back(node);
+  }
+  std::sort(poses.begin(), poses.end(), [&](Node a, Node b) { return frames.id(a) < frames.id(b); });
+  std::vector<std::int64_t> rank(frames.nodes(), kFar);
+  for (std::size_t k = 0; k < poses.size(); ++k) rank[poses[k]] = static_cast<std::int64_t>(k);
+  return rank;
+}
+
+}  // namespace
+
+GuessResult guess_odometry(Graph& graph, const Plan& plan) {
+  FrameGraph frames(graph, plan);
+  if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
+  const std::vector<std::int64_t> rank = ranks_by_id(frames);
+  const double bridge = static_cast<double>(frames.nodes()) + 1;  // dearer than any chain
+  std::vector<double> cost;
+  cost.reserve(frames.measurements().size());
+  for (const Measurement& m : frames.measurements()) {
+    const bool link =
+        m.from != FrameGraph::kWorld && m.has_rotation && std::abs(rank[m.from] - rank[m.to]) == 1;
+    cost.push_back(link ? 1 : bridge);
+  }
+  guess::propagate(frames, cost);
+  return {true, {}};
+}
+
+}  // namespace boxplus

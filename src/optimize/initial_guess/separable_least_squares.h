@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sparse linear least squares with several right-hand sides.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "boxplus/linear/linear_solver.h"
+#include "optimize/initial_guess/frame_math.h"
+
+namespace boxplus::guess {
+
+/// Minimises Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns numbers.
+///
+/// Called as: join() every pair of blocks that share a term, then add() the terms, then solve().
+class SeparableLeastSquares {
+ public:
+  static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< stands for a block that is no unknown
+
+  SeparableLeastSquares(std::vector<std::uint32_t> dims, int columns)
+      : dims_(std::move(dims)), columns_(columns) {}
+
+  void join(std::uint32_t i, std::uint32_t j);
+  void finish_structure();
+  /// One term; the A (B) of a constant block is not used. `weight`: the diagonal of W.
+  void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
+           const SmallVector& weight);
+  LinearStatus solve();
+  /// X_i, after solve().
+  SmallMatrix block(std::uint32_t i) const;
+
+ private:
+  using Strided = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  void add_square(std::uint32_t i, const SmallMatrix& a, const SmallMatrix& c, const SmallVector& weight);
+  Strided rows_of(std::uint32_t i);
+
+  std::vector<std::uint32_t> dims_;
+  int columns_;
+  std::vector<BlockCoordinate> pairs_;
+  BlockStructure structure_;
+  std::vector<double> values_;
+  std::vector<double> x_;  // right-hand sides, then solutions; one column after the other
+};
+
+}  // namespace boxplus::guess

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "boxplus/optimize/initial_guess.h"
+#include "optimize/initial_guess/frame_math.h"
+#include "optimize/initial_guess/notes.h"
+#include "optimize/initial_guess/propagate.h"
+
+namespace boxplus {
+namespace {
+
+using guess::FrameGraph;
+using guess::Measurement;
+
+double mean_squared_length(const FrameGraph& frames) {
+  double sum = 0;
+  for (const Measurement& m : frames.measurements()) {
+    sum += guess::translation_of(frames.motion(m)).squaredNorm();
+  }
+  return sum / static_cast<double>(frames.measurements().size());
+}
+
+/// Variance of a weight; a weightless quantity is very uncertain, but not infinitely so.
+double variance(double weight) {
+  constexpr double kLeastWeight = 1e-12;
+  return 1 / std::max(weight, kLeastWeight);
+}
+
+}  // namespace
+
+GuessResult guess_spanning_tree(Graph& graph, const Plan& plan) {
+  FrameGraph frames(graph, plan);
+  if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
+  const double lever = mean_squared_length(frames);
+  std::vector<double> cost;
+  cost.reserve(frames.measurements().size());
+  for (const Measurement& m : frames.measurements()) {
+    cost.push_back(variance(m.translation_weight) +
+                   (m.has_rotation ? lever * variance(m.rotation_weight) : 0));
+  }
+  guess::propagate(frames, cost);
+  return {true, {}};
+}
+
+}  // namespace boxplus

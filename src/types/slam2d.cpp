@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/types/slam2d.h"
+
+namespace boxplus {
+
+template class TypedVertexPool<SE2>;
+template class TypedVertexPool<Vector2>;
+template class TypedVertexPool<DifferentialDrive>;
+template class TypedEdgePool<Between<SE2>, SE2, SE2>;
+template class TypedEdgePool<Between<Vector2>, Vector2, Vector2>;
+template class TypedEdgePool<Prior<SE2>, SE2>;
+template class TypedEdgePool<Prior<Vector2>, Vector2>;
+template class TypedEdgePool<PositionPrior<Vector2>, SE2>;
+template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2>;
+template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2, SE2>;
+template class TypedEdgePool<PointObservation2, SE2, Vector2>;
+template class TypedEdgePool<OffsetPointObservation2, SE2, Vector2, SE2>;
+template class TypedEdgePool<TwoPointsObservation2, SE2, Vector2, Vector2>;
+template class TypedEdgePool<PointsObservation2, SE2, Tail<Vector2>>;
+template class TypedEdgePool<BearingObservation2, SE2, Vector2>;
+template class TypedEdgePool<Range, SE2, Vector2>;
+template class TypedEdgePool<WheelOdometry, SE2, SE2, DifferentialDrive>;
+
+}  // namespace boxplus

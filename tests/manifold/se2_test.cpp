@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/manifold/se2.h"
+
+#include <gtest/gtest.h>
+
+#include "boxplus/manifold/so2.h"
+#include "boxplus/testing/check_manifold.h"
+#include "manifold/samples.h"
+
+namespace boxplus {
+namespace {
+
+SE2 random_pose(Samples& s) {
+  return {s.uniform(-10, 10), s.uniform(-10, 10), s.uniform(-kPi, kPi)};
+}
+
+TEST(SE2, ObeysTheLaws) {
+  Samples s;
+  auto poses = Samples::many(10, [&] { return random_pose(s); });
+  poses.push_back(SE2(1, 2, kPi));
+  const ManifoldCheck check = check_manifold(poses);
+  EXPECT_TRUE(check) << check.message;
+}
+
+TEST(SO2, ObeysTheLaws) {
+  Samples s;
+  auto rotations = Samples::many(10, [&] { return SO2(s.uniform(-kPi, kPi)); });
+  rotations.push_back(SO2(kPi));
+  const ManifoldCheck check = check_manifold(rotations);
+  EXPECT_TRUE(check) << check.message;
+}
+
+TEST(SE2, KeepsAHeadingInRangeBitForBit) {
+  EXPECT_EQ(SE2(0, 0, kPi).theta(), kPi);
+  EXPECT_EQ(SE2(0, 0, -3.1).theta(), -3.1);
+  EXPECT_EQ(SE2(0, 0, -kPi).theta(), kPi);
+  EXPECT_NEAR(SE2(0, 0, 4).theta(), 4 - 2 * kPi, 1e-15);
+}
+
+TEST(SE2, MovesInItsOwnFrame) {
+  const double delta[] = {1, 0, 0.1};
+  const SE2 moved = Manifold<SE2>::oplus(SE2(2, 3, kPi / 2), delta);
+  EXPECT_NEAR(moved.x(), 2, 1e-15);
+  EXPECT_NEAR(moved.y(), 4, 1e-15);
+  EXPECT_DOUBLE_EQ(moved.theta(), kPi / 2 + 0.1);
+}
+
+TEST(SE2, StaysBitForBitUnderAZeroStep) {
+  Samples s;
+  const double zero[3] = {0, 0, 0};
+  for (int i = 0; i < 100; ++i) {
+    const SE2 x = random_pose(s);
+    EXPECT_EQ(Manifold<SE2>::oplus(x, zero).vector(), x.vector());
+  }
+}
+
+TEST(SE2, ComposesLikeItsMatrices) {
+  Samples s;
+  const SE2 a = random_pose(s), b = random_pose(s);
+  const Vector<double, 2> p(0.3, -2);
+  EXPECT_LT(((a * b) * p - a * (b * p)).norm(), 1e-14);
+  EXPECT_LT((a * p - (a.rotation() * p + a.translation())).norm(), 1e-14);
+  EXPECT_LT((a.inverse() * (a * p) - p).norm(), 1e-14);
+  EXPECT_LT((a.inverse_times(p) - a.inverse() * p).norm(), 1e-14);
+  EXPECT_LT((a.inverse_times(b).vector() - (a.inverse() * b).vector()).norm(), 1e-14);
+  EXPECT_EQ(SE2::from_vector(a.vector()).vector(), a.vector());
+}
+
+TEST(SE2, HasExactJacobiansThroughBoxplus) {
+  Samples s;
+  const SE2 measurement = random_pose(s), a = random_pose(s), b = random_pose(s);
+  const auto error = [&](const auto& x) {
+    return (measurement.inverse() * (a.inverse() * (x * b))).vector();
+  };
+  Matrix<double, 3, 3> numeric;
+  numeric_jacobian(error, a, numeric);
+  EXPECT_LT((dual_jacobian<3>(error, a) - numeric).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SO2, RotatesPoints) {
+  const SO2 quarter(kPi / 2);
+  EXPECT_LT((quarter * Vector<double, 2>(1, 0) - Vector<double, 2>(0, 1)).norm(), 1e-15);
+  EXPECT_EQ((quarter * quarter).angle(), kPi);
+  EXPECT_EQ((quarter.inverse() * quarter).angle(), 0);
+  EXPECT_LT((quarter.rotation() * Vector<double, 2>(1, 0) - Vector<double, 2>(0, 1)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace boxplus

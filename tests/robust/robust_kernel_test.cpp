@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "boxplus/robust/huber.h"
+#include "boxplus/robust/make_robust_kernel.h"
+#include "boxplus/robust/redescending.h"
+#include "boxplus/testing/check_kernel.h"
+
+namespace boxplus {
+namespace {
+
+TEST(RobustKernels, ObeyTheContractAtEveryWidth) {
+  for (const std::string_view listed : robust_kernel_names()) {
+    const std::string name = listed == "Barron:ALPHA" ? "Barron:-1.5" : std::string(listed);
+    for (const double delta : {0.01, 1.0, 2.5, 300.0}) {
+      KernelCheckOptions options;
+      options.monotone = name != "DCS";
+      const KernelCheck check = check_kernel(*make_robust_kernel(name, delta), options);
+      EXPECT_TRUE(check) << check.message << ", delta " << delta;
+    }
+  }
+}
+
+TEST(RobustKernels, StayFiniteForHugeErrors) {
+  for (const std::string_view listed : robust_kernel_names()) {
+    const std::string name = listed == "Barron:ALPHA" ? "Barron:-1.5" : std::string(listed);
+    for (const double e2 : {1e-300, 1e100, 1e300}) {
+      const Rho rho = (*make_robust_kernel(name, 1.0))(e2);
+      EXPECT_TRUE(std::isfinite(rho.value) && std::isfinite(rho.first) && std::isfinite(rho.second))
+          << name << " at " << e2;
+    }
+  }
+}
+
+void expect_rho(const RobustKernel& kernel, double e2, double value, double first) {
+  SCOPED_TRACE(testing::Message() << kernel.name() << " at " << e2);
+  EXPECT_NEAR(kernel(e2).value, value, 1e-14 * std::abs(value));
+  EXPECT_NEAR(kernel(e2).first, first, 1e-14);
+}
+
+TEST(RobustKernels, HaveTheValuesOfTheirFormulas) {
+  const double d = 2, near = 1, far = 9;  // squared errors
+  expect_rho(Huber(d), near, 1, 1);
+  expect_rho(Huber(d), far, 2 * d * 3 - d * d, d / 3);
+  expect_rho(PseudoHuber(d), far, 8 * (std::sqrt(1 + 9.0 / 4) - 1), 1 / std::sqrt(1 + 9.0 / 4));
+  expect_rho(Cauchy(d), far, 4 * std::log(1 + 9.0 / 4), 1 / (1 + 9.0 / 4));
+  expect_rho(GemanMcClure(d), far, 2 * 9.0 / 11, 4.0 / 121);
+  expect_rho(Welsch(d), far, 4 * (1 - std::exp(-9.0 / 4)), std::exp(-9.0 / 4));
+  expect_rho(Fair(d), far, 8 * (1.5 - std::log(2.5)), 1 / 2.5);
+  expect_rho(Tukey(d), near, 4.0 / 3 * (1 - 27.0 / 64), 9.0 / 16);
+  expect_rho(Tukey(d), far, 4.0 / 3, 0);
+  expect_rho(Saturated(d), near, 1, 1);
+  expect_rho(Saturated(d), far, 4, 0);
+  expect_rho(DCS(d), near, 1, 1);
+  expect_rho(DCS(d), far, 9 * 16.0 / 121, 16.0 * (2 - 9) / 1331);
+}
+
+TEST(RobustKernels, DynamicCovarianceScalingFallsBeyondItsWidth) {
+  EXPECT_LT(DCS(1)(4).first, 0);
+}
+
+TEST(RobustKernels, FairKeepsItsSecondDerivativeFiniteAtZero) {
+  EXPECT_TRUE(std::isfinite(Fair(1)(0).second));
+  EXPECT_EQ(Fair(1)(0).second, Fair(1)(1e-13).second);
+}
+
+TEST(RobustKernels, LoseNoDigitsForTinyErrors) {
+  const double e2 = 1e-20;
+  for (const char* name :
+       {"PseudoHuber", "Cauchy", "GemanMcClure", "Welsch", "Tukey", "Fair", "Barron:0.5"}) {
+    EXPECT_NEAR((*make_robust_kernel(name, 1.0))(e2).value / e2, 1, 1e-9) << name;
+  }
+}
+
+TEST(RobustKernels, AreCopiedByClone) {
+  const std::unique_ptr<RobustKernel> copy = Huber(3).clone();
+  EXPECT_EQ(copy->name(), "Huber");
+  EXPECT_EQ(copy->delta(), 3);
+  EXPECT_EQ((*copy)(100).first, 0.3);
+}
+
+/// A user's kernel with a wrong derivative.
+class Broken final : public RobustKernel {
+ public:
+  Rho operator()(double e2) const override { return {std::log1p(e2), 1 / (1 + e2), 1 / (1 + e2)}; }
+  std::string_view name() const override { return "Broken"; }
+  double delta() const override { return 1; }
+  std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<Broken>(*this); }
+};
+
+TEST(CheckKernel, NamesTheViolatedLaw) {
+  const KernelCheck check = check_kernel(Broken());
+  EXPECT_FALSE(check);
+  EXPECT_NE(check.message.find("Broken: ρ″ is the derivative of ρ′"), std::string::npos) << check.message;
+}
+
+TEST(CheckKernel, ReportsAFallingKernel) {
+  const KernelCheck check = check_kernel(DCS(1));
+  EXPECT_FALSE(check);
+  EXPECT_NE(check.message.find("ρ′ ≥ 0"), std::string::npos) << check.message;
+}
+
+}  // namespace
+}  // namespace boxplus
