@@ -127,7 +127,7 @@ double Linearizer::chi2() {
   return pairwise_sum(edge_chi2_);
 }
 
-/// Each worker evaluates an equal share of the active edges.
+/// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide it.
 void Linearizer::evaluate_share(int worker, int workers) {
   const auto bound = [&](int w) {
     return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /
@@ -146,7 +146,7 @@ void Linearizer::evaluate_share(int worker, int workers) {
     for (std::size_t k = 0; k < edges.size(); ++k) {
       if (!pool.enabled(edges[k])) {
         out[k] = 0;
-      } else if (const RobustKernel* kernel = pool.kernel(edges[k])) {
+      } else if (const RobustKernel* kernel = pool.kernel(edges[k]); kernel && std::isfinite(out[k])) {
         out[k] = (*kernel)(out[k]).value;
       }
     }

@@ -84,8 +84,10 @@ class EdgePool {
  protected:
   /// `vertex_pools`: the pool of each vertex; the last one is repeated where the arity is chosen at run time.
   EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
+  /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
+  std::uint32_t next_slot(std::size_t arity) const;
   /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it was, in
-  /// which case the derived pool grows too.
+  /// which case the derived pool grows too. Where it throws, nothing has changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
 
  private:
@@ -95,6 +97,8 @@ class EdgePool {
   }
   enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
 
+  std::size_t find_free(std::size_t arity) const;
+  void append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
   void remove(std::uint32_t edge);
   void set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel> kernel);
 

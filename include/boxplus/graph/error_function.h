@@ -33,6 +33,11 @@ template <class V>
 inline constexpr bool kIsTail = false;
 template <class T>
 inline constexpr bool kIsTail<Tail<T>> = true;
+/// No tail stands before another type.
+template <class... V>
+inline constexpr bool kTailsAreLast = true;
+template <class V, class W, class... Rest>
+inline constexpr bool kTailsAreLast<V, W, Rest...> = !kIsTail<V> && kTailsAreLast<W, Rest...>;
 
 namespace edge {
 
@@ -215,7 +220,7 @@ inline constexpr bool kAnalytic = [] {
 
 /// E is an error function of the vertex types V... (T, or Tail<T> in the last place).
 template <class E, class... V>
-concept EdgeType = std::copyable<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
+concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
 
 /// Wraps an error function whose Jacobians shall be numeric.
 template <class E>

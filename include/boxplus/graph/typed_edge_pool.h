@@ -3,12 +3,15 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/graph/edge_pool.h"
+#include "boxplus/graph/make_room.h"
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/typed_vertex_pool.h"
 
@@ -30,21 +33,44 @@ class TypedEdgePool final : public EdgePool {
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kHasTail), pools_(pools) {}
 
+  /// Where it throws, nothing has changed.
   std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots) {
     const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots);
-    const std::uint32_t slot = acquire_slot(vertex_slots, information, rows);
-    if (slot == edges_.size()) {
-      edges_.push_back(std::move(edge));
-      if constexpr (kRows == kDynamic) rows_.push_back(rows);
-    } else {
-      edges_[slot] = std::move(edge);
+    std::uint32_t slot = next_slot(vertex_slots.size());
+    if (slot < edges_.size()) {
+      replace(slot, std::move(edge));
+      slot = acquire_slot(vertex_slots, information, rows);
       if constexpr (kRows == kDynamic) rows_[slot] = rows;
+      return slot;
     }
+    if constexpr (kRows == kDynamic) make_room(rows_);
+    edges_.push_back(std::move(edge));
+    try {
+      slot = acquire_slot(vertex_slots, information, rows);
+    } catch (...) {
+      edges_.pop_back();
+      throw;
+    }
+    if constexpr (kRows == kDynamic) rows_.push_back(rows);
     return slot;
   }
 
+  /// Puts another error function into a slot. A lambda with captures cannot be assigned, only constructed anew.
+  void replace(std::uint32_t slot, E edge) {
+    if constexpr (std::is_move_assignable_v<E>) {
+      edges_[slot] = std::move(edge);
+    } else if constexpr (std::is_nothrow_move_constructible_v<E>) {
+      std::destroy_at(&edges_[slot]);
+      std::construct_at(&edges_[slot], std::move(edge));
+    } else {
+      std::vector<E> edges;
+      edges.reserve(edges_.capacity());
+      for (std::uint32_t k = 0; k < edges_.size(); ++k) edges.push_back(k == slot ? edge : edges_[k]);
+      edges_.swap(edges);
+    }
+  }
+
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
-  E& value(std::uint32_t edge) { return edges_[edge]; }
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
