@@ -20,8 +20,8 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   }
 }
 
-/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat to within rounding are left out. `a` holds n numbers of
-/// scratch after the n × n of A.
+/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat to within rounding are left out. `a` holds n
+/// numbers of scratch after the n × n of A.
 double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
   constexpr double kFlat = 1e-12;  // of the diagonal entry that the pivot began as
   const std::size_t n = g.size();
@@ -131,7 +131,8 @@ double Linearizer::chi2() {
   return pairwise_sum(edge_chi2_);
 }
 
-/// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide it.
+/// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide
+/// it.
 void Linearizer::evaluate_share(int worker, int workers) {
   const auto bound = [&](int w) {
     return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /
