@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/graph/edge_pool.h"
 
-#include "boxplus/base/error.h"
-#include "boxplus/graph/error_function.h"
-#include "boxplus/graph/make_room.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
+
+#include "boxplus/base/error.h"
+#include "boxplus/graph/error_function.h"
+#include "boxplus/graph/make_room.h"
 
 namespace boxplus {
 
@@ -51,8 +51,8 @@ void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
   }
 }
 
-/// Where in free_ an edge of this arity lies, or its size. Of the slots of other arities that may lie on top only a few
-/// are looked at.
+/// Where in free_ an edge of this arity lies, or its size. Of the slots of other arities that may lie on top
+/// only a few are looked at.
 std::size_t EdgePool::find_free(std::size_t arity) const {
   constexpr std::size_t kLook = 16;
   for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {
@@ -84,7 +84,8 @@ std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots
   return edge;
 }
 
-void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows) {
+void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
+                           int rows) {
   make_room(vertex_slots_, vertex_slots.size());
   make_room(flags_);
   make_room(generations_);

@@ -150,7 +150,8 @@ std::string Information::complaint(int rows) const {
   const Eigen::MatrixXd full = InformationView{kind_, rows_, values_.data()}.matrix();
   const double least = full.diagonal().minCoeff();
   if (least < 0) {
-    return "information: expected a positive semi-definite matrix, got the diagonal entry " + std::to_string(least);
+    return "information: expected a positive semi-definite matrix, got the diagonal entry " +
+           std::to_string(least);
   }
   // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell indefinite ones.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
@@ -196,7 +197,8 @@ void InformationStore::set(std::uint32_t edge, const Information& information, i
 }
 
 std::uint64_t InformationStore::entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset) {
-  return (static_cast<std::uint64_t>(kind) << 62) | (std::min(capacity, kCapacityMask) << kOffsetBits) | offset;
+  return (static_cast<std::uint64_t>(kind) << 62) | (std::min(capacity, kCapacityMask) << kOffsetBits) |
+         offset;
 }
 
 }  // namespace boxplus

@@ -94,8 +94,18 @@ TEST(Edge, ResultsMayBeScalarsArraysAndVectors) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
   EXPECT_THAT(graph.error(graph.add_edge([](double x) { return x; }, a)), ElementsAre(3));
-  EXPECT_THAT(graph.error(graph.add_edge([](double x) { return std::array{x, 2 * x}; }, a)), ElementsAre(3, 6));
-  EXPECT_THAT(graph.error(graph.add_edge([](double x) { return std::vector{x, x, x}; }, a)), ElementsAre(3, 3, 3));
+  EXPECT_THAT(graph.error(graph.add_edge(
+                  [](double x) {
+                    return std::array{x, 2 * x};
+                  },
+                  a)),
+              ElementsAre(3, 6));
+  EXPECT_THAT(graph.error(graph.add_edge(
+                  [](double x) {
+                    return std::vector{x, x, x};
+                  },
+                  a)),
+              ElementsAre(3, 3, 3));
   EXPECT_THAT(graph.error(graph.add_edge([](double x) { return Eigen::VectorXd::Constant(2, x).eval(); }, a)),
               ElementsAre(3, 3));
 }
@@ -163,7 +173,8 @@ TEST(Edge, VerticesMayHaveRunTimeSize) {
 TEST(Edge, ThatChangesItsNumberOfRowsThrows) {
   Graph graph;
   const auto a = graph.add_vertex(2.0);
-  const auto edge = graph.add_edge([](double x) { return std::vector<double>(static_cast<std::size_t>(x), 1.0); }, a);
+  const auto edge =
+      graph.add_edge([](double x) { return std::vector<double>(static_cast<std::size_t>(x), 1.0); }, a);
   EXPECT_EQ(graph.chi2(edge), 2);
   graph.set_estimate(a, 3.0);
   EXPECT_THROW((void)graph.chi2(edge), InvalidArgument);

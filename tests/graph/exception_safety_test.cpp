@@ -65,7 +65,8 @@ TEST(ExceptionSafety, AVertexThatCannotBeCopiedIsNotAdded) {
     EXPECT_EQ(graph.estimate(graph.vertex<Fragile>(id)).x, static_cast<double>(id));
   }
   graph.remove(first);
-  fail_everywhere([&] { graph.add_vertex(Fragile(9), 9); }, [&] { EXPECT_EQ(graph.vertex_pools()[0]->alive_count(), 4u); });
+  fail_everywhere([&] { graph.add_vertex(Fragile(9), 9); },
+                  [&] { EXPECT_EQ(graph.vertex_pools()[0]->alive_count(), 4u); });
   EXPECT_EQ(graph.estimate(graph.vertex<Fragile>(9)).x, 9);
   EXPECT_EQ(graph.estimate(graph.vertex<Fragile>(3)).x, 3);
 }

@@ -192,7 +192,7 @@ TEST(Graph, AnEdgeHandleOfAnotherGraphWithAnotherTypeIsRefused) {
 TEST(Graph, ChiSquaredCountsEnabledEdgesAndTheirKernels) {
   Graph graph;
   const auto a = graph.add_vertex(4.0), b = graph.add_vertex(6.0);
-  graph.add_edge(kDifference, a, b);                // 4
+  graph.add_edge(kDifference, a, b);                  // 4
   const auto prior = graph.add_edge(kPrior, 2.0, a);  // 2·9
   EXPECT_EQ(graph.chi2(), 22);
   graph.set_kernel(prior, Huber(1));

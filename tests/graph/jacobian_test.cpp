@@ -72,7 +72,9 @@ TEST(Jacobian, OfAnSe2BetweenIsThatOfTheDocument) {
 TEST(Jacobian, OfAnSe3BetweenAtItsMeasurementIsTheIdentityInTheSecondPose) {
   const SE3 a = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
   const SE3 z = SE3::from_minimal((Vector<double, 6>() << 3, 2, 1, 0.4, 0.1, -0.3).finished());
-  const auto e = [z](const auto& x, const auto& y) { return z.inverse_times(x.inverse_times(y)).minimal().eval(); };
+  const auto e = [z](const auto& x, const auto& y) {
+    return z.inverse_times(x.inverse_times(y)).minimal().eval();
+  };
   const Eigen::MatrixXd J = jacobian<SE3, SE3>(e, 6, a, a * z);
   EXPECT_LE((J.rightCols<6>() - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-13);
   // d(Z⁻¹ (X ⊞ δ)⁻¹ Y) = −Ad in its translation part: −R(z)ᵀ.

@@ -86,8 +86,8 @@ class EdgePool {
   EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
   /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
   std::uint32_t next_slot(std::size_t arity) const;
-  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it was, in
-  /// which case the derived pool grows too. Where it throws, nothing has changed.
+  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it
+  /// was, in which case the derived pool grows too. Where it throws, nothing has changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
 
  private:

@@ -139,18 +139,20 @@ class Graph {
   template <class E, class... H>
     requires(sizeof...(H) > 0 && (edge::Attachable<H> && ...))
   EdgeHandle<E> add_edge(E error, const Information& information, const H&... vertices) {
-    static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last argument may be a range of handles");
-    static_assert(EdgeType<E, edge::VertexType<H>...>,
-                  "the error function cannot be called with the estimates of these vertices (in this order)");
-    std::vector<VertexRef> refs;
-    (gather(refs, vertices), ...);
-    check_distinct(refs);
-    auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
-    std::vector<std::uint32_t> slots;
-    for (const VertexRef& ref : refs) slots.push_back(ref.slot);
-    const std::uint32_t slot = pool.add(std::move(error), information, slots);
-    ++revision_;
-    return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
+      static_assert(kTailsAreLast<edge::VertexType<H>...>,
+                    "only the last argument may be a range of handles");
+      static_assert(
+          EdgeType<E, edge::VertexType<H>...>,
+          "the error function cannot be called with the estimates of these vertices (in this order)");
+      std::vector<VertexRef> refs;
+      (gather(refs, vertices), ...);
+      check_distinct(refs);
+      auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
+      std::vector<std::uint32_t> slots;
+      for (const VertexRef& ref : refs) slots.push_back(ref.slot);
+      const std::uint32_t slot = pool.add(std::move(error), information, slots);
+      ++revision_;
+      return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
   }
 
   /// The error function (measurement) of an edge.
@@ -292,7 +294,8 @@ class Graph {
     }
   }
 
-  /// How the error functions of an edge pool are reached by one who knows E, but not the types of the vertices.
+  /// How the error functions of an edge pool are reached by one who knows E, but not the types of the
+  /// vertices.
   struct EdgeAccess {
     const std::type_info* type;
     const void* (*value)(const EdgePool&, std::uint32_t slot);

@@ -73,7 +73,8 @@ class InformationStore {
   static constexpr std::uint64_t kCapacityMask = (std::uint64_t{1} << kCapacityBits) - 1;
   static std::uint64_t entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset);
 
-  // From the top: 2 bits for the kind, 22 for the numbers that fit at the offset, 40 for the offset into values_.
+  // From the top: 2 bits for the kind, 22 for the numbers that fit at the offset, 40 for the offset into
+  // values_.
   std::vector<std::uint64_t> entries_;
   std::vector<double> values_;
 };

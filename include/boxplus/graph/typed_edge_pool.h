@@ -55,7 +55,8 @@ class TypedEdgePool final : public EdgePool {
     return slot;
   }
 
-  /// Puts another error function into a slot. A lambda with captures cannot be assigned, only constructed anew.
+  /// Puts another error function into a slot. A lambda with captures cannot be assigned, only constructed
+  /// anew.
   void replace(std::uint32_t slot, E edge) {
     if constexpr (std::is_move_assignable_v<E>) {
       edges_[slot] = std::move(edge);

@@ -57,7 +57,8 @@ class TypedVertexPool final : public VertexPool {
     if (backups_.size() <= index) backups_.resize(index + 1);
     std::vector<T>& backup = backups_[index];
     if (backup.size() < values_.size()) {
-      backup.insert(backup.end(), values_.begin() + static_cast<std::ptrdiff_t>(backup.size()), values_.end());
+      backup.insert(backup.end(), values_.begin() + static_cast<std::ptrdiff_t>(backup.size()),
+                    values_.end());
     }
     for (std::uint32_t slot : slots) backup[slot] = values_[slot];
   }

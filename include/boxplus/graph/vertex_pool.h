@@ -53,8 +53,8 @@ class VertexPool {
  protected:
   /// The slot that acquire_slot() will return: that of a removed vertex, or slots().
   std::uint32_t next_slot() const { return free_.empty() ? slots() : free_.back(); }
-  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too. Where it throws,
-  /// nothing has changed.
+  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too. Where
+  /// it throws, nothing has changed.
   std::uint32_t acquire_slot(Id id);
 
  private:
