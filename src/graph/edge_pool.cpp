@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/graph/edge_pool.h"
 
-#include "boxplus/base/error.h"
-#include "boxplus/graph/error_function.h"
-
 #include <algorithm>
 #include <string>
 #include <utility>
+
+#include "boxplus/base/error.h"
+#include "boxplus/graph/error_function.h"
+#include "boxplus/graph/make_room.h"
 
 namespace boxplus {
 
@@ -50,20 +51,47 @@ void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
   }
 }
 
+/// Where in free_ an edge of this arity lies, or its size. Of the slots of other arities that may lie on top
+/// only a few are looked at.
+std::size_t EdgePool::find_free(std::size_t arity) const {
+  constexpr std::size_t kLook = 16;
+  for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {
+    const std::size_t at = free_.size() - k;
+    if (static_cast<std::size_t>(this->arity(free_[at])) == arity) return at;
+  }
+  return free_.size();
+}
+
+std::uint32_t EdgePool::next_slot(std::size_t arity) const {
+  const std::size_t at = find_free(arity);
+  return at < free_.size() ? free_[at] : slots();
+}
+
 std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
                                      int rows) {
-  const bool reuse = !free_.empty() && static_cast<std::size_t>(arity(free_.back())) == vertex_slots.size();
-  if (reuse) {
-    const std::uint32_t edge = free_.back();
-    information_.set(edge, information, rows);
-    free_.pop_back();
-    std::copy(vertex_slots.begin(), vertex_slots.end(),
-              vertex_slots_.begin() + static_cast<std::ptrdiff_t>(vertex_start(edge)));
-    flags_[edge] = kAlive | kEnabled;
-    if (!levels_.empty()) levels_[edge] = 0;
-    if (!kernels_.empty()) kernels_[edge].reset();
-    return edge;
+  const std::size_t at = find_free(vertex_slots.size());
+  if (at == free_.size()) {
+    append_slot(vertex_slots, information, rows);
+    return slots() - 1;
   }
+  const std::uint32_t edge = free_[at];
+  information_.set(edge, information, rows);
+  free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(at));
+  std::copy(vertex_slots.begin(), vertex_slots.end(),
+            vertex_slots_.begin() + static_cast<std::ptrdiff_t>(vertex_start(edge)));
+  flags_[edge] = kAlive | kEnabled;
+  if (!levels_.empty()) levels_[edge] = 0;
+  return edge;
+}
+
+void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
+                           int rows) {
+  make_room(vertex_slots_, vertex_slots.size());
+  make_room(flags_);
+  make_room(generations_);
+  if (uniform_arity_ < 0) make_room(vertex_start_);
+  if (!levels_.empty()) make_room(levels_);
+  if (!kernels_.empty()) make_room(kernels_);
   information_.append(information, rows);
   vertex_slots_.insert(vertex_slots_.end(), vertex_slots.begin(), vertex_slots.end());
   if (uniform_arity_ < 0) vertex_start_.push_back(static_cast<std::uint32_t>(vertex_slots_.size()));
@@ -71,13 +99,13 @@ std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots
   generations_.push_back(first_generation_);
   if (!levels_.empty()) levels_.push_back(0);
   if (!kernels_.empty()) kernels_.emplace_back();
-  return slots() - 1;
 }
 
 void EdgePool::remove(std::uint32_t edge) {
+  free_.push_back(edge);
   flags_[edge] = 0;
   ++generations_[edge];
-  free_.push_back(edge);
+  if (!kernels_.empty()) kernels_[edge].reset();
 }
 
 void EdgePool::set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel> kernel) {

@@ -2,13 +2,35 @@
 #include "boxplus/graph/graph.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace boxplus {
 
 Graph::Graph() = default;
 Graph::~Graph() = default;
-Graph::Graph(Graph&&) noexcept = default;
-Graph& Graph::operator=(Graph&&) noexcept = default;
+
+// The cache may point at the graph that it was made for: it does not move.
+Graph::Graph(Graph&& other) noexcept : Graph() {
+  *this = std::move(other);
+}
+
+Graph& Graph::operator=(Graph&& other) noexcept {
+  cache_.reset();
+  other.cache_.reset();
+  vertex_pools_ = std::move(other.vertex_pools_);
+  edge_pools_ = std::move(other.edge_pools_);
+  edge_access_ = std::move(other.edge_access_);
+  vertex_pool_of_ = std::move(other.vertex_pool_of_);
+  edge_pool_of_ = std::move(other.edge_pool_of_);
+  vertex_ids_ = std::move(other.vertex_ids_);
+  parameter_ids_ = std::move(other.parameter_ids_);
+  next_id_ = other.next_id_;
+  next_parameter_id_ = other.next_parameter_id_;
+  revision_ = other.revision_;
+  epoch_ = other.epoch_;
+  stack_ = std::move(other.stack_);
+  return *this;
+}
 
 Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what) {
   if (!id) {
@@ -29,6 +51,11 @@ VertexRef Graph::lookup(const IdMap& ids, Id id, const char* what) const {
 void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
   throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " + std::string(expected) +
                         ", it is a " + std::string(vertex_pools_[vertex.pool]->type_name()));
+}
+
+void Graph::throw_wrong_type(EdgeRef edge, std::string_view expected) const {
+  throw InvalidArgument("edge handle: expected an edge of the type " + std::string(expected) + ", it is a " +
+                        std::string(edge_pools_[edge.pool]->type_name()));
 }
 
 bool Graph::contains(VertexRef vertex) const {
@@ -227,15 +254,24 @@ double Graph::chi2() const {
       double e2 = 0;
       pool->chi2(std::span(&edge, 1), &e2);
       const RobustKernel* kernel = pool->kernel(edge);
-      sum += kernel ? (*kernel)(e2).value : e2;
+      sum += kernel && std::isfinite(e2) ? (*kernel)(e2).value : e2;  // no kernel hides what is not finite
     }
   }
   return sum;
 }
 
 void Graph::push() {
-  const std::vector<VertexRef> all = all_vertices();
-  push(all);
+  Saved saved;
+  for (const auto& pool : vertex_pools_) {
+    auto& slots = saved.slots.emplace_back();
+    auto& generations = saved.generations.emplace_back();
+    for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
+      if (!pool->alive(slot)) continue;
+      slots.push_back(slot);
+      generations.push_back(pool->generation(slot));
+    }
+  }
+  save(std::move(saved));
 }
 
 void Graph::push(std::span<const VertexRef> vertices) {
@@ -273,8 +309,16 @@ void Graph::pop() {
   if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, the stack is empty");
   const Saved saved = live(stack_.back());
   const int level = VertexPool::kFirstStackLevel + stack_size() - 1;
-  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->restore(saved.slots[p], level);
+  bool resized = false;
+  for (std::size_t p = 0; p < saved.slots.size(); ++p) {
+    VertexPool& pool = *vertex_pools_[p];
+    std::vector<int> dims;
+    for (std::uint32_t slot : saved.slots[p]) dims.push_back(pool.tangent_dim(slot));
+    pool.restore(saved.slots[p], level);
+    for (std::size_t k = 0; k < dims.size(); ++k) resized |= pool.tangent_dim(saved.slots[p][k]) != dims[k];
+  }
   stack_.pop_back();
+  if (resized) ++revision_;
 }
 
 void Graph::discard_top() {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "boxplus/base/error.h"
+#include "boxplus/graph/make_room.h"
 
 namespace boxplus {
 namespace {
@@ -85,7 +86,7 @@ Information Information::diagonal(std::span<const double> values) {
 }
 
 Information Information::upper_triangle(std::span<const double> values, int rows) {
-  if (values.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2) {
+  if (rows < 0 || values.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2) {
     throw InvalidArgument("information: expected the " + std::to_string(rows * (rows + 1) / 2) +
                           " numbers of an upper triangle of " + std::to_string(rows) + " rows, got " +
                           std::to_string(values.size()));
@@ -121,7 +122,7 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
   for (int i = 0; i < n; ++i) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      if (std::abs(matrix(i, j) - matrix(j, i)) > tolerance) {
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also where one of them is NaN
         throw InvalidArgument("information: expected a symmetric matrix, but (" + std::to_string(i) + "," +
                               std::to_string(j) + ") = " + std::to_string(matrix(i, j)) + " and (" + std::to_string(j) +
                               "," + std::to_string(i) + ") = " + std::to_string(matrix(j, i)));
@@ -133,6 +134,7 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
 }
 
 std::string Information::complaint(int rows) const {
+  if (values_.empty()) return "information: expected at least one row, got none";
   if (rows_ != 0 && rows_ != rows) {
     return "information: expected " + std::to_string(rows) + " rows like the error, got " + std::to_string(rows_);
   }
@@ -146,6 +148,11 @@ std::string Information::complaint(int rows) const {
     return {};
   }
   const Eigen::MatrixXd full = InformationView{kind_, rows_, values_.data()}.matrix();
+  const double least = full.diagonal().minCoeff();
+  if (least < 0) {
+    return "information: expected a positive semi-definite matrix, got the diagonal entry " +
+           std::to_string(least);
+  }
   // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell indefinite ones.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
   Eigen::MatrixXd l = full;
@@ -168,18 +175,30 @@ std::string Information::complaint(int rows) const {
 
 void InformationStore::append(const Information& information, int rows) {
   if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
-  entries_.push_back(store(information));
+  const std::span<const double> values = information.values();
+  make_room(entries_);
+  make_room(values_, values.size());
+  entries_.push_back(entry(information.kind(), values.size(), values_.size()));
+  values_.insert(values_.end(), values.begin(), values.end());
 }
 
 void InformationStore::set(std::uint32_t edge, const Information& information, int rows) {
   if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
-  entries_[edge] = store(information);
+  const std::span<const double> values = information.values();
+  std::uint64_t capacity = (entries_[edge] >> kOffsetBits) & kCapacityMask;
+  std::uint64_t offset = entries_[edge] & kOffsetMask;
+  if (values.size() > capacity) {
+    capacity = values.size();
+    offset = values_.size();
+    values_.resize(values_.size() + values.size());
+  }
+  std::copy(values.begin(), values.end(), values_.begin() + static_cast<std::ptrdiff_t>(offset));
+  entries_[edge] = entry(information.kind(), capacity, offset);
 }
 
-std::uint64_t InformationStore::store(const Information& information) {
-  const std::uint64_t offset = values_.size();
-  values_.insert(values_.end(), information.values().begin(), information.values().end());
-  return (static_cast<std::uint64_t>(information.kind()) << 62) | offset;
+std::uint64_t InformationStore::entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset) {
+  return (static_cast<std::uint64_t>(kind) << 62) | (std::min(capacity, kCapacityMask) << kOffsetBits) |
+         offset;
 }
 
 }  // namespace boxplus

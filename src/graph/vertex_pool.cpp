@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/graph/vertex_pool.h"
 
+#include "boxplus/graph/make_room.h"
+
 namespace boxplus {
 
 std::uint32_t VertexPool::acquire_slot(Id id) {
@@ -11,6 +13,9 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
     flags_[slot] = kAlive;
     return slot;
   }
+  make_room(ids_);
+  make_room(generations_);
+  make_room(flags_);
   ids_.push_back(id);
   generations_.push_back(first_generation_);
   flags_.push_back(kAlive);
@@ -18,9 +23,9 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
 }
 
 void VertexPool::release_slot(std::uint32_t slot) {
+  free_.push_back(slot);
   flags_[slot] = 0;
   ++generations_[slot];
-  free_.push_back(slot);
 }
 
 void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {

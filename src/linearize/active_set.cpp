@@ -107,7 +107,7 @@ class GaugeFinder {
   void find(const std::vector<VertexRef>& active_vertices, const PlanRequest& request, ActiveSet& out) {
     struct Candidate {
       VertexRef vertex;
-      std::tuple<int, bool, Id> rank;  // larger dimension first, then poses and points, then lower id
+      std::tuple<int, int, Id> rank;  // larger dimension first, then poses, then points, then lower id
       int dim = 0;
       bool known = false;
     };
@@ -119,7 +119,8 @@ class GaugeFinder {
       const std::uint32_t root = sets_.find(index(vertex.pool, vertex.slot));
       Frame frame;
       const int dim = pool.tangent_dim(vertex.slot);
-      const std::tuple rank{-dim, !pool.get_frame(vertex.slot, frame), pool.id(vertex.slot)};
+      const bool has_frame = pool.get_frame(vertex.slot, frame);
+      const std::tuple rank{-dim, has_frame ? (frame.has_rotation ? 0 : 1) : 2, pool.id(vertex.slot)};
       Candidate& best = candidates[root];
       if (!best.known) roots.push_back(root);
       if (!best.known || rank < best.rank) best = {vertex, rank, dim, true};

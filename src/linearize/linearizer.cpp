@@ -20,13 +20,17 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   }
 }
 
-/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat are left out.
+/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat to within rounding are left out. `a` holds n
+/// numbers of scratch after the n × n of A.
 double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
+  constexpr double kFlat = 1e-12;  // of the diagonal entry that the pivot began as
   const std::size_t n = g.size();
+  double* least = a.data() + n * n;
+  for (std::size_t k = 0; k < n; ++k) least[k] = kFlat * a[k + k * n];
   double decrease = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const double pivot = a[k + k * n];
-    if (!(pivot > 0)) continue;
+    if (!(pivot > least[k])) continue;
     decrease += g[k] * g[k] / pivot;
     for (std::size_t j = k + 1; j < n; ++j) {
       const double factor = a[j + k * n] / pivot;
@@ -127,7 +131,8 @@ double Linearizer::chi2() {
   return pairwise_sum(edge_chi2_);
 }
 
-/// Each worker evaluates an equal share of the active edges.
+/// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide
+/// it.
 void Linearizer::evaluate_share(int worker, int workers) {
   const auto bound = [&](int w) {
     return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /
@@ -146,7 +151,7 @@ void Linearizer::evaluate_share(int worker, int workers) {
     for (std::size_t k = 0; k < edges.size(); ++k) {
       if (!pool.enabled(edges[k])) {
         out[k] = 0;
-      } else if (const RobustKernel* kernel = pool.kernel(edges[k])) {
+      } else if (const RobustKernel* kernel = pool.kernel(edges[k]); kernel && std::isfinite(out[k])) {
         out[k] = (*kernel)(out[k]).value;
       }
     }
@@ -186,7 +191,7 @@ double Linearizer::held_vertex_decrease(std::size_t k) {
   const GaugeVertex& held = plan_->held[k];
   const int dim = graph_->tangent_dim(held.vertex);
   held_gradient_.assign(static_cast<std::size_t>(dim), 0.0);
-  held_hessian_.assign(static_cast<std::size_t>(dim * dim), 0.0);
+  held_hessian_.assign(static_cast<std::size_t>(dim * dim + dim), 0.0);
   TileMemory& memory = memory_.front();
   EdgeTile tile;
   tile.error = memory.error.data();

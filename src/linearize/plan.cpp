@@ -90,7 +90,7 @@ void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
     for (std::uint32_t edge : active.edges[p]) {
       const EdgeShape shape = pool.shape(edge);
       const int capacity = pool.uniform_shape() ? tile_capacity(shape) : 1;
-      plan.max_tile_values = std::max(plan.max_tile_values, capacity * shape.rows * shape.cols);
+      plan.max_tile_values = std::max(plan.max_tile_values, capacity * std::max(1, shape.rows) * shape.cols);
       plan.max_tile_rows = std::max(plan.max_tile_rows, capacity * shape.rows);
       if (pool.uniform_shape()) break;
     }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "boxplus/optimize/optimize.h"
+#include "boxplus/robust/huber.h"
+#include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 

@@ -107,17 +107,16 @@ TEST_P(EveryAlgorithm, NamesTheEdgeWhoseJacobianIsNotANumber) {
 TEST_P(EveryAlgorithm, LeavesTheEstimatesAloneWhenAnErrorFunctionThrows) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 10);
-  int calls = 0;
+  const SE2 before = graph.estimate(poses[5]);
   graph.add_edge(
-      [&calls](const SE2& p) {
-        if (++calls > 40) throw std::runtime_error("sensor gone");
+      [x = before.x()](const auto& p) {
+        if (p.x() != x) throw std::runtime_error("the sensor is gone");
         return p.x();
       },
-      poses[4]);
-  const SE2 before = graph.estimate(poses[5]);
+      poses[5]);
   options_.threads = 1;
   EXPECT_THROW(optimize(graph, options_), std::runtime_error);
-  EXPECT_LT((graph.estimate(poses[5]).vector() - before.vector()).norm(), 1.0);
+  EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
 }
 
 INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm,

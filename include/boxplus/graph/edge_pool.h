@@ -55,11 +55,6 @@ class EdgePool {
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
-  /// The error function of an edge, for callers that know its type (EdgeHandle<E>).
-  virtual const void* measurement(std::uint32_t edge) const = 0;
-  /// Moves *error, of that type, into the edge.
-  virtual void set_measurement(std::uint32_t edge, void* error) = 0;
-
   std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
   bool alive(std::uint32_t edge) const { return (flags_[edge] & kAlive) != 0; }
@@ -89,8 +84,10 @@ class EdgePool {
  protected:
   /// `vertex_pools`: the pool of each vertex; the last one is repeated where the arity is chosen at run time.
   EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
-  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it was, in
-  /// which case the derived pool grows too.
+  /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
+  std::uint32_t next_slot(std::size_t arity) const;
+  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it
+  /// was, in which case the derived pool grows too. Where it throws, nothing has changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
 
  private:
@@ -100,6 +97,8 @@ class EdgePool {
   }
   enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
 
+  std::size_t find_free(std::size_t arity) const;
+  void append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
   void remove(std::uint32_t edge);
   void set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel> kernel);
 

@@ -33,6 +33,11 @@ template <class V>
 inline constexpr bool kIsTail = false;
 template <class T>
 inline constexpr bool kIsTail<Tail<T>> = true;
+/// No tail stands before another type.
+template <class... V>
+inline constexpr bool kTailsAreLast = true;
+template <class V, class W, class... Rest>
+inline constexpr bool kTailsAreLast<V, W, Rest...> = !kIsTail<V> && kTailsAreLast<W, Rest...>;
 
 namespace edge {
 

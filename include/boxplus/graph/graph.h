@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <typeindex>
+#include <typeinfo>
 #include <unordered_map>
 #include <vector>
 
@@ -86,23 +87,21 @@ class Graph {
   /// `vertex` as a handle of its type. Throws InvalidArgument where the estimate is no T.
   template <ManifoldType T>
   VertexHandle<T> typed(VertexRef vertex) const {
-    check(vertex);
-    if (vertex.pool != vertex_pool_index<T>()) throw_wrong_type(vertex, type_name<T>());
+    typed_pool<T>(vertex);
     return {vertex};
   }
 
   template <ManifoldType T>
   const T& estimate(VertexHandle<T> vertex) const {
-    check(vertex);
     return typed_pool<T>(vertex).value(vertex.slot);
   }
   /// Moves a vertex. A run-time-size estimate keeps its size.
   template <ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, T estimate) {
-    check(vertex);
     T& value = typed_pool<T>(vertex).value(vertex.slot);
-    if (boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate)) ++revision_;
+    const bool resized = boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate);
     value = std::move(estimate);
+    if (resized) ++revision_;
   }
 
   Id id(VertexRef vertex) const;
@@ -140,30 +139,31 @@ class Graph {
   template <class E, class... H>
     requires(sizeof...(H) > 0 && (edge::Attachable<H> && ...))
   EdgeHandle<E> add_edge(E error, const Information& information, const H&... vertices) {
-    static_assert(EdgeType<E, edge::VertexType<H>...>,
-                  "the error function cannot be called with the estimates of these vertices (in this order)");
-    std::vector<VertexRef> refs;
-    (gather(refs, vertices), ...);
-    check_distinct(refs);
-    auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
-    std::vector<std::uint32_t> slots;
-    for (const VertexRef& ref : refs) slots.push_back(ref.slot);
-    const std::uint32_t slot = pool.add(std::move(error), information, slots);
-    ++revision_;
-    return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
+      static_assert(kTailsAreLast<edge::VertexType<H>...>,
+                    "only the last argument may be a range of handles");
+      static_assert(
+          EdgeType<E, edge::VertexType<H>...>,
+          "the error function cannot be called with the estimates of these vertices (in this order)");
+      std::vector<VertexRef> refs;
+      (gather(refs, vertices), ...);
+      check_distinct(refs);
+      auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
+      std::vector<std::uint32_t> slots;
+      for (const VertexRef& ref : refs) slots.push_back(ref.slot);
+      const std::uint32_t slot = pool.add(std::move(error), information, slots);
+      ++revision_;
+      return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
   }
 
   /// The error function (measurement) of an edge.
   template <class E>
   const E& measurement(EdgeHandle<E> edge) const {
-    check(edge);
-    return *static_cast<const E*>(edge_pools_[edge.pool]->measurement(edge.slot));
+    return *static_cast<const E*>(edge_access<E>(edge).value(*edge_pools_[edge.pool], edge.slot));
   }
   /// Replaces the error function; its number of rows must stay.
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
-    check(edge);
-    edge_pools_[edge.pool]->set_measurement(edge.slot, &error);
+    edge_access<E>(edge).replace(*edge_pools_[edge.pool], edge.slot, &error);
   }
 
   bool contains(EdgeRef edge) const;
@@ -194,7 +194,7 @@ class Graph {
 
   /// ── State ───────────────────────────────────────────────────────────────────────────────────────────────────
 
-  /// Saves the estimates of all (the given) vertices on a stack; calls nest.
+  /// Saves the estimates of all (the given) vertices on a stack, those of parameters too; calls nest.
   void push();
   void push(std::span<const VertexRef> vertices);
   /// Restores (forgets) what the matching push() saved. Vertices removed since are skipped. Throws InvalidArgument
@@ -236,6 +236,7 @@ class Graph {
   static Id claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what);
   VertexRef lookup(const IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
+  [[noreturn]] void throw_wrong_type(EdgeRef edge, std::string_view expected) const;
   void check(VertexRef vertex) const;
   void check(EdgeRef edge) const;
   void check_distinct(std::span<const VertexRef> vertices) const;
@@ -243,13 +244,15 @@ class Graph {
   void save(Saved saved);
   Saved live(const Saved& saved) const;
 
+  /// Appends a handle, or a range of them, to the vertices of a new edge.
   template <class T>
-  static void gather(std::vector<VertexRef>& out, const VertexHandle<T>& vertex) {
+  void gather(std::vector<VertexRef>& out, const VertexHandle<T>& vertex) const {
+    typed_pool<T>(vertex);
     out.push_back(vertex);
   }
   template <std::ranges::range R>
-  static void gather(std::vector<VertexRef>& out, const R& vertices) {
-    for (const VertexRef& vertex : vertices) out.push_back(vertex);
+  void gather(std::vector<VertexRef>& out, const R& vertices) const {
+    for (const auto& vertex : vertices) gather(out, vertex);
   }
 
   template <class T>
@@ -259,7 +262,10 @@ class Graph {
   }
   template <class T>
   TypedVertexPool<T>& typed_pool(VertexRef vertex) const {
-    return static_cast<TypedVertexPool<T>&>(*vertex_pools_[vertex.pool]);
+    check(vertex);
+    VertexPool& pool = *vertex_pools_[vertex.pool];
+    if (typeid(pool) != typeid(TypedVertexPool<T>)) throw_wrong_type(vertex, type_name<T>());
+    return static_cast<TypedVertexPool<T>&>(pool);
   }
   /// The index of T's pool, which is made where it is missing.
   template <class T>
@@ -275,11 +281,43 @@ class Graph {
   VertexHandle<T> register_vertex(T estimate, Id id, IdMap& ids) {
     const std::uint32_t index = require_vertex_pool<T>();
     auto& pool = static_cast<TypedVertexPool<T>&>(*vertex_pools_[index]);
-    const std::uint32_t slot = pool.add(std::move(estimate), id);
-    const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
-    ids.emplace(id, handle);
-    ++revision_;
-    return handle;
+    const auto entry = ids.emplace(id, VertexRef{}).first;
+    try {
+      const std::uint32_t slot = pool.add(std::move(estimate), id);
+      const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
+      entry->second = handle;
+      ++revision_;
+      return handle;
+    } catch (...) {
+      ids.erase(entry);
+      throw;
+    }
+  }
+
+  /// How the error functions of an edge pool are reached by one who knows E, but not the types of the
+  /// vertices.
+  struct EdgeAccess {
+    const std::type_info* type;
+    const void* (*value)(const EdgePool&, std::uint32_t slot);
+    void (*replace)(EdgePool&, std::uint32_t slot, void* error);
+
+    template <class E, class Pool>
+    static EdgeAccess of() {
+      return {&typeid(E),
+              [](const EdgePool& pool, std::uint32_t slot) -> const void* {
+                return &static_cast<const Pool&>(pool).value(slot);
+              },
+              [](EdgePool& pool, std::uint32_t slot, void* error) {
+                static_cast<Pool&>(pool).replace(slot, std::move(*static_cast<E*>(error)));
+              }};
+    }
+  };
+  template <class E>
+  const EdgeAccess& edge_access(EdgeRef edge) const {
+    check(edge);
+    const EdgeAccess& access = edge_access_[edge.pool];
+    if (*access.type != typeid(E)) throw_wrong_type(edge, type_name<E>());
+    return access;
   }
 
   template <class E, class... V>
@@ -296,12 +334,14 @@ class Graph {
           vertex_pools_[vertex_pool_index<edge::ElementOf<V>>()].get())...};
       edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
       edge_pools_.back()->first_generation_ = epoch_;
+      edge_access_.push_back(EdgeAccess::of<E, Pool>());
     }
     return static_cast<Pool&>(*edge_pools_[entry->second]);
   }
 
   std::vector<std::unique_ptr<VertexPool>> vertex_pools_;
   std::vector<std::unique_ptr<EdgePool>> edge_pools_;
+  std::vector<EdgeAccess> edge_access_;  // per edge pool
   std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
   IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;

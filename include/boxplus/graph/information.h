@@ -68,10 +68,14 @@ class InformationStore {
   }
 
  private:
-  static constexpr std::uint64_t kOffsetMask = (std::uint64_t{1} << 62) - 1;
-  std::uint64_t store(const Information& information);
+  static constexpr int kCapacityBits = 22, kOffsetBits = 40;
+  static constexpr std::uint64_t kOffsetMask = (std::uint64_t{1} << kOffsetBits) - 1;
+  static constexpr std::uint64_t kCapacityMask = (std::uint64_t{1} << kCapacityBits) - 1;
+  static std::uint64_t entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset);
 
-  std::vector<std::uint64_t> entries_;  // kind in the top two bits, then the offset into values_
+  // From the top: 2 bits for the kind, 22 for the numbers that fit at the offset, 40 for the offset into
+  // values_.
+  std::vector<std::uint64_t> entries_;
   std::vector<double> values_;
 };
 

@@ -5,11 +5,13 @@
 #include <array>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/graph/edge_pool.h"
+#include "boxplus/graph/make_room.h"
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/typed_vertex_pool.h"
 
@@ -31,30 +33,45 @@ class TypedEdgePool final : public EdgePool {
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kHasTail), pools_(pools) {}
 
+  /// Where it throws, nothing has changed.
   std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots) {
     const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots);
-    const std::uint32_t slot = acquire_slot(vertex_slots, information, rows);
-    if (slot == edges_.size()) {
-      edges_.push_back(std::move(edge));
-      if constexpr (kRows == kDynamic) rows_.push_back(rows);
-    } else {
+    std::uint32_t slot = next_slot(vertex_slots.size());
+    if (slot < edges_.size()) {
       replace(slot, std::move(edge));
+      slot = acquire_slot(vertex_slots, information, rows);
       if constexpr (kRows == kDynamic) rows_[slot] = rows;
+      return slot;
     }
+    if constexpr (kRows == kDynamic) make_room(rows_);
+    edges_.push_back(std::move(edge));
+    try {
+      slot = acquire_slot(vertex_slots, information, rows);
+    } catch (...) {
+      edges_.pop_back();
+      throw;
+    }
+    if constexpr (kRows == kDynamic) rows_.push_back(rows);
     return slot;
   }
 
-  const E& value(std::uint32_t edge) const { return edges_[edge]; }
-  /// Closures with captures can be copied but not assigned.
+  /// Puts another error function into a slot. A lambda with captures cannot be assigned, only constructed
+  /// anew.
   void replace(std::uint32_t slot, E edge) {
     if constexpr (std::is_move_assignable_v<E>) {
       edges_[slot] = std::move(edge);
-    } else {
-      static_assert(std::is_nothrow_move_constructible_v<E>);
+    } else if constexpr (std::is_nothrow_move_constructible_v<E>) {
       std::destroy_at(&edges_[slot]);
       std::construct_at(&edges_[slot], std::move(edge));
+    } else {
+      std::vector<E> edges;
+      edges.reserve(edges_.capacity());
+      for (std::uint32_t k = 0; k < edges_.size(); ++k) edges.push_back(k == slot ? edge : edges_[k]);
+      edges_.swap(edges);
     }
   }
+
+  const E& value(std::uint32_t edge) const { return edges_[edge]; }
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
@@ -95,11 +112,6 @@ class TypedEdgePool final : public EdgePool {
       error += first.rows;
       jacobian += static_cast<std::ptrdiff_t>(first.rows) * first.cols;
     }
-  }
-
-  const void* measurement(std::uint32_t edge) const override { return &edges_[edge]; }
-  void set_measurement(std::uint32_t edge, void* error) override {
-    replace(edge, std::move(*static_cast<E*>(error)));
   }
 
   bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {

@@ -15,14 +15,19 @@ namespace boxplus {
 template <ManifoldType T>
 class TypedVertexPool final : public VertexPool {
  public:
+  /// Where it throws, nothing has changed.
   std::uint32_t add(T estimate, Id id) {
-    const std::uint32_t slot = acquire_slot(id);
-    if (slot == values_.size()) {
-      values_.push_back(std::move(estimate));
-    } else {
-      values_[slot] = std::move(estimate);
+    if (next_slot() < values_.size()) {
+      values_[next_slot()] = std::move(estimate);
+      return acquire_slot(id);
     }
-    return slot;
+    values_.push_back(std::move(estimate));
+    try {
+      return acquire_slot(id);
+    } catch (...) {
+      values_.pop_back();
+      throw;
+    }
   }
 
   const T& value(std::uint32_t slot) const { return values_[slot]; }
@@ -51,7 +56,10 @@ class TypedVertexPool final : public VertexPool {
     const auto index = static_cast<std::size_t>(level);
     if (backups_.size() <= index) backups_.resize(index + 1);
     std::vector<T>& backup = backups_[index];
-    if (backup.size() < values_.size()) backup = values_;
+    if (backup.size() < values_.size()) {
+      backup.insert(backup.end(), values_.begin() + static_cast<std::ptrdiff_t>(backup.size()),
+                    values_.end());
+    }
     for (std::uint32_t slot : slots) backup[slot] = values_[slot];
   }
 

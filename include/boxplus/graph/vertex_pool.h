@@ -51,7 +51,10 @@ class VertexPool {
   std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
 
  protected:
-  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too.
+  /// The slot that acquire_slot() will return: that of a removed vertex, or slots().
+  std::uint32_t next_slot() const { return free_.empty() ? slots() : free_.back(); }
+  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too. Where
+  /// it throws, nothing has changed.
   std::uint32_t acquire_slot(Id id);
 
  private:

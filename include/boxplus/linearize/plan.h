@@ -21,10 +21,10 @@ enum class GaugePolicy : std::uint8_t {
 
 struct PlanRequest {
   int level = 0;                        ///< edges of this level take part; negative: of all levels
-  std::span<const VertexRef> vertices;  ///< if not empty: only these move, and only edges that touch them take part
-  std::span<const EdgeRef> edges;       ///< if not empty: only these edges take part
+  std::span<const VertexRef> vertices = {};  ///< if not empty: only these move, and only edges that touch them take part
+  std::span<const EdgeRef> edges = {};       ///< if not empty: only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  std::span<const VertexRef> never_hold;  ///< vertices that were found not to be gauge freedoms
+  std::span<const VertexRef> never_hold = {};  ///< vertices that were found not to be gauge freedoms
   int threads = 1;                        ///< upper bound; small problems are given fewer
 };
 

@@ -73,7 +73,7 @@ struct Options {
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
   /// Called after every iteration; returning false stops.
-  std::function<bool(const IterationRecord&)> callback;
+  std::function<bool(const IterationRecord&)> callback = {};
 
   double initial_lambda = 0;  ///< Levenberg-Marquardt; 0: 1e-5 times the largest diagonal entry of what is damped
   double initial_radius = 0;  ///< dogleg; 0: unbounded, so that the first trial is the Gauss-Newton step
@@ -83,8 +83,8 @@ struct Options {
 
   int threads = 0;  ///< at most; 0: one per hardware thread. Results do not depend on it.
   int level = 0;    ///< edges of this level take part; negative: all
-  std::vector<VertexRef> vertices;  ///< not empty: only these move, and only edges that touch them take part
-  std::vector<EdgeRef> edges;       ///< not empty: only these take part
+  std::vector<VertexRef> vertices = {};  ///< not empty: only these move, and only edges that touch them take part
+  std::vector<EdgeRef> edges = {};       ///< not empty: only these take part
 };
 
 }  // namespace boxplus

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Growth in two steps, so that an element is added to several vectors or to none.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "boxplus/base/abi.h"
+
+namespace boxplus {
+
+/// After it, `extra` elements can be appended without allocation. Amortised O(extra).
+template <class T>
+void make_room(std::vector<T>& vector, std::size_t extra = 1) {
+  const std::size_t needed = vector.size() + extra;
+  if (needed > vector.capacity()) vector.reserve(std::max(needed, 2 * vector.capacity()));
+}
+
+}  // namespace boxplus

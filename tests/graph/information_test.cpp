@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/graph/information.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/manifold/rn.h"
+
+namespace boxplus {
+namespace {
+
+using testing::HasSubstr;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr auto kPosition = [](const auto& x) { return x.eval(); };
+
+Eigen::Matrix2d matrix2(double a, double b, double c, double d) {
+  return (Eigen::Matrix2d() << a, b, c, d).finished();
+}
+
+TEST(Information, IsStoredAsWhatItIs) {
+  EXPECT_EQ(Information(2.0).kind(), InformationKind::kScalar);
+  EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).kind(), InformationKind::kScalar);
+  EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).values().size(), 1u);
+  EXPECT_EQ(Information(matrix2(1, 0, 0, 2)).kind(), InformationKind::kDiagonal);
+  EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).kind(), InformationKind::kFull);
+  EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).values().size(), 3u);
+}
+
+TEST(Information, ViewsOfAllKindsAgreeWithTheDenseMatrix) {
+  const std::array triangle{4.0, 1.0, 0.5, 3.0, -1.0, 2.0};
+  const std::array diagonal{4.0, 3.0, 2.0};
+  const Eigen::Vector3d e(1, -2, 3);
+  for (const Information& information :
+       {Information(5.0), Information::diagonal(diagonal), Information::upper_triangle(triangle, 3)}) {
+    const InformationView view{information.kind(), 3, information.values().data()};
+    const Eigen::Matrix3d dense = view.matrix();
+    EXPECT_EQ(dense, dense.transpose());
+    EXPECT_NEAR(view.squared_norm(e.data()), e.dot(dense * e), 1e-13);
+    Eigen::Vector3d product;
+    view.apply(e.data(), 1, product.data());
+    EXPECT_LE((product - dense * e).norm(), 1e-13);
+  }
+  EXPECT_EQ(Information::upper_triangle(triangle, 3).values()[4], -1);
+}
+
+TEST(Information, OfTheWrongSizeIsRefused) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
+  EXPECT_THROW(graph.add_edge(kPosition, Eigen::Matrix3d::Identity(), a), InvalidArgument);
+  EXPECT_THROW(graph.add_edge(kPosition, Eigen::MatrixXd(2, 3), a), InvalidArgument);
+  EXPECT_THROW(Information::upper_triangle(std::array{1.0, 2.0}, 2), InvalidArgument);
+  EXPECT_EQ(graph.edge_count(), 0u);
+}
+
+TEST(Information, OfNoRowsIsRefused) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
+  EXPECT_THROW(graph.add_edge(kPosition, Information(Eigen::MatrixXd(0, 0)), a), InvalidArgument);
+  EXPECT_THROW(graph.add_edge(kPosition, Information::diagonal({}), a), InvalidArgument);
+  EXPECT_THROW(graph.add_edge(kPosition, Information::upper_triangle({}, 0), a), InvalidArgument);
+  EXPECT_THROW(Information::upper_triangle({}, -1), InvalidArgument);
+}
+
+TEST(Information, ThatIsNotSymmetricSemiDefiniteAndFiniteIsRefused) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
+  const auto edge = graph.add_edge(kPosition, 3.0, a);
+  const auto revision = graph.revision();
+  const auto refused = [&](const auto& omega) {
+    EXPECT_THROW(graph.add_edge(kPosition, omega, a), InvalidArgument);
+    EXPECT_THROW(graph.set_information(edge, omega), InvalidArgument);
+  };
+  refused(-1.0);
+  refused(kNan);
+  refused(std::numeric_limits<double>::infinity());
+  refused(matrix2(1, 0, 0, -2));
+  refused(matrix2(1, 2, 2, 1));
+  refused(matrix2(1e12, 1, 1, -1));
+  refused(matrix2(0, 1, 1, 0));
+  refused(matrix2(2, 1, 0, 2));
+  refused(matrix2(2, 1, kNan, 2));
+  refused(matrix2(2, kNan, kNan, 2));
+  EXPECT_EQ(graph.edge_count(), 1u);
+  EXPECT_EQ(graph.revision(), revision);
+  EXPECT_EQ(graph.information(edge)(1, 1), 3);
+  EXPECT_EQ(graph.add_edge(kPosition, a).slot, 1u);
+}
+
+TEST(Information, ThatIsIndefiniteIsRefusedWithItsEigenvalue) {
+  EXPECT_THAT(Information(matrix2(1, 2, 2, 1)).complaint(2), HasSubstr("eigenvalue -1.0"));
+}
+
+TEST(Information, ThatIsSingularIsAllowed) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
+  EXPECT_EQ(graph.chi2(graph.add_edge(kPosition, matrix2(1, -1, -1, 1), a)), 1);
+  EXPECT_EQ(graph.chi2(graph.add_edge(kPosition, matrix2(0, 0, 0, 1), a)), 4);
+  EXPECT_EQ(graph.chi2(graph.add_edge(kPosition, 0.0, a)), 0);
+}
+
+TEST(Information, MayChangeItsKind) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
+  const auto edge = graph.add_edge(kPosition, 1.0, a), other = graph.add_edge(kPosition, 7.0, a);
+  graph.set_information(edge, matrix2(2, 1, 1, 2));
+  EXPECT_EQ(graph.chi2(edge), 14);
+  graph.set_information(edge, matrix2(2, 0, 0, 3));
+  EXPECT_EQ(graph.chi2(edge), 14);
+  EXPECT_EQ(graph.information(edge).kind, InformationKind::kDiagonal);
+  graph.set_information(edge, 2.0);
+  EXPECT_EQ(graph.chi2(edge), 10);
+  EXPECT_EQ(graph.chi2(other), 35);
+}
+
+TEST(Information, OfTheSameSizeIsReplacedInPlace) {
+  Graph graph;
+  const auto edge = graph.add_edge(kPosition, matrix2(2, 1, 1, 2), graph.add_vertex(Eigen::Vector2d(1, 2)));
+  const double* values = graph.information(edge).values;
+  for (int i = 0; i < 100; ++i) graph.set_information(edge, matrix2(3, 1, 1, 2 + i));
+  EXPECT_EQ(graph.information(edge).values, values);
+  EXPECT_EQ(graph.information(edge)(1, 1), 101);
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact and numeric Jacobians against each other and against values derived by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "boxplus/graph/differentiate.h"
+#include "boxplus/manifold/rn.h"
+#include "boxplus/manifold/se2.h"
+#include "boxplus/manifold/se3.h"
+
+namespace boxplus {
+
+/// A constant that cannot move.
+struct Frozen {
+  double value;
+};
+
+template <>
+struct Manifold<Frozen> {
+  template <class S>
+  using Rebind = Frozen;
+  static constexpr int kDim = 0;
+  template <class D>
+  static Frozen oplus(const Frozen& x, const D*) {
+    return x;
+  }
+  static void ominus(const Frozen&, const Frozen&, double*) {}
+  template <class S>
+  static Frozen cast(const Frozen& x) {
+    return x;
+  }
+};
+
+namespace {
+
+/// The exact Jacobian of `e` at x, after a check that the numeric one and both errors agree with it.
+template <class... V, class E>
+Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
+  const int cols = (edge::argument_dim<V>(x) + ...);
+  Eigen::VectorXd error(rows), numeric_error(rows), value(rows);
+  Eigen::MatrixXd exact(rows, cols), numeric(rows, cols);
+  edge::automatic_jacobian<V...>(e, error.data(), exact.data(), rows, cols, x...);
+  edge::numeric_jacobian<V...>(e, numeric_error.data(), numeric.data(), rows, cols, x...);
+  edge::copy_rows(edge::evaluate(e, x...), rows, value.data());
+  EXPECT_LE((exact - numeric).norm(), 1e-8 * (1 + exact.norm()));
+  EXPECT_LE((error - value).norm(), 1e-14 * (1 + value.norm()));
+  EXPECT_EQ(numeric_error, value);
+  return exact;
+}
+
+TEST(Jacobian, OfAPolynomialIsThatOfTheTextbook) {
+  const auto e = [](const auto& x, const auto& y) { return x * x * y; };
+  EXPECT_EQ((jacobian<double, double>(e, 1, 3, 5)), Eigen::RowVector2d(30, 9));
+}
+
+TEST(Jacobian, OfAnSe2BetweenIsThatOfTheDocument) {
+  const auto e = [](const auto& a, const auto& b) { return a.inverse_times(b).vector(); };
+  const SE2 a(1, 2, 0.3), b(4, -1, -2.5);
+  const Eigen::MatrixXd J = jacobian<SE2, SE2>(e, 3, a, b);
+  const SE2 z = a.inverse_times(b);
+  Eigen::Matrix<double, 3, 6> expected = Eigen::Matrix<double, 3, 6>::Zero();
+  expected.block<3, 3>(0, 0) = -Eigen::Matrix3d::Identity();
+  expected(0, 2) = z.y();
+  expected(1, 2) = -z.x();
+  expected.block<2, 2>(0, 3) = z.rotation();
+  expected(2, 5) = 1;
+  EXPECT_LE((J - expected).norm(), 1e-14);
+}
+
+TEST(Jacobian, OfAnSe3BetweenAtItsMeasurementIsTheIdentityInTheSecondPose) {
+  const SE3 a = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
+  const SE3 z = SE3::from_minimal((Vector<double, 6>() << 3, 2, 1, 0.4, 0.1, -0.3).finished());
+  const auto e = [z](const auto& x, const auto& y) {
+    return z.inverse_times(x.inverse_times(y)).minimal().eval();
+  };
+  const Eigen::MatrixXd J = jacobian<SE3, SE3>(e, 6, a, a * z);
+  EXPECT_LE((J.rightCols<6>() - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-13);
+  // d(Z⁻¹ (X ⊞ δ)⁻¹ Y) = −Ad in its translation part: −R(z)ᵀ.
+  EXPECT_LE((J.block<3, 3>(0, 0) + z.rotation().transpose()).norm(), 1e-13);
+  const SE3 far = a * z * SE3::from_minimal((Vector<double, 6>() << 1, -1, 2, 0.5, 0.3, 0.2).finished());
+  jacobian<SE3, SE3>(e, 6, a, far);
+}
+
+TEST(Jacobian, OfAnSe3PointMeasurementIsThatOfTheTextbook) {
+  const auto e = [](const auto& x, const auto& p) { return x.inverse_times(p); };
+  const SE3 x = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
+  const Eigen::Vector3d p(4, 5, 7);
+  const Eigen::MatrixXd J = jacobian<SE3, Eigen::Vector3d>(e, 3, x, p);
+  EXPECT_LE((J.leftCols<3>() + Eigen::Matrix3d::Identity()).norm(), 1e-14);
+  const Eigen::Vector3d q = x.inverse_times(p);
+  Eigen::Matrix3d skew;
+  skew << 0, -q[2], q[1], q[2], 0, -q[0], -q[1], q[0], 0;
+  EXPECT_LE((J.middleCols<3>(3) - 2 * skew).norm(), 1e-13);  // quaternion vectors are half angles
+  EXPECT_LE((J.rightCols<3>() - x.rotation().transpose()).norm(), 1e-14);
+}
+
+constexpr auto kProducts = [](const auto& a, const auto& b, const auto& c, const auto& d, const auto& f) {
+  using S = std::remove_cvref_t<decltype(a[0])>;
+  Eigen::Matrix<S, 2, 1> e;
+  e << S(a[0] * b[5] + c[3] * d[1] * f[4]), S(a[2] - f[5] * f[5]);
+  return e;
+};
+
+TEST(Jacobian, OfThirtyColumnsComesInPasses) {
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  static_assert(edge::kDualSize<Vector6, Vector6, Vector6, Vector6, Vector6> == edge::kDualChunk);
+  Vector6 x;
+  x << 1, 2, 3, 4, 5, 6;
+  const Eigen::MatrixXd J =
+      jacobian<Vector6, Vector6, Vector6, Vector6, Vector6>(kProducts, 2, x, 2 * x, 3 * x, 5 * x, 7 * x);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(2, 30);
+  expected(0, 0) = 12;
+  expected(0, 6 + 5) = 1;
+  expected(0, 12 + 3) = 10 * 35;
+  expected(0, 18 + 1) = 12 * 35;
+  expected(0, 24 + 4) = 120;
+  expected(1, 2) = 1;
+  expected(1, 24 + 5) = -84;
+  EXPECT_EQ(J, expected);
+}
+
+TEST(Jacobian, OfATailHasTheColumnsOfItsElements) {
+  const auto e = [](const auto& scale, const auto& points) {
+    using S = std::remove_cvref_t<decltype(scale)>;
+    Eigen::Matrix<S, 3, 1> sum = Eigen::Matrix<S, 3, 1>::Zero();
+    double weight = 1;
+    for (const auto& p : points) sum += scale * (weight++) * p;
+    return sum;
+  };
+  const std::vector<Eigen::Vector3d> points(11, Eigen::Vector3d(1, 2, 3));
+  const Eigen::MatrixXd J = jacobian<double, Tail<Eigen::Vector3d>>(e, 3, 2, points);
+  ASSERT_EQ(J.cols(), 34);
+  EXPECT_EQ(J.col(0), 66 * points[0]);
+  for (int k = 0; k < 11; ++k) {
+    EXPECT_EQ((J.middleCols<3>(1 + 3 * k)), (2.0 * (k + 1) * Eigen::Matrix3d::Identity()));
+  }
+}
+
+TEST(Jacobian, OfAnEmptyTailIsThatOfTheOthers) {
+  const auto e = [](const auto& x, const auto& tail) { return x * x + static_cast<double>(tail.size()); };
+  EXPECT_EQ((jacobian<double, Tail<double>>(e, 1, 3, {}))(0, 0), 6);
+}
+
+TEST(Jacobian, OfRunTimeSizesIsThatOfTheNorm) {
+  const auto e = [](const auto& x, const auto& y) { return (x.squaredNorm() * y).eval(); };
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(13, 1, 13), y = Eigen::VectorXd::LinSpaced(2, 1, 2);
+  const Eigen::MatrixXd J = jacobian<Eigen::VectorXd, Eigen::VectorXd>(e, 2, x, y);
+  EXPECT_LE((J.leftCols(13) - 2 * y * x.transpose()).norm(), 1e-12);
+  EXPECT_LE((J.rightCols(2) - x.squaredNorm() * Eigen::Matrix2d::Identity()).norm(), 1e-12);
+}
+
+TEST(Jacobian, SkipsAVertexWithoutTangent) {
+  const auto e = [](const auto& x, const auto& frozen, const auto& y) { return x * frozen.value + y; };
+  EXPECT_EQ((jacobian<double, Frozen, double>(e, 1, 3, Frozen{5}, 7)), Eigen::RowVector2d(5, 1));
+  const auto constant = [](const auto& frozen) { return frozen.value; };
+  EXPECT_EQ((jacobian<Frozen>(constant, 1, Frozen{5})).cols(), 0);
+}
+
+TEST(Jacobian, NumericStaysAccurateForLargeAndSmallScales) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const auto e = [scale](const auto& x) {
+      using std::sin;
+      return scale * sin(x);
+    };
+    double error = 0, derivative = 0;
+    edge::numeric_jacobian<double>(e, &error, &derivative, 1, 1, 0.7);
+    EXPECT_NEAR(derivative, scale * std::cos(0.7), 1e-10 * scale);
+  }
+}
+
+}  // namespace
+}  // namespace boxplus

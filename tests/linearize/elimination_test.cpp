@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elimination through optimize(): the same optimum as without it, and the same bits for any number of
+// threads.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/robust/huber.h"
+#include "linearize/bundle.h"
+
+namespace boxplus {
+namespace {
+
+struct Way {
+  SchurMode schur;
+  LinearSolverKind solver;
+};
+constexpr Way kWays[] = {{SchurMode::kExplicit, LinearSolverKind::kBlockCholesky},
+                         {SchurMode::kExplicit, LinearSolverKind::kDense},
+                         {SchurMode::kExplicit, LinearSolverKind::kEigenSparse},
+                         {SchurMode::kExplicit, LinearSolverKind::kPcg},
+                         {SchurMode::kImplicit, LinearSolverKind::kPcg},
+                         {SchurMode::kAutomatic, LinearSolverKind::kAutomatic}};
+
+class Elimination : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16));
+
+TEST_P(Elimination, EndsAtTheSameChiSquaredAsWithout) {
+  Bundle plain = make_bundle(GetParam(), 200, false);
+  const Report expected = optimize(plain.graph, {.cost_tolerance = 1e-13});
+  EXPECT_EQ(expected.status, Status::kConverged) << expected.message;
+  EXPECT_LT(expected.chi2_final, 0.5 * expected.chi2_initial);
+  for (const Way& way : kWays) {
+    Bundle bundle = make_bundle(GetParam(), 200, true);
+    const Options options{.linear_solver = way.solver, .schur = way.schur, .cost_tolerance = 1e-13};
+    const Report report = optimize(bundle.graph, options);
+    EXPECT_EQ(report.status, Status::kConverged) << report.message;
+    EXPECT_EQ(report.eliminated, 200u);
+    EXPECT_NEAR(report.chi2_final, expected.chi2_final, 1e-9 * expected.chi2_final)
+        << to_string(way.solver) << " " << static_cast<int>(way.schur);
+  }
+}
+
+std::vector<double> all_estimates(const Bundle& bundle) {
+  std::vector<double> values;
+  for (const auto& camera : bundle.cameras) {
+    const double* data = bundle.graph.estimate(camera).data();
+    values.insert(values.end(), data, data + 7);
+  }
+  for (const auto& point : bundle.points) {
+    const Eigen::Vector3d& p = bundle.graph.estimate(point);
+    values.insert(values.end(), p.data(), p.data() + 3);
+  }
+  return values;
+}
+
+TEST(Elimination, GivesTheSameBitsForAnyNumberOfThreads) {
+  for (const Way& way : kWays) {
+    std::vector<double> reference;
+    for (const int threads : {1, 2, 3}) {
+      Bundle bundle = make_bundle(16, 200, true);
+      Options options{.linear_solver = way.solver, .schur = way.schur};
+      options.threads = threads;
+      options.max_iterations = 5;
+      const Report report = optimize(bundle.graph, options);
+      EXPECT_EQ(report.workers, threads);
+      const std::vector<double> values = all_estimates(bundle);
+      if (threads == 1) reference = values;
+      EXPECT_EQ(std::memcmp(values.data(), reference.data(), values.size() * sizeof(double)), 0)
+          << to_string(way.solver) << " with " << threads << " threads";
+    }
+  }
+}
+
+TEST(Elimination, OfEverythingIsTheFullSolve) {
+  Bundle bundle = make_bundle(3, 30, true);
+  for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
+  const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
+  EXPECT_EQ(report.status, Status::kConverged) << report.message;
+  EXPECT_EQ(report.eliminated, 30u);
+}
+
+TEST(Elimination, NamesThePointWithoutEnoughRays) {
+  Bundle bundle = make_bundle(3, 30, true);
+  const auto lonely = bundle.graph.add_vertex(Eigen::Vector3d(1, 0.5, 8), 777);
+  bundle.graph.set_eliminated(lonely, true);
+  bundle.graph.add_edge(Reprojection{10, 20}, bundle.cameras[1], lonely);
+  const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
+  EXPECT_EQ(report.reason, Reason::kNotPositiveDefinite);
+  EXPECT_THAT(report.message, testing::HasSubstr("777"));
+  EXPECT_EQ(optimize(bundle.graph).status, Status::kConverged);  // damping steps over it
+}
+
+TEST(Elimination, OfTwoVerticesInOneEdgeIsRefused) {
+  Bundle bundle = make_bundle(3, 30, true);
+  bundle.graph.set_eliminated(bundle.cameras[2], true);
+  EXPECT_THROW(optimize(bundle.graph), InvalidArgument);
+  bundle.graph.set_eliminated(bundle.cameras[2], false);
+  EXPECT_EQ(optimize(bundle.graph).status, Status::kConverged);
+}
+
+TEST(Elimination, RunsAgainAfterTheGraphHasMoved) {
+  Bundle bundle = make_bundle(3, 30, true);
+  const Report first = optimize(bundle.graph);
+  Graph moved(std::move(bundle.graph));
+  const auto camera = bundle.cameras[2];
+  SE3 shifted = moved.estimate(camera);
+  const Vector<double, 6> shift = Vector<double, 6>::Constant(0.01);
+  moved.set_estimate(camera, Manifold<SE3>::oplus(shifted, shift.data()));
+  const Report second = optimize(moved);
+  EXPECT_NEAR(second.chi2_final, first.chi2_final, 1e-7 * first.chi2_final);
+  EXPECT_NEAR(moved.chi2(), second.chi2_final, 1e-9 * second.chi2_final);
+}
+
+}  // namespace
+}  // namespace boxplus

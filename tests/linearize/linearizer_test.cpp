@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/linearize/linearizer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "boxplus/manifold/rn.h"
+#include "boxplus/manifold/se2.h"
+#include "boxplus/robust/huber.h"
+#include "boxplus/robust/redescending.h"
+#include "linearize/dense_reference.h"
+
+namespace boxplus {
+namespace {
+
+using Point = Eigen::Vector2d;
+using Points = std::vector<VertexHandle<Point>>;
+
+constexpr auto kBetween = [](const auto& a, const auto& b) { return a.inverse_times(b).vector(); };
+constexpr auto kSighting = [](const auto& pose, const auto& point) { return pose.inverse_times(point); };
+constexpr auto kBehind = [](const auto& point, const auto& pose) {
+  return (point - pose.translation()).eval();
+};
+constexpr auto kPrior = [](const auto& pose) { return pose.vector(); };
+constexpr auto kRange = [](const SE2& a, const Point& p) { return (a.translation() - p).norm(); };
+
+Eigen::Matrix3d full_information() {
+  return (Eigen::Matrix3d() << 3, 1, 0.5, 1, 4, -1, 0.5, -1, 5).finished();
+}
+
+struct Mixed {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  Points points;
+  std::vector<EdgeRef> edges;
+};
+
+/// Poses and points, edges of several types, orders, arities, informations, and kernels; nothing fixed.
+Mixed mixed_graph() {
+  Mixed m;
+  Graph& graph = m.graph;
+  for (int k = 0; k < 4; ++k) {
+    m.points.push_back(graph.add_vertex(Point(k, 2 - 0.3 * k)));
+    m.poses.push_back(graph.add_vertex(SE2(k, 0.2 * k * k, 0.4 * k)));
+  }
+  m.edges.push_back(graph.add_edge(kPrior, m.poses[0]));
+  for (std::size_t k = 0; k < 3; ++k) {
+    m.edges.push_back(graph.add_edge(kBetween, full_information(), m.poses[k], m.poses[k + 1]));
+    m.edges.push_back(graph.add_edge(kSighting, 2.0, m.poses[k], m.points[k + 1]));
+    m.edges.push_back(
+        graph.add_edge(kBehind, Eigen::Matrix2d(Point(1, 3).asDiagonal()), m.points[k], m.poses[3]));
+  }
+  m.edges.push_back(graph.add_edge(kRange, 0.5, m.poses[1], m.points[3]));
+  const auto spread = [](const auto& pose, const auto& points) {
+    auto sum = pose.translation();
+    for (const auto& p : points) sum -= p;
+    return sum;
+  };
+  m.edges.push_back(graph.add_edge(spread, m.poses[2], Points{m.points[0], m.points[3], m.points[1]}));
+  m.edges.push_back(graph.add_edge(spread, m.poses[0], Points{m.points[2]}));
+  const auto size = graph.add_vertex(Eigen::VectorXd::LinSpaced(5, 1, 5).eval());
+  const auto stack = [](const auto& x, const auto& p) { return (x * p[0]).eval(); };
+  m.edges.push_back(graph.add_edge(stack, size, m.points[1]));
+  return m;
+}
+
+TEST(Linearizer, EqualsTheDenseReferenceForMixedTypes) {
+  const Mixed m = mixed_graph();
+  const Plan plan = make_plan(m.graph, {});
+  EXPECT_EQ(plan.scalars(), 4 * 3 + 4 * 2 + 5u);
+  expect_equals_reference(m.graph, plan);
+}
+
+TEST(Linearizer, LeavesOutFixedVertices) {
+  Mixed m = mixed_graph();
+  m.graph.fix(m.poses[1]);
+  m.graph.fix(m.points[3]);
+  const Plan plan = make_plan(m.graph, {});
+  EXPECT_EQ(plan.scalars(), 3 * 3 + 3 * 2 + 5u);
+  expect_equals_reference(m.graph, plan);
+}
+
+TEST(Linearizer, PutsEliminatedVerticesFirst) {
+  Mixed m = mixed_graph();
+  m.graph.set_eliminated(m.poses[1], true);
+  m.graph.set_eliminated(m.poses[3], true);
+  const Plan plan = make_plan(m.graph, {});
+  EXPECT_EQ(plan.eliminated_blocks, 2u);
+  EXPECT_EQ(plan.block_vertex[0], VertexRef(m.poses[1]));
+  EXPECT_EQ(plan.block_vertex[1], VertexRef(m.poses[3]));
+  expect_equals_reference(m.graph, plan);
+}
+
+TEST(Linearizer, DisabledEdgesWeighNothingWithoutANewPlan) {
+  Mixed m = mixed_graph();
+  const Plan plan = make_plan(m.graph, {});
+  Linearizer linearizer(m.graph, plan);
+  const double all = linearizer.chi2();
+  const double edge = m.graph.chi2(m.edges[2]);
+  m.graph.set_enabled(m.edges[2], false);
+  EXPECT_NEAR(linearizer.chi2(), all - edge, 1e-12 * all);
+  expect_equals_reference(m.graph, plan);
+}
+
+TEST(Linearizer, WeighsEdgesByTheirKernels) {
+  Mixed m = mixed_graph();
+  for (std::size_t k = 0; k < m.edges.size(); k += 2) m.graph.set_kernel(m.edges[k], Huber(0.3));
+  m.graph.set_kernel(m.edges[1], Cauchy(0.5));
+  const Plan plan = make_plan(m.graph, {});
+  expect_equals_reference(m.graph, plan);
+  expect_equals_reference(m.graph, plan, {.triggs_correction = true});
+  Linearizer linearizer(m.graph, plan);
+  EXPECT_NEAR(linearizer.chi2(), m.graph.chi2(), 1e-12 * m.graph.chi2());
+}
+
+/// H and the gradient of one scalar edge x with the kernel K, at x.
+template <class K>
+std::pair<double, double> one_edge(double x, const K& kernel, bool triggs) {
+  Graph graph;
+  const auto a = graph.add_vertex(x);
+  graph.set_kernel(graph.add_edge([](const auto& v) { return 1.0 * v; }, a), kernel);
+  const Plan plan = make_plan(graph, {});
+  Linearizer linearizer(graph, plan);
+  linearizer.linearize({.triggs_correction = triggs});
+  return {linearizer.values()[0], linearizer.gradient()[0]};
+}
+
+TEST(Linearizer, ClampsANegativeWeightToZero) {
+  EXPECT_LT(DCS(1)(4).first, 0);
+  EXPECT_EQ(one_edge(2, DCS(1), false), (std::pair{0.0, 0.0}));
+  EXPECT_EQ(one_edge(2, DCS(1), true).second, 0);
+}
+
+TEST(Linearizer, TriggsCorrectionIsTheSecondDerivativeWhereThatIsPositive) {
+  // ρ(x²) of Cauchy: half its second derivative is ρ′ + 2x²ρ″ = (1 − x²)/(1 + x²)².
+  const auto [hessian, gradient] = one_edge(0.5, Cauchy(1), true);
+  EXPECT_NEAR(hessian, 0.75 / (1.25 * 1.25), 1e-15);
+  EXPECT_NEAR(gradient, 0.5 / 1.25, 1e-15);
+  EXPECT_NEAR(one_edge(0.5, Cauchy(1), false).first, 1 / 1.25, 1e-15);
+}
+
+TEST(Linearizer, TriggsCorrectionStaysPositiveSemiDefinite) {
+  EXPECT_NEAR(one_edge(3, Cauchy(1), true).first, 0, 1e-15);
+  Mixed m = mixed_graph();
+  for (const EdgeRef& edge : m.edges) m.graph.set_kernel(edge, Welsch(0.2));
+  const Plan plan = make_plan(m.graph, {});
+  Linearizer linearizer(m.graph, plan);
+  linearizer.linearize({.triggs_correction = true});
+  const Eigen::MatrixXd hessian = dense_matrix(plan.structure, linearizer.values());
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian).eigenvalues();
+  EXPECT_GE(eigenvalues[0], -1e-13 * eigenvalues[eigenvalues.size() - 1]);
+}
+
+TEST(Linearizer, NumericJacobiansGiveTheSameSystem) {
+  const Mixed m = mixed_graph();
+  const Plan plan = make_plan(m.graph, {});
+  Linearizer exact(m.graph, plan), numeric(m.graph, plan);
+  exact.linearize({});
+  numeric.linearize({.numeric_jacobians = true});
+  for (std::size_t k = 0; k < exact.values().size(); ++k)
+    EXPECT_NEAR(exact.values()[k], numeric.values()[k], 1e-7);
+}
+
+TEST(Linearizer, TakesAnEdgeWithoutRows) {
+  Graph graph;
+  const auto a = graph.add_vertex(Eigen::Matrix<double, 6, 1>::Zero().eval());
+  const auto b = graph.add_vertex(1.0);
+  graph.add_edge(
+      [](const auto& x, const auto&) { return std::vector<std::remove_cvref_t<decltype(x[0])>>(); }, a, b);
+  const Plan plan = make_plan(graph, {});
+  Linearizer linearizer(graph, plan);
+  linearizer.linearize({});
+  EXPECT_EQ(linearizer.chi2(), 0);
+  EXPECT_THAT(std::vector(linearizer.gradient().begin(), linearizer.gradient().end()), testing::Each(0));
+}
+
+/// A long chain of poses with loops, points and kernels.
+Graph large_graph() {
+  Graph graph;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<VertexHandle<SE2>> poses;
+  std::vector<VertexHandle<Point>> points;
+  for (int k = 0; k < 1200; ++k) poses.push_back(graph.add_vertex(SE2(k, uniform(random), uniform(random))));
+  for (int k = 0; k < 400; ++k) points.push_back(graph.add_vertex(Point(3 * k, uniform(random))));
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k)
+    graph.add_edge(kBetween, full_information(), poses[k], poses[k + 1]);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto edge = graph.add_edge(kSighting, 2.0, poses[k], points[(k * 7) % points.size()]);
+    if (k % 3 == 0) graph.set_kernel(edge, Huber(1));
+    graph.add_edge(kBehind, points[(k * 11) % points.size()], poses[k]);
+    if (k % 2 == 0) graph.add_edge(kBetween, poses[(k * 17 + 1) % poses.size()], poses[k]);
+  }
+  return graph;
+}
+
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+TEST(Linearizer, GivesTheSameBitsForAnyNumberOfWorkers) {
+  for (const bool eliminate : {false, true}) {
+    Graph graph = large_graph();
+    for (const VertexRef& vertex : graph.all_vertices()) {
+      if (eliminate && graph.tangent_dim(vertex) == 2) graph.set_eliminated(vertex, true);
+    }
+    const Plan one = make_plan(graph, {.threads = 1});
+    ASSERT_GT(one.edge_count, 3000u);
+    Linearizer reference(graph, one);
+    reference.linearize({});
+    const double chi2 = reference.chi2();
+    for (const int threads : {2, 3, 5}) {
+      const Plan plan = make_plan(graph, {.threads = threads});
+      EXPECT_EQ(plan.chunks.size(), static_cast<std::size_t>(threads));
+      Linearizer linearizer(graph, plan);
+      linearizer.linearize({});
+      EXPECT_TRUE(same_bits(linearizer.values(), reference.values()));
+      EXPECT_TRUE(same_bits(linearizer.gradient(), reference.gradient()));
+      EXPECT_EQ(linearizer.chi2(), chi2);
+    }
+  }
+}
+
+TEST(Linearizer, SumsChiSquaredPairwise) {
+  // 4096 times 0.1 summed in order loses digits; pairwise it does not.
+  Graph graph;
+  const double root = std::sqrt(0.1);
+  double in_order = 0;
+  for (int k = 0; k < 4096; ++k) {
+    graph.add_edge([](double x) { return x; }, graph.add_vertex(root));
+    in_order += root * root;
+  }
+  const Plan plan = make_plan(graph, {});
+  Linearizer linearizer(graph, plan);
+  const double exact = 4096 * (root * root);
+  EXPECT_NE(in_order, exact);
+  EXPECT_LE(std::abs(linearizer.chi2() - exact), 10 * 5.7e-14);
+  EXPECT_LT(std::abs(linearizer.chi2() - exact), std::abs(in_order - exact));
+}
+
+}  // namespace
+}  // namespace boxplus

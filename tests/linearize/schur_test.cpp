@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elimination against the dense Schur complement of the dense H.
+#include "boxplus/linearize/schur.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "linearize/bundle.h"
+#include "linearize/dense_reference.h"
+
+namespace boxplus {
+namespace {
+
+/// The linearised problem, its damping, and the dense counterpart.
+struct Problem {
+  Bundle bundle;
+  Plan plan;
+  Linearizer linearizer;
+  Eigen::VectorXd diagonal;
+  Damping damping;
+  Eigen::MatrixXd hessian, damped;
+  Eigen::Index eliminated;
+
+  Problem(Bundle b, double lambda, bool scaled)
+      : bundle(std::move(b)), plan(make_plan(bundle.graph, {})), linearizer(bundle.graph, plan) {
+    linearizer.linearize({});
+    hessian = dense_matrix(plan.structure, linearizer.values());
+    diagonal = hessian.diagonal();
+    damping = {lambda, scaled ? diagonal.data() : nullptr};
+    damped = hessian;
+    for (Eigen::Index i = 0; i < hessian.rows(); ++i) damped(i, i) += damping(static_cast<std::uint32_t>(i));
+    eliminated = plan.structure.offset[plan.eliminated_blocks];
+  }
+  Problem(const Problem&) = delete;
+
+  Eigen::Index kept() const { return hessian.rows() - eliminated; }
+  /// U − W (V + λD)⁻¹ Wᵀ, without the damping of the kept blocks.
+  Eigen::MatrixXd complement() const {
+    const Eigen::MatrixXd W = hessian.bottomLeftCorner(kept(), eliminated);
+    const Eigen::MatrixXd V = damped.topLeftCorner(eliminated, eliminated);
+    return hessian.bottomRightCorner(kept(), kept()) - W * V.llt().solve(W.transpose());
+  }
+};
+
+void check_values(Problem& problem, Schur& schur) {
+  const Eigen::MatrixXd expected = problem.complement();
+  const Eigen::MatrixXd actual = dense_matrix(schur.reduced_structure(), schur.reduced_values());
+  EXPECT_LE((actual - expected).norm(), 1e-10 * expected.norm());
+}
+
+void check_operator(Problem& problem, Schur& schur) {
+  const Eigen::MatrixXd expected = problem.complement();
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(expected.rows(), -1, 2);
+  Eigen::VectorXd y(x.size());
+  const ImplicitSchur implicit(schur);
+  EXPECT_TRUE(implicit.values().empty());
+  implicit.multiply(x.data(), y.data());
+  EXPECT_LE((y - expected * x).norm(), 1e-10 * (expected * x).norm());
+  const BlockStructure& structure = implicit.structure();
+  std::vector<double> blocks(structure.scalars() * 6);
+  implicit.block_diagonal(blocks.data());
+  const double* at = blocks.data();
+  for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
+    const auto dim = static_cast<Eigen::Index>(structure.dim(block)),
+               offset = static_cast<Eigen::Index>(structure.offset[block]);
+    const Eigen::Map<const Eigen::MatrixXd> actual(at, dim, dim);
+    EXPECT_LE((actual - expected.block(offset, offset, dim, dim)).norm(), 1e-10 * expected.norm());
+    at += dim * dim;
+  }
+}
+
+/// Reduce, solve densely, substitute back: the solution of the full system.
+void check_solution(Problem& problem, Schur& schur) {
+  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
+  Eigen::VectorXd reduced_r(problem.kept()), x(r.size());
+  schur.reduce(r.data(), reduced_r.data());
+  Eigen::MatrixXd S = problem.complement();
+  const Damping kept = schur.reduced_damping(problem.damping);
+  for (Eigen::Index i = 0; i < S.rows(); ++i) S(i, i) += kept(static_cast<std::uint32_t>(i));
+  const Eigen::VectorXd reduced_x = S.llt().solve(reduced_r);
+  schur.back_substitute(r.data(), reduced_x.data(), x.data());
+  const Eigen::VectorXd expected = problem.damped.llt().solve(r);
+  EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm());
+}
+
+void check_elimination(Problem& problem, bool explicit_values) {
+  const std::vector<double> before(problem.linearizer.values().begin(), problem.linearizer.values().end());
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values);
+  for (int round = 0; round < 2; ++round) {  // the second elimination starts from used memory
+    ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
+    EXPECT_EQ(schur.reduced_values().empty(), !explicit_values);
+    if (explicit_values) check_values(problem, schur);
+    check_operator(problem, schur);
+    check_solution(problem, schur);
+  }
+  EXPECT_THAT(problem.linearizer.values(), testing::ElementsAreArray(before));
+}
+
+class SchurOfBundle : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Cameras, SchurOfBundle, testing::Values(2, 3, 5, 16));
+
+TEST_P(SchurOfBundle, EqualsTheDenseComplementWithoutDamping) {
+  Problem problem(make_bundle(GetParam(), 200, true), 0, false);
+  EXPECT_EQ(problem.plan.eliminated_blocks, 200u);
+  check_elimination(problem, true);
+  check_elimination(problem, false);
+}
+
+TEST_P(SchurOfBundle, EqualsTheDenseComplementWithIdentityDamping) {
+  Problem problem(make_bundle(GetParam(), 200, true), 10, false);
+  check_elimination(problem, true);
+  check_elimination(problem, false);
+}
+
+TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
+  Problem problem(make_bundle(GetParam(), 200, true), 0.1, true);
+  check_elimination(problem, true);
+  check_elimination(problem, false);
+}
+
+TEST(Schur, TakesEdgesOfSeveralPoolsOntoTheSamePoints) {
+  Bundle bundle = make_bundle(3, 20, true);
+  const auto size = bundle.graph.add_vertex(1.0);
+  for (std::size_t k = 0; k < bundle.points.size(); ++k) {
+    const auto& point = bundle.points[k];
+    bundle.graph.add_edge([](const auto& p) { return (0.1 * p).eval(); }, point);
+    if (k % 2 == 0) continue;
+    bundle.graph.add_edge([](const auto& s, const auto& p) { return (s * p).eval(); }, size, point);
+    bundle.graph.add_edge([](const auto& p, const auto& c, const auto& s) { return (c * p * s).eval(); },
+                          point, bundle.cameras[k % 3], size);
+  }
+  Problem problem(std::move(bundle), 0.5, true);
+  expect_equals_reference(problem.bundle.graph, problem.plan);
+  check_elimination(problem, true);
+  check_elimination(problem, false);
+}
+
+TEST(Schur, NamesTheVertexThatTooFewRaysSee) {
+  Bundle bundle = make_bundle(3, 20, true);
+  const auto lonely = bundle.graph.add_vertex(Eigen::Vector3d(1, 0.5, 8));
+  bundle.graph.set_eliminated(lonely, true);
+  bundle.graph.add_edge(Reprojection{10, 20}, bundle.cameras[1], lonely);
+  Problem problem(std::move(bundle), 0, false);
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  const FactorResult result = schur.eliminate(problem.linearizer.values(), problem.damping);
+  EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
+  ASSERT_LT(result.failed_block, problem.plan.block_vertex.size());
+  EXPECT_EQ(problem.plan.block_vertex[result.failed_block], VertexRef(lonely));
+  EXPECT_EQ(schur.eliminate(problem.linearizer.values(), {1e-3, nullptr}).status, LinearStatus::kOk);
+}
+
+TEST(Schur, NamesTheVertexWhoseBlockIsNotFinite) {
+  Problem problem(make_bundle(2, 5, true), 0, false);
+  std::vector<double> values(problem.linearizer.values().begin(), problem.linearizer.values().end());
+  values[problem.plan.structure.value_start[problem.plan.structure.column_start[3]]] = std::nan("");
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  const FactorResult result = schur.eliminate(values, {});
+  EXPECT_EQ(result.status, LinearStatus::kNotFinite);
+  EXPECT_EQ(result.failed_block, 3u);
+}
+
+TEST(Schur, OfAllVerticesIsEmpty) {
+  Bundle bundle = make_bundle(2, 20, true);
+  for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
+  Problem problem(std::move(bundle), 0, false);
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, true);
+  EXPECT_EQ(schur.reduced_structure().blocks(), 0u);
+  EXPECT_EQ(schur.eliminate(problem.linearizer.values(), {}).status, LinearStatus::kOk);
+  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(60, 1, 3);
+  Eigen::VectorXd x(60);
+  schur.back_substitute(r.data(), nullptr, x.data());
+  EXPECT_LE((problem.hessian * x - r).norm(), 1e-9 * r.norm());
+}
+
+TEST(Schur, OfNoVertexIsTheHessian) {
+  Problem problem(make_bundle(3, 5, false), 0, false);
+  ASSERT_EQ(problem.plan.eliminated_blocks, 0u);
+  Schur schur(problem.plan.structure, 0, true);
+  ASSERT_EQ(schur.eliminate(problem.linearizer.values(), {}).status, LinearStatus::kOk);
+  EXPECT_EQ(dense_matrix(schur.reduced_structure(), schur.reduced_values()), problem.hessian);
+}
+
+}  // namespace
+}  // namespace boxplus
