@@ -424,6 +424,13 @@ TYPED_TEST(InitialGuess, SpanningTreeKeepsAPoseThatIsJoinedThroughLandmarksOnly)
   EXPECT_LT(scene.largest_error(), 1e-9);
 }
 
+TEST(InitialGuessOfPoses, ReplacesEstimatesThatAreNotFinite) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  SE3 pose = SE3::from_unit(Vector<double, 3>(kNan, kNan, kNan), Quaternion<double>{kNan, kNan, kNan, kNan});
+  FrameTrait<SE3>::set(pose, FrameTrait<SE3>::get(SE3()));
+  EXPECT_EQ(pose.vector(), SE3().vector());
+}
+
 TEST(InitialGuessOfMixedGraphs, HandlesThePlaneAndSpaceSideBySide) {
   for_each_guess([](std::size_t k) {
     Graph graph;

@@ -38,7 +38,9 @@ struct FrameTrait<BasicSE3<double, Chart>> {
     const Matrix<double, 3, 3> r =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.rotation.data());
     // ⊞ and frames keep the norm of the quaternion as it was read (see Manifold<BasicSE3>).
-    const double norm = std::sqrt(x.quaternion().squared_norm());
+    const double n2 = x.quaternion().squared_norm();
+    const double norm =
+        n2 > 0.5 && n2 < 2 ? std::sqrt(n2) : 1;  // 1 also where the old estimate is not finite
     x = Pose::from_unit(Vector3(frame.translation.data()), scaled(normalized(quaternion_of(r)), norm));
   }
 };
