@@ -131,6 +131,21 @@ TEST(BlockCholesky, SolvesWithThreadsAndLastBlocks) {
   expect_as_reference(system, {.threads = 2, .last = last}, {});
 }
 
+TEST(BlockCholesky, GivesTheSameInverseByColumnsAndOnThePattern) {
+  const TestSystem system = large_grid();
+  BlockCholesky solver;
+  solver.analyze(system.structure, {});
+  ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
+  std::vector<BlockCoordinate> few{{450, 450}}, all;
+  for (std::uint32_t block = 0; block < 900; ++block) all.push_back({block, block});
+  std::vector<double> by_columns(36), on_pattern(std::size_t{900} * 36);
+  ASSERT_TRUE(solver.selected_inverse(few, by_columns.data()));  // one column is cheaper than the pattern
+  ASSERT_TRUE(solver.selected_inverse(all, on_pattern.data()));
+  const auto same = on_pattern.begin() + std::ptrdiff_t{450} * 36;
+  EXPECT_LT(difference(by_columns, std::vector(same, same + 36)), 1e-10);
+  EXPECT_NE(by_columns, std::vector(same, same + 36)) << "expected two ways of computing";
+}
+
 TEST(BlockCholesky, NamesTheVertexWhosePivotIsNotPositive) {
   TestSystem system = random_system(40, 20, 3);
   for (const std::uint32_t bad : {0u, 13u, 39u}) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "boxplus/graph/frame.h"
 #include "boxplus/manifold/rn.h"
@@ -36,7 +37,9 @@ struct FrameTrait<BasicSE3<double, Chart>> {
   static void set(Pose& x, const Frame& frame) {
     const Matrix<double, 3, 3> r =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.rotation.data());
-    x = Pose(Vector3(frame.translation.data()), r);
+    // ⊞ and frames keep the norm of the quaternion as it was read (see Manifold<BasicSE3>).
+    const double norm = std::sqrt(x.quaternion().squared_norm());
+    x = Pose::from_unit(Vector3(frame.translation.data()), scaled(normalized(quaternion_of(r)), norm));
   }
 };
 

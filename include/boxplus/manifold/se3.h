@@ -89,11 +89,12 @@ class BasicSE3 {
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
-  /// inverse() * b with one rotation less.
+  /// inverse() * b with one rotation less. Unlike the product it does not remove rounding drift of the quaternion, so
+  /// that errors are the same function over every scalar.
   template <class T>
   BasicSE3<Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
     return BasicSE3<Promoted<S, T>, Chart>::from_unit(
-        inverse_times(b.translation()), renormalized(quaternion().conjugate() * b.quaternion()));
+        inverse_times(b.translation()), quaternion().conjugate() * b.quaternion());
   }
   /// inverse() * p for a point p.
   template <class Derived>

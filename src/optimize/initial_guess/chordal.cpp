@@ -10,10 +10,13 @@
 //   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
 // A constant frame, or the world, has a known X. Between points, l − k = z.
 //
-// Weights. A rotation that is off by a small θ weighs ω θ² in chi2, where ω is the information per squared
-// radian; its relaxed equation is off by ‖R_i R_ij − R_j‖² ≈ 2θ². So rotation rows get ω/2, with ω the mean
-// over the axes (a scalar, or the axes of the world would not separate); translation rows get the mean
-// information of the translation.
+// Weights. A rotation that is off by a small θ adds ω θ² to chi2, where ω is the information per squared
+// radian; its relaxed equation is off by ‖R_i R_ij − R_j‖² ≈ 2θ². So rotation rows are due ω/2, with ω the
+// mean over the axes (a scalar, or the axes of the world would not separate), and translation rows the mean
+// information of the translation. But relaxed rotations shrink with their distance from the roots, and
+// measured lengths, which do not, then pull at them; so rotation rows weigh kRotationEmphasis times more. Of
+// the factors 0.1 … 10⁴ tried on public pose graphs and landmark maps, 10 gave a lower chi2 than 1 on each of
+// them, and more is better without landmarks but worse with them.
 #include <utility>
 
 #include "boxplus/optimize/initial_guess.h"
@@ -26,6 +29,8 @@ namespace boxplus {
 namespace {
 
 using namespace guess;
+
+constexpr double kRotationEmphasis = 10;
 
 /// [Rᵀ; tᵀ] of a pose, tᵀ of a point.
 SmallMatrix stacked(const Frame& frame) {
@@ -122,7 +127,7 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
   b(rows - 1, d_) = 1;
   const int to_dim = frames_.pose(m.to) ? d_ + 1 : 1;
   const SmallMatrix a = SmallMatrix::Identity(to_dim, to_dim).bottomRows(rows);
-  SmallVector weight = SmallVector::Constant(rows, m.rotation_weight / 2);
+  SmallVector weight = SmallVector::Constant(rows, kRotationEmphasis * m.rotation_weight / 2);
   weight[rows - 1] = m.translation_weight;
   SmallMatrix c = SmallMatrix::Zero(rows, d_);
   if (block(m.from) == kConstant) c += b * stacked(frame(m.from));
@@ -130,9 +135,9 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
   system.add(block(m.to), a, block(m.from), b, c, weight);
 }
 
-/// Relaxed rotations shrink with their distance from the roots, and the positions with them: so positions and
-/// points are found again, t_j − t_i = R_i t_ij, for the projected rotations. The matrix is a part of the
-/// joint one.
+/// As relaxed rotations shrink with their distance from the roots, so do the positions found with them. They
+/// are found again from the projected rotations, t_j − t_i = R_i t_ij: on public graphs chi2 is then lower by
+/// a factor of 2 to 3000. The matrix is a part of the joint one, hence positive definite as well.
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
   for (const Measurement* m : measurements_) add_position_term(*m, system);

@@ -7,6 +7,25 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/base/parallel.h"
+#include "boxplus/optimize/optimize.h"
+
+/// A vertex type whose layout Eigen decides.
+struct Mount {
+  int id;
+  Eigen::Vector4d offset;
+  bool active;
+};
+
+template <>
+struct boxplus::Manifold<Mount> {
+  static constexpr int kDim = 4;
+  static Mount oplus(const Mount& x, const double* delta) {
+    return {x.id, x.offset + Eigen::Map<const Eigen::Vector4d>(delta), x.active};
+  }
+  static void ominus(const Mount& y, const Mount& x, double* delta) {
+    Eigen::Map<Eigen::Vector4d>{delta} = y.offset - x.offset;
+  }
+};
 
 namespace {
 
@@ -56,6 +75,23 @@ bool dynamic_matrices_survive() {
   return sum.trace() == 28;
 }
 
+/// Vertices and edges with aligned members go through the library's optimiser.
+bool graphs_of_eigen_structs_are_optimised() {
+  boxplus::Graph graph;
+  std::vector<boxplus::VertexHandle<Mount>> mounts;
+  for (int i = 0; i < 50; ++i) {
+    mounts.push_back(graph.add_vertex(Mount{i, Eigen::Vector4d::Zero(), true}));
+    const Eigen::Vector4d target = Eigen::Vector4d::Constant(i);
+    graph.add_edge([target](const Mount& x) { return boxplus::Vector<double, 4>(x.offset - target); }, mounts.back());
+  }
+  if (!boxplus::optimize(graph, {.threads = 2}).converged()) return false;
+  for (const auto& mount : mounts) {
+    const Mount& x = graph.estimate(mount);
+    if (!x.active || (x.offset - Eigen::Vector4d::Constant(x.id)).norm() > 1e-6) return false;
+  }
+  return true;
+}
+
 bool exceptions_arrive() {
   try {
     boxplus::parallel_tasks(2, [](int) { throw boxplus::InvalidArgument("expected"); });
@@ -69,7 +105,8 @@ bool exceptions_arrive() {
 
 // Each new kind of exchange between a client and the library is one more line here.
 int main() {
-  const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() && exceptions_arrive();
+  const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() &&
+                    graphs_of_eigen_structs_are_optimised() && exceptions_arrive();
   std::puts(good ? "good" : "bad");
   return good ? 0 : 1;
 }

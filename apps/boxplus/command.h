@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the sub-commands of `boxplus` have in common. Results go to stdout, messages to stderr.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace boxplus::app {
+
+/// The exit codes, as documented in --help.
+enum ExitCode : int { kSuccess = 0, kNotConverged = 1, kBadInput = 2, kNumericalFailure = 3 };
+
+/// What to run once the command line is read; returns the exit code.
+using Action = std::function<int()>;
+
+/// Each adds its sub-command, which sets `action` when it is chosen.
+void add_optimize(CLI::App& app, Action& action);
+void add_simulate(CLI::App& app, Action& action);
+void add_plot(CLI::App& app, Action& action);
+
+}  // namespace boxplus::app

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the value of a vertex, a parameter or a measurement stands in a file. Specialise FileFields for own
+// types:
+//
+//     template <> struct boxplus::FileFields<Pose> {
+//       static Pose read(FieldReader& in);                     // throws InputError through `in`
+//       static void write(const Pose& x, FieldWriter& out);
+//     };
+#pragma once
+
+#include "boxplus/io/field_reader.h"
+#include "boxplus/manifold/se2.h"
+#include "boxplus/manifold/se3.h"
+#include "boxplus/types/slam2d/points_observation.h"
+#include "boxplus/types/slam2d/wheel_odometry.h"
+#include "boxplus/types/slam3d/points_observation.h"
+
+namespace boxplus {
+
+template <class T>
+struct FileFields;
+
+/// One number.
+template <>
+struct FileFields<double> {
+  static double read(FieldReader& in) { return in.number("a number"); }
+  static void write(double x, FieldWriter& out) { out.number(x); }
+};
+
+/// Vectors of fixed size.
+template <int N>
+requires(N > 0) struct FileFields<Vector<double, N>> {
+  static Vector<double, N> read(FieldReader& in) {
+    Vector<double, N> x;
+    in.numbers(x.data(), N, "a coordinate");
+    return x;
+  }
+  static void write(const Vector<double, N>& x, FieldWriter& out) {
+    for (int i = 0; i < N; ++i) out.number(x[i]);
+  }
+};
+
+/// x y θ.
+template <>
+struct FileFields<SE2> {
+  static SE2 read(FieldReader& in);
+  static void write(const SE2& x, FieldWriter& out);
+};
+
+/// x y z qx qy qz qw. The quaternion's length must be within kNormTolerance of 1. Within kRounding of 1,
+/// which is what few digits do, a pose is kept as read, bit for bit: then the chi2 of a file is what other
+/// programs find, and the file is written as it was read. Otherwise it is normalised.
+template <>
+struct FileFields<SE3> {
+  static constexpr double kNormTolerance = 1e-3, kRounding = 1e-5;
+  static SE3 read(FieldReader& in);
+  static void write(const SE3& x, FieldWriter& out);
+};
+
+/// k_left k_right baseline.
+template <>
+struct FileFields<DifferentialDrive> {
+  static DifferentialDrive read(FieldReader& in);
+  static void write(const DifferentialDrive& x, FieldWriter& out);
+};
+
+/// v_left v_right dt.
+template <>
+struct FileFields<WheelSpeeds> {
+  static WheelSpeeds read(FieldReader& in);
+  static void write(const WheelSpeeds& x, FieldWriter& out);
+};
+
+/// How the measurement of an edge stands in a file; by default as its member `measurement`. Quaternions of
+/// measurements are normalised, to rounding: what was read and written once never changes again.
+template <class E>
+struct EdgeFields {
+  using Measurement = decltype(E::measurement);
+  static E read(FieldReader& in) {
+    if constexpr (std::is_same_v<Measurement, SE3>) {
+      const SE3 z = FileFields<SE3>::read(in);
+      return E(SE3(z.translation(), z.quaternion()));
+    } else {
+      return E(FileFields<Measurement>::read(in));
+    }
+  }
+  static void write(const E& edge, FieldWriter& out) {
+    FileFields<Measurement>::write(edge.measurement, out);
+  }
+};
+
+/// n, then the coordinates of n points.
+template <>
+struct EdgeFields<PointsObservation2> {
+  static PointsObservation2 read(FieldReader& in);
+  static void write(const PointsObservation2& edge, FieldWriter& out);
+};
+template <>
+struct EdgeFields<PointsObservation3> {
+  static PointsObservation3 read(FieldReader& in);
+  static void write(const PointsObservation3& edge, FieldWriter& out);
+};
+
+}  // namespace boxplus

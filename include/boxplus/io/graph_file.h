@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading and writing graphs: .g2o, and TORO's .graph (reading only).
+//
+// One element per line: a word (see Registry), ids, numbers separated by blanks. `#` begins a comment, `FIX
+// id…` fixes vertices. Elements may come in any order. Positions are metres, angles radians, Ω the upper
+// triangle by rows.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+
+namespace boxplus {
+
+class Registry;
+
+struct ReadOptions {
+  const Registry* registry = nullptr;  ///< nullptr: default_registry()
+  bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
+};
+
+/// A line that stands for no known type, kept for writing back.
+struct KeptLine {
+  enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
+  Place place = Place::kBegin;
+  std::int64_t after = 0;  ///< the id of the vertex, or the position in GraphFile::edges
+  std::string text;
+};
+
+/// A graph, and what its file says beyond it.
+struct GraphFile {
+  struct Note {
+    std::int64_t line = 0;
+    std::string text;
+  };
+  Graph graph;
+  std::vector<EdgeRef> edges;  ///< in the order of the file
+  std::vector<KeptLine> kept;
+  std::vector<Note> notes;   ///< what was odd, but no error
+  std::int64_t skipped = 0;  ///< lines that were skipped (lenient reading)
+  bool vertices_created =
+      false;  ///< the file lists edges only: the estimates mean nothing, and need an initial guess
+};
+
+/// Reads a file. Throws FileError where it cannot be opened, and InputError ("file:line:column: what was
+/// expected, what came") for truncated lines, what is no finite number, ids that are taken or unknown,
+/// vertices of the wrong type, indefinite Ω, quaternions that are none. Unknown words never are an error:
+/// their lines are kept and noted.
+GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
+/// The same from memory; `name` stands for the file in messages.
+GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options = {});
+
+/// Writes a .g2o file: parameters by id, vertices by id, each followed by its FIX line, edges in the order of
+/// the file (those added since: by type). Every number is the shortest text that reads back to the same
+/// double. The file is replaced at once, or not at all. Throws FileError where it cannot be written, and
+/// InvalidArgument where an element has no word.
+void write_graph(const std::string& path, const GraphFile& file, const Registry* registry = nullptr);
+void write_graph(const std::string& path, const Graph& graph, const Registry* registry = nullptr);
+/// The text that write_graph() writes.
+std::string format_graph(const GraphFile& file, const Registry* registry = nullptr);
+
+/// Replaces a file at once, or not at all. Throws FileError.
+void write_file(const std::string& path, std::string_view text);
+
+}  // namespace boxplus

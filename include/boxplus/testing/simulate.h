@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Graphs with a known truth, for tests, benchmarks and demonstrations.
+//
+// The same options give the same graph with every compiler: random numbers are our own. Noise is drawn from
+// the information matrices of the edges, so that chi2 at the truth is about the number of rows of all errors.
+// The first pose is fixed at its true place; the other estimates begin at the odometry.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+
+namespace boxplus {
+
+enum class World : std::uint8_t {
+  kSphere,     ///< a robot winds around a sphere from pole to pole, and sees where it was one lap ago
+  kTorus,      ///< the same around a torus; the last lap meets the first
+  kGrid,       ///< it fills a cubic lattice, and sees its neighbours there
+  kManhattan,  ///< it walks at random through the streets of a plane, and knows crossings again
+  kLandmarks   ///< it drives around in a plane, and sees points nearby
+};
+std::string_view to_string(World world);
+
+struct SimulationOptions {
+  int poses = 2500;  ///< about; sphere, torus and grid round to whole laps
+  std::uint64_t seed = 1;
+  double noise =
+      1;  ///< factor on all standard deviations; 0: perfect measurements (with the weights of noise 1)
+};
+
+struct Simulation {
+  Graph graph;
+  Graph truth;                              ///< the same vertices at their true places, with the same edges
+  std::vector<EdgeRef> edges, truth_edges;  ///< in the order of their making
+};
+
+/// Throws InvalidArgument for fewer than 2 poses or a negative noise.
+Simulation simulate(World world, const SimulationOptions& options = {});
+
+}  // namespace boxplus

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/io/file_fields.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace boxplus {
+namespace {
+
+/// A count of points, then `dimension` numbers for each.
+Vector<double, kDynamic> read_points(FieldReader& in, int dimension) {
+  const std::int64_t column = in.column();
+  const std::int64_t count = in.integer("the number of points");
+  constexpr std::int64_t kMost = 1'000'000;
+  if (count < 1 || count > kMost)
+    in.fail(column, fmt::format("expected a number of points ≥ 1, got {}", count));
+  std::vector<double> values;  // grows with the line, whatever the count claims
+  for (std::int64_t i = 0; i < count * dimension; ++i) values.push_back(in.number("a coordinate"));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+void write_points(const Vector<double, kDynamic>& points, int dimension, FieldWriter& out) {
+  out.integer(points.size() / dimension);
+  for (double value : points) out.number(value);
+}
+
+}  // namespace
+
+SE2 FileFields<SE2>::read(FieldReader& in) {
+  const double x = in.number("x"), y = in.number("y");
+  return {x, y, in.number("the heading θ")};
+}
+
+void FileFields<SE2>::write(const SE2& x, FieldWriter& out) {
+  for (int i = 0; i < 3; ++i) out.number(x.data()[i]);
+}
+
+SE3 FileFields<SE3>::read(FieldReader& in) {
+  Vector3 t;
+  in.numbers(t.data(), 3, "a coordinate");
+  const std::int64_t column = in.column();
+  double q[4];
+  in.numbers(q, 4, "a quaternion (qx qy qz qw)");
+  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (!(std::abs(norm - 1) <= kNormTolerance)) {
+    in.fail(column, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
+                                kNormTolerance, norm));
+  }
+  const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
+  return std::abs(norm - 1) <= kRounding ? SE3::from_unit(t, as_read) : SE3(t, as_read);
+}
+
+void FileFields<SE3>::write(const SE3& x, FieldWriter& out) {
+  for (int i = 0; i < 7; ++i) out.number(x.data()[i]);
+}
+
+DifferentialDrive FileFields<DifferentialDrive>::read(FieldReader& in) {
+  const double left = in.number("the factor of the left wheel"),
+               right = in.number("the factor of the right wheel");
+  return {left, right, in.number("the baseline")};
+}
+
+void FileFields<DifferentialDrive>::write(const DifferentialDrive& x, FieldWriter& out) {
+  out.number(x.left_factor);
+  out.number(x.right_factor);
+  out.number(x.baseline);
+}
+
+WheelSpeeds FileFields<WheelSpeeds>::read(FieldReader& in) {
+  const double left = in.number("the left wheel's speed"), right = in.number("the right wheel's speed");
+  return {left, right, in.number("the duration")};
+}
+
+void FileFields<WheelSpeeds>::write(const WheelSpeeds& x, FieldWriter& out) {
+  out.number(x.left);
+  out.number(x.right);
+  out.number(x.duration);
+}
+
+PointsObservation2 EdgeFields<PointsObservation2>::read(FieldReader& in) {
+  return PointsObservation2(read_points(in, 2));
+}
+void EdgeFields<PointsObservation2>::write(const PointsObservation2& edge, FieldWriter& out) {
+  write_points(edge.measurement, 2, out);
+}
+PointsObservation3 EdgeFields<PointsObservation3>::read(FieldReader& in) {
+  return PointsObservation3(read_points(in, 3));
+}
+void EdgeFields<PointsObservation3>::write(const PointsObservation3& edge, FieldWriter& out) {
+  write_points(edge.measurement, 3, out);
+}
+
+}  // namespace boxplus

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/testing/simulate.h"
+
+#include <cmath>
+#include <string>
+
+#include "boxplus/base/error.h"
+#include "testing/worlds.h"
+
+namespace boxplus {
+
+std::string_view to_string(World world) {
+  switch (world) {
+    case World::kSphere:
+      return "sphere";
+    case World::kTorus:
+      return "torus";
+    case World::kGrid:
+      return "grid";
+    case World::kManhattan:
+      return "manhattan";
+    default:
+      return "landmarks";
+  }
+}
+
+Simulation simulate(World world, const SimulationOptions& options) {
+  if (options.poses < 2)
+    throw InvalidArgument("simulate: expected at least 2 poses, got " + std::to_string(options.poses));
+  if (!(options.noise >= 0) || !std::isfinite(options.noise)) {
+    throw InvalidArgument("simulate: expected a noise factor ≥ 0, got " + std::to_string(options.noise));
+  }
+  switch (world) {
+    case World::kSphere:
+      return simulate_sphere(options);
+    case World::kTorus:
+      return simulate_torus(options);
+    case World::kGrid:
+      return simulate_grid(options);
+    case World::kManhattan:
+      return simulate_manhattan(options);
+    default:
+      return simulate_landmarks(options);
+  }
+}
+
+}  // namespace boxplus

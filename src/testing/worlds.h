@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One function per simulated world.
+#pragma once
+
+#include "boxplus/testing/simulate.h"
+
+namespace boxplus {
+
+Simulation simulate_sphere(const SimulationOptions& options);
+Simulation simulate_torus(const SimulationOptions& options);
+Simulation simulate_grid(const SimulationOptions& options);
+Simulation simulate_manhattan(const SimulationOptions& options);
+Simulation simulate_landmarks(const SimulationOptions& options);
+
+}  // namespace boxplus

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""dataset_optimum.py BOXPLUS FILE BEST: `boxplus optimize FILE`, with no option, ends within 1e-6 of BEST.
+
+The file is looked for in $BOXPLUS_DATA; where it is absent the test is skipped (exit code 77) and says so.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+TOLERANCE = 1e-6  # relative
+
+
+def main(boxplus, name, best):
+    path = pathlib.Path(os.environ.get("BOXPLUS_DATA", "")) / name
+    if not path.is_file():
+        print(f"SKIPPED: no {name} in BOXPLUS_DATA")
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        report_path = pathlib.Path(folder) / "report.json"
+        run = subprocess.run([boxplus, "optimize", str(path), "--json", str(report_path)], text=True,
+                             stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        print(run.stdout + run.stderr)
+        if run.returncode != 0:
+            print(f"FAILED: exit code {run.returncode}")
+            return 1
+        report = json.loads(report_path.read_text())
+    for key in ("status", "chi2_initial", "chi2_final", "iterations", "start", "gauge", "threads"):
+        assert key in report, f"the JSON report lacks {key}"
+    for key in ("load", "plan", "optimize", "total"):
+        assert key in report["time_s"], f"the JSON report lacks time_s.{key}"
+    difference = (report["chi2_final"] - best) / best
+    print(f"{name}: {report['status']}, chi2 {report['chi2_final']:.10g}, best known {best:.10g}, {difference:+.1e}")
+    return 0 if report["status"] == "converged" and abs(difference) <= TOLERANCE else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2], float(sys.argv[3])))

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// chi2 of public graphs, as they stand in their files, is what other evaluators of the same error functions
+// find.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus {
+namespace {
+
+struct Dataset {
+  const char* file;
+  std::size_t vertices, edges;
+  double chi2;
+  double tolerance;  ///< relative; files of 3-D graphs carry rounded quaternions
+};
+
+void PrintTo(const Dataset& dataset, std::ostream* out) {
+  *out << dataset.file;
+}
+
+class DatasetTest : public testing::TestWithParam<Dataset> {};
+
+TEST_P(DatasetTest, HasTheKnownChi2) {
+  const Dataset& expected = GetParam();
+  const char* folder = std::getenv("BOXPLUS_DATA");
+  const std::string path = std::string(folder ? folder : ".") + "/" + expected.file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
+  const GraphFile file = read_graph(path);
+  EXPECT_EQ(file.graph.vertex_count(), expected.vertices);
+  EXPECT_EQ(file.graph.edge_count(), expected.edges);
+  EXPECT_NEAR(file.graph.chi2() / expected.chi2, 1, expected.tolerance);
+  EXPECT_THAT(file.notes, testing::IsEmpty());
+}
+
+TEST_P(DatasetTest, IsReadBackBitForBit) {
+  const char* folder = std::getenv("BOXPLUS_DATA");
+  const std::string path = std::string(folder ? folder : ".") + "/" + GetParam().file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
+  const GraphFile file = read_graph(path);
+  const std::string text = format_graph(file);
+  const GraphFile again = parse_graph(text, "again");
+  EXPECT_EQ(again.graph.chi2(), file.graph.chi2());
+  EXPECT_TRUE(format_graph(again) == text);
+}
+
+// The tables print 14 digits of the 2-D values: half a unit of the last one is the best that can be asked
+// for.
+INSTANTIATE_TEST_SUITE_P(
+    Public, DatasetTest,
+    testing::Values(Dataset{"posegraph2d/intel_1728.g2o", 1728, 2512, 551.73573084974, 1e-12},
+                    Dataset{"posegraph2d/M3500.g2o", 3500, 5453, 2566667.6592069, 1e-12},
+                    Dataset{"posegraph2d/city10000.g2o", 10000, 20687, 654162688.48789, 1e-12},
+                    Dataset{"posegraph2d/csail.g2o", 1045, 1172, 1310652.5397044, 1e-12},
+                    Dataset{"posegraph2d/MITb.g2o", 808, 827, 4414181662.5246, 1e-12},
+                    Dataset{"posegraph2d/w10000.graph", 10000, 64311, 6880893.5596091, 1e-12},
+                    Dataset{"posegraph3d/smallGrid3D.g2o", 125, 297, 115957.9967730, 1e-8},
+                    Dataset{"posegraph3d/sphere2500.g2o", 2500, 4949, 2547810.8488056, 1e-8},
+                    Dataset{"posegraph3d/parking-garage.g2o", 1661, 6275, 16720.018300997, 1e-8},
+                    Dataset{"posegraph3d/torus3D.g2o", 5000, 9048, 2946826.5453766, 1e-8},
+                    Dataset{"posegraph3d/sphere_bignoise_vertex3.g2o", 2200, 8647, 176631217.87069, 1e-8},
+                    Dataset{"landmark2d/victoriaPark-full.g2o", 7120, 10608, 84128051.990956, 1e-12},
+                    Dataset{"landmark2d/world-2000-full.g2o", 2070, 5812, 13797.8, 1e-5}),
+    [](const auto& test) {
+      std::string name = std::filesystem::path(test.param.file).stem().string();
+      for (char& c : name) {
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+      }
+      return name;
+    });
+
+}  // namespace
+}  // namespace boxplus

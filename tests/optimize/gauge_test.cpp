@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(Gauge, HoldsTheLowestIdAndLeavesItsEstimateAndFlagAlone) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 20);
+  const SE2 before = graph.estimate(poses[0]);
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_THAT(report.gauge.held, ElementsAre(0));
+  EXPECT_EQ(graph.estimate(poses[0]).vector(), before.vector());
+  EXPECT_FALSE(graph.is_fixed(poses[0]));
+}
+
+TEST(Gauge, HoldsOneVertexPerComponent) {
+  Graph graph;
+  add_noisy_circle(graph, 12, 1);
+  add_noisy_circle(graph, 12, 2);
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_THAT(report.gauge.held, ElementsAre(0, 12));
+}
+
+TEST(Gauge, IsNotTouchedWhereAVertexIsFixedOrAnAbsolutePriorExists) {
+  Graph fixed;
+  fixed.fix(add_noisy_circle(fixed, 12)[5]);
+  EXPECT_THAT(optimize(fixed).gauge.held, IsEmpty());
+  Graph prior;
+  prior.add_edge(Prior(SE2(0, 0, 0)), add_noisy_circle(prior, 12)[5]);
+  const Report report = optimize(prior);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_THAT(report.gauge.held, IsEmpty());
+}
+
+TEST(Gauge, PrefersTheLargestDimension) {
+  Graph graph;
+  const auto landmark = graph.add_vertex(Vector2(1, 1));
+  const auto pose = graph.add_vertex(SE2());
+  graph.add_edge(PointObservation2(Vector2(1, 1)), pose, landmark);
+  EXPECT_THAT(optimize(graph).gauge.held, ElementsAre(1));
+}
+
+TEST(Gauge, ThatIsHeldInPartIsDampedNotFixed) {
+  // One position fix leaves the heading free: holding a whole pose would bend the circle towards it.
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 20);
+  Graph reference;
+  add_noisy_circle(reference, 20);
+  graph.add_edge(PositionPrior(Vector2(10, -3)), 1e4, poses[7]);
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.gauge.damped_components, 1);
+  EXPECT_THAT(report.gauge.held, IsEmpty());
+  EXPECT_NEAR(report.chi2_final, optimize(reference).chi2_final, 1e-6);
+  EXPECT_NEAR(graph.estimate(poses[7]).x(), 10, 1e-5);
+}
+
+TEST(Gauge, ByDampingEndsAtTheSameChi2) {
+  Graph held, damped;
+  add_noisy_circle(held, 20);
+  add_noisy_circle(damped, 20);
+  Options options;
+  options.gauge = GaugePolicy::kDamp;
+  const Report report = optimize(damped, options);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_THAT(report.gauge.held, IsEmpty());
+  EXPECT_NEAR(report.chi2_final, optimize(held).chi2_final, 1e-9);
+}
+
+TEST(Gauge, IsAnErrorWhereTheUserSaysSo) {
+  Graph graph;
+  add_noisy_circle(graph, 20);
+  Options options;
+  options.gauge = GaugePolicy::kError;
+  const double before = graph.chi2();
+  const Report report = optimize(graph, options);
+  EXPECT_EQ(report.status, Status::kFailed);
+  EXPECT_EQ(report.reason, Reason::kGaugeFreedom);
+  EXPECT_EQ(graph.chi2(), before);
+}
+
+TEST(Gauge, ThatIsNoneIsReleased) {
+  // y = a exp(b t) with a and b as two vertices: no prior, no fixed vertex, and yet nothing is free.
+  Graph graph;
+  const auto a = graph.add_vertex(Vector<double, 1>(1.0));
+  const auto b = graph.add_vertex(Vector<double, 1>(0.0));
+  for (int i = 0; i < 20; ++i) {
+    const double t = i / 10.0, y = 2.5 * std::exp(-0.7 * t);
+    graph.add_edge([t, y](const auto& x, const auto& z) { return x[0] * exp(z[0] * t) - y; }, a, b);
+  }
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_THAT(report.gauge.released, ElementsAre(0));
+  EXPECT_NEAR(graph.estimate(a)[0], 2.5, 1e-8);
+  EXPECT_NEAR(graph.estimate(b)[0], -0.7, 1e-8);
+  // The second call remembers.
+  const Report second = optimize(graph);
+  EXPECT_TRUE(second.plan_reused);
+  EXPECT_THAT(second.gauge.held, IsEmpty());
+}
+
+TEST(Gauge, IsNotFixedByParameters) {
+  Graph graph;
+  const auto offset = graph.add_parameter(SE3());
+  const auto pose = graph.add_vertex(SE3());
+  const auto landmark = graph.add_vertex(Vector3(1, 2, 3));
+  graph.add_edge(OffsetPointObservation3(Vector3(1, 2, 2.5)), pose, landmark, offset);
+  EXPECT_THAT(optimize(graph).gauge.held, ElementsAre(0));
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The second optimize() on an unchanged structure.
+#include <gtest/gtest.h>
+
+#include "allocation_counter.h"
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+class SecondOptimize : public ::testing::TestWithParam<int> {};
+
+TEST_P(SecondOptimize, AllocatesNothing) {
+  if (!boxplus::testing::allocations_are_counted()) GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  for (const AlgorithmKind algorithm :
+       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+    Graph graph;
+    const auto poses = add_noisy_grid(graph, 9);
+    add_noisy_circle(graph, 100);
+    graph.set_kernel(graph.all_edges()[3], Huber(1.0));
+    Options options;
+    options.algorithm = algorithm;
+    options.threads = GetParam();
+    Report report;
+    optimize(graph, options, report);
+    ASSERT_TRUE(report.converged()) << report;
+    ASSERT_EQ(report.workers, GetParam());
+    const double chi2 = report.chi2_final;
+    for (const auto& pose : poses) {
+      const double delta[6] = {0.01, -0.02, 0.01, 0.01, -0.01, 0.005};
+      graph.set_estimate(pose, Manifold<SE3>::oplus(graph.estimate(pose), delta));
+    }
+    const long before = boxplus::testing::allocation_count();
+    optimize(graph, options, report);
+    EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
+    EXPECT_TRUE(report.plan_reused);
+    EXPECT_GT(report.iterations, 1);
+    EXPECT_NEAR(report.chi2_final, chi2, 1e-8 * chi2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, SecondOptimize, ::testing::Values(1, 2));
+
+TEST(SecondOptimizeAfterAChange, PlansAnew) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 20);
+  optimize(graph);
+  EXPECT_TRUE(optimize(graph).plan_reused);
+  const auto edge = graph.add_edge(Between(SE2(1, 0, 0)), poses[3], poses[9]);
+  EXPECT_FALSE(optimize(graph).plan_reused);
+  graph.remove(edge);
+  EXPECT_FALSE(optimize(graph).plan_reused);
+  graph.fix(poses[2]);
+  EXPECT_FALSE(optimize(graph).plan_reused);
+  graph.remove(poses[7]);
+  const Report report = optimize(graph);
+  EXPECT_FALSE(report.plan_reused);
+  EXPECT_TRUE(report.converged()) << report;
+  Options options;
+  options.linear_solver = LinearSolverKind::kPcg;
+  EXPECT_FALSE(optimize(graph, options).plan_reused);
+}
+
+}  // namespace
+}  // namespace boxplus

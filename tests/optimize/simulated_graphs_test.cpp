@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Graphs whose truth is known: the optimum is below the truth's chi2, and chi2 is as large as the noise says.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/testing/simulate.h"
+
+namespace boxplus {
+namespace {
+
+class SimulatedGraphs : public ::testing::TestWithParam<World> {};
+
+/// Rows of all errors.
+double measurement_rows(const Graph& graph) {
+  double rows = 0;
+  for (const EdgeRef& edge : graph.all_edges()) rows += graph.information(edge).rows;
+  return rows;
+}
+
+TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed});
+    const double rows = measurement_rows(simulation.graph);
+    const Report report = optimize(simulation.graph, {.start = Start::kAutomatic});
+    ASSERT_TRUE(report.converged()) << "seed " << seed << "\n" << report;
+    EXPECT_LE(report.chi2_final, simulation.truth.chi2()) << "seed " << seed << "\n" << report;
+    // chi2 of a linear problem has the chi-square distribution: mean dof, variance 2 dof.
+    const double degrees_of_freedom = rows - report.scalars;
+    ASSERT_GT(degrees_of_freedom, 100);
+    const double sigma = std::sqrt(2 / degrees_of_freedom);
+    EXPECT_NEAR(report.chi2_final / degrees_of_freedom, 1, 5 * sigma) << "seed " << seed << "\n" << report;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, SimulatedGraphs,
+                         ::testing::Values(World::kManhattan, World::kSphere, World::kTorus, World::kGrid,
+                                           World::kLandmarks),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
+
+}  // namespace
+}  // namespace boxplus
