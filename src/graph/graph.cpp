@@ -15,6 +15,7 @@ Graph::Graph(Graph&& other) noexcept : Graph() {
 }
 
 Graph& Graph::operator=(Graph&& other) noexcept {
+  if (this == &other) return *this;
   cache_.reset();
   other.cache_.reset();
   vertex_pools_ = std::move(other.vertex_pools_);
@@ -114,9 +115,10 @@ void Graph::change_id(VertexRef vertex, Id new_id) {
   if (pool.id(vertex.slot) == new_id) return;
   IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
   Id unused = 0;
-  claim_id(ids, unused, new_id, "vertex");
-  ids.erase(pool.id(vertex.slot));
-  ids.emplace(new_id, vertex);
+  claim_id(ids, unused, new_id, pool.parameter(vertex.slot) ? "parameter" : "vertex");
+  auto entry = ids.extract(pool.id(vertex.slot));
+  entry.key() = new_id;
+  ids.insert(std::move(entry));
   pool.ids_[vertex.slot] = new_id;
   ++revision_;
 }
