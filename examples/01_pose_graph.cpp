@@ -12,7 +12,7 @@ int main() {
   auto b = graph.add_vertex(SE2(0.9, 0.1, 1.4));
   auto c = graph.add_vertex(SE2(1.2, 1.1, 3.0));
   graph.fix(a);
-  const double information = 100;  // or an Eigen matrix
+  const double information = 100;                                  // or an Eigen matrix
   graph.add_edge(Between(SE2(1, 0, kPi / 2)), information, a, b);  // ready-made: b as seen from a
   graph.add_edge(Between(SE2(1, 0, kPi / 2)), information, b, c);
   graph.add_edge([](const auto& p) { return p.y() - 1.02; }, information, c);  // any callable is an edge

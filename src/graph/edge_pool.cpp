@@ -67,8 +67,8 @@ std::uint32_t EdgePool::next_slot(std::size_t arity) const {
   return at < free_.size() ? free_[at] : slots();
 }
 
-std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
-                                     int rows) {
+std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots,
+                                     const Information& information, int rows) {
   const std::size_t at = find_free(vertex_slots.size());
   if (at == free_.size()) {
     append_slot(vertex_slots, information, rows);

@@ -38,20 +38,24 @@ Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char*
     while (ids.contains(next)) ++next;
     return next++;
   }
-  if (*id < 0) throw InvalidArgument(std::string(what) + " id: expected a number ≥ 0, got " + std::to_string(*id));
-  if (ids.contains(*id)) throw InvalidArgument(std::string(what) + " id " + std::to_string(*id) + " is taken");
+  if (*id < 0)
+    throw InvalidArgument(std::string(what) + " id: expected a number ≥ 0, got " + std::to_string(*id));
+  if (ids.contains(*id))
+    throw InvalidArgument(std::string(what) + " id " + std::to_string(*id) + " is taken");
   return *id;
 }
 
 VertexRef Graph::lookup(const IdMap& ids, Id id, const char* what) const {
   const auto found = ids.find(id);
-  if (found == ids.end()) throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
+  if (found == ids.end())
+    throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
   return found->second;
 }
 
 void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
-  throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " + std::string(expected) +
-                        ", it is a " + std::string(vertex_pools_[vertex.pool]->type_name()));
+  throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " +
+                        std::string(expected) + ", it is a " +
+                        std::string(vertex_pools_[vertex.pool]->type_name()));
 }
 
 void Graph::throw_wrong_type(EdgeRef edge, std::string_view expected) const {
@@ -67,15 +71,18 @@ bool Graph::contains(VertexRef vertex) const {
 
 bool Graph::contains(EdgeRef edge) const {
   return edge.pool < edge_pools_.size() && edge.slot < edge_pools_[edge.pool]->slots() &&
-         edge_pools_[edge.pool]->alive(edge.slot) && edge_pools_[edge.pool]->generation(edge.slot) == edge.generation;
+         edge_pools_[edge.pool]->alive(edge.slot) &&
+         edge_pools_[edge.pool]->generation(edge.slot) == edge.generation;
 }
 
 void Graph::check(VertexRef vertex) const {
-  if (!contains(vertex)) throw InvalidArgument("stale vertex handle: its vertex was removed or is of another graph");
+  if (!contains(vertex))
+    throw InvalidArgument("stale vertex handle: its vertex was removed or is of another graph");
 }
 
 void Graph::check(EdgeRef edge) const {
-  if (!contains(edge)) throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
+  if (!contains(edge))
+    throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
 }
 
 void Graph::check_distinct(std::span<const VertexRef> vertices) const {

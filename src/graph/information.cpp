@@ -99,7 +99,8 @@ Information Information::upper_triangle(std::span<const double> values, int rows
     for (int j = i + 1; j < rows; ++j) diagonal = (values[k++] == 0) && diagonal;
   }
   if (diagonal && rows > 0) {
-    const bool scalar = std::all_of(on_diagonal.begin(), on_diagonal.end(), [&](double v) { return v == on_diagonal[0]; });
+    const bool scalar =
+        std::all_of(on_diagonal.begin(), on_diagonal.end(), [&](double v) { return v == on_diagonal[0]; });
     Information result = scalar ? Information(on_diagonal[0]) : Information::diagonal(on_diagonal);
     result.rows_ = rows;
     return result;
@@ -124,8 +125,9 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
       if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also where one of them is NaN
         throw InvalidArgument("information: expected a symmetric matrix, but (" + std::to_string(i) + "," +
-                              std::to_string(j) + ") = " + std::to_string(matrix(i, j)) + " and (" + std::to_string(j) +
-                              "," + std::to_string(i) + ") = " + std::to_string(matrix(j, i)));
+                              std::to_string(j) + ") = " + std::to_string(matrix(i, j)) + " and (" +
+                              std::to_string(j) + "," + std::to_string(i) +
+                              ") = " + std::to_string(matrix(j, i)));
       }
       upper.push_back(matrix(i, j));
     }
@@ -136,14 +138,17 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
 std::string Information::complaint(int rows) const {
   if (values_.empty()) return "information: expected at least one row, got none";
   if (rows_ != 0 && rows_ != rows) {
-    return "information: expected " + std::to_string(rows) + " rows like the error, got " + std::to_string(rows_);
+    return "information: expected " + std::to_string(rows) + " rows like the error, got " +
+           std::to_string(rows_);
   }
   for (double v : values_) {
     if (!std::isfinite(v)) return "information: expected finite numbers, got " + std::to_string(v);
   }
   if (kind_ != InformationKind::kFull) {
     for (double v : values_) {
-      if (v < 0) return "information: expected a positive semi-definite matrix, got the diagonal entry " + std::to_string(v);
+      if (v < 0)
+        return "information: expected a positive semi-definite matrix, got the diagonal entry " +
+               std::to_string(v);
     }
     return {};
   }
@@ -153,15 +158,18 @@ std::string Information::complaint(int rows) const {
     return "information: expected a positive semi-definite matrix, got the diagonal entry " +
            std::to_string(least);
   }
-  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell indefinite ones.
+  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell
+  // indefinite ones.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
   Eigen::MatrixXd l = full;
   for (int k = 0; k < rows_; ++k) {
     const double pivot = l(k, k) + shift;
     if (!(pivot > 0)) {
-      const double smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
+      const double smallest =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
       if (smallest < -shift) {
-        return "information: expected a positive semi-definite matrix, got the eigenvalue " + std::to_string(smallest);
+        return "information: expected a positive semi-definite matrix, got the eigenvalue " +
+               std::to_string(smallest);
       }
       return {};
     }
@@ -174,7 +182,8 @@ std::string Information::complaint(int rows) const {
 }
 
 void InformationStore::append(const Information& information, int rows) {
-  if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
+  if (const std::string complaint = information.complaint(rows); !complaint.empty())
+    throw InvalidArgument(complaint);
   const std::span<const double> values = information.values();
   make_room(entries_);
   make_room(values_, values.size());
@@ -183,7 +192,8 @@ void InformationStore::append(const Information& information, int rows) {
 }
 
 void InformationStore::set(std::uint32_t edge, const Information& information, int rows) {
-  if (const std::string complaint = information.complaint(rows); !complaint.empty()) throw InvalidArgument(complaint);
+  if (const std::string complaint = information.complaint(rows); !complaint.empty())
+    throw InvalidArgument(complaint);
   const std::span<const double> values = information.values();
   std::uint64_t capacity = (entries_[edge] >> kOffsetBits) & kCapacityMask;
   std::uint64_t offset = entries_[edge] & kOffsetMask;

@@ -10,8 +10,8 @@ namespace boxplus {
 
 std::string demangle(const char* mangled) {
   int status = 0;
-  const std::unique_ptr<char, decltype(&std::free)> plain(abi::__cxa_demangle(mangled, nullptr, nullptr, &status),
-                                                          &std::free);
+  const std::unique_ptr<char, decltype(&std::free)> plain(
+      abi::__cxa_demangle(mangled, nullptr, nullptr, &status), &std::free);
   return status == 0 ? plain.get() : mangled;
 }
 

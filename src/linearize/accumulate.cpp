@@ -9,7 +9,8 @@ namespace {
 /// block (di × dj) += Jiᵀ WJj, where Ji and WJj have `rows` rows; or its transpose into a dj × di block.
 /// `Rows` > 0 fixes the number of rows at compile time.
 template <int Rows>
-void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed, double* block) {
+void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed,
+                 double* block) {
   const int n = Rows > 0 ? Rows : rows;
   const int step_a = transposed ? dj : 1, step_b = transposed ? 1 : di;
   for (int b = 0; b < dj; ++b) {
@@ -39,7 +40,8 @@ AddProduct add_product_for(int rows) {
 }
 
 /// block += scale · vi vjᵀ, or its transpose.
-void add_rank_one(double scale, const double* vi, int di, const double* vj, int dj, bool transposed, double* block) {
+void add_rank_one(double scale, const double* vi, int di, const double* vj, int dj, bool transposed,
+                  double* block) {
   for (int b = 0; b < dj; ++b) {
     for (int a = 0; a < di; ++a) block[transposed ? b + a * dj : a + b * di] += scale * vi[a] * vj[b];
   }
@@ -76,7 +78,8 @@ void accumulate(const EdgeSystem& edge, const InformationView& information, cons
   for (int i = 0, column_i = 0; i < arity; column_i += edge.dims[static_cast<std::size_t>(i)], ++i) {
     const int di = edge.dims[static_cast<std::size_t>(i)];
     if (targets[i] != Scatter::kNowhere) {
-      for (int k = 0; k < di; ++k) gradient[targets[i] + static_cast<std::uint32_t>(k)] += weight.first * v[column_i + k];
+      for (int k = 0; k < di; ++k)
+        gradient[targets[i] + static_cast<std::uint32_t>(k)] += weight.first * v[column_i + k];
     }
     for (int j = 0, column_j = 0; j <= i; column_j += edge.dims[static_cast<std::size_t>(j)], ++j, ++pair) {
       if (*pair == Scatter::kNowhere) continue;
@@ -84,7 +87,8 @@ void accumulate(const EdgeSystem& edge, const InformationView& information, cons
       const bool transposed = (*pair & Scatter::kTransposed) != 0;
       double* block = values + (*pair & ~Scatter::kTransposed);
       add(edge.jacobian + column_i * rows, di, weighted + column_j * rows, dj, rows, transposed, block);
-      if (weight.second != 0) add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
+      if (weight.second != 0)
+        add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
     }
   }
 }

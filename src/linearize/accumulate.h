@@ -10,7 +10,8 @@
 
 namespace boxplus {
 
-/// The weights of one edge: its Ω is scaled by `first` = max(0, ρ′) and gets the rank-one term `second` · Ωe eᵀΩ.
+/// The weights of one edge: its Ω is scaled by `first` = max(0, ρ′) and gets the rank-one term `second` · Ωe
+/// eᵀΩ.
 struct EdgeWeight {
   double first = 1;
   double second = 0;
@@ -24,11 +25,11 @@ struct EdgeSystem {
   int rows, cols;
   std::span<const int> dims;  ///< tangent size of each vertex
   const double* error;
-  const double* jacobian;     ///< rows × cols, column-major
+  const double* jacobian;  ///< rows × cols, column-major
 };
 
-/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted` and `weighted_error` are scratch
-/// of rows·cols and rows + cols numbers.
+/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted` and `weighted_error`
+/// are scratch of rows·cols and rows + cols numbers.
 void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error);

@@ -56,7 +56,8 @@ std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const P
       if (!pool.alive(edge) || !wanted[p][edge]) continue;
       if (request.level >= 0 && pool.level(edge) != request.level) continue;
       bool touches = request.vertices.empty();
-      for_each_vertex(pool, edge, [&](std::uint32_t v, std::uint32_t slot) { touches |= movable[v][slot] != 0; });
+      for_each_vertex(pool, edge,
+                      [&](std::uint32_t v, std::uint32_t slot) { touches |= movable[v][slot] != 0; });
       if (touches) result[p].push_back(edge);
     }
   }
@@ -83,8 +84,8 @@ class DisjointSets {
 
 /// Finds the components that nothing holds in place, and the vertex to hold in each.
 ///
-/// An edge anchors a component with its rows where exactly one of its vertices is free (a prior, a measurement against
-/// a fixed vertex). Parameters count neither as free nor as fixed vertices.
+/// An edge anchors a component with its rows where exactly one of its vertices is free (a prior, a
+/// measurement against a fixed vertex). Parameters count neither as free nor as fixed vertices.
 class GaugeFinder {
  public:
   GaugeFinder(const Graph& graph, const ActiveSet& active, const Flags& movable)
@@ -132,8 +133,8 @@ class GaugeFinder {
       if (rows > 0) {
         ++out.damped_components;
       } else if (request.gauge == GaugePolicy::kFixFirst) {
-        const bool refused = std::find(request.never_hold.begin(), request.never_hold.end(), candidate.vertex) !=
-                             request.never_hold.end();
+        const bool refused = std::find(request.never_hold.begin(), request.never_hold.end(),
+                                       candidate.vertex) != request.never_hold.end();
         if (!refused) out.held.push_back({candidate.vertex, std::get<2>(candidate.rank), {}});
       } else {
         ++out.free_components;
@@ -170,26 +171,31 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
   Flags seen = make_flags(graph, 0);
   for (std::size_t p = 0; p < active.edges.size(); ++p) {
     for (std::uint32_t edge : active.edges[p]) {
-      for_each_vertex(*graph.edge_pools()[p], edge, [&](std::uint32_t v, std::uint32_t slot) { seen[v][slot] = 1; });
+      for_each_vertex(*graph.edge_pools()[p], edge,
+                      [&](std::uint32_t v, std::uint32_t slot) { seen[v][slot] = 1; });
     }
   }
   std::vector<VertexRef> result;
   for (std::uint32_t p = 0; p < seen.size(); ++p) {
     for (std::uint32_t slot = 0; slot < seen[p].size(); ++slot) {
-      if (seen[p][slot] && movable[p][slot]) result.push_back({p, slot, graph.vertex_pools()[p]->generation(slot)});
+      if (seen[p][slot] && movable[p][slot])
+        result.push_back({p, slot, graph.vertex_pools()[p]->generation(slot)});
     }
   }
   return result;
 }
 
-/// Blocks: eliminated vertices first, then the others, each group by id (parameters after vertices of the same id).
+/// Blocks: eliminated vertices first, then the others, each group by id (parameters after vertices of the
+/// same id).
 void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active) {
   const auto rank = [&](const VertexRef& v) {
     const VertexPool& pool = *graph.vertex_pools()[v.pool];
     return std::tuple(!pool.eliminated(v.slot), pool.id(v.slot), pool.parameter(v.slot));
   };
-  std::sort(vertices.begin(), vertices.end(), [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  for (const auto& pool : graph.vertex_pools()) active.block.emplace_back(pool->slots(), ActiveSet::kInactive);
+  std::sort(vertices.begin(), vertices.end(),
+            [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  for (const auto& pool : graph.vertex_pools())
+    active.block.emplace_back(pool->slots(), ActiveSet::kInactive);
   for (const VertexRef& vertex : vertices) {
     active.block[vertex.pool][vertex.slot] = static_cast<std::uint32_t>(active.block_vertex.size());
     active.block_vertex.push_back(vertex);

@@ -93,8 +93,9 @@ void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
   std::vector<int>& dims = memory.dims;
   vertex_dims(*graph_, pool, scatter.edges[run.begin], dims);
   const bool uniform = pool.uniform_shape();
-  const auto capacity =
-      uniform ? static_cast<std::size_t>(tile_capacity(pool.shape(scatter.edges[run.begin]))) : std::size_t{1};
+  const auto capacity = uniform
+                            ? static_cast<std::size_t>(tile_capacity(pool.shape(scatter.edges[run.begin])))
+                            : std::size_t{1};
   const std::uint32_t stride = Scatter::targets_of(static_cast<int>(dims.size()));
   EdgeTile tile;
   tile.error = memory.error.data();
@@ -112,13 +113,14 @@ void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
     if (!uniform) vertex_dims(*graph_, pool, memory.edges[0], dims);
     for (std::size_t k = 0; k < memory.edges.size(); ++k) {
       const std::uint32_t position = memory.positions[k];
-      const std::uint32_t start = scatter.target_start.empty() ? position * stride : scatter.target_start[position];
+      const std::uint32_t start =
+          scatter.target_start.empty() ? position * stride : scatter.target_start[position];
       const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
       const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
       const InformationView omega = pool.information(memory.edges[k], tile.rows);
       const RobustKernel* kernel = pool.kernel(memory.edges[k]);
-      const EdgeWeight weight = kernel ? edge_weight(kernel, omega.squared_norm(error), options.triggs_correction)
-                                       : EdgeWeight{};
+      const EdgeWeight weight =
+          kernel ? edge_weight(kernel, omega.squared_norm(error), options.triggs_correction) : EdgeWeight{};
       accumulate({tile.rows, tile.cols, dims, error, jacobian}, omega, weight, scatter.targets.data() + start,
                  values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
     }
@@ -206,8 +208,9 @@ double Linearizer::held_vertex_decrease(std::size_t k) {
     held_targets_[memory.dims.size() + use.position * (use.position + 1) / 2 + use.position] = 0;
     const InformationView omega = pool.information(use.edge, tile.rows);
     const EdgeWeight weight = edge_weight(pool.kernel(use.edge), omega.squared_norm(tile.error), false);
-    accumulate({tile.rows, tile.cols, memory.dims, tile.error, tile.jacobian}, omega, weight, held_targets_.data(),
-               held_hessian_.data(), held_gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
+    accumulate({tile.rows, tile.cols, memory.dims, tile.error, tile.jacobian}, omega, weight,
+               held_targets_.data(), held_hessian_.data(), held_gradient_.data(), memory.weighted.data(),
+               memory.weighted_error.data());
   }
   return newton_decrease(held_hessian_, held_gradient_);
 }

@@ -5,8 +5,8 @@
 
 namespace boxplus {
 
-/// Sum by halving: the error grows with log n (Higham, "The accuracy of floating point summation", 1993), and the
-/// order is fixed by n alone.
+/// Sum by halving: the error grows with log n (Higham, "The accuracy of floating point summation", 1993), and
+/// the order is fixed by n alone.
 double pairwise_sum(std::span<const double> values);
 
 }  // namespace boxplus

@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t kEdgesPerWorker = 500;
 
 /// Blocks of an edge's vertices, in order; ActiveSet::kInactive for those that do not move.
-void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& active, std::vector<std::uint32_t>& out) {
+void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& active,
+                 std::vector<std::uint32_t>& out) {
   out.clear();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -33,7 +34,8 @@ void for_each_active_edge(const Graph& graph, const ActiveSet& active, F&& f) {
   }
 }
 
-void check_elimination(const Graph& graph, const ActiveSet& active, const std::vector<std::uint32_t>& blocks) {
+void check_elimination(const Graph& graph, const ActiveSet& active,
+                       const std::vector<std::uint32_t>& blocks) {
   std::uint32_t other = ActiveSet::kInactive;
   for (std::uint32_t block : blocks) {
     if (block >= active.eliminated_blocks) continue;
@@ -53,15 +55,16 @@ BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active) {
     dims.push_back(static_cast<std::uint32_t>(graph.vertex_pools()[v.pool]->tangent_dim(v.slot)));
   }
   std::vector<BlockCoordinate> pairs;
-  for_each_active_edge(graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
-    check_elimination(graph, active, blocks);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (blocks[i] == ActiveSet::kInactive || blocks[j] == ActiveSet::kInactive) continue;
-        pairs.push_back({std::max(blocks[i], blocks[j]), std::min(blocks[i], blocks[j])});
-      }
-    }
-  });
+  for_each_active_edge(
+      graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
+        check_elimination(graph, active, blocks);
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+          for (std::size_t j = 0; j < i; ++j) {
+            if (blocks[i] == ActiveSet::kInactive || blocks[j] == ActiveSet::kInactive) continue;
+            pairs.push_back({std::max(blocks[i], blocks[j]), std::min(blocks[i], blocks[j])});
+          }
+        }
+      });
   BlockStructure structure = make_block_structure(dims, pairs);
   if (structure.nonzero_values() >= Scatter::kTransposed) {
     throw InvalidArgument("the problem is too large: H has more than 2^31 values");
@@ -102,18 +105,20 @@ void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
 /// Contiguous ranges of block columns with about the same number of touching edges.
 std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers) {
   std::vector<std::uint64_t> weight(active.block_vertex.size(), 1);
-  for_each_active_edge(graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
-    for (std::uint32_t block : blocks) {
-      if (block != ActiveSet::kInactive) ++weight[block];
-    }
-  });
+  for_each_active_edge(graph, active,
+                       [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
+                         for (std::uint32_t block : blocks) {
+                           if (block != ActiveSet::kInactive) ++weight[block];
+                         }
+                       });
   const std::uint64_t total = std::accumulate(weight.begin(), weight.end(), std::uint64_t{0});
   std::vector<std::uint32_t> bounds{0};
   std::uint64_t sum = 0;
   for (std::uint32_t block = 0; block < weight.size(); ++block) {
     sum += weight[block];
     const auto share = static_cast<std::uint64_t>(bounds.size());
-    if (bounds.size() < static_cast<std::size_t>(workers) && sum * static_cast<std::uint64_t>(workers) >= total * share) {
+    if (bounds.size() < static_cast<std::size_t>(workers) &&
+        sum * static_cast<std::uint64_t>(workers) >= total * share) {
       bounds.push_back(block + 1);
     }
   }
@@ -124,8 +129,8 @@ std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& ac
 /// The scatter map of one chunk.
 class ChunkBuilder {
  public:
-  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure, std::uint32_t first,
-               std::uint32_t last)
+  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure,
+               std::uint32_t first, std::uint32_t last)
       : graph_(graph), active_(active), structure_(structure) {
     chunk_.first_column = first;
     chunk_.last_column = last;
@@ -142,7 +147,8 @@ class ChunkBuilder {
       entries.push_back({std::min(first, active_.eliminated_blocks), pool, edge});
     });
     if (active_.eliminated_blocks > 0) {
-      std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.group < b.group; });
+      std::stable_sort(entries.begin(), entries.end(),
+                       [](const Entry& a, const Entry& b) { return a.group < b.group; });
     }
     std::vector<std::uint32_t> scatter_of(graph_.edge_pools().size(), ActiveSet::kInactive);
     for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -153,7 +159,8 @@ class ChunkBuilder {
         chunk_.scatters.push_back({entry.pool, {}, {}, {}});
       }
       const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
-      const bool starts_run = k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
+      const bool starts_run =
+          k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
       if (starts_run) chunk_.runs.push_back({scatter, position, position});
       ++chunk_.runs.back().end;
       append(chunk_.scatters[scatter], entry.edge);
@@ -170,7 +177,8 @@ class ChunkBuilder {
     const EdgePool& pool = *graph_.edge_pools()[scatter.pool];
     edge_blocks(pool, edge, active_, blocks_);
     scatter.edges.push_back(edge);
-    if (!pool.uniform_shape()) scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
+    if (!pool.uniform_shape())
+      scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
     for (std::uint32_t block : blocks_) {
       scatter.targets.push_back(owns(block) ? structure_.offset[block] : Scatter::kNowhere);
     }
@@ -180,7 +188,8 @@ class ChunkBuilder {
   }
 
   std::uint32_t target(std::uint32_t i, std::uint32_t j) const {
-    if (i == ActiveSet::kInactive || j == ActiveSet::kInactive || !owns(std::min(i, j))) return Scatter::kNowhere;
+    if (i == ActiveSet::kInactive || j == ActiveSet::kInactive || !owns(std::min(i, j)))
+      return Scatter::kNowhere;
     const std::uint32_t value = structure_.value_start[structure_.find(std::max(i, j), std::min(i, j))];
     return i >= j ? value : value | Scatter::kTransposed;
   }
@@ -211,7 +220,8 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   plan.structure = hessian_structure(graph, active);
   list_vertices(active, plan);
   list_edges(graph, active, plan);
-  const int workers = std::clamp(static_cast<int>(plan.edge_count / kEdgesPerWorker), 1, std::max(1, request.threads));
+  const int workers =
+      std::clamp(static_cast<int>(plan.edge_count / kEdgesPerWorker), 1, std::max(1, request.threads));
   const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers);
   for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
     plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, bounds[c], bounds[c + 1]).build());

@@ -35,10 +35,12 @@ void subtract_product(const double* a, int m, const double* b, int n, int k, dou
 
 }  // namespace
 
-/// Calls f(kept block, values of W's block, its rows) for the rows below the diagonal of an eliminated column.
+/// Calls f(kept block, values of W's block, its rows) for the rows below the diagonal of an eliminated
+/// column.
 template <class F>
 void Schur::for_each_row(std::uint32_t column, F&& f) const {
-  for (std::uint32_t k = structure_->column_start[column] + 1; k < structure_->column_start[column + 1]; ++k) {
+  for (std::uint32_t k = structure_->column_start[column] + 1; k < structure_->column_start[column + 1];
+       ++k) {
     f(structure_->row[k] - eliminated_, values_.data() + structure_->value_start[k],
       static_cast<int>(structure_->dim(structure_->row[k])));
   }
@@ -55,7 +57,8 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     const std::uint32_t begin = structure.column_start[column] + 1, end = structure.column_start[column + 1];
     largest = std::max<std::size_t>(largest, structure.dim(column));
     if (column >= eliminated_) {
-      for (std::uint32_t k = begin; k < end; ++k) pairs.push_back({structure.row[k] - eliminated_, column - eliminated_});
+      for (std::uint32_t k = begin; k < end; ++k)
+        pairs.push_back({structure.row[k] - eliminated_, column - eliminated_});
       continue;
     }
     factor_start_.push_back(static_cast<std::uint32_t>(factors_.size()));
@@ -100,7 +103,8 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
     const double* v = values.data() + structure_->value_start[structure_->column_start[e]];
     double* l = factors_.data() + factor_start_[e];
     std::copy_n(v, n * n, l);
-    for (int i = 0; i < n; ++i) l[i + i * n] += damping(structure_->offset[e] + static_cast<std::uint32_t>(i));
+    for (int i = 0; i < n; ++i)
+      l[i + i * n] += damping(structure_->offset[e] + static_cast<std::uint32_t>(i));
     if (!small_cholesky(l, n)) {
       const bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
       return {finite ? LinearStatus::kNotPositiveDefinite : LinearStatus::kNotFinite, e};
@@ -117,7 +121,8 @@ Damping Schur::reduced_damping(const Damping& damping) const {
 void Schur::form_reduced_values() {
   std::fill(reduced_values_.begin(), reduced_values_.end(), 0.0);
   const std::uint32_t* target = kept_target_.data();
-  for (std::uint32_t k = structure_->column_start[eliminated_]; k < structure_->nonzero_blocks(); ++k, ++target) {
+  for (std::uint32_t k = structure_->column_start[eliminated_]; k < structure_->nonzero_blocks();
+       ++k, ++target) {
     std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1],
               reduced_values_.begin() + *target);
   }

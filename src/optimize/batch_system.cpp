@@ -9,8 +9,8 @@
 namespace boxplus {
 namespace {
 
-/// What GaugePolicy::kDamp adds to the diagonal, as a fraction of its largest entry: enough to lift pivots that are
-/// rounding noise, too little to be seen in a step.
+/// What GaugePolicy::kDamp adds to the diagonal, as a fraction of its largest entry: enough to lift pivots
+/// that are rounding noise, too little to be seen in a step.
 constexpr double kGaugeDamping = 1e-11;
 
 /// The diagonal that damping is scaled by stays above this fraction of its largest entry.
@@ -27,8 +27,10 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverK
   const AnalyzeHints hints{.right_hand_sides = 1, .threads = request.threads, .last = {}};
   if (plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks()) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
-    const bool make_values = schur == SchurMode::kExplicit || !(operator_suffices || schur == SchurMode::kImplicit);
-    schur_ = std::make_unique<Schur>(plan_->structure, plan_->eliminated_blocks, make_values || !operator_suffices);
+    const bool make_values =
+        schur == SchurMode::kExplicit || !(operator_suffices || schur == SchurMode::kImplicit);
+    schur_ = std::make_unique<Schur>(plan_->structure, plan_->eliminated_blocks,
+                                     make_values || !operator_suffices);
     if (schur_->reduced_values().empty()) {
       reduced_ = std::make_unique<ImplicitSchur>(*schur_);
     } else {
@@ -62,7 +64,8 @@ bool BatchSystem::linearize() {
   for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
     const double* diagonal_block = values.data() + structure.value_start[structure.column_start[block]];
     const std::uint32_t dim = structure.dim(block);
-    for (std::uint32_t i = 0; i < dim; ++i) diagonal_[structure.offset[block] + i] = diagonal_block[i * (dim + 1)];
+    for (std::uint32_t i = 0; i < dim; ++i)
+      diagonal_[structure.offset[block] + i] = diagonal_block[i * (dim + 1)];
   }
   return all_finite(linearizer_.gradient()) && all_finite(diagonal_);
 }
@@ -78,7 +81,8 @@ Damping BatchSystem::full_damping(const StepDamping& damping) {
   const double largest = max_abs(diagonal_);
   const bool loose = plan_->free_components > 0 || plan_->damped_components > 0;
   const double gauge = loose ? kGaugeDamping * largest : 0;
-  if (damping.scale == DampingScale::kIdentity || damping.lambda == 0) return {damping.lambda + gauge, nullptr};
+  if (damping.scale == DampingScale::kIdentity || damping.lambda == 0)
+    return {damping.lambda + gauge, nullptr};
   const double floor = std::max(kDiagonalFloor * largest, 1e-300);
   for (std::size_t i = 0; i < damping_.size(); ++i) {
     damping_[i] = damping.lambda * std::max(diagonal_[i], floor) + gauge;
@@ -94,7 +98,8 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 }
 
 StepResult BatchSystem::fail(const FactorResult& result, std::uint32_t first_block) {
-  failed_block_ = result.failed_block == BlockStructure::kAbsent ? first_block : first_block + result.failed_block;
+  failed_block_ =
+      result.failed_block == BlockStructure::kAbsent ? first_block : first_block + result.failed_block;
   return {result.status, 0};
 }
 
@@ -120,12 +125,14 @@ StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> 
   }
   const TimeAdder adder(timings_->solve_s);
   schur_->reduce(right_hand_side_.data(), reduced_right_hand_side_.data());
-  const SolveResult solved = solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
+  const SolveResult solved =
+      solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
   if (solved.status == LinearStatus::kNotFinite || solved.status == LinearStatus::kStopped) {
     return {solved.status, solved.iterations};
   }
   schur_->back_substitute(right_hand_side_.data(), reduced_step_.data(), step.data());
-  return {solved.status == LinearStatus::kNotConverged ? LinearStatus::kOk : solved.status, solved.iterations};
+  return {solved.status == LinearStatus::kNotConverged ? LinearStatus::kOk : solved.status,
+          solved.iterations};
 }
 
 void BatchSystem::save(int level) {
@@ -133,7 +140,8 @@ void BatchSystem::save(int level) {
 }
 
 void BatchSystem::restore(int level) {
-  for (const VertexList& list : plan_->vertices) graph_->vertex_pools()[list.pool]->restore(list.slots, level);
+  for (const VertexList& list : plan_->vertices)
+    graph_->vertex_pools()[list.pool]->restore(list.slots, level);
 }
 
 double BatchSystem::try_step(std::span<const double> step) {

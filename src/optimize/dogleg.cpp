@@ -32,8 +32,8 @@ void Dogleg::scale_from(const System& system) {
   for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(diagonal[i], floor);
 }
 
-/// The Gauss-Newton step; where H is not positive definite, of H + λD with the least λ of a geometric ladder that
-/// makes it so. The ladder begins one rung below the last one used.
+/// The Gauss-Newton step; where H is not positive definite, of H + λD with the least λ of a geometric ladder
+/// that makes it so. The ladder begins one rung below the last one used.
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
   regularisation_ = regularisation_ > kFirstRegularisation ? regularisation_ / 10 : 0;
   for (;;) {
@@ -43,7 +43,8 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
       regularised_steps_ += regularisation_ > 0;
       return LinearStatus::kOk;
     }
-    if (solved.status == LinearStatus::kStopped || solved.status == LinearStatus::kNotFinite) return solved.status;
+    if (solved.status == LinearStatus::kStopped || solved.status == LinearStatus::kNotFinite)
+      return solved.status;
     if (regularisation_ >= kLastRegularisation) return LinearStatus::kNotPositiveDefinite;
     regularisation_ = regularisation_ == 0 ? kFirstRegularisation : 10 * regularisation_;
   }

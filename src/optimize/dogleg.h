@@ -8,9 +8,9 @@
 
 namespace boxplus {
 
-/// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ, D = diag H, so that metres
-/// and radians weigh alike. A rejected step costs no factorisation. The trust region begins unbounded, so that
-/// Gauss-Newton runs freely while its steps lower chi2.
+/// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ, D = diag H, so
+/// that metres and radians weigh alike. A rejected step costs no factorisation. The trust region begins
+/// unbounded, so that Gauss-Newton runs freely while its steps lower chi2.
 class Dogleg final : public Algorithm {
  public:
   std::string_view name() const override { return "dogleg"; }

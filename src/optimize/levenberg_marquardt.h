@@ -7,7 +7,8 @@
 
 namespace boxplus {
 
-/// Levenberg-Marquardt with Nielsen's damping update (Nielsen, "Damping parameter in Marquardt's method", 1999).
+/// Levenberg-Marquardt with Nielsen's damping update (Nielsen, "Damping parameter in Marquardt's method",
+/// 1999).
 class LevenbergMarquardt final : public Algorithm {
  public:
   std::string_view name() const override { return "Levenberg-Marquardt"; }

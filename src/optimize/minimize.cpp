@@ -39,8 +39,8 @@ std::optional<Reason> convergence(const Options& options, const IterationRecord&
 
 }  // namespace
 
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2, const Stopwatch& clock,
-                   std::vector<IterationRecord>& records) {
+RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2,
+                   const Stopwatch& clock, std::vector<IterationRecord>& records) {
   for (int iteration = 0;; ++iteration) {
     if (const auto reason = interruption(options, clock, iteration)) {
       return {Status::kNotConverged, *reason, chi2, iteration};

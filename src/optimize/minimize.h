@@ -18,7 +18,7 @@ struct RunResult {
 };
 
 /// Runs `algorithm` from estimates with cost `chi2`. `clock` began with optimize(). Records are appended.
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2, const Stopwatch& clock,
-                   std::vector<IterationRecord>& records);
+RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2,
+                   const Stopwatch& clock, std::vector<IterationRecord>& records);
 
 }  // namespace boxplus

@@ -21,7 +21,8 @@ void check(const Options& options) {
   require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
   require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
   require(options.linear_tolerance > 0, "linear_tolerance > 0");
-  require(options.initial_lambda >= 0 && options.initial_radius >= 0, "initial_lambda and initial_radius ≥ 0");
+  require(options.initial_lambda >= 0 && options.initial_radius >= 0,
+          "initial_lambda and initial_radius ≥ 0");
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
 }
 
@@ -106,7 +107,8 @@ class Optimization {
     }
   }
 
-  /// Overwrites the estimates with the initial guess `start`; false, with a note in the report, where there is none.
+  /// Overwrites the estimates with the initial guess `start`; false, with a note in the report, where there
+  /// is none.
   bool make_guess(Start start) {
     const TimeAdder adder(report_.time.start_s);
     const GuessResult guess = start == Start::kOdometry       ? guess_odometry(graph_, system().plan())
@@ -183,8 +185,8 @@ class Optimization {
     return result;
   }
 
-  /// A held vertex whose own gradient does not vanish at the minimum over the others was no gauge freedom: it is let
-  /// go, and the caller runs on.
+  /// A held vertex whose own gradient does not vanish at the minimum over the others was no gauge freedom: it
+  /// is let go, and the caller runs on.
   bool release_observable_vertices(const RunResult& result) {
     constexpr double kNoticeable = 1e-8;
     if (result.status != Status::kConverged) return false;
@@ -210,8 +212,9 @@ class Optimization {
     report_.message.assign(to_string(result.reason));
     if (result.reason == Reason::kNotPositiveDefinite) {
       const VertexRef vertex = system().failed_vertex();
-      report_.message += ": the Hessian is singular or indefinite at vertex " + std::to_string(graph_.id(vertex)) +
-                         " (" + std::string(graph_.vertex_pools()[vertex.pool]->type_name()) +
+      report_.message += ": the Hessian is singular or indefinite at vertex " +
+                         std::to_string(graph_.id(vertex)) + " (" +
+                         std::string(graph_.vertex_pools()[vertex.pool]->type_name()) +
                          "); nothing measures it in some direction";
     } else if (result.reason == Reason::kNotFinite) {
       name_non_finite_edge();
@@ -221,11 +224,14 @@ class Optimization {
 
   void name_non_finite_edge() {
     const auto error = system().linearizer().find_non_finite_error();
-    const auto edge = error ? error : system().linearizer().find_non_finite_jacobian(system().linearize_options());
+    const auto edge =
+        error ? error : system().linearizer().find_non_finite_jacobian(system().linearize_options());
     if (!edge) return;
     report_.message += error ? ": the error of" : ": a Jacobian of";
-    report_.message += " the edge " + std::string(graph_.edge_pools()[edge->pool]->type_name()) + " between vertices";
-    for (const VertexRef& vertex : graph_.vertices(*edge)) report_.message += " " + std::to_string(graph_.id(vertex));
+    report_.message +=
+        " the edge " + std::string(graph_.edge_pools()[edge->pool]->type_name()) + " between vertices";
+    for (const VertexRef& vertex : graph_.vertices(*edge))
+      report_.message += " " + std::to_string(graph_.id(vertex));
     report_.message += " is NaN or infinite";
   }
 

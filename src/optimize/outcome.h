@@ -17,9 +17,11 @@ inline IterationOutcome outcome_of(LinearStatus status) {
   }
 }
 
-/// The outcome when no trial step lowered chi2: at a minimum where the best of them promised no more than rounding.
+/// The outcome when no trial step lowered chi2: at a minimum where the best of them promised no more than
+/// rounding.
 inline IterationOutcome outcome_without_decrease(double largest_promise, double chi2, double tolerance) {
-  return largest_promise <= tolerance * chi2 ? IterationOutcome::kNoFurtherDecrease : IterationOutcome::kNoStepFound;
+  return largest_promise <= tolerance * chi2 ? IterationOutcome::kNoFurtherDecrease
+                                             : IterationOutcome::kNoStepFound;
 }
 
 }  // namespace boxplus

@@ -49,7 +49,8 @@ void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {
 Algorithm& Session::algorithm(const Options& options) {
   AlgorithmKind kind = options.algorithm;
   if (kind == AlgorithmKind::kAutomatic) {
-    kind = system_->plan().eliminated_blocks > 0 ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
+    kind =
+        system_->plan().eliminated_blocks > 0 ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
   }
   auto& algorithm = algorithms_[static_cast<std::size_t>(kind)];
   if (!algorithm) algorithm = make_algorithm(kind);

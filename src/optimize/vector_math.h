@@ -28,7 +28,8 @@ inline bool all_finite(std::span<const double> a) {
 }
 
 /// How much F falls along δ according to the quadratic model: −(2 gᵀδ + δᵀHδ).
-inline double model_decrease(std::span<const double> gradient, std::span<const double> step, double curvature) {
+inline double model_decrease(std::span<const double> gradient, std::span<const double> step,
+                             double curvature) {
   return -(2 * dot(gradient, step) + curvature);
 }
 

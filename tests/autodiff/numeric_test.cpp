@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/manifold/numeric_jacobian.h"
-
 #include <gtest/gtest.h>
 
+#include "boxplus/manifold/numeric_jacobian.h"
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 

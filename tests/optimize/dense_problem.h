@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An independent, dense and slow least-squares solver: it shares nothing with the engine but ⊞ and the kernels' ρ.
+// An independent, dense and slow least-squares solver: it shares nothing with the engine but ⊞ and the
+// kernels' ρ.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -118,10 +119,11 @@ class DenseProblem {
         move(delta);
       };
       for (std::size_t k = 0; k < edges_.size(); ++k) jacobian[k].col(c).setZero();
-      for (const auto& [h, weight] : {std::pair(kStep, 8.0), std::pair(-kStep, -8.0), std::pair(2 * kStep, -1.0),
-                                      std::pair(-2 * kStep, 1.0)}) {
+      for (const auto& [h, weight] : {std::pair(kStep, 8.0), std::pair(-kStep, -8.0),
+                                      std::pair(2 * kStep, -1.0), std::pair(-2 * kStep, 1.0)}) {
         at(h);
-        for (std::size_t k = 0; k < edges_.size(); ++k) jacobian[k].col(c) += weight / (12 * kStep) * edges_[k].error();
+        for (std::size_t k = 0; k < edges_.size(); ++k)
+          jacobian[k].col(c) += weight / (12 * kStep) * edges_[k].error();
       }
     }
     move(Eigen::VectorXd::Zero(n));

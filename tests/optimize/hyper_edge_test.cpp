@@ -20,12 +20,13 @@ struct Calibration {
     poses.push_back(graph.add_vertex(SE2()));
     graph.fix(poses[0]);
     for (int i = 0; i < 40; ++i) {
-      const WheelOdometry odometry(WheelSpeeds{1 + 0.3 * std::sin(0.7 * i), 1 + 0.3 * std::cos(0.4 * i), 0.5});
+      const WheelOdometry odometry(
+          WheelSpeeds{1 + 0.3 * std::sin(0.7 * i), 1 + 0.3 * std::cos(0.4 * i), 0.5});
       truth.push_back(truth.back() * odometry.motion(true_wheels));
       poses.push_back(graph.add_vertex(graph.estimate(poses.back()) * odometry.motion(guess)));
       graph.add_edge(odometry, 100.0, poses[poses.size() - 2], poses.back(), wheels);
-      graph.add_edge(Between(truth[truth.size() - 2].inverse() * truth.back()), 100.0, poses[poses.size() - 2],
-                     poses.back());
+      graph.add_edge(Between(truth[truth.size() - 2].inverse() * truth.back()), 100.0,
+                     poses[poses.size() - 2], poses.back());
     }
   }
 };

@@ -32,7 +32,8 @@ int features(const BasicSE2<S>& x, S* out) {
 }
 template <class S>
 int features(const BasicSE3<S>& x, S* out) {
-  const Vector<S, 3> a = x * Vector<double, 3>(1, 0, 0), b = x * Vector<double, 3>(0, 1, 0), t = x.translation();
+  const Vector<S, 3> a = x * Vector<double, 3>(1, 0, 0), b = x * Vector<double, 3>(0, 1, 0),
+                     t = x.translation();
   for (int i = 0; i < 3; ++i) {
     out[i] = t[i];
     out[3 + i] = a[i];
@@ -47,7 +48,8 @@ int features(std::span<const T> tail, auto* out) {
   return n;
 }
 
-/// e = A f(x) + bend (A f(x))² − z: mildly nonlinear in all of its vertices. Rows may be fixed or chosen at run time.
+/// e = A f(x) + bend (A f(x))² − z: mildly nonlinear in all of its vertices. Rows may be fixed or chosen at
+/// run time.
 template <int Rows>
 struct Mix {
   Eigen::MatrixXd A;
@@ -98,10 +100,12 @@ class RandomProblem {
   void build() {
     auto v1 = add_vertices<Vector<double, 1>>(2, [&] { return Vector<double, 1>(normal()); });
     auto v2 = add_vertices<Vector<double, 2>>(2, [&] { return Vector<double, 2>(normal(), normal()); });
-    auto v3 = add_vertices<Vector<double, 3>>(2, [&] { return Vector<double, 3>(normal(), normal(), normal()); });
+    auto v3 =
+        add_vertices<Vector<double, 3>>(2, [&] { return Vector<double, 3>(normal(), normal(), normal()); });
     auto poses2 = add_vertices<SE2>(2, [&] { return SE2(normal(), normal(), normal()); });
     auto poses3 = add_vertices<SE3>(2, [&] { return random_se3(); });
-    auto dynamic = add_vertices<Dynamic>(3, [&] { return random_dynamic(1 + static_cast<int>(random_() % 5)); });
+    auto dynamic =
+        add_vertices<Dynamic>(3, [&] { return random_dynamic(1 + static_cast<int>(random_() % 5)); });
     determine(v1, v2, v3, poses2, poses3, dynamic);
     for (int k = 0; k < 3; ++k) {
       add<3>(3, pick(poses2), pick(v2));
@@ -115,7 +119,8 @@ class RandomProblem {
 
   Graph graph;
   DenseProblem dense;
-  std::vector<std::function<double()>> distance;  ///< largest difference of each vertex between graph and dense
+  std::vector<std::function<double()>>
+      distance;  ///< largest difference of each vertex between graph and dense
 
  private:
   double normal() { return normal_(random_); }

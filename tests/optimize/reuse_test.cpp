@@ -11,7 +11,8 @@ namespace {
 class SecondOptimize : public ::testing::TestWithParam<int> {};
 
 TEST_P(SecondOptimize, AllocatesNothing) {
-  if (!boxplus::testing::allocations_are_counted()) GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  if (!boxplus::testing::allocations_are_counted())
+    GTEST_SKIP() << "the sanitizer has an allocator of its own";
   for (const AlgorithmKind algorithm :
        {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
     Graph graph;

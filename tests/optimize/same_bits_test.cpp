@@ -21,13 +21,15 @@ Outcome run(AlgorithmKind algorithm, LinearSolverKind solver, int threads) {
   const auto circle = add_noisy_circle(graph, 300);
   for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Huber(3.0));
   Outcome outcome;
-  outcome.report = optimize(graph, {.algorithm = algorithm, .linear_solver = solver, .max_iterations = 6,
-                                    .threads = threads});
+  outcome.report = optimize(
+      graph, {.algorithm = algorithm, .linear_solver = solver, .max_iterations = 6, .threads = threads});
   for (const auto& pose : grid) {
-    outcome.numbers.insert(outcome.numbers.end(), graph.estimate(pose).data(), graph.estimate(pose).data() + 7);
+    outcome.numbers.insert(outcome.numbers.end(), graph.estimate(pose).data(),
+                           graph.estimate(pose).data() + 7);
   }
   for (const auto& pose : circle) {
-    outcome.numbers.insert(outcome.numbers.end(), graph.estimate(pose).data(), graph.estimate(pose).data() + 3);
+    outcome.numbers.insert(outcome.numbers.end(), graph.estimate(pose).data(),
+                           graph.estimate(pose).data() + 3);
   }
   return outcome;
 }
@@ -41,7 +43,8 @@ TEST(SameBits, ForOneTwoAndThreeThreads) {
         const Outcome more = run(algorithm, solver, threads);
         EXPECT_EQ(more.report.workers, threads);
         ASSERT_EQ(one.numbers.size(), more.numbers.size());
-        EXPECT_EQ(std::memcmp(one.numbers.data(), more.numbers.data(), one.numbers.size() * sizeof(double)), 0);
+        EXPECT_EQ(std::memcmp(one.numbers.data(), more.numbers.data(), one.numbers.size() * sizeof(double)),
+                  0);
         EXPECT_EQ(std::bit_cast<std::uint64_t>(one.report.chi2_final),
                   std::bit_cast<std::uint64_t>(more.report.chi2_final));
         EXPECT_EQ(one.report.iterations, more.report.iterations);

@@ -14,7 +14,8 @@
 
 namespace boxplus {
 
-/// `count` poses around a circle, chained and closed, with noisy measurements and a drifted start. No fixed vertex.
+/// `count` poses around a circle, chained and closed, with noisy measurements and a drifted start. No fixed
+/// vertex.
 inline std::vector<VertexHandle<SE2>> add_noisy_circle(Graph& graph, int count, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<> normal(0, 0.02);
@@ -42,7 +43,9 @@ inline std::vector<VertexHandle<SE3>> add_noisy_grid(Graph& graph, int side, uns
     for (double& d : delta) d = by * normal(random);
     return Manifold<SE3>::oplus(x, delta);
   };
-  const auto index = [side](int x, int y, int z) { return static_cast<std::size_t>((z * side + y) * side + x); };
+  const auto index = [side](int x, int y, int z) {
+    return static_cast<std::size_t>((z * side + y) * side + x);
+  };
   for (int k = 0; k < side * side * side; ++k) {
     const Vector3 t(k % side, k / side % side, k / side / side);
     truth.push_back(perturbed(SE3(t, Quaternion<double>::identity()), 0.1));

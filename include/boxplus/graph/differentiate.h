@@ -24,8 +24,8 @@ int argument_dim(Argument<V> x) {
   }
 }
 
-/// x ⊞ δ over dual numbers, where δ = 0 and the derivative of its k-th entry is unit vector `column + k − first`.
-/// Entries outside of the dual's window are constant.
+/// x ⊞ δ over dual numbers, where δ = 0 and the derivative of its k-th entry is unit vector `column + k −
+/// first`. Entries outside of the dual's window are constant.
 template <class S, class T>
 boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
   constexpr int kWindow = static_cast<int>(std::tuple_size<decltype(S::derivative)>::value);
@@ -91,7 +91,8 @@ void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, i
     for (int i = 0; i < rows; ++i) {
       const S r(row(result, i));
       error[i] = r.value;
-      for (int c = first; c < last; ++c) jacobian[c * rows + i] = r.derivative[static_cast<std::size_t>(c - first)];
+      for (int c = first; c < last; ++c)
+        jacobian[c * rows + i] = r.derivative[static_cast<std::size_t>(c - first)];
     }
     first += kWindow;
   } while (first < cols);

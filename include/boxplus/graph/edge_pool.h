@@ -16,7 +16,8 @@
 
 namespace boxplus {
 
-/// The sizes of an edge: how many vertices, how many rows of error, and the sum of its vertices' tangent sizes.
+/// The sizes of an edge: how many vertices, how many rows of error, and the sum of its vertices' tangent
+/// sizes.
 struct EdgeShape {
   int arity = 0;
   int rows = 0;
@@ -28,7 +29,8 @@ struct EdgeTile {
   static constexpr int kCapacity = 64;
   int count = 0, rows = 0, cols = 0;
   double* error = nullptr;     ///< edge k: rows numbers at error + k·rows; not whitened
-  double* jacobian = nullptr;  ///< edge k: rows × cols, column-major, at jacobian + k·rows·cols; the columns of its vertices in order
+  double* jacobian = nullptr;  ///< edge k: rows × cols, column-major, at jacobian + k·rows·cols; the columns
+                               ///< of its vertices in order
 };
 
 /// Where Jacobians come from.
@@ -48,8 +50,8 @@ class EdgePool {
   virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
   /// eᵀΩe per listed edge, before any robust kernel.
   virtual void chi2(std::span<const std::uint32_t> edges, double* out) const;
-  /// Fills count, rows, cols, error and jacobian for the listed edges (at most EdgeTile::kCapacity, of one shape).
-  /// May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
+  /// Fills count, rows, cols, error and jacobian for the listed edges (at most EdgeTile::kCapacity, of one
+  /// shape). May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
@@ -66,7 +68,8 @@ class EdgePool {
   }
   bool has_kernels() const { return !kernels_.empty(); }
   int arity(std::uint32_t edge) const {
-    return uniform_arity_ >= 0 ? uniform_arity_ : static_cast<int>(vertex_start_[edge + 1] - vertex_start_[edge]);
+    return uniform_arity_ >= 0 ? uniform_arity_
+                               : static_cast<int>(vertex_start_[edge + 1] - vertex_start_[edge]);
   }
   /// Slots of the edge's vertices in their pools.
   std::span<const std::uint32_t> vertex_slots(std::uint32_t edge) const {
@@ -88,12 +91,14 @@ class EdgePool {
   std::uint32_t next_slot(std::size_t arity) const;
   /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it
   /// was, in which case the derived pool grows too. Where it throws, nothing has changed.
-  std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
+  std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
+                             int rows);
 
  private:
   friend class Graph;
   std::size_t vertex_start(std::uint32_t edge) const {
-    return uniform_arity_ >= 0 ? std::size_t{edge} * static_cast<std::size_t>(uniform_arity_) : vertex_start_[edge];
+    return uniform_arity_ >= 0 ? std::size_t{edge} * static_cast<std::size_t>(uniform_arity_)
+                               : vertex_start_[edge];
   }
   enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
 
@@ -108,7 +113,7 @@ class EdgePool {
   std::vector<std::uint32_t> vertex_start_;  // only where the arity is chosen at run time
   InformationStore information_;
   std::vector<std::uint8_t> flags_;
-  std::vector<int> levels_;                // empty while all are 0
+  std::vector<int> levels_;  // empty while all are 0
   std::vector<std::uint32_t> generations_;
   std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while none is set
   std::vector<std::uint32_t> free_;

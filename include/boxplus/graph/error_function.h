@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What makes a type an edge: an error function of the estimates of its vertices.
 //
-// Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates arrive by
-// const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen at run time. The
-// result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+// Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
+// arrive by const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen
+// at run time. The result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
 //
 //   - A function that is generic in the scalar of its arguments is differentiated exactly, by dual numbers.
 //   - One that takes plain estimates only is differentiated numerically, and the Report says so.
-//   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows × dim(x_i), brings
+//   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows ×
+//   dim(x_i), brings
 //     its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0. Fixed sizes and arity only.
 #pragma once
 
@@ -78,7 +79,9 @@ template <class V, class S>
 using Lifted = typename LiftedOf<V, S>::Type;
 
 template <class E, class... A>
-concept HasErrorMember = requires(const E& e, A&&... a) { e.error(std::forward<A>(a)...); };
+concept HasErrorMember = requires(const E& e, A&&... a) {
+  e.error(std::forward<A>(a)...);
+};
 
 template <class E, class... A>
 concept Callable = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
@@ -117,8 +120,8 @@ int row_count(const R& result) {
   }
 }
 
-/// A result that owns its numbers. An unevaluated Eigen expression does not: it refers to temporaries that died with
-/// the function that returned it.
+/// A result that owns its numbers. An unevaluated Eigen expression does not: it refers to temporaries that
+/// died with the function that returned it.
 template <class R>
 inline constexpr bool kOwnsItsNumbers = [] {
   if constexpr (requires { typename R::PlainObject; }) {
@@ -131,9 +134,10 @@ inline constexpr bool kOwnsItsNumbers = [] {
 template <class E, class... A>
 auto evaluate(const E& e, A&&... a) {
   using R = std::remove_cvref_t<decltype(call(e, std::forward<A>(a)...))>;
-  static_assert(kOwnsItsNumbers<R>,
-                "the error function returns an unevaluated Eigen expression, which refers to dead temporaries: "
-                "give it a return type, or end it with .eval()");
+  static_assert(
+      kOwnsItsNumbers<R>,
+      "the error function returns an unevaluated Eigen expression, which refers to dead temporaries: "
+      "give it a return type, or end it with .eval()");
   return call(e, std::forward<A>(a)...);
 }
 
@@ -178,18 +182,22 @@ inline constexpr int kCols = [] {
 inline constexpr int kDualLimit = 24;
 inline constexpr int kDualChunk = 8;
 template <class... V>
-inline constexpr int kDualSize =
-    (kCols<V...> != kDynamic && kCols<V...> <= kDualLimit && kCols<V...> > 0) ? kCols<V...> : kDualChunk;
+inline constexpr int kDualSize = (kCols<V...> != kDynamic && kCols<V...> <= kDualLimit && kCols<V...> > 0)
+                                     ? kCols<V...>
+                                     : kDualChunk;
 
 template <class... V>
 using DualFor = Dual<double, kDualSize<V...>>;
 
 template <class E, class S, class... V>
-concept DifferentiableWith = (LiftableManifold<ElementOf<V>, S> && ...) && Callable<E, Argument<Lifted<V, S>>...>;
+concept DifferentiableWith =
+    (LiftableManifold<ElementOf<V>, S> && ...) && Callable<E, Argument<Lifted<V, S>>...>;
 
 /// E asks for numeric Jacobians (see Numeric).
 template <class E>
-concept WantsNumeric = requires { requires E::kNumeric; };
+concept WantsNumeric = requires {
+  requires E::kNumeric;
+};
 
 /// Exact Jacobians are available.
 template <class E, class... V>
@@ -212,7 +220,9 @@ inline constexpr bool kAnalytic = [] {
     return false;
   } else {
     constexpr int rows = kRows<Result<E, V...>>;
-    return requires(const E& e, Argument<V>... x, JacobianBlock<V, rows>... J) { e.jacobians(x..., J...); };
+    return requires(const E& e, Argument<V>... x, JacobianBlock<V, rows>... J) {
+      e.jacobians(x..., J...);
+    };
   }
 }();
 
@@ -228,10 +238,8 @@ struct Numeric {
   static constexpr bool kNumeric = true;
   E function;
   template <class... A>
-    requires edge::Callable<E, A...>
-  auto operator()(A&&... a) const {
-    return edge::call(function, std::forward<A>(a)...);
-  }
+  requires edge::Callable<E, A...>
+  auto operator()(A&&... a) const { return edge::call(function, std::forward<A>(a)...); }
 };
 template <class E>
 Numeric(E) -> Numeric<E>;

@@ -31,7 +31,7 @@ struct VertexTypeOf<VertexHandle<T>> {
   using Type = T;
 };
 template <std::ranges::range R>
-  requires kIsVertexHandle<std::ranges::range_value_t<R>>
+requires kIsVertexHandle<std::ranges::range_value_t<R>>
 struct VertexTypeOf<R> {
   using Type = Tail<typename std::ranges::range_value_t<R>::Estimate>;
 };
@@ -40,13 +40,15 @@ template <class H>
 using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
 
 template <class H>
-concept Attachable = requires { typename VertexTypeOf<std::remove_cvref_t<H>>::Type; };
+concept Attachable = requires {
+  typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
+};
 }  // namespace edge
 
 /// A hyper-graph: vertices of any manifold type, edges over any number of them.
 ///
-/// Handles stay valid until their element is removed; a stale handle throws InvalidArgument. Methods that take a
-/// handle are O(1) unless they say otherwise. A Graph is used by one thread at a time.
+/// Handles stay valid until their element is removed; a stale handle throws InvalidArgument. Methods that
+/// take a handle are O(1) unless they say otherwise. A Graph is used by one thread at a time.
 class Graph {
  public:
   Graph();
@@ -54,17 +56,19 @@ class Graph {
   Graph(Graph&&) noexcept;
   Graph& operator=(Graph&&) noexcept;
 
-  /// ── Vertices ────────────────────────────────────────────────────────────────────────────────────────────────
+  /// ── Vertices
+  /// ────────────────────────────────────────────────────────────────────────────────────────────────
 
-  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument where the id is taken or negative.
+  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument where the id is taken or
+  /// negative.
   template <ManifoldType T>
   VertexHandle<T> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
     const Id chosen = claim_id(vertex_ids_, next_id_, id, "vertex");
     return register_vertex<T>(std::move(estimate), chosen, vertex_ids_);
   }
 
-  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed from the start, never fixes the gauge
-  /// and has its own ids. Calibrating it is unfix()ing it.
+  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed from the start, never fixes
+  /// the gauge and has its own ids. Calibrating it is unfix()ing it.
   template <ManifoldType T>
   VertexHandle<T> add_parameter(T value, std::optional<Id> id = std::nullopt) {
     const Id chosen = claim_id(parameter_ids_, next_parameter_id_, id, "parameter");
@@ -116,43 +120,42 @@ class Graph {
   void set_fixed(VertexRef vertex, bool fixed);
   bool is_fixed(VertexRef vertex) const;
 
-  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). No edge may
-  /// join two eliminated vertices; optimize() throws InvalidArgument where one does.
+  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). No
+  /// edge may join two eliminated vertices; optimize() throws InvalidArgument where one does.
   void set_eliminated(VertexRef vertex, bool eliminated);
   bool is_eliminated(VertexRef vertex) const;
 
   /// Removes a vertex and every edge that uses it. O(edges).
   void remove(VertexRef vertex);
 
-  /// ── Edges ───────────────────────────────────────────────────────────────────────────────────────────────────
+  /// ── Edges
+  /// ───────────────────────────────────────────────────────────────────────────────────────────────────
 
-  /// Adds an edge with the identity as information. The vertices are handles; the last may be a range of handles.
-  /// Throws InvalidArgument where a vertex appears twice or is stale.
+  /// Adds an edge with the identity as information. The vertices are handles; the last may be a range of
+  /// handles. Throws InvalidArgument where a vertex appears twice or is stale.
   template <class E, class... H>
-    requires(edge::Attachable<H> && ...)
-  EdgeHandle<E> add_edge(E error, const H&... vertices) {
+  requires(edge::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
   }
 
-  /// Adds an edge with information Ω (a number, an Eigen matrix, an Information). Throws InvalidArgument where Ω does
-  /// not fit the error, is not symmetric positive semi-definite or not finite.
+  /// Adds an edge with information Ω (a number, an Eigen matrix, an Information). Throws InvalidArgument
+  /// where Ω does not fit the error, is not symmetric positive semi-definite or not finite.
   template <class E, class... H>
-    requires(sizeof...(H) > 0 && (edge::Attachable<H> && ...))
-  EdgeHandle<E> add_edge(E error, const Information& information, const H&... vertices) {
-      static_assert(kTailsAreLast<edge::VertexType<H>...>,
-                    "only the last argument may be a range of handles");
-      static_assert(
-          EdgeType<E, edge::VertexType<H>...>,
-          "the error function cannot be called with the estimates of these vertices (in this order)");
-      std::vector<VertexRef> refs;
-      (gather(refs, vertices), ...);
-      check_distinct(refs);
-      auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
-      std::vector<std::uint32_t> slots;
-      for (const VertexRef& ref : refs) slots.push_back(ref.slot);
-      const std::uint32_t slot = pool.add(std::move(error), information, slots);
-      ++revision_;
-      return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
+  requires(sizeof...(H) > 0 &&
+           (edge::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
+                                                                const H&... vertices) {
+    static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last argument may be a range of handles");
+    static_assert(EdgeType<E, edge::VertexType<H>...>,
+                  "the error function cannot be called with the estimates of these vertices (in this order)");
+    std::vector<VertexRef> refs;
+    (gather(refs, vertices), ...);
+    check_distinct(refs);
+    auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
+    std::vector<std::uint32_t> slots;
+    for (const VertexRef& ref : refs) slots.push_back(ref.slot);
+    const std::uint32_t slot = pool.add(std::move(error), information, slots);
+    ++revision_;
+    return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
   }
 
   /// The error function (measurement) of an edge.
@@ -173,10 +176,8 @@ class Graph {
   /// nullptr removes the kernel. Kernels may be shared between edges.
   void set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel);
   template <class K>
-    requires std::derived_from<K, RobustKernel>
-  void set_kernel(EdgeRef edge, const K& kernel) {
-    set_kernel(edge, std::make_shared<const K>(kernel));
-  }
+  requires std::derived_from<K, RobustKernel>
+  void set_kernel(EdgeRef edge, const K& kernel) { set_kernel(edge, std::make_shared<const K>(kernel)); }
   const RobustKernel* kernel(EdgeRef edge) const;
   /// A disabled edge weighs nothing; the structure of the problem stays.
   void set_enabled(EdgeRef edge, bool enabled);
@@ -192,18 +193,19 @@ class Graph {
   /// Σ ρ(eᵀΩe) over all enabled edges. O(edges).
   double chi2() const;
 
-  /// ── State ───────────────────────────────────────────────────────────────────────────────────────────────────
+  /// ── State
+  /// ───────────────────────────────────────────────────────────────────────────────────────────────────
 
   /// Saves the estimates of all (the given) vertices on a stack, those of parameters too; calls nest.
   void push();
   void push(std::span<const VertexRef> vertices);
-  /// Restores (forgets) what the matching push() saved. Vertices removed since are skipped. Throws InvalidArgument
-  /// where nothing was pushed.
+  /// Restores (forgets) what the matching push() saved. Vertices removed since are skipped. Throws
+  /// InvalidArgument where nothing was pushed.
   void pop();
   void discard_top();
   int stack_size() const { return static_cast<int>(stack_.size()); }
 
-  std::size_t vertex_count() const;     ///< without parameters
+  std::size_t vertex_count() const;  ///< without parameters
   std::size_t parameter_count() const { return parameter_ids_.size(); }
   std::size_t edge_count() const;
   /// All vertices without parameters, by id. O(n log n).
@@ -212,12 +214,13 @@ class Graph {
   std::vector<EdgeRef> all_edges() const;
   void clear();
 
-  /// ── For the engine ──────────────────────────────────────────────────────────────────────────────────────────
+  /// ── For the engine
+  /// ──────────────────────────────────────────────────────────────────────────────────────────
 
   std::span<const std::unique_ptr<VertexPool>> vertex_pools() const { return vertex_pools_; }
   std::span<const std::unique_ptr<EdgePool>> edge_pools() const { return edge_pools_; }
-  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, levels, sizes. Values,
-  /// weights, kernels and enabled flags do not count.
+  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, levels, sizes.
+  /// Values, weights, kernels and enabled flags do not count.
   std::uint64_t revision() const { return revision_; }
 
   /// Whatever an optimiser wants to keep between calls for this graph.
@@ -270,7 +273,8 @@ class Graph {
   /// The index of T's pool, which is made where it is missing.
   template <class T>
   std::uint32_t require_vertex_pool() {
-    const auto [entry, fresh] = vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
+    const auto [entry, fresh] =
+        vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
     if (fresh) {
       vertex_pools_.push_back(std::make_unique<TypedVertexPool<T>>());
       vertex_pools_.back()->first_generation_ = epoch_;
@@ -327,7 +331,8 @@ class Graph {
   template <class E, class... V>
   TypedEdgePool<E, V...>& edge_pool_for() {
     using Pool = TypedEdgePool<E, V...>;
-    const auto [entry, fresh] = edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
+    const auto [entry, fresh] =
+        edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
     if (fresh) {
       const std::vector<std::uint32_t> indices{require_vertex_pool<edge::ElementOf<V>>()...};
       typename Pool::VertexPools pools{static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light references to elements of a Graph. They stay valid until their element is removed; a stale one is detected.
+// Light references to elements of a Graph. They stay valid until their element is removed; a stale one is
+// detected.
 #pragma once
 
 #include <compare>
@@ -10,7 +11,8 @@ namespace boxplus {
 /// The integer name of a vertex: chosen by the user or the file, else the next free one.
 using Id = std::int64_t;
 
-/// A vertex of any type: slot `slot` of vertex pool `pool`; `generation` tells a re-used slot from its predecessor.
+/// A vertex of any type: slot `slot` of vertex pool `pool`; `generation` tells a re-used slot from its
+/// predecessor.
 struct VertexRef {
   std::uint32_t pool = 0xFFFFFFFFu;
   std::uint32_t slot = 0;

@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// How the values of an Ω of n rows are laid out: 1 number, n numbers, or the n(n+1)/2 numbers of the upper triangle
-/// row by row (Ω11 Ω12 … Ω1n Ω22 …).
+/// How the values of an Ω of n rows are laid out: 1 number, n numbers, or the n(n+1)/2 numbers of the upper
+/// triangle row by row (Ω11 Ω12 … Ω1n Ω22 …).
 enum class InformationKind : std::uint8_t { kScalar, kDiagonal, kFull };
 
 /// A borrowed Ω.

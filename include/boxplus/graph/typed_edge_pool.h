@@ -18,7 +18,7 @@
 namespace boxplus {
 
 template <class E, class... V>
-  requires EdgeType<E, V...>
+requires EdgeType<E, V...>
 class TypedEdgePool final : public EdgePool {
   using Result = edge::Result<E, V...>;
   static constexpr int kArguments = sizeof...(V);
@@ -92,9 +92,8 @@ class TypedEdgePool final : public EdgePool {
   void errors(std::span<const std::uint32_t> edges, double* out) const override {
     for (std::uint32_t edge : edges) {
       const int n = rows(edge);
-      with_arguments(edge, [&](auto... x) {
-        edge::copy_rows(edge::evaluate(edges_[edge], x.get()...), n, out);
-      });
+      with_arguments(edge,
+                     [&](auto... x) { edge::copy_rows(edge::evaluate(edges_[edge], x.get()...), n, out); });
       out += n;
     }
   }
@@ -155,9 +154,10 @@ class TypedEdgePool final : public EdgePool {
 
   template <class F>
   decltype(auto) with_slots(std::span<const std::uint32_t> slots, F&& f) const {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) -> decltype(auto) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>)->decltype(auto) {
       return f(load<V, I>(slots)...);
-    }(Indices{});
+    }
+    (Indices{});
   }
 
   template <class F>

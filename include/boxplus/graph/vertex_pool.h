@@ -13,7 +13,8 @@
 
 namespace boxplus {
 
-/// The erased interface of the vertices of one type: one virtual call per pool and list, never one per vertex.
+/// The erased interface of the vertices of one type: one virtual call per pool and list, never one per
+/// vertex.
 ///
 /// Slots are stable; a removed vertex leaves a tombstone whose slot may be used again under a new generation.
 class VertexPool {

@@ -13,15 +13,17 @@ namespace boxplus {
 
 struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
-  /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for robust
-  /// edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J, bounded so that each edge's term stays positive semi-definite.
+  /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
+  /// robust edges: H += Jᵀ (ρ′Ω + 2ρ″ Ωe eᵀΩ) J, bounded so that each edge's term stays positive
+  /// semi-definite.
   bool triggs_correction = false;
 };
 
-/// The values that change from iteration to iteration, and the loops that fill them. Allocates only when constructed.
+/// The values that change from iteration to iteration, and the loops that fill them. Allocates only when
+/// constructed.
 ///
-/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0; so F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and the
-/// Gauss-Newton step solves H δ = −gradient. Same bits for any number of workers.
+/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0; so F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and
+/// the Gauss-Newton step solves H δ = −gradient. Same bits for any number of workers.
 class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
@@ -35,9 +37,9 @@ class Linearizer {
 
   std::span<const double> values() const { return values_; }
   std::span<const double> gradient() const { return gradient_; }
-  /// By how much F would fall if the k-th held vertex of the plan moved alone: gᵀH⁻¹g of its own normal equations.
-  /// Zero, up to rounding, at a minimum over the other vertices, if and only if holding it cost nothing, that is, if
-  /// it was a gauge freedom indeed. O(its edges).
+  /// By how much F would fall if the k-th held vertex of the plan moved alone: gᵀH⁻¹g of its own normal
+  /// equations. Zero, up to rounding, at a minimum over the other vertices, if and only if holding it cost
+  /// nothing, that is, if it was a gauge freedom indeed. O(its edges).
   double held_vertex_decrease(std::size_t k);
   int workers() const { return static_cast<int>(plan_->chunks.size()); }
 

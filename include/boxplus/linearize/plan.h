@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is decided once per structure: which vertices and edges take part, where each edge adds to H and to the
-// gradient, and who does it.
+// What is decided once per structure: which vertices and edges take part, where each edge adds to H and to
+// the gradient, and who does it.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,20 @@ namespace boxplus {
 
 /// What to do about a connected component that nothing holds in place.
 enum class GaugePolicy : std::uint8_t {
-  kFixFirst,  ///< hold its lowest-id vertex of largest dimension for the solve; its estimate and flag stay untouched
+  kFixFirst,  ///< hold its lowest-id vertex of largest dimension for the solve; its estimate and flag stay
+              ///< untouched
   kDamp,      ///< add a vanishing damping to H
   kError      ///< stop with Status::kGaugeFreedom
 };
 
 struct PlanRequest {
-  int level = 0;                        ///< edges of this level take part; negative: of all levels
-  std::span<const VertexRef> vertices = {};  ///< if not empty: only these move, and only edges that touch them take part
-  std::span<const EdgeRef> edges = {};       ///< if not empty: only these edges take part
+  int level = 0;  ///< edges of this level take part; negative: of all levels
+  std::span<const VertexRef> vertices =
+      {};  ///< if not empty: only these move, and only edges that touch them take part
+  std::span<const EdgeRef> edges = {};  ///< if not empty: only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
   std::span<const VertexRef> never_hold = {};  ///< vertices that were found not to be gauge freedoms
-  int threads = 1;                        ///< upper bound; small problems are given fewer
+  int threads = 1;                             ///< upper bound; small problems are given fewer
 };
 
 /// The active vertices of one pool.
@@ -42,8 +44,8 @@ struct EdgeList {
   std::vector<std::uint32_t> edges;
 };
 
-/// Where the edges of one pool add to the gradient and to H. Per edge of arity q: q offsets into the gradient, then
-/// one offset into H's values per pair (i, j), j ≤ i, in the order (0,0) (1,0) (1,1) (2,0) …
+/// Where the edges of one pool add to the gradient and to H. Per edge of arity q: q offsets into the
+/// gradient, then one offset into H's values per pair (i, j), j ≤ i, in the order (0,0) (1,0) (1,1) (2,0) …
 struct Scatter {
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
   static constexpr std::uint32_t kTransposed = 0x80000000u;  ///< the block lies at (j, i)
@@ -52,12 +54,14 @@ struct Scatter {
   std::vector<std::uint32_t> targets;
   std::vector<std::uint32_t> target_start;  ///< per edge; empty where all have one arity
 
-  static std::uint32_t targets_of(int arity) { return static_cast<std::uint32_t>(arity + arity * (arity + 1) / 2); }
+  static std::uint32_t targets_of(int arity) {
+    return static_cast<std::uint32_t>(arity + arity * (arity + 1) / 2);
+  }
 };
 
-/// The share of one worker: the block columns of H that it owns and the edges that touch them. An edge that touches
-/// the columns of two owners is linearised by both, each adding to its own; so every block of H is summed by one
-/// worker in the order of the runs, which makes the bits independent of the number of workers.
+/// The share of one worker: the block columns of H that it owns and the edges that touch them. An edge that
+/// touches the columns of two owners is linearised by both, each adding to its own; so every block of H is
+/// summed by one worker in the order of the runs, which makes the bits independent of the number of workers.
 struct Chunk {
   struct Run {
     std::uint32_t scatter, begin, end;  ///< edges [begin, end) of scatters[scatter]
@@ -80,24 +84,25 @@ struct GaugeVertex {
 
 /// Immutable once made.
 struct Plan {
-  std::vector<VertexRef> block_vertex;  ///< the vertex of each block: the eliminated ones first, each group by id
+  std::vector<VertexRef>
+      block_vertex;  ///< the vertex of each block: the eliminated ones first, each group by id
   std::uint32_t eliminated_blocks = 0;
-  BlockStructure structure;             ///< of H
+  BlockStructure structure;  ///< of H
   std::vector<VertexList> vertices;
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
-  std::vector<GaugeVertex> held;        ///< GaugePolicy::kFixFirst
-  int free_components = 0;              ///< components that nothing holds, under the other policies
-  int damped_components = 0;            ///< components that are held in fewer directions than they have
-  int max_tile_values = 0;              ///< doubles of the largest tile
+  std::vector<GaugeVertex> held;  ///< GaugePolicy::kFixFirst
+  int free_components = 0;        ///< components that nothing holds, under the other policies
+  int damped_components = 0;      ///< components that are held in fewer directions than they have
+  int max_tile_values = 0;        ///< doubles of the largest tile
   int max_tile_rows = 0;
 
   std::uint32_t scalars() const { return structure.scalars(); }
 };
 
-/// Builds the plan of `graph`. O(edges log edges). Throws InvalidArgument for stale handles in the request and where
-/// an edge joins two eliminated vertices.
+/// Builds the plan of `graph`. O(edges log edges). Throws InvalidArgument for stale handles in the request
+/// and where an edge joins two eliminated vertices.
 Plan make_plan(const Graph& graph, const PlanRequest& request);
 
 /// How many edges of a shape are linearised at a time, so that their tile stays in L1.

@@ -12,9 +12,9 @@
 namespace boxplus {
 
 /// With H = [V Wᵀ; W U], V block diagonal over the eliminated vertices (the first blocks), solves
-/// (H + λD) x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H itself is only read, so another λ re-assembles nothing.
-/// (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958; Triggs et
-/// al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
+/// (H + λD) x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H itself is only read, so another λ re-assembles
+/// nothing. (Brown, "A solution to the general problem of multiple station analytical stereotriangulation",
+/// 1958; Triggs et al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
 ///
 /// Allocates only when constructed. `structure` must outlive it.
 class Schur {
@@ -25,9 +25,9 @@ class Schur {
   const BlockStructure& reduced_structure() const { return reduced_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
 
-  /// Factorises V + λD and, where asked for at construction, forms S without the λD of the kept blocks, which the
-  /// linear solver adds. `values` are H's and must stay until the last use. Names the block of H that is not positive
-  /// definite.
+  /// Factorises V + λD and, where asked for at construction, forms S without the λD of the kept blocks, which
+  /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H that is
+  /// not positive definite.
   FactorResult eliminate(std::span<const double> values, const Damping& damping);
   /// The part of a damping that concerns the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
@@ -53,14 +53,15 @@ class Schur {
   std::uint32_t eliminated_;
   BlockStructure reduced_;
   std::span<const double> values_;
-  std::vector<std::uint32_t> factor_start_;   // per eliminated block, into factors_
-  std::vector<double> factors_;               // L of V + λD, dim × dim, column-major
+  std::vector<std::uint32_t> factor_start_;  // per eliminated block, into factors_
+  std::vector<double> factors_;              // L of V + λD, dim × dim, column-major
   std::vector<double> reduced_values_;
-  std::vector<std::uint32_t> kept_target_;    // value of S for every kept block of H
-  std::vector<std::uint32_t> pair_target_;    // value of S for every pair of rows (a ≥ b) of every eliminated column
-  std::vector<double> half_column_;           // W L⁻ᵀ of one column
+  std::vector<std::uint32_t> kept_target_;  // value of S for every kept block of H
+  std::vector<std::uint32_t>
+      pair_target_;                  // value of S for every pair of rows (a ≥ b) of every eliminated column
+  std::vector<double> half_column_;  // W L⁻ᵀ of one column
   std::vector<double> small_;
-  std::vector<std::uint32_t> diagonal_start_; // of each kept block among the diagonal blocks
+  std::vector<std::uint32_t> diagonal_start_;  // of each kept block among the diagonal blocks
 };
 
 /// S as an operator.

@@ -89,12 +89,12 @@ class BasicSE3 {
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
-  /// inverse() * b with one rotation less. Unlike the product it does not remove rounding drift of the quaternion, so
-  /// that errors are the same function over every scalar.
+  /// inverse() * b with one rotation less. Unlike the product it does not remove rounding drift of the
+  /// quaternion, so that errors are the same function over every scalar.
   template <class T>
   BasicSE3<Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
-    return BasicSE3<Promoted<S, T>, Chart>::from_unit(
-        inverse_times(b.translation()), quaternion().conjugate() * b.quaternion());
+    return BasicSE3<Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
+                                                      quaternion().conjugate() * b.quaternion());
   }
   /// inverse() * p for a point p.
   template <class Derived>
@@ -117,9 +117,8 @@ using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, RotationVectorChart>;
 
 /// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart.
-/// The step is a unit quaternion, so ⊞ keeps the norm of x's: a pose read from rounded digits (from_unit) stays the
-/// pose that the file means, and its chi2 the file's.
-/// y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
+/// The step is a unit quaternion, so ⊞ keeps the norm of x's: a pose read from rounded digits (from_unit)
+/// stays the pose that the file means, and its chi2 the file's. y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
 template <class S, class Chart>
 struct Manifold<BasicSE3<S, Chart>> {
   template <class T>
@@ -129,7 +128,8 @@ struct Manifold<BasicSE3<S, Chart>> {
   template <class D>
   static Rebind<Promoted<S, D>> oplus(const BasicSE3<S, Chart>& x, const D* delta) {
     const Quaternion<D> step = Chart::exp(delta[3], delta[4], delta[5]);
-    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta), x.quaternion() * step);
+    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta),
+                                             x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSE3<S, Chart>& y, const BasicSE3<S, Chart>& x, D* delta) {

@@ -11,9 +11,9 @@
 namespace boxplus {
 
 enum class IterationOutcome : std::uint8_t {
-  kAccepted,             ///< moved to lower chi2 (Gauss-Newton: moved)
-  kNoFurtherDecrease,    ///< no step lowers chi2, and none is expected to by more than rounding
-  kNoStepFound,          ///< no step lowers chi2 although one is expected to
+  kAccepted,           ///< moved to lower chi2 (Gauss-Newton: moved)
+  kNoFurtherDecrease,  ///< no step lowers chi2, and none is expected to by more than rounding
+  kNoStepFound,        ///< no step lowers chi2 although one is expected to
   kNotPositiveDefinite,
   kNotFinite,
   kStopped
@@ -25,8 +25,8 @@ class Algorithm {
   virtual ~Algorithm() = default;
   virtual std::string_view name() const = 0;
   virtual void reset(const Options& options, std::size_t scalars) = 0;
-  /// From estimates with cost `chi2`: linearises, finds a step, takes it. Fills all of the record but iteration and
-  /// time; record.chi2 is the cost afterwards.
+  /// From estimates with cost `chi2`: linearises, finds a step, takes it. Fills all of the record but
+  /// iteration and time; record.chi2 is the cost afterwards.
   virtual IterationOutcome iterate(System& system, double chi2, IterationRecord& record) = 0;
   /// How many steps needed a damped H because H was not positive definite.
   virtual int regularised_steps() const { return 0; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a whole graph: linearised at once, solved directly, through the Schur complement, or matrix-free.
+// The System of a whole graph: linearised at once, solved directly, through the Schur complement, or
+// matrix-free.
 #pragma once
 
 #include <memory>
@@ -54,7 +55,8 @@ class BatchSystem final : public System {
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;
   std::unique_ptr<LinearSolver> solver_;
-  std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_, reduced_step_;
+  std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_,
+      reduced_step_;
   std::uint32_t failed_block_ = 0;
   LinearizeOptions linearize_options_;
   SolveControl control_;

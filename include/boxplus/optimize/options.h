@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that can be asked of optimize(); the defaults do the right thing for pose graphs and landmark maps.
+// Everything that can be asked of optimize(); the defaults do the right thing for pose graphs and landmark
+// maps.
 #pragma once
 
 #include <atomic>
@@ -29,8 +30,8 @@ enum class Start : std::uint8_t {
   kOdometry,      ///< chained along edges between consecutive ids
   kSpanningTree,  ///< propagated along a minimum spanning tree from the fixed vertices
   kChordal,       ///< one joint linear problem in relaxed rotations, positions and landmarks
-  /// At the current estimates or the chordal guess, whichever has the lower chi2; if that run does not converge or ends
-  /// above the other start's chi2, the other is run too, and the better is kept.
+  /// At the current estimates or the chordal guess, whichever has the lower chi2; if that run does not
+  /// converge or ends above the other start's chi2, the other is run too, and the better is kept.
   kAutomatic
 };
 std::string_view to_string(Start start);
@@ -47,14 +48,14 @@ enum class SchurMode : std::uint8_t {
 
 struct IterationRecord {
   int iteration = 0;
-  double chi2 = 0;           ///< after the iteration
+  double chi2 = 0;  ///< after the iteration
   double chi2_decrease = 0;
-  double step_max = 0;       ///< largest entry of the step taken
-  double gradient_max = 0;   ///< largest entry of the gradient before the step
-  double control = 0;        ///< λ (Levenberg-Marquardt) or trust radius (dogleg) of the step
-  int tries = 0;             ///< steps evaluated
-  int linear_iterations = 0; ///< of an iterative linear solver
-  double time_s = 0;         ///< since the start of optimize()
+  double step_max = 0;        ///< largest entry of the step taken
+  double gradient_max = 0;    ///< largest entry of the gradient before the step
+  double control = 0;         ///< λ (Levenberg-Marquardt) or trust radius (dogleg) of the step
+  int tries = 0;              ///< steps evaluated
+  int linear_iterations = 0;  ///< of an iterative linear solver
+  double time_s = 0;          ///< since the start of optimize()
 };
 
 struct Options {
@@ -71,11 +72,13 @@ struct Options {
   double step_tolerance = 1e-12;      ///< … no entry of the step is larger than this,
   double gradient_tolerance = 1e-12;  ///< … or none of the gradient.
   double time_limit_s = std::numeric_limits<double>::infinity();
-  const std::atomic<bool>* stop = nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
+  const std::atomic<bool>* stop =
+      nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
   /// Called after every iteration; returning false stops.
   std::function<bool(const IterationRecord&)> callback = {};
 
-  double initial_lambda = 0;  ///< Levenberg-Marquardt; 0: 1e-5 times the largest diagonal entry of what is damped
+  double initial_lambda =
+      0;  ///< Levenberg-Marquardt; 0: 1e-5 times the largest diagonal entry of what is damped
   double initial_radius = 0;  ///< dogleg; 0: unbounded, so that the first trial is the Gauss-Newton step
   double linear_tolerance = 1e-10;  ///< forcing term of iterative linear solvers
   bool numeric_jacobians = false;   ///< differentiate every edge numerically
@@ -83,8 +86,9 @@ struct Options {
 
   int threads = 0;  ///< at most; 0: one per hardware thread. Results do not depend on it.
   int level = 0;    ///< edges of this level take part; negative: all
-  std::vector<VertexRef> vertices = {};  ///< not empty: only these move, and only edges that touch them take part
-  std::vector<EdgeRef> edges = {};       ///< not empty: only these take part
+  std::vector<VertexRef> vertices =
+      {};                           ///< not empty: only these move, and only edges that touch them take part
+  std::vector<EdgeRef> edges = {};  ///< not empty: only these take part
 };
 
 }  // namespace boxplus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What optimize() did, without anything left out: status, reason, start, gauge, iterations, fallbacks, timings.
+// What optimize() did, without anything left out: status, reason, start, gauge, iterations, fallbacks,
+// timings.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +24,8 @@ enum class Reason : std::uint8_t {
   kCostTolerance,
   kStepTolerance,
   kGradientTolerance,
-  kNoFurtherDecrease,    ///< no step lowers chi2 any more; what the model promises is below rounding
-  kNothingToOptimize,    ///< no active edge touches a vertex that may move
+  kNoFurtherDecrease,  ///< no step lowers chi2 any more; what the model promises is below rounding
+  kNothingToOptimize,  ///< no active edge touches a vertex that may move
   kMaxIterations,
   kTimeLimit,
   kStopFlag,
@@ -48,9 +49,9 @@ struct StartReport {
 };
 
 struct GaugeReport {
-  std::vector<Id> held;        ///< vertices held for the solve, one per component that nothing else holds
-  std::vector<Id> released;    ///< held at first, found to be observable, and let go
-  int damped_components = 0;   ///< components held only in part (or GaugePolicy::kDamp): H was damped minutely
+  std::vector<Id> held;       ///< vertices held for the solve, one per component that nothing else holds
+  std::vector<Id> released;   ///< held at first, found to be observable, and let go
+  int damped_components = 0;  ///< components held only in part (or GaugePolicy::kDamp): H was damped minutely
 };
 
 struct Timings {

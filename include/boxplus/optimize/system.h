@@ -22,8 +22,8 @@ struct StepResult {
 
 /// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.
 ///
-/// Called per iteration: linearize(); then any number of solve() and try_step(), each try_step() answered by accept()
-/// or reject(). Spans stay valid until the next linearize().
+/// Called per iteration: linearize(); then any number of solve() and try_step(), each try_step() answered by
+/// accept() or reject(). Spans stay valid until the next linearize().
 class System {
  public:
   virtual ~System() = default;

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "boxplus/autodiff/dual.h"
-#include "boxplus/manifold/numeric_jacobian.h"
 #include "boxplus/manifold/manifold.h"
+#include "boxplus/manifold/numeric_jacobian.h"
 
 namespace boxplus {
 

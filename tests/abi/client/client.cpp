@@ -82,7 +82,8 @@ bool graphs_of_eigen_structs_are_optimised() {
   for (int i = 0; i < 50; ++i) {
     mounts.push_back(graph.add_vertex(Mount{i, Eigen::Vector4d::Zero(), true}));
     const Eigen::Vector4d target = Eigen::Vector4d::Constant(i);
-    graph.add_edge([target](const Mount& x) { return boxplus::Vector<double, 4>(x.offset - target); }, mounts.back());
+    graph.add_edge([target](const Mount& x) { return boxplus::Vector<double, 4>(x.offset - target); },
+                   mounts.back());
   }
   if (!boxplus::optimize(graph, {.threads = 2}).converged()) return false;
   for (const auto& mount : mounts) {
