@@ -16,8 +16,8 @@ if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(boxplus_warnings INTERFACE -Werror)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC 12 reports false positives of these two deep inside Eigen and <string>.
-  target_compile_options(boxplus_warnings INTERFACE -Wno-maybe-uninitialized -Wno-restrict)
+  # GCC 12 reports false positives of these deep inside Eigen, <string> and <vector>.
+  target_compile_options(boxplus_warnings INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
 endif()
 
 set(BOXPLUS_SANITIZE "" CACHE STRING "address, undefined or thread")
