@@ -36,11 +36,11 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan);
 GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
-/// projects the rotations onto SO(d), and solves again for positions and landmarks with these. Not made where
-/// the problem is singular. The cost is about that of one Gauss-Newton iteration.
-/// (Martinec & Pajdla, "Robust rotation and translation estimation in multiview reconstruction", CVPR 2007;
-/// Carlone, Tron, Daniilidis & Dellaert, "Initialization techniques for 3D SLAM: a survey on rotation
-/// estimation and its use in pose graph optimization", ICRA 2015.)
+/// projects the rotations onto SO(d), and solves again for positions and landmarks with these. What is not
+/// measured in all directions keeps its estimate in the others, and the note says so. The cost is about that
+/// of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust rotation and translation estimation in
+/// multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis & Dellaert, "Initialization techniques for
+/// 3D SLAM: a survey on rotation estimation and its use in pose graph optimization", ICRA 2015.)
 GuessResult guess_chordal(Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

@@ -49,6 +49,8 @@ class Chordal {
   /// Finds all frames without moving anything.
   LinearStatus solve();
   void move_vertices(FrameGraph& frames) const;
+  /// What was not measured in all directions kept its estimate in the others.
+  bool anchored() const { return anchored_; }
 
  private:
   static constexpr std::uint32_t kConstant = SeparableLeastSquares::kConstant;
@@ -56,6 +58,7 @@ class Chordal {
   LinearStatus solve_joint();
   LinearStatus solve_positions();
   SeparableLeastSquares make_system(std::vector<std::uint32_t> dims) const;
+  LinearStatus solve_or_anchor(SeparableLeastSquares& system, bool positions_only);
   void add_joint_term(const Measurement& m, SeparableLeastSquares& system) const;
   void add_position_term(const Measurement& m, SeparableLeastSquares& system) const;
   std::uint32_t block(Node node) const { return node == FrameGraph::kWorld ? kConstant : block_[node]; }
@@ -67,6 +70,7 @@ class Chordal {
   std::vector<std::uint32_t> block_;  // per node
   std::vector<Node> unknowns_;        // node of each block
   std::vector<Frame> found_;          // frame of each block
+  bool anchored_ = false;
 };
 
 Chordal::Chordal(const FrameGraph& frames, const Components& components, int d)
@@ -101,12 +105,29 @@ SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) cons
   return system;
 }
 
+/// Where some unknown is not measured in all directions (a pose that sees a single landmark), all are tied to
+/// their estimates as weakly as the arithmetic permits, so that only those directions notice.
+LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positions_only) {
+  constexpr double kAnchor = 1e-9;  // of the largest entry of the matrix
+  const LinearStatus status = system.solve();
+  if (status != LinearStatus::kNotPositiveDefinite) return status;
+  anchored_ = true;
+  const double weight = kAnchor * system.largest_diagonal();
+  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) {
+    const SmallMatrix x = stacked(found_[k]);
+    const Eigen::Index rows = positions_only ? 1 : x.rows();
+    system.add(k, SmallMatrix::Identity(rows, rows), kConstant, SmallMatrix(), x.bottomRows(rows),
+               SmallVector::Constant(rows, weight));
+  }
+  return system.solve();
+}
+
 LinearStatus Chordal::solve_joint() {
   std::vector<std::uint32_t> dims;
   for (Node node : unknowns_) dims.push_back(frames_.pose(node) ? static_cast<std::uint32_t>(d_) + 1 : 1);
   SeparableLeastSquares system = make_system(std::move(dims));
   for (const Measurement* m : measurements_) add_joint_term(*m, system);
-  const LinearStatus status = system.solve();
+  const LinearStatus status = solve_or_anchor(system, false);
   if (status != LinearStatus::kOk) return status;
   for (std::uint32_t k = 0; k < unknowns_.size(); ++k) {
     if (!frames_.pose(unknowns_[k])) continue;
@@ -141,7 +162,7 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
   for (const Measurement* m : measurements_) add_position_term(*m, system);
-  const LinearStatus status = system.solve();
+  const LinearStatus status = solve_or_anchor(system, true);
   if (status != LinearStatus::kOk) return status;
   for (std::uint32_t k = 0; k < unknowns_.size(); ++k)
     set_translation(found_[k], system.block(k).transpose());
@@ -176,7 +197,7 @@ GuessResult guess_chordal(Graph& graph, const Plan& plan) {
   plane.move_vertices(frames);
   space.move_vertices(frames);
   components.align(frames);
-  return {true, {}};
+  return {true, plane.anchored() || space.anchored() ? kAnchored : std::string_view()};
 }
 
 }  // namespace boxplus

@@ -9,6 +9,8 @@ namespace boxplus::guess {
 inline constexpr std::string_view kNothingMeasured = "no enabled edge measures a relative pose or position";
 inline constexpr std::string_view kSingular =
     "the measured poses and positions do not determine all vertices";
+inline constexpr std::string_view kAnchored =
+    "some vertices are not measured in all directions and kept their estimates there";
 inline constexpr std::string_view kNotFinite = "the linear problem of the chordal guess is not finite";
 
 }  // namespace boxplus::guess

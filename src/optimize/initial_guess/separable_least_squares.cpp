@@ -60,6 +60,17 @@ LinearStatus SeparableLeastSquares::solve() {
   return status == LinearStatus::kOk && !finite ? LinearStatus::kNotFinite : status;
 }
 
+double SeparableLeastSquares::largest_diagonal() const {
+  double largest = 0;
+  for (std::uint32_t i = 0; i < structure_.blocks(); ++i) {
+    const double* block = values_.data() + structure_.value_start[structure_.column_start[i]];
+    for (std::uint32_t k = 0; k < structure_.dim(i); ++k) {
+      largest = std::max(largest, block[k * (structure_.dim(i) + 1)]);
+    }
+  }
+  return largest;
+}
+
 SmallMatrix SeparableLeastSquares::block(std::uint32_t i) const {
   return const_cast<SeparableLeastSquares*>(this)->rows_of(i);
 }
