@@ -2,15 +2,12 @@
 // Search for NaN and Inf.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
+#include "base/all_finite.h"
 #include "boxplus/linear/linear_solver.h"
 
 namespace boxplus {
-
-/// Whether all `size` numbers are finite.
-bool all_finite(const double* values, std::size_t size);
 
 /// The first block (by column; its column's number) of the matrix or its damping that is not finite, or
 /// kAbsent.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/all_finite.h"
 #include "boxplus/base/parallel.h"
 #include "linearize/accumulate.h"
 #include "linearize/pairwise_sum.h"
@@ -39,13 +40,6 @@ double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
     }
   }
   return decrease;
-}
-
-bool all_finite(std::span<const double> values) {
-  // NaN and Inf survive multiplication by zero, so one comparison at the end tells.
-  double sum = 0;
-  for (double v : values) sum += v * 0.0;
-  return sum == 0;
 }
 
 }  // namespace

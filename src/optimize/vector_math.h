@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <span>
 
+#include "base/all_finite.h"
+
 namespace boxplus {
 
 inline double dot(std::span<const double> a, std::span<const double> b) {
@@ -19,12 +21,6 @@ inline double max_abs(std::span<const double> a) {
   double largest = 0;
   for (double v : a) largest = std::max(largest, std::abs(v));
   return largest;
-}
-
-inline bool all_finite(std::span<const double> a) {
-  double sum = 0;
-  for (double v : a) sum += v * 0.0;  // NaN and Inf survive
-  return sum == 0;
 }
 
 /// How much F falls along δ according to the quadratic model: −(2 gᵀδ + δᵀHδ).
