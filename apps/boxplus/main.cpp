@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "command.h"
 
@@ -37,7 +38,10 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return boxplus::app::run(argc, argv);
+    const int code = boxplus::app::run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
+    fmt::print(stderr, "boxplus: cannot write to the standard output\n");
+    return boxplus::app::kBadInput;
   } catch (const std::exception& error) {
     fmt::print(stderr, "boxplus: {}\n", error.what());
     return boxplus::app::kBadInput;

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 
+#include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
 #include "command.h"
 #include "report_json.h"
@@ -68,6 +69,9 @@ int optimize_file(const OptimizeArguments& arguments) {
   GraphFile file = read_graph(arguments.input, reading);
   facts.load_s = seconds_since(begin);
   print_notes(file, arguments.input);
+  if (file.graph.vertex_count() == 0 && file.graph.edge_count() == 0) {
+    throw FileError(arguments.input + ": holds no vertex and no edge that boxplus knows");
+  }
 
   Options options = arguments.options;
   options.start = kStarts.at(arguments.start);

@@ -42,6 +42,19 @@ double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
   return decrease;
 }
 
+/// What a step of 1e-9 of the vertex' distance from the origin could change F by: less than that is rounding.
+double rounding_decrease(const Graph& graph, VertexRef vertex, std::span<const double> hessian,
+                         std::size_t n) {
+  double scale = 1, largest = 0;
+  Frame frame;
+  if (graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) {
+    for (double t : frame.translation) scale = std::max(scale, std::abs(t));
+  }
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, hessian[i * (n + 1)]);
+  const double step = 1e-9 * scale;
+  return largest * step * step;
+}
+
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
@@ -183,7 +196,7 @@ std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptio
   return std::nullopt;
 }
 
-double Linearizer::held_vertex_decrease(std::size_t k) {
+double Linearizer::held_vertex_decrease(std::size_t k, const LinearizeOptions& options) {
   const GaugeVertex& held = plan_->held[k];
   const int dim = graph_->tangent_dim(held.vertex);
   held_gradient_.assign(static_cast<std::size_t>(dim), 0.0);
@@ -196,7 +209,7 @@ double Linearizer::held_vertex_decrease(std::size_t k) {
     const EdgePool& pool = *graph_->edge_pools()[use.pool];
     if (!pool.enabled(use.edge)) continue;
     vertex_dims(*graph_, pool, use.edge, memory.dims);
-    pool.linearize(std::span(&use.edge, 1), tile, false);
+    pool.linearize(std::span(&use.edge, 1), tile, options.numeric_jacobians);
     held_targets_.assign(Scatter::targets_of(static_cast<int>(memory.dims.size())), Scatter::kNowhere);
     held_targets_[use.position] = 0;
     held_targets_[memory.dims.size() + use.position * (use.position + 1) / 2 + use.position] = 0;
@@ -206,7 +219,9 @@ double Linearizer::held_vertex_decrease(std::size_t k) {
                held_targets_.data(), held_hessian_.data(), held_gradient_.data(), memory.weighted.data(),
                memory.weighted_error.data());
   }
-  return newton_decrease(held_hessian_, held_gradient_);
+  const double noise = rounding_decrease(*graph_, held.vertex, held_hessian_, held_gradient_.size());
+  const double decrease = newton_decrease(held_hessian_, held_gradient_);
+  return decrease > noise ? decrease : 0;
 }
 
 }  // namespace boxplus

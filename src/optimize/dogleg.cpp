@@ -104,7 +104,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   if (solved != LinearStatus::kOk) return outcome_of(solved);
   newton_norm_ = norm(newton_);
   bool have_cauchy = false;
-  double largest_promise = 0;
+  double largest_promise = 0, largest_step = 0;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
     if (newton_norm_ > radius_ && !have_cauchy) {
       find_cauchy_step(system);
@@ -116,6 +116,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     const double promise = model_decrease(system.gradient(), step_, system.curvature(step_));
     largest_promise = std::max(largest_promise, promise);
     record.step_max = max_abs(step_);
+    largest_step = std::max(largest_step, record.step_max);
     record.chi2 = system.try_step(step_);
     record.chi2_decrease = chi2 - record.chi2;
     const double gain = record.chi2_decrease / promise;
@@ -128,7 +129,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     record.chi2 = chi2;
     if (promise <= kRounding * chi2) return IterationOutcome::kNoFurtherDecrease;
   }
-  return outcome_without_decrease(largest_promise, chi2, 1e-9);
+  return outcome_without_decrease(largest_promise, largest_step, chi2);
 }
 
 }  // namespace boxplus

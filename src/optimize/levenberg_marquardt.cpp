@@ -36,7 +36,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
   if (!system.linearize()) return IterationOutcome::kNotFinite;
   if (!started_) start_damping(system);
   record.gradient_max = max_abs(system.gradient());
-  double largest_promise = 0;
+  double largest_promise = 0, largest_step = 0;
   LinearStatus last = LinearStatus::kOk;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
     record.control = lambda_;
@@ -48,6 +48,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
       const double promise = model_decrease(system.gradient(), step_, system.curvature(step_));
       largest_promise = std::max(largest_promise, promise);
       record.step_max = max_abs(step_);
+      largest_step = std::max(largest_step, record.step_max);
       record.chi2 = system.try_step(step_);
       record.chi2_decrease = chi2 - record.chi2;
       const double gain = record.chi2_decrease / promise;
@@ -65,7 +66,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
     raise_damping();
   }
   if (last != LinearStatus::kOk) return outcome_of(last);
-  return outcome_without_decrease(largest_promise, chi2, 1e-9);
+  return outcome_without_decrease(largest_promise, largest_step, chi2);
 }
 
 }  // namespace boxplus

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/minimize.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -30,23 +31,26 @@ RunResult ended(IterationOutcome outcome, double chi2, int iterations) {
   }
 }
 
-std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before) {
+std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
+                                  double largest_step) {
   if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
-  if (record.step_max <= options.step_tolerance) return Reason::kStepTolerance;
+  if (record.step_max <= options.step_tolerance * largest_step) return Reason::kStepTolerance;
   if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
   return std::nullopt;
 }
 
 }  // namespace
 
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2,
-                   const Stopwatch& clock, std::vector<IterationRecord>& records) {
+RunResult minimize(System& system, Algorithm& algorithm, const Options& options,
+                   FunctionRef<bool(const IterationRecord&)> go_on, double chi2, const Stopwatch& clock,
+                   std::vector<IterationRecord>& records) {
+  double largest_step = 0;
   for (int iteration = 0;; ++iteration) {
     if (const auto reason = interruption(options, clock, iteration)) {
       return {Status::kNotConverged, *reason, chi2, iteration};
     }
     IterationRecord record;
-    record.iteration = iteration;
+    record.iteration = static_cast<int>(records.size());
     record.chi2 = chi2;
     const IterationOutcome outcome = algorithm.iterate(system, chi2, record);
     if (outcome != IterationOutcome::kAccepted) return ended(outcome, chi2, iteration);
@@ -54,10 +58,11 @@ RunResult minimize(System& system, Algorithm& algorithm, const Options& options,
     records.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
-    if (const auto reason = convergence(options, record, before)) {
+    largest_step = std::max(largest_step, record.step_max);
+    if (const auto reason = convergence(options, record, before, largest_step)) {
       return {Status::kConverged, *reason, chi2, iteration + 1};
     }
-    if (options.callback && !options.callback(record)) {
+    if (!go_on(record)) {
       return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
     }
   }

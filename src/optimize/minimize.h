@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
 #include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/report.h"
 #include "optimize/stopwatch.h"
@@ -18,7 +19,9 @@ struct RunResult {
 };
 
 /// Runs `algorithm` from estimates with cost `chi2`. `clock` began with optimize(). Records are appended.
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options, double chi2,
-                   const Stopwatch& clock, std::vector<IterationRecord>& records);
+/// `go_on` is asked after every iteration.
+RunResult minimize(System& system, Algorithm& algorithm, const Options& options,
+                   FunctionRef<bool(const IterationRecord&)> go_on, double chi2, const Stopwatch& clock,
+                   std::vector<IterationRecord>& records);
 
 }  // namespace boxplus

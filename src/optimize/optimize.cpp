@@ -60,7 +60,7 @@ class Optimization {
       result = {Status::kFailed, Reason::kGaugeFreedom, report_.chi2_initial, 0};
     } else {
       result = run_from_starts();
-      if (release_observable_vertices(result)) result = run_algorithm(result.chi2);
+      if (release_observable_vertices(result)) result = run_released(result);
     }
     finish(result);
   }
@@ -179,30 +179,60 @@ class Optimization {
     if (!std::isfinite(chi2)) return {Status::kFailed, Reason::kNotFinite, chi2, 0};
     Algorithm& algorithm = session_->algorithm(options_);
     algorithm.reset(options_, system().plan().scalars());
-    RunResult result = minimize(system(), algorithm, options_, chi2, clock_, report_.records);
+    const auto go_on = [this](const IterationRecord& record) { return call_back(record); };
+    RunResult result = minimize(system(), algorithm, options_, go_on, chi2, clock_, report_.records);
     report_.iterations += result.iterations;
     report_.regularised_steps += algorithm.regularised_steps();
     return result;
+  }
+
+  bool call_back(const IterationRecord& record) {
+    if (!options_.callback) return true;
+    const std::uint64_t revision = graph_.revision();
+    const bool go_on = options_.callback(record);
+    if (graph_.revision() != revision || graph_.cache().get() != session_) {
+      throw InvalidArgument("Options::callback changed the structure of the graph, or optimised it");
+    }
+    return go_on;
   }
 
   /// A held vertex whose own gradient does not vanish at the minimum over the others was no gauge freedom: it
   /// is let go, and the caller runs on.
   bool release_observable_vertices(const RunResult& result) {
     constexpr double kNoticeable = 1e-8;
-    if (result.status != Status::kConverged) return false;
+    if (result.status != Status::kConverged || session_->keeps_held()) return false;
     const Plan& plan = system().plan();
     observable_.clear();
     for (std::size_t k = 0; k < plan.held.size(); ++k) {
-      if (system().linearizer().held_vertex_decrease(k) > kNoticeable * result.chi2) {
+      const double decrease = system().linearizer().held_vertex_decrease(k, system().linearize_options());
+      if (decrease > kNoticeable * result.chi2) {
         observable_.push_back(plan.held[k].vertex);
       }
     }
     if (observable_.empty()) return false;
-    const TimeAdder adder(report_.time.plan_s);
-    session_->release(graph_, observable_);
+    plan_again([&] { session_->release(graph_, observable_); });
+    return true;
+  }
+
+  /// Runs on with the released vertices; where that brings nothing, they are held again, for good.
+  RunResult run_released(const RunResult& held) {
+    constexpr double kWorthwhile = 1 - 1e-8;
+    system().save(VertexPool::kStartLevel);
+    const RunResult released = run_algorithm(held.chi2);
+    if (released.status != Status::kFailed && released.chi2 < kWorthwhile * held.chi2) return released;
+    system().restore(VertexPool::kStartLevel);
+    plan_again([&] { session_->hold_again(graph_); });
+    return held;
+  }
+
+  template <class F>
+  void plan_again(F&& change) {
+    {
+      const TimeAdder adder(report_.time.plan_s);
+      change();
+    }
     system().configure(options_, report_.time);
     describe_problem();
-    return true;
   }
 
   void finish(const RunResult& result) {

@@ -18,10 +18,11 @@ inline IterationOutcome outcome_of(LinearStatus status) {
 }
 
 /// The outcome when no trial step lowered chi2: at a minimum where the best of them promised no more than
-/// rounding.
-inline IterationOutcome outcome_without_decrease(double largest_promise, double chi2, double tolerance) {
-  return largest_promise <= tolerance * chi2 ? IterationOutcome::kNoFurtherDecrease
-                                             : IterationOutcome::kNoStepFound;
+/// rounding, or where the largest was no more than rounding (chi2 itself is rounding there).
+inline IterationOutcome outcome_without_decrease(double largest_promise, double largest_step, double chi2) {
+  constexpr double kPromise = 1e-9, kStep = 1e-9;
+  return largest_promise <= kPromise * chi2 || largest_step <= kStep ? IterationOutcome::kNoFurtherDecrease
+                                                                     : IterationOutcome::kNoStepFound;
 }
 
 }  // namespace boxplus

@@ -41,7 +41,7 @@ void add_records(Text& text, const Report& report) {
 void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
   if (ids.empty()) return;
   constexpr std::size_t kShown = 8;
-  add(text, "  {:<14}", what);
+  add(text, "  {:<16}", what);
   for (std::size_t k = 0; k < std::min(ids.size(), kShown); ++k)
     add(text, "{}{}", k == 0 ? "" : ", ", ids[k]);
   if (ids.size() > kShown) add(text, ", … ({} in all)", ids.size());
@@ -49,7 +49,7 @@ void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
 }
 
 void add_start(Text& text, const StartReport& start) {
-  add(text, "  {:<14}{}", "start", to_string(start.used));
+  add(text, "  {:<16}{}", "start", to_string(start.used));
   if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
   add(text, "; chi2 {:.7g} as given", start.chi2_current);
   if (start.chi2_guess >= 0) add(text, ", {:.7g} after the initial guess", start.chi2_guess);
@@ -62,14 +62,14 @@ void add_notes(Text& text, const Report& report) {
   add_ids(text, "gauge", report.gauge.held);
   add_ids(text, "gauge released", report.gauge.released);
   if (report.gauge.damped_components > 0) {
-    add(text, "  {:<14}{} component(s) not held in all directions: damped minutely\n", "gauge",
+    add(text, "  {:<16}{} component(s) not held in all directions: damped minutely\n", "gauge",
         report.gauge.damped_components);
   }
   for (std::string_view type : report.numeric_jacobians)
-    add(text, "  {:<14}numeric for {}\n", "Jacobians", type);
-  if (report.disabled_edges > 0) add(text, "  {:<14}{} disabled edge(s)\n", "note", report.disabled_edges);
+    add(text, "  {:<16}numeric for {}\n", "Jacobians", type);
+  if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
   if (report.regularised_steps > 0) {
-    add(text, "  {:<14}H was not positive definite in {} step(s) and was damped\n", "note",
+    add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
         report.regularised_steps);
   }
 }
@@ -81,17 +81,17 @@ std::string to_string(const Report& report) {
   add(text, "{}: chi2 {:.9g} → {:.9g} in {} iteration{}, {:.4f} s\n", to_string(report.status),
       report.chi2_initial, report.chi2_final, report.iterations, report.iterations == 1 ? "" : "s",
       report.time.total_s);
-  add(text, "  {:<14}{}\n", "because", report.message);
-  add(text, "  {:<14}{} vertices ({} unknowns), {} edges\n", "problem", report.vertices, report.scalars,
+  add(text, "  {:<16}{}\n", "because", report.message);
+  add(text, "  {:<16}{} vertices ({} unknowns), {} edges\n", "problem", report.vertices, report.scalars,
       report.edges);
-  if (report.eliminated > 0) add(text, "  {:<14}{} vertices\n", "eliminated", report.eliminated);
-  add(text, "  {:<14}{}, {}, {} of {} thread{}\n", "method", report.algorithm, report.linear_solver,
+  if (report.eliminated > 0) add(text, "  {:<16}{} vertices\n", "eliminated", report.eliminated);
+  add(text, "  {:<16}{}, {}, {} of {} thread{}\n", "method", report.algorithm, report.linear_solver,
       report.workers, report.threads, report.threads == 1 ? "" : "s");
   add_start(text, report.start);
   add_notes(text, report);
   const Timings& t = report.time;
   add(text,
-      "  {:<14}plan {:.4f}, start {:.4f}, linearise {:.4f}, factorise {:.4f}, solve {:.4f}, evaluate "
+      "  {:<16}plan {:.4f}, start {:.4f}, linearise {:.4f}, factorise {:.4f}, solve {:.4f}, evaluate "
       "{:.4f}\n",
       "time [s]", t.plan_s, t.start_s, t.linearize_s, t.factorize_s, t.solve_s, t.evaluate_s);
   add_records(text, report);

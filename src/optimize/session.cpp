@@ -46,6 +46,12 @@ void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {
   plan(graph);
 }
 
+void Session::hold_again(Graph& graph) {
+  released_.clear();
+  keeps_held_ = true;
+  plan(graph);
+}
+
 Algorithm& Session::algorithm(const Options& options) {
   AlgorithmKind kind = options.algorithm;
   if (kind == AlgorithmKind::kAutomatic) {

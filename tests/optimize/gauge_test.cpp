@@ -108,6 +108,28 @@ TEST(Gauge, ThatIsNoneIsReleased) {
   EXPECT_THAT(second.gauge.held, IsEmpty());
 }
 
+TEST(Gauge, StaysHeldWhereTheDataFitPerfectly) {
+  // chi2 is then rounding noise, and so is the gradient of the held vertex.
+  for (const auto algorithm :
+       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+    Graph graph;
+    std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(100, -50, 1))};
+    for (int i = 1; i < 6; ++i) {
+      poses.push_back(graph.add_vertex(SE2(100 + i, -50, 0.9)));
+      graph.add_edge(Between(SE2(1, 0, 0.3)), poses[poses.size() - 2], poses.back());
+    }
+    for (int run = 0; run < 4; ++run) {
+      const Report report = optimize(graph, {.algorithm = algorithm});
+      EXPECT_TRUE(report.converged()) << report;
+      EXPECT_THAT(report.gauge.held, ElementsAre(0)) << report;
+      EXPECT_THAT(report.gauge.released, IsEmpty());
+      EXPECT_LT(report.chi2_final, 1e-20);
+      EXPECT_EQ(graph.estimate(poses[0]).vector(), SE2(100, -50, 1).vector());
+      graph.set_estimate(poses[3], SE2(103, -48, 1.5));
+    }
+  }
+}
+
 TEST(Gauge, IsNotFixedByParameters) {
   Graph graph;
   const auto offset = graph.add_parameter(SE3());

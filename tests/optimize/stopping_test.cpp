@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "optimize/small_graphs.h"
 
 namespace boxplus {
@@ -61,6 +63,29 @@ TEST_P(EveryAlgorithm, StopsWhenTheCallbackSaysSo) {
   const Report report = optimize(graph, options_);
   EXPECT_EQ(report.reason, Reason::kCallback);
   EXPECT_EQ(calls, 2);
+}
+
+TEST_P(EveryAlgorithm, RefusesACallbackThatChangesTheGraph) {
+  Graph graph;
+  add_noisy_grid(graph, 3);
+  options_.callback = [&](const IterationRecord&) {
+    graph.clear();
+    return true;
+  };
+  EXPECT_THROW(optimize(graph, options_), InvalidArgument);
+}
+
+TEST_P(EveryAlgorithm, DoesNotDependOnTheUnitsOfTheInformation) {
+  double chi2 = 0;
+  for (const double unit : {1.0, 1e-16, 1e16}) {
+    Graph graph;
+    add_noisy_grid(graph, 3);
+    for (const EdgeRef& edge : graph.all_edges()) graph.set_information(edge, 2500 * unit);
+    const Report report = optimize(graph, options_);
+    EXPECT_TRUE(report.converged()) << report;
+    if (chi2 == 0) chi2 = report.chi2_final;
+    EXPECT_NEAR(report.chi2_final / unit, chi2, 1e-8 * chi2);
+  }
 }
 
 TEST_P(EveryAlgorithm, StopsAtTheTimeLimit) {
@@ -213,6 +238,22 @@ TEST(Optimize, UsesTheEdgesOfOneLevel) {
   EXPECT_NEAR(graph.estimate(x)[0], 3, 1e-12);
 }
 
+TEST(Optimize, DifferentiatesFunctionsOfPlainEigenVectorsNumerically) {
+  struct Plain {
+    Eigen::Vector2d error(const Eigen::Vector2d& x) const { return x - Eigen::Vector2d(1, 2); }
+  };
+  Graph graph;
+  const auto x = graph.add_vertex(Eigen::Vector2d(0, 0));
+  graph.add_edge([](const Eigen::Vector2d& v) { return v[0] - 4; }, x);
+  graph.add_edge(std::function<double(const Eigen::Vector2d&)>([](const auto& v) { return v[1]; }), x);
+  graph.add_edge(Plain{}, x);
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.numeric_jacobians.size(), 3u);
+  EXPECT_NEAR(graph.estimate(x)[0], 2.5, 1e-9);
+  EXPECT_NEAR(graph.estimate(x)[1], 1, 1e-9);
+}
+
 TEST(Optimize, SaysWhichEdgesAreDifferentiatedNumerically) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 5);
@@ -244,7 +285,7 @@ TEST(Report, ReadsAsATable) {
   const std::string text = to_string(optimize(graph));
   EXPECT_THAT(text, HasSubstr("converged: chi2"));
   EXPECT_THAT(text, HasSubstr("because"));
-  EXPECT_THAT(text, HasSubstr("gauge         0"));
+  EXPECT_THAT(text, HasSubstr("gauge           0"));
   EXPECT_THAT(text, HasSubstr("dogleg, block_cholesky"));
 }
 

@@ -189,9 +189,46 @@ inline constexpr int kDualSize = (kCols<V...> != kDynamic && kCols<V...> <= kDua
 template <class... V>
 using DualFor = Dual<double, kDualSize<V...>>;
 
+/// What the rows of a result are.
+template <class R>
+struct RowScalar {
+  using Type = R;
+};
+template <class R>
+requires requires {
+  typename R::PlainObject;
+}
+struct RowScalar<R> {
+  using Type = typename R::Scalar;
+};
+template <class R>
+requires requires {
+  typename R::value_type;
+} &&(!requires { typename R::PlainObject; }) struct RowScalar<R> {
+  using Type = typename R::value_type;
+};
+
+/// What a call would return, found without compiling the call: Eigen's conversions do not survive that.
+template <class E, class... A>
+struct UnevaluatedResult {
+  using Type = std::invoke_result_t<const E&, A...>;
+};
+template <class E, class... A>
+requires HasErrorMember<E, A...>
+struct UnevaluatedResult<E, A...> {
+  using Type = decltype(std::declval<const E&>().error(std::declval<A>()...));
+};
+
+/// The function carries S from its arguments to its result. (One that takes plain Eigen vectors can be called
+/// with vectors of S, since Eigen offers to convert them, but what it returns is plain.)
+template <class E, class S, class... A>
+concept Carries = Callable<E, A...> &&
+    std::is_same_v<typename RowScalar<std::remove_cvref_t<typename UnevaluatedResult<E, A...>::Type>>::Type,
+                   S>;
+
 template <class E, class S, class... V>
 concept DifferentiableWith =
-    (LiftableManifold<ElementOf<V>, S> && ...) && Callable<E, Argument<Lifted<V, S>>...>;
+    (LiftableManifold<ElementOf<V>, S> && ...) && Carries<E, S, Argument<Lifted<V, S>>...>;
 
 /// E asks for numeric Jacobians (see Numeric).
 template <class E>

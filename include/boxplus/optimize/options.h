@@ -68,13 +68,15 @@ struct Options {
 
   /// Stop when …
   int max_iterations = 100;
-  double cost_tolerance = 1e-10;      ///< … chi2 fell by less than this fraction of itself,
-  double step_tolerance = 1e-12;      ///< … no entry of the step is larger than this,
-  double gradient_tolerance = 1e-12;  ///< … or none of the gradient.
+  double cost_tolerance = 1e-10;  ///< … chi2 fell by less than this fraction of itself,
+  double step_tolerance =
+      1e-12;  ///< … no entry of the step is larger than this fraction of the run's largest,
+  double gradient_tolerance = 0;  ///< … or none of the gradient is larger than this (in its own units).
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop =
       nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
-  /// Called after every iteration; returning false stops.
+  /// Called after every iteration; returning false stops. It must not change the structure of the graph nor
+  /// optimise it: optimize() then throws InvalidArgument.
   std::function<bool(const IterationRecord&)> callback = {};
 
   double initial_lambda =

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robust kernels: an edge contributes ρ(e²) instead of e² = eᵀΩe, so that outliers count less.
 //
-// A kernel is a function of the SQUARED error. Contract, for e² ≥ 0 (testing/check_kernel.h checks it):
+// A kernel is a function of the SQUARED error. Contract, for 0 ≤ e² ≤ 1e100 δ² (testing/check_kernel.h checks
+// it):
 //   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e²
 //   wherever these exist. At a kink, the values of the inner side are returned.
 // ρ′ is the weight of the edge in H and b. A kernel may return a negative ρ′ (DCS): the linearisation clamps

@@ -143,6 +143,7 @@ class ManifoldChecker {
 
   /// Of Gaussian elimination with full pivoting, relative to the first.
   static double smallest_pivot(Matrix<double, kDynamic, kDynamic> a) {
+    if (a.size() == 0) return 1;
     double first = 0, pivot = 0;
     for (Eigen::Index k = 0; k < a.rows(); ++k) {
       const Eigen::Index rest = a.rows() - k;
