@@ -42,12 +42,13 @@ void Session::plan(Graph& graph) {
 }
 
 void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {
+  released_before_ = released_.size();
   released_.insert(released_.end(), vertices.begin(), vertices.end());
   plan(graph);
 }
 
 void Session::hold_again(Graph& graph) {
-  released_.clear();
+  released_.resize(released_before_);
   keeps_held_ = true;
   plan(graph);
 }

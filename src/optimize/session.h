@@ -20,7 +20,7 @@ class Session final : public Graph::Cache {
   Algorithm& algorithm(const Options& options);
   /// Plans anew without holding these vertices for the gauge.
   void release(Graph& graph, const std::vector<VertexRef>& vertices);
-  /// Takes release() back: the vertices are held, and stay so while the structure does.
+  /// Takes the last release() back: its vertices are held, and stay so while the structure does.
   void hold_again(Graph& graph);
   bool keeps_held() const { return keeps_held_; }
   const std::vector<VertexRef>& released() const { return released_; }
@@ -36,6 +36,7 @@ class Session final : public Graph::Cache {
   SchurMode schur_ = SchurMode::kAutomatic;
   std::vector<VertexRef> vertices_, released_;
   std::vector<EdgeRef> edges_;
+  std::size_t released_before_ = 0;  // by earlier calls of release()
   bool keeps_held_ = false;
   std::unique_ptr<BatchSystem> system_;
   std::array<std::unique_ptr<Algorithm>, 4> algorithms_;

@@ -10,6 +10,7 @@
 #include "boxplus/optimize/optimize.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "optimize/dense_problem.h"
+#include "sanitized.h"
 
 namespace boxplus {
 namespace {
@@ -246,7 +247,7 @@ class RandomProblem {
 class RandomHypergraph : public testing::TestWithParam<AlgorithmKind> {};
 
 TEST_P(RandomHypergraph, EndsWhereAnIndependentDenseSolverEnds) {
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < (kSanitized ? 40 : 200); ++seed) {
     RandomProblem problem(seed);
     problem.build();
     ASSERT_NEAR(problem.graph.chi2(), problem.dense.cost(), 1e-10 * problem.dense.cost()) << "seed " << seed;

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "optimize/small_graphs.h"
+#include "sanitized.h"
 
 namespace boxplus {
 namespace {
@@ -21,8 +22,10 @@ Outcome run(AlgorithmKind algorithm, LinearSolverKind solver, int threads) {
   const auto circle = add_noisy_circle(graph, 300);
   for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Huber(3.0));
   Outcome outcome;
-  outcome.report = optimize(
-      graph, {.algorithm = algorithm, .linear_solver = solver, .max_iterations = 6, .threads = threads});
+  outcome.report = optimize(graph, {.algorithm = algorithm,
+                                    .linear_solver = solver,
+                                    .max_iterations = kSanitized ? 2 : 6,
+                                    .threads = threads});
   for (const auto& pose : grid) {
     outcome.numbers.insert(outcome.numbers.end(), graph.estimate(pose).data(),
                            graph.estimate(pose).data() + 7);

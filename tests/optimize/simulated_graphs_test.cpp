@@ -6,6 +6,7 @@
 
 #include "boxplus/optimize/optimize.h"
 #include "boxplus/testing/simulate.h"
+#include "sanitized.h"
 
 namespace boxplus {
 namespace {
@@ -20,7 +21,7 @@ double measurement_rows(const Graph& graph) {
 }
 
 TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= (kSanitized ? 3 : 20); ++seed) {
     Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed});
     const double rows = measurement_rows(simulation.graph);
     const Report report = optimize(simulation.graph, {.start = Start::kAutomatic});
