@@ -32,6 +32,7 @@ class GraphReader {
       : text_(text),
         name_(name),
         registry_(options.registry ? *options.registry : default_registry()),
+        renames_(options.renames),
         lenient_(options.lenient) {}
 
   GraphFile read() {
@@ -56,7 +57,7 @@ class GraphReader {
       FieldReader in(name_, ++number, line);
       if (in.at_end()) continue;
       const std::string_view word = in.word("a word");
-      const Tag* tag = registry_.find(word);
+      const Tag* tag = find_tag(word);
       if (tag && tag->kind != Tag::Kind::kEdge) {
         guarded({tag, line, number}, [&] { read_vertex(*tag, in); });
       } else {
@@ -65,6 +66,11 @@ class GraphReader {
         if (!tag && word != "FIX") keep_place_.emplace_back(last_vertex_);
       }
     }
+  }
+
+  const Tag* find_tag(std::string_view word) const {
+    const auto renamed = renames_.find(word);
+    return registry_.find(renamed == renames_.end() ? word : renamed->second);
   }
 
   void read_vertex(const Tag& tag, FieldReader& in) {
@@ -234,6 +240,7 @@ class GraphReader {
 
   std::string_view text_, name_;
   const Registry& registry_;
+  const std::map<std::string, std::string, std::less<>>& renames_;
   bool lenient_;
   GraphFile file_;
   std::vector<PendingLine> pending_;

@@ -53,6 +53,13 @@ bool is_special_file(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
+/// A link stays a link: the file that it names is replaced.
+std::string target_of(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none).string()
+                                                 : path;
+}
+
 /// Pipes and devices, such as /dev/stdout, cannot be replaced: they are written to.
 void write_through(const std::string& path, std::string_view text) {
   const Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC)};
@@ -81,12 +88,22 @@ std::string read_file(const std::string& path) {
   }
 }
 
+void require_writable(const std::string& path) {
+  if (is_special_file(path)) {
+    if (::access(path.c_str(), W_OK) != 0) fail(path, "cannot be written", errno);
+    return;
+  }
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) fail(path, "cannot be written", EISDIR);
+  std::string probe = target_of(path) + ".XXXXXX";
+  const Descriptor file{::mkstemp(probe.data())};
+  if (file.value < 0) fail(path, "cannot be written", errno);
+  ::unlink(probe.c_str());
+}
+
 void write_file(const std::string& path, std::string_view text) {
   if (is_special_file(path)) return write_through(path, text);
-  // A link stays a link: the file that it names is replaced.
-  std::error_code none;
-  const std::string target =
-      std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none).string() : path;
+  const std::string target = target_of(path);
   std::string temporary = target + ".XXXXXX";
   int error = 0;
   {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,8 @@ class Registry;
 
 struct ReadOptions {
   const Registry* registry = nullptr;  ///< nullptr: default_registry()
+  /// Words to take for others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
+  std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
 };
 
@@ -63,5 +67,8 @@ std::string format_graph(const GraphFile& file, const Registry* registry = nullp
 
 /// Replaces a file at once, or not at all. Throws FileError.
 void write_file(const std::string& path, std::string_view text);
+/// Throws the FileError that write_file() would throw for this path, as far as can be told without writing:
+/// called before long work, so that it is not in vain.
+void require_writable(const std::string& path);
 
 }  // namespace boxplus
