@@ -21,7 +21,7 @@ struct SimulateArguments {
 
 std::map<std::string, World> worlds_by_name() {
   std::map<std::string, World> worlds;
-  for (World world : {World::kSphere, World::kTorus, World::kGrid, World::kManhattan, World::kLandmarks}) {
+  for (World world : kWorlds) {
     worlds.emplace(to_string(world), world);
   }
   return worlds;
@@ -61,6 +61,9 @@ void add_simulate(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--noise", arguments->options.noise, "Factor on all standard deviations")
       ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--outliers", arguments->options.outliers, "Share")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("--truth", arguments->truth, "Where to write the same graph at its true places");
   command->callback([&action, arguments] { action = [arguments] { return simulate_file(*arguments); }; });

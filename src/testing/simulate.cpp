@@ -19,8 +19,10 @@ std::string_view to_string(World world) {
       return "grid";
     case World::kManhattan:
       return "manhattan";
+    case World::kStreets:
+      return "streets";
     default:
-      return "landmarks";
+      return "city";
   }
 }
 
@@ -29,6 +31,10 @@ Simulation simulate(World world, const SimulationOptions& options) {
     throw InvalidArgument("simulate: expected at least 2 poses, got " + std::to_string(options.poses));
   if (!(options.noise >= 0) || !std::isfinite(options.noise)) {
     throw InvalidArgument("simulate: expected a noise factor ≥ 0, got " + std::to_string(options.noise));
+  }
+  if (!(options.outliers >= 0 && options.outliers <= 1)) {
+    throw InvalidArgument("simulate: expected a share of outliers in [0, 1], got " +
+                          std::to_string(options.outliers));
   }
   switch (world) {
     case World::kSphere:
@@ -39,8 +45,10 @@ Simulation simulate(World world, const SimulationOptions& options) {
       return simulate_grid(options);
     case World::kManhattan:
       return simulate_manhattan(options);
+    case World::kStreets:
+      return simulate_streets(options);
     default:
-      return simulate_landmarks(options);
+      return simulate_city(options);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "boxplus/testing/simulate.h"
@@ -24,7 +25,10 @@ class Simulator {
 
  public:
   Simulator(const SimulationOptions& options, const PoseNoise& noise)
-      : random(options.seed), noise_factor_(options.noise) {
+      : random(options.seed),
+        outlier_random_(~options.seed),
+        outliers_(options.outliers),
+        noise_factor_(options.noise) {
     for (int i = 0; i < kDim; ++i) {
       deviation_[i] = i < kSpace ? noise.translation : noise.rotation * kRotationUnit;
       information_[static_cast<std::size_t>(i)] = 1 / (deviation_[i] * deviation_[i]);
@@ -37,7 +41,7 @@ class Simulator {
       const Between<Pose> edge = measure(truths_.back(), truth);
       const Pose guess = result_.graph.estimate(poses_.back()) * edge.measurement;
       add_pose(truth, guess);
-      add(edge, static_cast<int>(poses_.size()) - 2, static_cast<int>(poses_.size()) - 1);
+      add(edge, size() - 2, size() - 1, EdgeKind::kOdometry);
       return;
     }
     add_pose(truth, truth);
@@ -45,29 +49,43 @@ class Simulator {
     result_.truth.fix(true_poses_[0]);
   }
 
-  /// A loop closure between two poses of the trajectory.
+  /// A loop closure between two poses of the trajectory. An outlier takes another place for that of `from`.
   void recognise(int from, int to) {
-    add(measure(truths_[static_cast<std::size_t>(from)], truths_[static_cast<std::size_t>(to)]), from, to);
+    const Between<Pose> edge = measure(truth(from), truth(to));
+    const double least_distance = kOutlierDistance * deviation_[0];
+    const int mistaken = mistake([&] {
+      const int pose = outlier_random_.below(to);
+      const bool is_wrong = (truth(pose).translation() - truth(from).translation()).norm() > least_distance;
+      return is_wrong && to - pose > 1 ? pose : kNone;
+    });
+    add(edge, mistaken == kNone ? from : mistaken, to,
+        mistaken == kNone ? EdgeKind::kRecognition : EdgeKind::kOutlier);
   }
 
   int size() const { return static_cast<int>(truths_.size()); }
   const Pose& truth(int pose) const { return truths_[static_cast<std::size_t>(pose)]; }
 
-  /// Sees a point of the plane; `landmark` is empty at first and then its handles in graph and truth.
-  using Landmark = std::vector<VertexHandle<Vector2>>;
-  void observe(const Vector2& point, double deviation, Landmark& landmark) {
+  /// A point of the plane, which becomes a vertex when it is first seen.
+  int add_landmark(const Vector2& point) {
+    landmarks_.push_back({point, std::nullopt, std::nullopt});
+    return static_cast<int>(landmarks_.size()) - 1;
+  }
+  const Vector2& landmark(int index) const { return landmarks_[static_cast<std::size_t>(index)].point; }
+
+  /// Sees a landmark from the last pose. An outlier takes it for another that was seen before.
+  void observe(int index, double deviation) {
+    const Landmark& seen = landmarks_[static_cast<std::size_t>(index)];
     Vector2 noise;
     for (double& entry : noise) entry = random.normal();
-    const Vector2 z = truths_.back().inverse_times(point) + noise_factor_ * deviation * noise;
-    if (landmark.empty()) {
-      landmark.push_back(result_.graph.add_vertex(Vector2(result_.graph.estimate(poses_.back()) * z)));
-      landmark.push_back(result_.truth.add_vertex(point));
-    }
-    const Information information(1 / (deviation * deviation));
-    result_.edges.push_back(
-        result_.graph.add_edge(PointObservation2(z), information, poses_.back(), landmark[0]));
-    result_.truth_edges.push_back(
-        result_.truth.add_edge(PointObservation2(z), information, true_poses_.back(), landmark[1]));
+    const Vector2 z = truths_.back().inverse_times(seen.point) + noise_factor_ * deviation * noise;
+    const int mistaken = mistake([&] {
+      if (seen_.empty()) return kNone;
+      const int other =
+          seen_[static_cast<std::size_t>(outlier_random_.below(static_cast<int>(seen_.size())))];
+      return (landmark(other) - seen.point).norm() > kOutlierDistance * deviation ? other : kNone;
+    });
+    add(z, deviation, mistaken == kNone ? index : mistaken,
+        mistaken == kNone ? EdgeKind::kRecognition : EdgeKind::kOutlier);
   }
 
   Simulation take() { return std::move(result_); }
@@ -75,6 +93,26 @@ class Simulator {
   RandomNumbers random;
 
  private:
+  static constexpr int kNone = -1;
+  static constexpr double kOutlierDistance = 20;  // deviations that an outlier is wrong by, at least
+
+  struct Landmark {
+    Vector2 point;
+    std::optional<VertexHandle<Vector2>> vertex, true_vertex;
+  };
+
+  /// What `draw` takes a place for, where the lot falls on an outlier; else kNone. Has a generator of its
+  /// own, so that outliers change no other measurement.
+  template <class Draw>
+  int mistake(Draw&& draw) {
+    if (!(outlier_random_.uniform() < outliers_)) return kNone;
+    constexpr int kTrials = 100;  // a tiny world may have no other place
+    for (int trial = 0; trial < kTrials; ++trial) {
+      if (const int mistaken = draw(); mistaken != kNone) return mistaken;
+    }
+    return kNone;
+  }
+
   void add_pose(const Pose& truth, const Pose& guess) {
     truths_.push_back(truth);
     poses_.push_back(result_.graph.add_vertex(guess));
@@ -88,19 +126,39 @@ class Simulator {
     return Between<Pose>(from.inverse_times(to) * Manifold<Pose>::oplus(Pose(), e.data()).inverse());
   }
 
-  void add(const Between<Pose>& edge, int from, int to) {
+  void add(const Between<Pose>& edge, int from, int to, EdgeKind kind) {
     const auto i = static_cast<std::size_t>(from), j = static_cast<std::size_t>(to);
     const Information information = Information::diagonal(information_);
     result_.edges.push_back(result_.graph.add_edge(edge, information, poses_[i], poses_[j]));
     result_.truth_edges.push_back(result_.truth.add_edge(edge, information, true_poses_[i], true_poses_[j]));
+    result_.kinds.push_back(kind);
   }
 
+  void add(const Vector2& z, double deviation, int index, EdgeKind kind) {
+    Landmark& seen = landmarks_[static_cast<std::size_t>(index)];
+    if (!seen.vertex) {
+      seen.vertex = result_.graph.add_vertex(Vector2(result_.graph.estimate(poses_.back()) * z));
+      seen.true_vertex = result_.truth.add_vertex(seen.point);
+      seen_.push_back(index);
+    }
+    const Information information(1 / (deviation * deviation));
+    const PointObservation2 edge(z);
+    result_.edges.push_back(result_.graph.add_edge(edge, information, poses_.back(), *seen.vertex));
+    result_.truth_edges.push_back(
+        result_.truth.add_edge(edge, information, true_poses_.back(), *seen.true_vertex));
+    result_.kinds.push_back(kind);
+  }
+
+  RandomNumbers outlier_random_;
+  double outliers_;
   double noise_factor_;
   Vector<double, kDim> deviation_;
   std::array<double, kDim> information_;
   Simulation result_;
   std::vector<Pose> truths_;
   std::vector<VertexHandle<Pose>> poses_, true_poses_;
+  std::vector<Landmark> landmarks_;
+  std::vector<int> seen_;  // landmarks that are vertices
 };
 
 }  // namespace boxplus

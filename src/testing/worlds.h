@@ -10,6 +10,7 @@ Simulation simulate_sphere(const SimulationOptions& options);
 Simulation simulate_torus(const SimulationOptions& options);
 Simulation simulate_grid(const SimulationOptions& options);
 Simulation simulate_manhattan(const SimulationOptions& options);
-Simulation simulate_landmarks(const SimulationOptions& options);
+Simulation simulate_streets(const SimulationOptions& options);
+Simulation simulate_city(const SimulationOptions& options);
 
 }  // namespace boxplus

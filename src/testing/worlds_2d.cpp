@@ -66,29 +66,4 @@ Simulation simulate_manhattan(const SimulationOptions& options) {
   return simulator.take();
 }
 
-Simulation simulate_landmarks(const SimulationOptions& options) {
-  constexpr int kBlock = 8;
-  constexpr double kRange = 5, kDeviation = 0.1, kSpacing = 4;
-  Simulator<SE2> simulator(options, {0.05, 0.01});
-  const int half_size = half_size_for(options.poses, kBlock);
-  StreetWalk walk(half_size, kBlock);
-  const double border = half_size + 2;
-  const int landmarks = std::max(4, static_cast<int>(4 * border * border / (kSpacing * kSpacing)));
-  std::vector<Vector2> points;
-  for (int k = 0; k < landmarks; ++k) {
-    const double x = simulator.random.uniform(-border, border);
-    points.emplace_back(x, simulator.random.uniform(-border, border));
-  }
-  std::vector<Simulator<SE2>::Landmark> seen(points.size());
-  for (int k = 0; k < options.poses; ++k) {
-    simulator.drive_to(walk.pose());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double distance = (points[i] - walk.pose().translation()).norm();
-      if (distance < kRange) simulator.observe(points[i], kDeviation, seen[i]);
-    }
-    walk.step(simulator.random);
-  }
-  return simulator.take();
-}
-
 }  // namespace boxplus

@@ -20,7 +20,7 @@ def run(*arguments):
 def main(boxplus):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for world in ("torus", "landmarks"):
+        for world in ("torus", "city"):
             graph = folder / f"{world}.g2o"
             run(boxplus, "simulate", world, "--poses", 2500, "--seed", 7, "-o", graph)
             outputs = {}

@@ -37,7 +37,7 @@ TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
 
 INSTANTIATE_TEST_SUITE_P(Worlds, SimulatedGraphs,
                          ::testing::Values(World::kManhattan, World::kSphere, World::kTorus, World::kGrid,
-                                           World::kLandmarks),
+                                           World::kCity),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
 }  // namespace

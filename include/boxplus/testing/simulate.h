@@ -6,6 +6,7 @@
 // The first pose is fixed at its true place; the other estimates begin at the odometry.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,12 @@ enum class World : std::uint8_t {
   kTorus,      ///< the same around a torus; the last lap meets the first
   kGrid,       ///< it fills a cubic lattice, and sees its neighbours there
   kManhattan,  ///< it walks at random through the streets of a plane, and knows crossings again
-  kLandmarks   ///< it drives around in a plane, and sees points nearby
+  kStreets,  ///< it drives every street of a town 2 to 4 times, at least 100 poses from crossing to crossing,
+             ///< and sees where it drove before: about 4 edges per pose
+  kCity      ///< the same in short streets, where it sees lampposts and corners of houses instead
 };
+inline constexpr std::array kWorlds{World::kSphere,    World::kTorus,   World::kGrid,
+                                    World::kManhattan, World::kStreets, World::kCity};
 std::string_view to_string(World world);
 
 struct SimulationOptions {
@@ -28,15 +33,26 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   double noise =
       1;  ///< factor on all standard deviations; 0: perfect measurements (with the weights of noise 1)
+  /// Share of the loop closures and observations that take a place (a landmark) for another, at random.
+  /// Odometry is never wrong, and the other measurements stay as they are without.
+  double outliers = 0;
+};
+
+enum class EdgeKind : std::uint8_t {
+  kOdometry,     ///< from a pose to the next
+  kRecognition,  ///< a loop closure, or a landmark seen
+  kOutlier       ///< the same, of a wrong place
 };
 
 struct Simulation {
   Graph graph;
   Graph truth;                              ///< the same vertices at their true places, with the same edges
   std::vector<EdgeRef> edges, truth_edges;  ///< in the order of their making
+  std::vector<EdgeKind> kinds;              ///< of each of them
 };
 
-/// Throws InvalidArgument for fewer than 2 poses or a negative noise.
+/// Takes time and memory in proportion to the poses. Throws InvalidArgument for fewer than 2 poses, a
+/// negative noise, and outliers that are no share in [0, 1].
 Simulation simulate(World world, const SimulationOptions& options = {});
 
 }  // namespace boxplus

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The streets of a simulated town, and a route that drives each of them 2 to 4 times.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "boxplus/base/matrix.h"
+#include "boxplus/manifold/se2.h"
+#include "testing/random_numbers.h"
+
+namespace boxplus {
+
+/// A slightly bowed way between two crossings, driven in steps of about a metre.
+struct Street {
+  int from = 0, to = 0;  ///< crossings
+  int steps = 0;         ///< positions are 0 (at `from`) … steps (at `to`)
+  double bow = 0;        ///< how far its middle lies left of the straight line
+  int passes = 2;
+};
+
+/// One drive along a whole street.
+struct Leg {
+  int street = 0;
+  bool forward = true;  ///< from `from` to `to`
+};
+
+/// Crossings on a lattice that is bent as a whole and jittered one by one; avenues run through without gap,
+/// elsewhere streets are missing.
+class StreetNetwork {
+ public:
+  /// So many streets, of about `block` steps, that driving each 2 to 4 times takes about `steps` steps.
+  /// No street has fewer than 4/5 `block` steps.
+  StreetNetwork(int steps, int block, RandomNumbers& random);
+
+  const std::vector<Vector2>& crossings() const { return crossings_; }
+  const std::vector<Street>& streets() const { return streets_; }
+  const Street& street(const Leg& leg) const { return streets_[static_cast<std::size_t>(leg.street)]; }
+
+  /// A closed tour (Hierholzer 1873) in which each street appears as often as it has passes, and the robot
+  /// rarely turns on the spot.
+  std::vector<Leg> route(RandomNumbers& random) const;
+
+  /// On the right-hand side of the street, looking along the drive; `position` counts from `from` always.
+  SE2 pose(const Leg& leg, int position) const;
+  /// The point `left` metres left of the street's middle line, seen from `from`.
+  Vector2 beside(const Street& street, double position, double left) const;
+  double length(const Street& street) const;
+
+ private:
+  int crossing(int column, int row) const { return row * columns_ + column; }
+  void lay_crossings(int block, RandomNumbers& random);
+  void lay_streets(int block, RandomNumbers& random);
+  void add_passes(int steps, RandomNumbers& random);
+  std::vector<std::array<int, 4>> blocks() const;
+  Vector2 tangent(const Street& street, double position) const;
+
+  int columns_, rows_;
+  std::vector<Vector2> crossings_;
+  std::vector<Street> streets_;
+};
+
+}  // namespace boxplus
