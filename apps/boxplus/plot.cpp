@@ -3,26 +3,58 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
-#include "boxplus/io/graph_file.h"
+#include "boxplus/base/error.h"
 #include "command.h"
+#include "streams.h"
 #include "svg.h"
 
 namespace boxplus::app {
 namespace {
 
+constexpr const char* kFooter =
+    "Poses in the order of their ids are the trajectory. Loop closures and observations are coloured by "
+    "their\n"
+    "chi2 per row: grey up to 1, what noise explains; the darker, the worse. Both panels have one scale of\n"
+    "colours. Graphs in space are drawn in parallel projection. Segments too short to be seen are merged.\n"
+    "\n"
+    "Example: boxplus simulate streets -o s.g2o && boxplus optimize s.g2o -o t.g2o && boxplus plot s.g2o "
+    "t.g2o "
+    "-o s.svg";
+
 struct PlotArguments {
   std::string before, after, output;
 };
 
+Scene scene_of(const std::string& path, std::string title) {
+  Scene scene = make_scene(read_graph_or_stdin(path).graph, std::move(title));
+  if (scene.poses + scene.landmark_count == 0) {
+    throw FileError((path == kStream ? "<stdin>" : path) +
+                    ": expected poses or points to draw, found none with a finite place");
+  }
+  return scene;
+}
+
+std::string title_of(const std::string& path) {
+  return path == kStream ? "graph" : std::filesystem::path(path).stem().string();
+}
+
 int plot_files(const PlotArguments& arguments) {
-  std::vector<Scene> scenes;
   const bool compares = !arguments.after.empty();
-  scenes.push_back(make_scene(read_graph(arguments.before).graph, compares ? "before" : "graph"));
-  if (compares) scenes.push_back(make_scene(read_graph(arguments.after).graph, "after"));
-  write_file(arguments.output, svg_of(scenes));
-  fmt::print("{}: {} panel{}\n", arguments.output, scenes.size(), scenes.size() == 1 ? "" : "s");
+  if (arguments.before == kStream && arguments.after == kStream)
+    throw InvalidArgument("plot: expected at most one graph from the standard input, got '-' twice");
+  require_writable_or_stdout(arguments.output);
+  std::vector<Scene> scenes;
+  scenes.push_back(scene_of(arguments.before, compares ? "before" : title_of(arguments.before)));
+  if (compares) scenes.push_back(scene_of(arguments.after, "after"));
+  const std::string svg = svg_of(std::move(scenes));
+  write_file_or_stdout(arguments.output, svg);
+  if (arguments.output != kStream) {
+    fmt::print("{}: {}, {} kB\n", arguments.output, compares ? "before and after" : "one graph",
+               (svg.size() + 999) / 1000);
+  }
   return kSuccess;
 }
 
@@ -31,9 +63,13 @@ int plot_files(const PlotArguments& arguments) {
 void add_plot(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = app.add_subcommand("plot", "Draws a graph, or two side by side, as an SVG picture");
-  command->add_option("BEFORE", arguments->before, "A graph")->required();
+  command->add_option("BEFORE", arguments->before, "A graph; - reads the standard input")->required();
   command->add_option("AFTER", arguments->after, "The same graph, optimised");
-  command->add_option("-o,--output", arguments->output, "Where to write the picture (.svg)")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "Where to write the picture (.svg); - is the standard output")
+      ->required();
+  command->footer(kFooter);
   command->callback([&action, arguments] { action = [arguments] { return plot_files(*arguments); }; });
 }
 

@@ -19,17 +19,26 @@ enum class SegmentKind : std::uint8_t { kObservation, kLoopClosure, kTrajectory 
 struct Segment {
   SegmentKind kind;
   Spot from, to;
-  double time;  ///< of the trajectory, in [0, 1]
+  double time;          ///< of the trajectory, in [0, 1]
+  double chi2_per_row;  ///< of the edge, before its kernel
+};
+
+struct Dot {
+  Spot spot;
+  double time;  ///< of a pose, as above
 };
 
 struct Scene {
-  std::vector<Segment> segments;
+  std::vector<Segment> segments;  ///< those of the trajectory by time
   std::vector<Spot> landmarks;
-  Spot low{}, high{};  ///< what encloses everything
-  std::size_t poses = 0, edges = 0;
+  std::vector<Dot> dots;  ///< poses that no trajectory passes; all, where they are few
+  Spot low{}, high{};     ///< what encloses everything
+  std::size_t poses = 0, landmark_count = 0, edges = 0;
   bool is_spatial = false;  ///< drawn by an oblique parallel projection
   double chi2 = 0;
   std::string title;
+
+  bool has(SegmentKind kind) const;
 };
 
 /// Poses in the order of their ids make the trajectory; other edges between poses are loop closures, those

@@ -1,61 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "svg.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
+
+#include "colours.h"
+#include "svg_writer.h"
+#include "thinning.h"
 
 namespace boxplus::app {
 namespace {
 
-constexpr double kPanelWidth = 620, kPanelHeight = 600, kMargin = 28, kHeader = 86, kFooter = 62;
+constexpr double kPanelWidth = 620, kPanelHeight = 592, kMargin = 30, kHeader = 92, kFooter = 50;
+constexpr double kLegendHeight = 74, kHeight = kPanelHeight + kLegendHeight;
 constexpr int kDepthLayers = 10, kHues = 24;
-constexpr const char* kInk = "#1f2937";
-constexpr const char* kFaintInk = "#6b7280";
-constexpr const char* kLoopColour = "#94a3b8";
-constexpr const char* kLandmarkColour = "#ea580c";
-
-using Colour = std::array<double, 3>;
-
-/// From the beginning of the trajectory to its end: indigo, blue, teal, green, gold.
-std::string trajectory_colour(double time) {
-  constexpr std::array<Colour, 5> kStops{
-      {{67, 56, 202}, {37, 99, 235}, {8, 145, 178}, {22, 163, 74}, {217, 164, 6}}};
-  const double at = std::clamp(time, 0.0, 1.0) * (kStops.size() - 1);
-  const auto first = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double part = at - static_cast<double>(first);
-  std::array<int, 3> rgb{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    rgb[i] = static_cast<int>(std::lround((1 - part) * kStops[first][i] + part * kStops[first + 1][i]));
-  }
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (static_cast<unsigned char>(c) >= ' ') {
-      result += c;
-    }
-  }
-  return result;
-}
+constexpr const char* kLandmarkColour = "#1e293b";
 
 /// Pixels per metre with which the scene fills a panel.
 double fitting_scale(const Scene& scene) {
+  constexpr double kMost = 1e9;
   const double width = scene.high[0] - scene.low[0], height = scene.high[1] - scene.low[1];
-  const double across = width > 0 ? (kPanelWidth - 2 * kMargin) / width : 1e9;
-  const double up = height > 0 ? (kPanelHeight - kHeader - kFooter) / height : 1e9;
+  const double across = width > 0 ? (kPanelWidth - 2 * kMargin) / width : kMost;
+  const double up = height > 0 ? (kPanelHeight - kHeader - kFooter) / height : kMost;
   const double scale = std::min(across, up);
-  return scale < 1e9 ? scale : 1;
+  return scale < kMost ? scale : 1;
+}
+
+bool has_extent(const Scene& scene) {
+  return scene.high[0] > scene.low[0] || scene.high[1] > scene.low[1];
 }
 
 /// 1, 2 or 5 times a power of ten.
@@ -64,21 +39,43 @@ double round_length(double most) {
   return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
 }
 
+/// As in text: 1, 10, 100, 1000, 10⁴, …, 10¹².
+std::string power_of_ten(int exponent) {
+  if (exponent < 4) return std::string("1000", static_cast<std::size_t>(exponent) + 1);
+  constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  return std::string("10") + (exponent < 10 ? "" : kDigits[1]) + kDigits[exponent % 10];
+}
+
+/// How a kind of segment is drawn.
+struct Pen {
+  double width, opacity;
+};
+Pen pen_for(SegmentKind kind, int bin) {
+  const double badness = static_cast<double>(bin) / (ErrorColours::kBins - 1);
+  switch (kind) {
+    case SegmentKind::kTrajectory:
+      return {1.5, 1};
+    case SegmentKind::kLoopClosure:
+      return {bin == 0 ? 0.7 : 1, 0.6 + 0.3 * badness};
+    default:
+      return {0.7, 0.25 + 0.5 * badness};
+  }
+}
+
 class Panel {
  public:
-  Panel(const Scene& scene, double left, double scale, std::string& out)
-      : scene_(scene), left_(left), scale_(scale), out_(std::back_inserter(out)) {}
+  Panel(const Scene& scene, double left, double scale, const ErrorColours& colours, SvgWriter& svg)
+      : scene_(scene), left_(left), scale_(scale), colours_(colours), svg_(svg) {}
 
   void draw() {
-    fmt::format_to(
-        out_,
-        "<rect x=\"{}\" y=\"8\" width=\"{}\" height=\"{}\" rx=\"10\" fill=\"#ffffff\" stroke=\"#e5e7eb\"/>\n",
-        left_ + 8, kPanelWidth - 16, kPanelHeight - 16);
+    svg_.add(
+        "<rect x=\"{}\" y=\"8\" width=\"{}\" height=\"{}\" rx=\"10\" fill=\"#fff\" stroke=\"#e5e7eb\"/>\n",
+        left_ + 8, kPanelWidth - 16, kPanelHeight - 8);
     header();
-    lines();
+    segments();
     landmarks();
-    scale_bar();
-    legend();
+    dots();
+    if (has_extent(scene_)) scale_bar();
   }
 
  private:
@@ -97,119 +94,179 @@ class Panel {
   /// What is far is faint.
   static double nearness(int layer) { return 0.3 + 0.7 * (layer + 1) / kDepthLayers; }
 
-  void text(double at_x, double at_y, double size, const char* colour, const char* extra,
-            std::string_view words) {
-    fmt::format_to(out_, "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" fill=\"{}\"{}>{}</text>\n", at_x,
-                   at_y, size, colour, extra, escaped(words));
-  }
-
   void header() {
-    text(left_ + kMargin, 42, 19, kInk, " font-weight=\"600\"", scene_.title);
-    std::string facts = fmt::format("chi2 = {:.6g}   ·   {} poses", scene_.chi2, scene_.poses);
-    if (!scene_.landmarks.empty()) facts += fmt::format(", {} landmarks", scene_.landmarks.size());
-    facts += fmt::format(", {} edges", scene_.edges);
-    text(left_ + kMargin, 65, 13.5, kFaintInk, "", facts);
+    svg_.text(left_ + kMargin, 44, {.size = 21, .colour = kInk, .is_bold = true}, scene_.title);
+    std::string facts = fmt::format("chi2 = {:.6g}  ·  {} poses", scene_.chi2, scene_.poses);
+    if (!scene_.landmarks.empty()) facts += fmt::format(", {} landmarks", scene_.landmark_count);
+    svg_.text(left_ + kMargin, 69, {}, facts + fmt::format(", {} edges", scene_.edges));
   }
 
-  /// One path per layer, kind and hue: far ones first, loop closures below the trajectory of their layer.
-  void lines() {
-    std::map<std::tuple<int, SegmentKind, int>, std::string> paths;
+  /// One path per layer, kind and colour: far ones first; below the trajectory the errors, small ones first.
+  void segments() {
+    struct Path {
+      std::string points;
+      double x, y;  // its end
+    };
+    std::map<std::tuple<int, SegmentKind, int>, Path> paths;
     for (const Segment& segment : scene_.segments) {
-      const bool hued = segment.kind == SegmentKind::kTrajectory;
-      const int hue = hued ? std::min(static_cast<int>(segment.time * kHues), kHues - 1) : 0;
-      std::string& path = paths[{layer((segment.from[2] + segment.to[2]) / 2), segment.kind, hue}];
-      fmt::format_to(std::back_inserter(path), "M{:.1f} {:.1f}L{:.1f} {:.1f}", x(segment.from),
-                     y(segment.from), x(segment.to), y(segment.to));
+      const int colour = segment.kind == SegmentKind::kTrajectory
+                             ? std::min(static_cast<int>(segment.time * kHues), kHues - 1)
+                             : colours_.bin(segment.chi2_per_row);
+      const auto [entry, fresh] =
+          paths.try_emplace({layer((segment.from[2] + segment.to[2]) / 2), segment.kind, colour});
+      Path& path = entry->second;
+      const auto out = std::back_inserter(path.points);
+      const double from_x = x(segment.from), from_y = y(segment.from);
+      if (fresh || path.x != from_x || path.y != from_y)
+        fmt::format_to(out, "M{:.1f} {:.1f}", from_x, from_y);
+      path.x = x(segment.to);
+      path.y = y(segment.to);
+      fmt::format_to(out, "L{:.1f} {:.1f}", path.x, path.y);
     }
     for (const auto& [key, path] : paths) {
-      const auto& [depth, kind, hue] = key;
-      const bool hued = kind == SegmentKind::kTrajectory;
-      const double opacity = nearness(depth) * (hued ? 1 : kind == SegmentKind::kLoopClosure ? 0.55 : 0.16);
-      fmt::format_to(out_, "<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{:.2f}\"/>\n",
-                     path,
-                     hued                                ? trajectory_colour((hue + 0.5) / kHues)
-                     : kind == SegmentKind::kLoopClosure ? kLoopColour
-                                                         : kLandmarkColour,
-                     hued ? 1.4 : 0.7, opacity);
+      const auto& [depth, kind, colour] = key;
+      const Pen pen = pen_for(kind, colour);
+      svg_.add("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{:.2f}\"/>\n", path.points,
+               kind == SegmentKind::kTrajectory ? trajectory_colour((colour + 0.5) / kHues)
+                                                : ErrorColours::colour(colour),
+               pen.width, pen.opacity * nearness(depth));
     }
   }
 
+  /// Round ends of lines without length: the shortest way to write many dots.
   void landmarks() {
+    std::map<int, std::string> paths;
     for (const Spot& spot : scene_.landmarks) {
-      fmt::format_to(out_,
-                     "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"{}\" fill-opacity=\"{:.2f}\"/>\n",
-                     x(spot), y(spot), kLandmarkColour, nearness(layer(spot[2])));
+      fmt::format_to(std::back_inserter(paths[layer(spot[2])]), "M{:.1f} {:.1f}h0", x(spot), y(spot));
+    }
+    const double size = scene_.landmarks.size() > 1000 ? 2.4 : 4.2;
+    for (const auto& [depth, path] : paths) {
+      svg_.add("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{:.2f}\"/>\n", path,
+               kLandmarkColour, size, nearness(depth));
+    }
+  }
+
+  void dots() {
+    for (const Dot& dot : scene_.dots) {
+      svg_.line(x(dot.spot), y(dot.spot), 0, 0, scene_.dots.size() > 1000 ? 2.4 : 6,
+                trajectory_colour(dot.time));
     }
   }
 
   void scale_bar() {
     const double length = round_length(130 / scale_), right = left_ + kPanelWidth - kMargin,
-                 at = kPanelHeight - 34;
-    fmt::format_to(out_, "<path d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\" stroke=\"{}\" stroke-width=\"1.4\"/>\n",
-                   right - length * scale_, at, length * scale_, kFaintInk);
-    text(right - length * scale_ / 2, at - 2, 12.5, kFaintInk, " text-anchor=\"middle\"",
-         fmt::format("{:g} m", length));
-  }
-
-  void legend() {
-    double at = left_ + kMargin;
-    const double base = kPanelHeight - 28;
-    const auto entry = [&](std::string_view words, double width, auto&& symbol) {
-      symbol();
-      text(at + 32, base, 12.5, kFaintInk, "", words);
-      at += width;
-    };
-    const auto has = [&](SegmentKind kind) {
-      return std::any_of(scene_.segments.begin(), scene_.segments.end(),
-                         [&](const Segment& s) { return s.kind == kind; });
-    };
-    entry("trajectory", 112, [&] {
-      for (int i = 0; i < 4; ++i) {
-        fmt::format_to(out_, "<path d=\"M{:.1f} {:.1f}h6.5\" stroke=\"{}\" stroke-width=\"3\"/>\n",
-                       at + 6.5 * i, base - 4, trajectory_colour(i / 3.0));
-      }
-    });
-    if (has(SegmentKind::kLoopClosure)) {
-      entry("loop closures", 130, [&] {
-        fmt::format_to(out_, "<path d=\"M{:.1f} {:.1f}h26\" stroke=\"{}\" stroke-width=\"1.6\"/>\n", at,
-                       base - 4, kLoopColour);
-      });
-    }
-    if (!scene_.landmarks.empty()) {
-      entry("landmarks", 110, [&] {
-        fmt::format_to(out_, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", at + 14, base - 4,
-                       kLandmarkColour);
-      });
-    }
+                 at = kPanelHeight - 26;
+    svg_.add("<path d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\" stroke=\"{}\" stroke-width=\"1.4\"/>\n",
+             right - length * scale_, at, length * scale_, kFaintInk);
+    svg_.text(right - length * scale_ / 2, at - 2, {.size = 14, .anchor = Anchor::kMiddle},
+              fmt::format("{:g} m", length));
   }
 
   const Scene& scene_;
   double left_, scale_;
-  std::back_insert_iterator<std::string> out_;
+  const ErrorColours& colours_;
+  SvgWriter& svg_;
+};
+
+/// What the colours mean, in one strip below all panels.
+class Legend {
+ public:
+  Legend(const std::vector<Scene>& scenes, const ErrorColours& colours, double width, SvgWriter& svg)
+      : scenes_(scenes), colours_(colours), width_(width), svg_(svg) {}
+
+  void draw() {
+    double at = kMargin;
+    if (any([](const Scene& scene) { return scene.poses > 0; })) at = trajectory(at);
+    if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks(at);
+    const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
+    if (closes || observes) {
+      errors(closes && observes ? "loop closures, observations" : closes ? "loop closures" : "observations");
+    }
+  }
+
+ private:
+  static constexpr double kMiddle = kPanelHeight + 34, kSwatch = 40;
+
+  template <class Predicate>
+  bool any(Predicate&& predicate) const {
+    return std::any_of(scenes_.begin(), scenes_.end(), predicate);
+  }
+  bool has(SegmentKind kind) const {
+    return any([kind](const Scene& scene) { return scene.has(kind); });
+  }
+
+  double trajectory(double at) {
+    constexpr int kPieces = 10;
+    for (int i = 0; i < kPieces; ++i) {
+      svg_.line(at + kSwatch * i / kPieces, kMiddle, kSwatch / kPieces, 0, 3.5,
+                trajectory_colour(static_cast<double>(i) / (kPieces - 1)));
+    }
+    svg_.text(at + kSwatch + 10, kMiddle + 5, {}, "trajectory");
+    return at + 150;
+  }
+
+  void landmarks(double at) {
+    svg_.line(at, kMiddle, 0, 0, 7, kLandmarkColour);
+    svg_.text(at + 13, kMiddle + 5, {}, "landmarks");
+  }
+
+  void errors(std::string_view what) {
+    constexpr double kWidth = 240, kBar = 9;
+    const double left = width_ - kMargin - kWidth, top = kMiddle - kBar / 2;
+    svg_.text(left, top - 8, {.size = 14}, fmt::format("chi2 per row of {}", what));
+    for (int bin = 0; bin < ErrorColours::kBins; ++bin) {
+      svg_.add("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n",
+               left + kWidth * bin / ErrorColours::kBins, top, kWidth / ErrorColours::kBins + 0.5, kBar,
+               ErrorColours::colour(bin));
+    }
+    // The first colour ends at 1, the last begins at the end of the scale.
+    const double bin_width = kWidth / ErrorColours::kBins, first = left + bin_width,
+                 range = kWidth - 2 * bin_width;
+    const int stride = (colours_.decades() + 3) / 4;
+    for (int decade = 0; decade <= colours_.decades(); decade += stride) {
+      const double at = first + range * decade / colours_.decades();
+      svg_.line(at, top + kBar, 0, 4, 1, kFaintInk);
+      svg_.text(at, top + kBar + 18, {.size = 13, .anchor = Anchor::kMiddle}, power_of_ten(decade));
+    }
+  }
+
+  const std::vector<Scene>& scenes_;
+  const ErrorColours& colours_;
+  double width_;
+  SvgWriter& svg_;
 };
 
 }  // namespace
 
-std::string svg_of(std::span<const Scene> scenes) {
+std::string svg_of(std::vector<Scene> scenes) {
   const double width = kPanelWidth * static_cast<double>(scenes.size());
-  std::string out = fmt::format(
+  const ErrorColours colours(scenes);
+  SvgWriter svg;
+  svg.add(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-      "fill=\"none\" "
-      "font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\" stroke-linecap=\"round\" "
-      "stroke-linejoin=\"round\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#f8fafc\"/>\n",
-      width, kPanelHeight);
-  double least = 1e300, most = 0;
+      "fill=\"none\" font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\" "
+      "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<rect width=\"{0}\" height=\"{1}\" "
+      "fill=\"#f8fafc\"/>\n",
+      width, kHeight);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const Scene& scene : scenes) {
+    if (!has_extent(scene)) continue;
     least = std::min(least, fitting_scale(scene));
     most = std::max(most, fitting_scale(scene));
   }
-  constexpr double kTiny = 2.5;  // panels that differ by more have their own scales
+  constexpr double kTiny = 2.5;           // panels that differ by more have their own scales
+  constexpr double kVisible = 0.4;        // pixels
+  constexpr std::size_t kMost = 200'000;  // things to draw
   double left = 0;
-  for (const Scene& scene : scenes) {
-    Panel(scene, left, most > kTiny * least ? fitting_scale(scene) : least, out).draw();
+  for (Scene& scene : scenes) {
+    const double scale = most > kTiny * least || !has_extent(scene) ? fitting_scale(scene) : least;
+    scene = thinned(std::move(scene), kVisible / scale, kMost / scenes.size());
+    Panel(scene, left, scale, colours, svg).draw();
     left += kPanelWidth;
   }
-  return out + "</svg>\n";
+  Legend(scenes, colours, width, svg).draw();
+  svg.add("</svg>\n");
+  return svg.take();
 }
 
 }  // namespace boxplus::app

@@ -2,15 +2,15 @@
 // Scenes as an SVG picture.
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 #include "scene.h"
 
 namespace boxplus::app {
 
 /// One panel per scene, side by side, each with title, chi2 and a scale bar; one scale for all, unless that
-/// would make one of them tiny.
-std::string svg_of(std::span<const Scene> scenes);
+/// would make one of them tiny. Below, the legend with the one scale of colours. At most a few megabytes.
+std::string svg_of(std::vector<Scene> scenes);
 
 }  // namespace boxplus::app
