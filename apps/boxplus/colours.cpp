@@ -40,8 +40,8 @@ ErrorColours::ErrorColours(std::span<const Scene> scenes) {
   if (errors.empty()) return;
   constexpr double kShown = 0.99;
   constexpr int kMostDecades = 12;
-  const auto quantile =
-      errors.begin() + static_cast<std::ptrdiff_t>(kShown * static_cast<double>(errors.size() - 1));
+  const double shown = std::ceil(kShown * static_cast<double>(errors.size()));
+  const auto quantile = errors.begin() + static_cast<std::ptrdiff_t>(shown) - 1;
   std::nth_element(errors.begin(), quantile, errors.end());
   if (*quantile > 1)
     decades_ = std::clamp(static_cast<int>(std::ceil(std::log10(*quantile))), 1, kMostDecades);

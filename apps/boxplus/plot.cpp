@@ -15,14 +15,14 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Poses in the order of their ids are the trajectory. Loop closures and observations are coloured by "
-    "their\n"
-    "chi2 per row: grey up to 1, what noise explains; the darker, the worse. Both panels have one scale of\n"
-    "colours. Graphs in space are drawn in parallel projection. Segments too short to be seen are merged.\n"
+    "Poses in the order of their ids are the trajectory. Loop closures and observations are coloured by\n"
+    "their chi2 per row: grey up to 1, which is what noise explains; the darker, the worse. Both panels\n"
+    "have one scale of colours. Graphs in space are drawn in parallel projection.\n"
     "\n"
-    "Example: boxplus simulate streets -o s.g2o && boxplus optimize s.g2o -o t.g2o && boxplus plot s.g2o "
-    "t.g2o "
-    "-o s.svg";
+    "Example:\n"
+    "  boxplus simulate streets -o before.g2o\n"
+    "  boxplus optimize before.g2o -o after.g2o\n"
+    "  boxplus plot before.g2o after.g2o -o streets.svg";
 
 struct PlotArguments {
   std::string before, after, output;

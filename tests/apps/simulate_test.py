@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""`boxplus simulate`: graphs whose truth is known."""
+
+import re
+
+from command_case import CommandCase, main, run
+
+WORLDS = ("sphere", "torus", "grid", "manhattan", "streets", "city")
+
+
+def words_of(path):
+    """How often each word begins a line."""
+    counts = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        word = line.split(" ", 1)[0]
+        counts[word] = counts.get(word, 0) + 1
+    return counts
+
+
+class SimulateTest(CommandCase):
+    def test_each_world_is_described_made_and_read_back(self):
+        text = run("simulate", "--help").stdout
+        for world in WORLDS:
+            self.assertRegex(text, rf"\n  {world} +\w+")
+            graph = self.path / f"{world}.g2o"
+            done = run("simulate", world, "--poses", 600, "-o", graph)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(done.returncode, (0, 1))
+            self.assertEqual(run("optimize", graph, "-q").returncode, 0, world)
+
+    def test_the_same_words_give_the_same_bytes(self):
+        for name, seed in (("a", 4), ("b", 4), ("c", 5)):
+            run("simulate", "city", "--poses", 60, "--seed", seed, "-o", self.path / name, "--truth", self.path / f"{name}_truth")
+        a, b, c, truth = ((self.path / name).read_bytes() for name in ("a", "b", "c", "a_truth"))
+        self.assertEqual(a, b)
+        self.assertNotEqual(a, c)
+        self.assertNotEqual(a, truth)
+
+    def test_the_summary_tells_what_was_written(self):
+        done = run("simulate", "manhattan", "--poses", 2500, "--outliers", 0.1, "-o", self.path / "m.g2o")
+        found = re.fullmatch(r".*m\.g2o: (\d+) vertices, (\d+) edges, (\d+) of them loop closures \((\d+) wrong\); "
+                             r"chi2 \S+, at the truth \S+\n", done.stdout)
+        self.assertIsNotNone(found, done.stdout)
+        vertices, edges, closures, wrong = map(int, found.groups())
+        self.assertEqual(words_of(self.path / "m.g2o"), {"VERTEX_SE2": vertices, "FIX": 1, "EDGE_SE2": edges})
+        self.assertEqual((vertices, closures), (2500, edges - 2499))
+        self.assertAlmostEqual(wrong / closures, 0.1, delta=0.05)
+
+    def test_the_truth_of_perfect_measurements_is_their_graph(self):
+        run("simulate", "streets", "--poses", 500, "--noise", 0, "-o", self.path / "g.g2o", "--truth", self.path / "t.g2o")
+        done = run("optimize", self.path / "t.g2o", "--iterations", 0, "--start", "current")
+        self.assertIn("chi2", done.stdout)
+        places = [[list(map(float, line.split()[1:])) for line in (self.path / name).read_text(encoding="utf-8").splitlines()
+                   if line.startswith("VERTEX")] for name in ("g.g2o", "t.g2o")]
+        self.assertEqual(len(places[0]), 500)
+        for estimate, truth in zip(*places):
+            for a, b in zip(estimate, truth):
+                self.assertAlmostEqual(a, b, places=9)
+
+    def test_writes_to_the_standard_output(self):
+        done = run("simulate", "sphere", "--poses", 25, "-o", "-")
+        run("simulate", "sphere", "--poses", 25, "-o", self.path / "s.g2o")
+        self.assertEqual(done.stdout, (self.path / "s.g2o").read_text(encoding="utf-8"))
+        self.assertIn("25 vertices", done.stderr)
+
+    def test_wrong_values_are_refused(self):
+        out = self.path / "x.g2o"
+        for words, text in ((["moon"], "moon"),
+                            (["sphere", "--poses", "1"], "a whole number from 2 to 10000000, got '1'"),
+                            (["sphere", "--poses", "many"], "got 'many'"),
+                            (["sphere", "--seed", "-1"], "a whole number from 0, got '-1'"),
+                            (["sphere", "--noise", "-1"], "a number from 0 to 1000, got '-1'"),
+                            (["sphere", "--noise", "nan"], "got 'nan'"),
+                            (["sphere", "--outliers", "1.5"], "a number from 0 to 1, got '1.5'"),
+                            (["sphere", "--outliers", "nan"], "got 'nan'"),
+                            (["sphere", "--truth", out], "two places")):
+            done = run("simulate", *words, "-o", out)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), words)
+            self.assertIn(text, done.stderr)
+            self.assertFalse(out.exists())
+        done = run("simulate", "grid", "-o", self.path / "no" / "x.g2o")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("cannot be written", done.stderr)
+
+
+if __name__ == "__main__":
+    main()
