@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "colours.h"
@@ -46,11 +47,15 @@ std::string power_of_ten(int exponent) {
   return std::string("10") + (exponent < 10 ? "" : kDigits[1]) + kDigits[exponent % 10];
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 /// How a kind of segment is drawn.
 struct Pen {
   double width, opacity;
 };
-Pen pen_for(SegmentKind kind, int bin) {
+Pen pen_for(SegmentKind kind, int bin, bool is_crowded) {
   const double badness = static_cast<double>(bin) / (ErrorColours::kBins - 1);
   switch (kind) {
     case SegmentKind::kTrajectory:
@@ -58,7 +63,7 @@ Pen pen_for(SegmentKind kind, int bin) {
     case SegmentKind::kLoopClosure:
       return {bin == 0 ? 0.7 : 1, 0.6 + 0.3 * badness};
     default:
-      return {0.7, 0.25 + 0.5 * badness};
+      return {0.7, is_crowded ? 0.25 + 0.5 * badness : 0.75};
   }
 }
 
@@ -96,40 +101,44 @@ class Panel {
 
   void header() {
     svg_.text(left_ + kMargin, 44, {.size = 21, .colour = kInk, .is_bold = true}, scene_.title);
-    std::string facts = fmt::format("chi2 = {:.6g}  ·  {} poses", scene_.chi2, scene_.poses);
-    if (!scene_.landmarks.empty()) facts += fmt::format(", {} landmarks", scene_.landmark_count);
-    svg_.text(left_ + kMargin, 69, {}, facts + fmt::format(", {} edges", scene_.edges));
+    std::string facts = fmt::format("chi2 = {:.6g}  ·  {}", scene_.chi2, counted(scene_.poses, "pose"));
+    if (scene_.landmark_count > 0) facts += ", " + counted(scene_.landmark_count, "landmark");
+    svg_.text(left_ + kMargin, 69, {}, facts + ", " + counted(scene_.edges, "edge"));
   }
 
-  /// One path per layer, kind and colour: far ones first; below the trajectory the errors, small ones first.
+  /// Paths of one layer, kind and colour: far ones first; below the trajectory the errors, small ones first.
   void segments() {
-    struct Path {
-      std::string points;
-      double x, y;  // its end
-    };
-    std::map<std::tuple<int, SegmentKind, int>, Path> paths;
+    std::map<std::tuple<int, SegmentKind, int>, std::vector<const Segment*>> groups;
     for (const Segment& segment : scene_.segments) {
       const int colour = segment.kind == SegmentKind::kTrajectory
                              ? std::min(static_cast<int>(segment.time * kHues), kHues - 1)
                              : colours_.bin(segment.chi2_per_row);
-      const auto [entry, fresh] =
-          paths.try_emplace({layer((segment.from[2] + segment.to[2]) / 2), segment.kind, colour});
-      Path& path = entry->second;
-      const auto out = std::back_inserter(path.points);
-      const double from_x = x(segment.from), from_y = y(segment.from);
-      if (fresh || path.x != from_x || path.y != from_y)
-        fmt::format_to(out, "M{:.1f} {:.1f}", from_x, from_y);
-      path.x = x(segment.to);
-      path.y = y(segment.to);
-      fmt::format_to(out, "L{:.1f} {:.1f}", path.x, path.y);
+      groups[{layer((segment.from[2] + segment.to[2]) / 2), segment.kind, colour}].push_back(&segment);
     }
-    for (const auto& [key, path] : paths) {
+    for (const auto& [key, group] : groups) {
       const auto& [depth, kind, colour] = key;
-      const Pen pen = pen_for(kind, colour);
-      svg_.add("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{:.2f}\"/>\n", path.points,
-               kind == SegmentKind::kTrajectory ? trajectory_colour((colour + 0.5) / kHues)
-                                                : ErrorColours::colour(colour),
-               pen.width, pen.opacity * nearness(depth));
+      const bool is_trajectory = kind == SegmentKind::kTrajectory;
+      Pen pen = pen_for(kind, colour, scene_.segments.size() > 500);
+      pen.opacity *= nearness(depth);
+      path(group, pen,
+           is_trajectory ? trajectory_colour((colour + 0.5) / kHues) : ErrorColours::colour(colour));
+    }
+  }
+
+  /// In pieces, because viewers take quadratic time for the crossings within a path.
+  void path(std::span<const Segment* const> segments, const Pen& pen, std::string_view colour) {
+    constexpr std::size_t kPiece = 256;
+    for (; !segments.empty(); segments = segments.subspan(std::min(kPiece, segments.size()))) {
+      svg_.add("<path d=\"");
+      const Segment* last = nullptr;
+      for (const Segment* segment : segments.first(std::min(kPiece, segments.size()))) {
+        if (!last || last->to != segment->from)
+          svg_.add("M{:.1f} {:.1f}", x(segment->from), y(segment->from));
+        svg_.add("L{:.1f} {:.1f}", x(segment->to), y(segment->to));
+        last = segment;
+      }
+      svg_.add("\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{:.2f}\"/>\n", colour, pen.width,
+               pen.opacity);
     }
   }
 
@@ -180,7 +189,9 @@ class Legend {
     if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks(at);
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
-      errors(closes && observes ? "loop closures, observations" : closes ? "loop closures" : "observations");
+      errors(closes && observes ? "all but odometry"
+             : closes           ? "loop closures"
+                                : "observations");
     }
   }
 
@@ -213,7 +224,8 @@ class Legend {
   void errors(std::string_view what) {
     constexpr double kWidth = 240, kBar = 9;
     const double left = width_ - kMargin - kWidth, top = kMiddle - kBar / 2;
-    svg_.text(left, top - 8, {.size = 14}, fmt::format("chi2 per row of {}", what));
+    svg_.text(left + kWidth, top - 8, {.size = 14, .anchor = Anchor::kEnd},
+              fmt::format("chi2 per row of {}", what));
     for (int bin = 0; bin < ErrorColours::kBins; ++bin) {
       svg_.add("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n",
                left + kWidth * bin / ErrorColours::kBins, top, kWidth / ErrorColours::kBins + 0.5, kBar,
@@ -256,7 +268,7 @@ std::string svg_of(std::vector<Scene> scenes) {
   }
   constexpr double kTiny = 2.5;           // panels that differ by more have their own scales
   constexpr double kVisible = 0.4;        // pixels
-  constexpr std::size_t kMost = 200'000;  // things to draw
+  constexpr std::size_t kMost = 120'000;  // things to draw
   double left = 0;
   for (Scene& scene : scenes) {
     const double scale = most > kTiny * least || !has_extent(scene) ? fitting_scale(scene) : least;

@@ -26,7 +26,6 @@ class SimulateTest(CommandCase):
             graph = self.path / f"{world}.g2o"
             done = run("simulate", world, "--poses", 600, "-o", graph)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            self.assertIn(done.returncode, (0, 1))
             self.assertEqual(run("optimize", graph, "-q").returncode, 0, world)
 
     def test_the_same_words_give_the_same_bytes(self):
