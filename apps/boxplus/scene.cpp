@@ -52,7 +52,8 @@ class SceneMaker {
     Frame frame;
     if (!graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) return;
     const Spot spot = project(frame);
-    if (!std::isfinite(spot[0] + spot[1] + spot[2])) return;
+    constexpr double kFarthest = 1e100;  // so that no sum or square of lengths overflows
+    if (!(std::abs(spot[0]) + std::abs(spot[1]) + std::abs(spot[2]) < kFarthest)) return;
     scene_.is_spatial = scene_.is_spatial || frame.dimension == 3;
     place_of(vertex) = {spot, true, frame.has_rotation, poses_.size()};
     if (frame.has_rotation) {

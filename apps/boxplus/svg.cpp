@@ -189,9 +189,7 @@ class Legend {
     if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks(at);
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
-      errors(closes && observes ? "all but odometry"
-             : closes           ? "loop closures"
-                                : "observations");
+      errors(closes && observes ? "all but odometry" : closes ? "loop closures" : "observations");
     }
   }
 

@@ -104,7 +104,7 @@ class PlotTest(CommandCase):
 
     def test_what_cannot_be_drawn_is_refused(self):
         for words, stdin, text in ((["-"], "", "poses or points"), (["-", "-"], CHAIN, "'-' twice"),
-                                   ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
+                                   (["-"], "VERTEX_SE2 0 1e308 0 0\n", "finite place"), ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
             done = run("plot", *words, "-o", self.path / "p.svg", stdin=stdin)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(text, done.stderr)

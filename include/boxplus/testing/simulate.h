@@ -2,7 +2,8 @@
 // Graphs with a known truth, for tests, benchmarks and demonstrations.
 //
 // The same options give the same graph with every compiler: random numbers are our own. Noise is drawn from
-// the information matrices of the edges, so that chi2 at the truth is about the number of rows of all errors.
+// the information matrices of the edges, so that chi2 at the truth is about the number of rows of all errors
+// (but for outliers).
 // The first pose is fixed at its true place; the other estimates begin at the odometry.
 #pragma once
 
