@@ -10,6 +10,8 @@
 
 namespace boxplus::app {
 
+inline constexpr const char* kLandmarkColour = "#1e293b";
+
 /// From the beginning (0) to the end (1) of the trajectory.
 std::string trajectory_colour(double time);
 
