@@ -7,46 +7,30 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
 
-#include "boxplus/base/error.h"
-#include "boxplus/io/graph_file.h"
+#include "boxplus/robust/make_robust_kernel.h"
 #include "command.h"
+#include "edge_roles.h"
+#include "graph_input.h"
+#include "interrupt.h"
+#include "message.h"
+#include "optimize_options.h"
+#include "outputs.h"
+#include "progress.h"
 #include "report_json.h"
 
 namespace boxplus::app {
 namespace {
 
-struct OptimizeArguments {
-  std::string input, output, json, start = "automatic", algorithm = "automatic";
-  bool quiet = false, lenient = false;
-  Options options;
-};
+using Clock = std::chrono::steady_clock;
 
-const std::map<std::string, Start> kStarts{{"automatic", Start::kAutomatic},
-                                           {"current", Start::kCurrent},
-                                           {"odometry", Start::kOdometry},
-                                           {"spanning-tree", Start::kSpanningTree},
-                                           {"chordal", Start::kChordal}};
-const std::map<std::string, AlgorithmKind> kAlgorithms{
-    {"automatic", AlgorithmKind::kAutomatic},
-    {"gauss-newton", AlgorithmKind::kGaussNewton},
-    {"levenberg-marquardt", AlgorithmKind::kLevenbergMarquardt},
-    {"dogleg", AlgorithmKind::kDogleg}};
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-void print_notes(const GraphFile& file, const std::string& path) {
-  for (const GraphFile::Note& note : file.notes) {
-    if (note.line > 0) {
-      fmt::print(stderr, "boxplus: {}:{}: {}\n", path, note.line, note.text);
-    } else {
-      fmt::print(stderr, "boxplus: {}: {}\n", path, note.text);
-    }
-  }
+std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
+  return {{"--output", arguments.output}, {"--json", arguments.json}};
 }
 
 int exit_code(Status status) {
@@ -60,28 +44,118 @@ int exit_code(Status status) {
   }
 }
 
-int optimize_file(const OptimizeArguments& arguments) {
-  const auto begin = std::chrono::steady_clock::now();
-  RunFacts facts;
-  facts.input = arguments.input;
-  ReadOptions reading;
-  reading.lenient = arguments.lenient;
-  GraphFile file = read_graph(arguments.input, reading);
-  facts.load_s = seconds_since(begin);
-  print_notes(file, arguments.input);
-  if (file.graph.vertex_count() == 0 && file.graph.edge_count() == 0) {
-    throw FileError(arguments.input + ": holds no vertex and no edge that boxplus knows");
+void require_levenberg_marquardt(const CLI::App& command, const OptimizeArguments& arguments) {
+  if (arguments.options.algorithm == AlgorithmKind::kLevenbergMarquardt) return;
+  for (const char* option : {"--damping", "--lambda"}) {
+    if (command.count(option) > 0) {
+      throw CLI::RequiresError(option, "--algorithm levenberg-marquardt");
+    }
   }
+}
 
+/// Gives the chosen edges the kernel; tells how many.
+KernelFacts robustify(Graph& graph, const OptimizeArguments& arguments) {
+  KernelFacts facts;
+  if (arguments.kernel.empty()) return facts;
+  facts.name = arguments.kernel;
+  facts.width = arguments.kernel_width;
+  const std::shared_ptr<const RobustKernel> kernel =
+      make_robust_kernel(arguments.kernel, arguments.kernel_width);
+  const EdgeRoles role(graph);
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (arguments.kernel_scope == KernelScope::kAll || role(edge) == EdgeRole::kLoopClosure) {
+      graph.set_kernel(edge, kernel);
+      ++facts.edges;
+    }
+  }
+  if (facts.edges == 0) print_message("the graph has no loop closures: the kernel is used nowhere");
+  return facts;
+}
+
+/// Fixes vertices for one run: what the file says about them stays.
+class FixForRun {
+ public:
+  FixForRun(Graph& graph, const std::vector<VertexRef>& vertices) : graph_(graph) {
+    for (const VertexRef& vertex : vertices) {
+      if (graph.is_fixed(vertex)) continue;
+      graph.fix(vertex);
+      fixed_.push_back(vertex);
+    }
+  }
+  ~FixForRun() {
+    for (const VertexRef& vertex : fixed_) graph_.unfix(vertex);
+  }
+  FixForRun(const FixForRun&) = delete;
+  FixForRun& operator=(const FixForRun&) = delete;
+
+ private:
+  Graph& graph_;
+  std::vector<VertexRef> fixed_;
+};
+
+Report run(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
   Options options = arguments.options;
-  options.start = kStarts.at(arguments.start);
-  options.algorithm = kAlgorithms.at(arguments.algorithm);
-  const Report report = optimize(file.graph, options);
-  if (!arguments.output.empty()) write_graph(arguments.output, file);
+  options.vertices = find_vertices(graph, arguments.moving, "--only-vertices");
+  options.stop = Interrupt::flag();
+  options.callback = [&progress](const IterationRecord& record) {
+    progress.iteration(record);
+    return true;
+  };
+  const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
+  progress.stage("preparing …");
+  Report report = optimize(graph, options);
+  progress.erase();
+  return report;
+}
+
+std::string where_written(const OptimizeArguments& arguments) {
+  return arguments.output.empty()              ? "not written (-o FILE writes it)"
+         : arguments.output == kStandardStream ? "written to the standard output"
+                                               : "written to " + arguments.output;
+}
+
+void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
+  std::string text = to_string(report);
+  if (!facts.kernel.name.empty()) {
+    text += fmt::format("\n{} kernel of width {:g} on {} of {} edges; chi2 is that of the kernels.\n",
+                        facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
+  }
+  text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
+  fmt::print(takes_stdout(outputs_of(arguments)) ? stderr : stdout, "{}", text);
+}
+
+void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {
+  if (report.converged()) return;
+  if (report.reason == Reason::kStopFlag) {
+    print_message(fmt::format("{}: interrupted after {} iteration{}; the best estimate is {}",
+                              input_name(arguments.input), report.iterations,
+                              report.iterations == 1 ? "" : "s", where_written(arguments)));
+  } else {
+    print_message(fmt::format("{}: {}", input_name(arguments.input), report.message));
+  }
+}
+
+int optimize_file(const OptimizeArguments& arguments) {
+  check_outputs(outputs_of(arguments));
+  const auto begin = Clock::now();
+  Progress progress(choose_progress(arguments.quiet, arguments.verbose));
+  progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
+  const std::string text = read_text(arguments.input);
+  progress.erase();
+  GraphFile file = load_graph_text(text, arguments.input, arguments.reading);
+  RunFacts facts;
+  facts.input = input_name(arguments.input);
+  facts.edges = file.graph.edge_count();
+  facts.load_s = seconds_since(begin);
+  facts.kernel = robustify(file.graph, arguments);
+
+  const Interrupt interrupt;
+  const Report report = run(file.graph, arguments, progress);
+  if (!arguments.output.empty()) save_graph(arguments.output, file);
   facts.total_s = seconds_since(begin);
-  if (!arguments.json.empty()) write_file(arguments.json, report_json(report, facts));
-  if (!arguments.quiet) fmt::print("{}", to_string(report));
-  if (!report.converged()) fmt::print(stderr, "boxplus: {}: {}\n", arguments.input, report.message);
+  if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
+  if (!arguments.quiet) print_report(report, facts, arguments);
+  print_why_stopped(report, arguments);
   return exit_code(report.status);
 }
 
@@ -91,26 +165,18 @@ void add_optimize(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<OptimizeArguments>();
   CLI::App* command =
       app.add_subcommand("optimize", "Moves the vertices of a graph to where they explain its edges best");
-  command->add_option("FILE", arguments->input, "A .g2o file, or a TORO .graph file")->required();
-  command->add_option("-o,--output", arguments->output, "Where to write the optimised graph (.g2o)");
-  command->add_option("--json", arguments->json, "Where to write the report as JSON");
-  command->add_flag("-q,--quiet", arguments->quiet, "Do not print the report");
-  command->add_flag("--lenient", arguments->lenient, "Skip and count lines that cannot be read");
-  command
-      ->add_option("--threads", arguments->options.threads,
-                   "At most so many threads; 0: all. Results do not change")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--iterations", arguments->options.max_iterations, "At most so many iterations")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--start", arguments->start, "Where to begin (automatic: the better of file and chordal)")
-      ->check(CLI::IsMember(kStarts))
-      ->capture_default_str();
-  command->add_option("--algorithm", arguments->algorithm, "How to step")
-      ->check(CLI::IsMember(kAlgorithms))
-      ->capture_default_str();
-  command->callback([&action, arguments] { action = [arguments] { return optimize_file(*arguments); }; });
+  add_optimize_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  boxplus optimize graph.g2o -o optimized.g2o\n"
+      "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
+      "\n"
+      "Ctrl-C stops at the next chance: the best estimate so far is written, and the exit code is 1.\n"
+      "A second Ctrl-C ends at once.");
+  command->callback([&action, command, arguments] {
+    require_levenberg_marquardt(*command, *arguments);
+    action = [arguments] { return optimize_file(*arguments); };
+  });
 }
 
 }  // namespace boxplus::app

@@ -27,6 +27,11 @@ Json gauge_json(const GaugeReport& gauge) {
   return {{"held", gauge.held}, {"released", gauge.released}, {"damped_components", gauge.damped_components}};
 }
 
+Json kernel_json(const KernelFacts& kernel) {
+  if (kernel.name.empty()) return nullptr;
+  return {{"name", kernel.name}, {"width", kernel.width}, {"edges", kernel.edges}};
+}
+
 Json time_json(const Timings& time, const RunFacts& facts) {
   return {{"load", facts.load_s},     {"plan", time.plan_s},           {"start", time.start_s},
           {"optimize", time.total_s}, {"linearize", time.linearize_s}, {"factorize", time.factorize_s},
@@ -59,6 +64,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"iterations", report.iterations},
                      {"start", start_json(report.start)},
                      {"gauge", gauge_json(report.gauge)},
+                     {"kernel", kernel_json(facts.kernel)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"threads", report.threads},

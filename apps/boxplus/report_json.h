@@ -8,9 +8,18 @@
 
 namespace boxplus::app {
 
+/// The robust kernel that --kernel asked for; without a name there is none.
+struct KernelFacts {
+  std::string name;
+  double width = 0;
+  std::size_t edges = 0;  ///< that have it
+};
+
 /// What only the command knows.
 struct RunFacts {
   std::string input;
+  std::size_t edges = 0;  ///< in the file
+  KernelFacts kernel;
   double load_s = 0, total_s = 0;
 };
 
