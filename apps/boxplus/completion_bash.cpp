@@ -29,7 +29,7 @@ std::string value_branches(const CommandDescription& command) {
     if (!option.choices.empty()) {
       text += fmt::format("    {}) words='{}' ;;\n", patterns, fmt::join(option.choices, " "));
     } else if (option.value == "FILE" || option.value == "TEXT") {
-      text += fmt::format("    {}) compopt -o default 2>/dev/null; return ;;\n", patterns);
+      text += fmt::format("    {}) compopt -o default 2>/dev/null || true; return ;;\n", patterns);
     } else {
       text += fmt::format("    {}) return ;;\n", patterns);
     }
@@ -66,7 +66,7 @@ _boxplus() {{
         local plain='' each
         for each in $words; do [[ $each == -* ]] || plain+=" $each"; done
         words=$plain
-        if [[ -z $words ]]; then compopt -o default 2>/dev/null; return; fi
+        if [[ -z $words ]]; then compopt -o default 2>/dev/null || true; return; fi
       fi ;;
   esac
   while IFS= read -r word; do COMPREPLY+=("$word"); done < <(compgen -W "$words" -- "$current")

@@ -32,25 +32,30 @@ std::size_t count_of(const GraphFacts& facts, VertexRole role) {
   return count;
 }
 
+/// "1250  (1200 poses, 50 landmarks)"; kinds of which there are none are left out.
+std::string with_kinds(std::size_t total, const std::vector<std::pair<std::size_t, std::string>>& kinds) {
+  std::vector<std::string> parts;
+  for (const auto& [count, name] : kinds) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, name));
+  }
+  if (parts.empty()) return fmt::format("{}", total);
+  return fmt::format("{}  ({})", total, fmt::join(parts, ", "));
+}
+
 std::string vertices_text(const GraphFacts& facts) {
   const std::size_t poses = count_of(facts, VertexRole::kPose);
   const std::size_t landmarks = count_of(facts, VertexRole::kLandmark);
   const std::size_t others = count_of(facts, VertexRole::kOther);
-  std::string text = fmt::format("{}  ({} pose{}, {} landmark{}", facts.vertices, poses,
-                                 poses == 1 ? "" : "s", landmarks, landmarks == 1 ? "" : "s");
-  if (others > 0) text += fmt::format(", {} other{}", others, others == 1 ? "" : "s");
-  return text + ")";
+  return with_kinds(facts.vertices, {{poses, poses == 1 ? "pose" : "poses"},
+                                     {landmarks, landmarks == 1 ? "landmark" : "landmarks"},
+                                     {others, others == 1 ? "other" : "others"}});
 }
 
 std::string edges_text(const GraphFacts& facts) {
-  std::string text = fmt::format("{}", facts.edges);
-  std::string roles;
-  for (std::size_t k = 0; k < kEdgeRoles; ++k) {
-    if (facts.roles[k] == 0) continue;
-    roles += fmt::format("{}{} {}", roles.empty() ? "" : ", ", facts.roles[k],
-                         name_of(static_cast<EdgeRole>(k), facts.roles[k]));
-  }
-  return roles.empty() ? text : text + "  (" + roles + ")";
+  std::vector<std::pair<std::size_t, std::string>> kinds;
+  for (std::size_t k = 0; k < kEdgeRoles; ++k)
+    kinds.emplace_back(facts.roles[k], name_of(static_cast<EdgeRole>(k), facts.roles[k]));
+  return with_kinds(facts.edges, kinds);
 }
 
 std::string extent_text(const GraphFacts& facts) {
@@ -78,7 +83,7 @@ std::string summary_text(const GraphFacts& facts) {
 
 std::string vertex_types_text(const GraphFacts& facts) {
   if (facts.vertex_types.empty()) return {};
-  Table table({"<vertices", "count", "fixed", "unknowns", "edges: min", "mean", "max"});
+  Table table({"<vertices", "count", "fixed", "unknowns", "degree: min", "mean", "max"});
   for (const VertexTypeFacts& type : facts.vertex_types) {
     table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.fixed),
                fmt::format("{}", type.unknowns), fmt::format("{}", type.degrees.min),

@@ -117,8 +117,9 @@ std::string where_written(const OptimizeArguments& arguments) {
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   std::string text = to_string(report);
   if (!facts.kernel.name.empty()) {
-    text += fmt::format("\n{} kernel of width {:g} on {} of {} edges; chi2 is that of the kernels.\n",
-                        facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
+    text += fmt::format(
+        "\n{} kernel of width {:g} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
+        facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
   }
   text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
   fmt::print(takes_stdout(outputs_of(arguments)) ? stderr : stdout, "{}", text);

@@ -70,7 +70,8 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   add_choice(command, "--solver", options.linear_solver, kSolvers, "What solves the linear systems")
       ->group("Method");
   command
-      .add_option("--threads", options.threads, "At most so many threads; 0: all. The results are the same bits")
+      .add_option("--threads", options.threads,
+                  "At most so many threads; 0: all. The results are the same bits")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->group("Method");
@@ -88,7 +89,7 @@ void add_robust_options(CLI::App& command, OptimizeArguments& arguments) {
           .add_option(
               "--kernel", arguments.kernel,
               "Robust kernel for the errors, so that outliers count less. Barron takes its shape along: "
-              "Barron:-2. The names are")
+              "Barron:-2")
           ->check(kernel_name())
           ->group("Outliers");
   command

@@ -18,12 +18,18 @@ bool is_stdout(const Output& output) {
   return output.path == kStandardStream || output.path == "/dev/stdout";
 }
 
+/// Whatever way the path is spelt.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+}
+
 bool are_same(const Output& a, const Output& b) {
   if (a.path.empty() || b.path.empty()) return false;
   if (is_stdout(a) || is_stdout(b)) return is_stdout(a) && is_stdout(b);
   std::error_code none;
   if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null takes any number
-  return std::filesystem::weakly_canonical(a.path, none) == std::filesystem::weakly_canonical(b.path, none);
+  return place_of(a.path) == place_of(b.path);
 }
 
 }  // namespace
@@ -32,7 +38,7 @@ void check_outputs(const std::vector<Output>& outputs) {
   for (auto a = outputs.begin(); a != outputs.end(); ++a) {
     for (auto b = a + 1; b != outputs.end(); ++b) {
       if (are_same(*a, *b)) {
-        throw InvalidArgument(fmt::format("{} and {}: expected two places, got '{}' and '{}', which are one",
+        throw InvalidArgument(fmt::format("{} and {}: expected two different files, got '{}' and '{}'",
                                           a->option, b->option, a->path, b->path));
       }
     }

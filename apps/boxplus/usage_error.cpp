@@ -33,7 +33,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
   const auto best = std::min_element(names.begin(), names.end(),
                                      [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  const bool close = best != names.end() && distance(*best) <= 1 + word.size() / 4;
+  const bool close = best != names.end() && distance(*best) <= (word.size() + 1) / 4;
   return close ? fmt::format("; did you mean {}?", *best) : std::string();
 }
 
@@ -48,6 +48,11 @@ std::string unexpected(const CommandDescription& command, const std::string& wor
   if (command.commands.empty()) return fmt::format("unexpected argument '{}'", word);
   for (const CommandDescription& sub : command.commands) names.push_back(sub.name);
   return fmt::format("unknown command '{}'{}", word, suggestion(word, names));
+}
+
+/// CLI11 says "NAME is required".
+std::string missing(const std::string& text) {
+  return fmt::format("expected {}, got none", text.substr(0, text.find(" is required")));
 }
 
 /// CLI11 names what was missing or too much as "NAME: …".
@@ -70,7 +75,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   } else if (dynamic_cast<const CLI::RequiredError*>(&error)) {
     text = chosen.empty() && !extras.empty() ? unexpected(command, extras.front())
            : chosen.empty()                  ? "expected a command, got none"
-                                             : "expected an argument: " + text;
+                                             : missing(text);
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
     text = mismatch(text);
   }

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the boxplus command have in common: each is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BOXPLUS, DATA = sys.argv[1], pathlib.Path(sys.argv[2])
+TOWN = DATA / "01_town.g2o"
+
+
+def run(*arguments, stdin=""):
+    """Runs boxplus to its end; its output is text."""
+    words = [BOXPLUS, *map(str, arguments)]
+    return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300)
+
+
+class CommandCase(unittest.TestCase):
+    """A test with an empty folder of its own, `self.path`."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name)
+
+    def written(self, name, text):
+        (self.path / name).write_text(text, encoding="utf-8")
+        return self.path / name
+
+    def assert_refused(self, done, *texts):
+        """Exit code 2, nothing on stdout, and one message that holds all texts."""
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertRegex(done.stderr, r"\Aboxplus: [^\n]*\n\Z")
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+def main():
+    unittest.main(argv=sys.argv[:1])
