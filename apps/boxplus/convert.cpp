@@ -10,6 +10,7 @@
 #include "command.h"
 #include "graph_input.h"
 #include "message.h"
+#include "option_kinds.h"
 #include "outputs.h"
 
 namespace boxplus::app {
@@ -30,7 +31,7 @@ std::string summary(const GraphFile& file) {
                      counted(file.graph.edge_count(), "edge", "edges");
   if (file.graph.parameter_count() > 0)
     text += ", " + counted(file.graph.parameter_count(), "parameter", "parameters");
-  if (!file.kept.empty()) text += ", " + counted(file.kept.size(), "line", "lines") + " kept as they are";
+  if (!file.kept.empty()) text += ", " + counted(file.kept.size(), "unknown line", "unknown lines") + " kept";
   if (file.skipped > 0)
     text += ", " + counted(static_cast<std::size_t>(file.skipped), "line", "lines") + " skipped";
   return text;
@@ -58,9 +59,11 @@ void add_convert(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand("convert", "Writes a graph as .g2o, its vertices sorted by id");
   command->add_option("IN", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required();
+      ->required()
+      ->check(file_name());
   command->add_option("OUT", arguments->output, "Where to write it (.g2o); - is the standard output")
-      ->required();
+      ->required()
+      ->check(file_name());
   command->add_flag("-q,--quiet", arguments->quiet, "Do not tell what was converted")->group("Output");
   add_reading_options(*command, arguments->reading);
   command->footer(

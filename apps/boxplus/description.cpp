@@ -84,6 +84,7 @@ std::string explanation(const OptionDescription& option) {
   std::vector<std::string> details;
   if (!option.choices.empty()) details.push_back(fmt::format("one of {}", fmt::join(option.choices, ", ")));
   if (!option.default_text.empty()) details.push_back("default: " + option.default_text);
+  if (option.required && !option.positional) details.emplace_back("required");
   if (details.empty()) return option.text;
   return fmt::format("{} ({})", option.text, fmt::join(details, "; "));
 }

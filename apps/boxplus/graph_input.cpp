@@ -38,6 +38,16 @@ std::string read_all(std::FILE* file, const std::string& path) {
   }
 }
 
+/// Most likely a file of another kind: notes on each of its words would help nobody.
+[[noreturn]] void throw_no_graph(const GraphFile& file, const std::string& path) {
+  if (file.kept.empty()) throw FileError(input_name(path) + ": expected a graph, got no vertex and no edge");
+  constexpr std::size_t kShown = 40;
+  const std::string& line = file.kept.front().text;
+  throw FileError(fmt::format("{}: expected a graph, got no vertex and no edge; its first line is '{}{}'",
+                              input_name(path), escaped(line.substr(0, kShown)),
+                              line.size() > kShown ? "…" : ""));
+}
+
 /// "OLD=NEW", where NEW is a word that boxplus reads.
 std::string complaint_about_rename(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -93,10 +103,8 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options) {
 
 GraphFile load_graph_text(const std::string& text, const std::string& path, const ReadOptions& options) {
   GraphFile file = parse_graph(text, input_name(path), options);
+  if (file.graph.vertex_count() == 0 && file.graph.edge_count() == 0) throw_no_graph(file, path);
   print_notes(file, path);
-  if (file.graph.vertex_count() == 0 && file.graph.edge_count() == 0) {
-    throw FileError(input_name(path) + ": holds no vertex and no edge that boxplus knows");
-  }
   return file;
 }
 

@@ -43,6 +43,7 @@ std::vector<IdRange> parse_id_ranges(const std::string& text) {
 
 std::vector<VertexRef> find_vertices(const Graph& graph, const std::vector<IdRange>& ranges,
                                      const std::string& option) {
+  if (ranges.empty()) return {};
   const std::vector<VertexRef> all = graph.all_vertices();  // by id
   const auto position = [&](Id id) {
     return std::partition_point(all.begin(), all.end(), [&](VertexRef v) { return graph.id(v) < id; });

@@ -41,7 +41,8 @@ void add_info(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "info", "Tells what a graph holds: counts, components, degrees, gauge, chi2 by type, worst edges");
   command->add_option("FILE", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required();
+      ->required()
+      ->check(file_name());
   command->add_option("--worst", arguments->worst, "List so many edges of the largest chi2")
       ->check(whole_number_from(0))
       ->type_name("N")
@@ -50,6 +51,7 @@ void add_info(CLI::App& app, Action& action) {
   command
       ->add_option("--json", arguments->json,
                    "Where to write the same as JSON; - is stdout, in place of the text")
+      ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
   add_reading_options(*command, arguments->reading);

@@ -32,7 +32,6 @@ int run(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Show this help");
   app.set_version_flag("--version", "boxplus " BOXPLUS_VERSION, "Show the version");
   app.require_subcommand(1);
-  app.footer(kFooter);
   Action action;
   add_optimize(app, action);
   add_info(app, action);
@@ -41,6 +40,7 @@ int run(int argc, char** argv) {
   add_plot(app, action);
   add_completion(app, action);
   add_help(app, action);
+  app.footer(kFooter);  // last, since commands would inherit it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "boxplus/robust/make_robust_kernel.h"
 #include "graph_input.h"
+#include "kernel_name.h"
 #include "option_kinds.h"
 
 namespace boxplus::app {
@@ -30,30 +30,17 @@ const Choices<DampingScale> kDampings{{"identity", DampingScale::kIdentity},
                                       {"diagonal", DampingScale::kDiagonal}};
 const Choices<KernelScope> kScopes{{"all", KernelScope::kAll}, {"loop-closures", KernelScope::kLoopClosures}};
 
-/// Also of "Barron:1.5", which no list of words can hold.
-CLI::Validator kernel_name() {
-  std::string names;
-  for (const std::string_view name : robust_kernel_names())
-    names += (names.empty() ? "" : ",") + std::string(name);
-  const auto check = [](const std::string& name) {
-    try {
-      make_robust_kernel(name);
-      return std::string();
-    } catch (const InvalidArgument& error) {
-      return std::string(error.what());
-    }
-  };
-  return {check, "{" + names + "}"};
-}
-
 void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
   command.add_option("FILE", arguments.input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required();
+      ->required()
+      ->check(file_name());
   command
       .add_option("-o,--output", arguments.output, "Where to write the optimised graph (.g2o); - is stdout")
+      ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
   command.add_option("--json", arguments.json, "Where to write the report as JSON; - is stdout")
+      ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
   command.add_flag("-q,--quiet", arguments.quiet, "No report and no progress; messages only")
@@ -71,14 +58,14 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
       ->group("Method");
   command
       .add_option("--threads", options.threads,
-                  "At most so many threads; 0: all. The results are the same bits")
+                  "At most so many threads; 0: all. The result is the same to the bit")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->group("Method");
   auto* damping = add_choice(command, "--damping", options.damping, kDampings,
-                             "What lambda multiplies (Levenberg-Marquardt only)");
+                             "What lambda multiplies, in Levenberg-Marquardt");
   auto* lambda = command.add_option("--lambda", options.initial_lambda,
-                                    "The first lambda (Levenberg-Marquardt only); without: found from H");
+                                    "The first lambda of Levenberg-Marquardt; without, H tells");
   damping->group("Method");
   lambda->check(number_above(0))->type_name("X")->group("Method");
 }
@@ -90,11 +77,11 @@ void add_robust_options(CLI::App& command, OptimizeArguments& arguments) {
               "--kernel", arguments.kernel,
               "Robust kernel for the errors, so that outliers count less. Barron takes its shape along: "
               "Barron:-2")
-          ->check(kernel_name())
+          ->transform(kernel_name())
           ->group("Outliers");
   command
       .add_option("--kernel-width", arguments.kernel_width,
-                  "From where errors count less, in standard deviations (GemanMcClure, DCS: squared)")
+                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared")
       ->check(number_above(0))
       ->type_name("X")
       ->capture_default_str()

@@ -38,6 +38,13 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return {check, description};
 }
 
+CLI::Validator file_name() {
+  const auto check = [](const std::string& text) {
+    return text.empty() ? std::string("expected the name of a file, got ''") : std::string();
+  };
+  return {check, ""};
+}
+
 CLI::Validator whole_number_from(long low) {
   const auto check = [low](const std::string& text) {
     int value = 0;

@@ -17,6 +17,8 @@ using Choices = std::vector<std::pair<std::string, T>>;
 
 /// Accepts these words only. Its description is "{a,b,…}", which help texts and completions read.
 CLI::Validator one_of(std::vector<std::string> words);
+/// Accepts any text but none: an empty name is a slip, such as a shell variable that is not set.
+CLI::Validator file_name();
 /// Accepts whole numbers from `low`.
 CLI::Validator whole_number_from(long low);
 /// Accepts finite numbers from (above) `low`.

@@ -20,6 +20,12 @@ std::size_t terminal_columns() {
   return known ? size.ws_col : 80;
 }
 
+/// At most so many bytes, and no half character.
+std::string cut(const std::string& text, std::size_t size) {
+  while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
+  return text.substr(0, size);
+}
+
 std::string line_of(const IterationRecord& record) {
   return fmt::format("iteration {:3}  chi2 {:<13.7g}  step {:<10.3e}  {:.2f} s", record.iteration,
                      record.chi2, record.step_max, record.time_s);
@@ -47,7 +53,7 @@ void Progress::erase() {
 }
 
 void Progress::rewrite(const std::string& text) {
-  fmt::print(stderr, "\r\x1b[K{}", text.substr(0, terminal_columns() - 1));
+  fmt::print(stderr, "\r\x1b[K{}", cut(text, terminal_columns() - 1));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -37,9 +37,11 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return close ? fmt::format("; did you mean {}?", *best) : std::string();
 }
 
-std::string unexpected(const CommandDescription& command, const std::string& word) {
+std::string unexpected(const CommandDescription& command, const std::vector<std::string>& words) {
+  const bool options_ended = words.size() > 1 && words.front() == "--";
+  const std::string& word = options_ended ? words[1] : words.front();
   std::vector<std::string> names;
-  if (word.starts_with("-")) {
+  if (word.starts_with("-") && !options_ended) {
     for (const OptionDescription& option : command.options)
       names.insert(names.end(), option.names.begin(), option.names.end());
     const std::string name = word.substr(0, word.find('='));
@@ -71,9 +73,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extras = used.remaining(true);
   std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extras.empty()) {
-    text = unexpected(command, extras.front());
+    text = unexpected(command, extras);
   } else if (dynamic_cast<const CLI::RequiredError*>(&error)) {
-    text = chosen.empty() && !extras.empty() ? unexpected(command, extras.front())
+    text = chosen.empty() && !extras.empty() ? unexpected(command, extras)
            : chosen.empty()                  ? "expected a command, got none"
                                              : missing(text);
   } else if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {

@@ -33,6 +33,7 @@ class CommandTest(CommandCase):
                 (["optimise"], "did you mean optimize?"),
                 (["optimize"], "expected FILE, got none"),
                 (["optimize", "f", "g"], "unexpected argument 'g'"),
+                (["optimize", "--", "f", "-q"], "unexpected argument '-q'"),
                 (["optimize", "f", "--itterations", "3"], "did you mean --iterations?"),
                 (["optimize", "f", "--threads", "-1"], "--threads: expected a whole number ≥ 0, got '-1'"),
                 (["optimize", "f", "--threads"], "--threads: expected a value, got none"),

@@ -28,13 +28,14 @@ class ConvertTest(CommandCase):
         text = "OLD 0 0 0 0\nOLD 1 x 0 0\nMYSTERY 1 2 3\n"
         done = run("convert", "-", "-", "--lenient", "--rename", "OLD=VERTEX_SE2", stdin=text)
         self.assertEqual((done.returncode, done.stdout), (0, "VERTEX_SE2 0 0 0 0\nMYSTERY 1 2 3\n"))
-        self.assertIn("1 vertex, 0 edges, 1 line kept as they are, 1 line skipped", done.stderr)
+        self.assertIn("1 vertex, 0 edges, 1 unknown line kept, 1 line skipped", done.stderr)
 
     def test_refuses_what_it_cannot_do_and_touches_nothing(self):
         out = self.written("out.g2o", "precious")
         self.assert_refused(run("convert", self.written("bad.g2o", "VERTEX_SE2 0\n"), out), "bad.g2o:1:13: expected")
         self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o file to write")
         self.assert_refused(run("convert", TOWN), "expected OUT, got none")
+        self.assert_refused(run("convert", TOWN, ""), "OUT: expected the name of a file, got ''")
         self.assertEqual(out.read_text(encoding="utf-8"), "precious")
 
 

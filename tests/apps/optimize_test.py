@@ -82,6 +82,7 @@ class OptimizeTest(CommandCase):
         missing = self.path / "none" / "out.g2o"
         self.assert_refused(run("optimize", self.path / "none.g2o", "-o", missing), "none/out.g2o: cannot be written")
         self.assert_refused(run("optimize", TOWN, "--json", self.path), "cannot be written")
+        self.assert_refused(run("optimize", TOWN, "-o", ""), "--output: expected the name of a file, got ''")
 
     def test_bad_input_touches_no_output(self):
         bad = self.written("bad.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 zero 0\n")
@@ -92,7 +93,7 @@ class OptimizeTest(CommandCase):
         self.assertFalse((self.path / "out.json").exists())
         self.assertIn("skipped", run("optimize", bad, "--lenient").stderr)
         self.assert_refused(run("optimize", self.path / "missing.g2o"), "missing.g2o: cannot be opened")
-        self.assert_refused(run("optimize", self.written("empty.g2o", "")), "holds no vertex and no edge")
+        self.assert_refused(run("optimize", self.written("empty.g2o", "")), "expected a graph, got no vertex and no edge")
 
     def test_unknown_words_are_escaped_in_messages(self):
         graph = self.written("odd.g2o", "VERTEX_SE2 0 0 0 0\nBAD\x1b[31m 1\n")
@@ -157,6 +158,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual(report["kernel"], {"name": "Huber", "width": 2, "edges": 125})
         report = self.report_of(TOWN, "--kernel", "Barron:-2", "--kernel-on", "loop-closures")
         self.assertEqual(report["kernel"], {"name": "Barron:-2", "width": 1, "edges": 6})
+        self.assertEqual(self.report_of(TOWN, "--kernel", "barron:1")["kernel"]["name"], "Barron:1")
         self.assert_refused(run("optimize", TOWN, "--kernel", "Hubert"), "unknown robust kernel 'Hubert'")
         self.assert_refused(run("optimize", TOWN, "--kernel-width", 2), "--kernel-width requires --kernel")
         chain = self.written("chain.g2o",
