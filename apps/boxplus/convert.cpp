@@ -31,7 +31,7 @@ std::string summary(const GraphFile& file) {
                      counted(file.graph.edge_count(), "edge", "edges");
   if (file.graph.parameter_count() > 0)
     text += ", " + counted(file.graph.parameter_count(), "parameter", "parameters");
-  if (!file.kept.empty()) text += ", " + counted(file.kept.size(), "unknown line", "unknown lines") + " kept";
+  if (!file.kept.empty()) text += ", " + counted(file.kept.size(), "other line", "other lines") + " kept";
   if (file.skipped > 0)
     text += ", " + counted(static_cast<std::size_t>(file.skipped), "line", "lines") + " skipped";
   return text;

@@ -38,14 +38,18 @@ std::string read_all(std::FILE* file, const std::string& path) {
   }
 }
 
-/// Most likely a file of another kind: notes on each of its words would help nobody.
-[[noreturn]] void throw_no_graph(const GraphFile& file, const std::string& path) {
-  if (file.kept.empty()) throw FileError(input_name(path) + ": expected a graph, got no vertex and no edge");
-  constexpr std::size_t kShown = 40;
-  const std::string& line = file.kept.front().text;
-  throw FileError(fmt::format("{}: expected a graph, got no vertex and no edge; its first line is '{}{}'",
-                              input_name(path), escaped(line.substr(0, kShown)),
-                              line.size() > kShown ? "…" : ""));
+/// Without vertices and edges it is most likely a file of another kind: notes on each of its words would help
+/// nobody.
+void require_graph(const GraphFile& file, const std::string& path) {
+  if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
+  std::string message = input_name(path) + ": expected a graph, got no vertex and no edge";
+  if (!file.kept.empty()) {
+    constexpr std::size_t kShown = 40;
+    const std::string& line = file.kept.front().text;
+    message += fmt::format("; its first line is '{}{}'", escaped(line.substr(0, kShown)),
+                           line.size() > kShown ? "…" : "");
+  }
+  throw FileError(message);
 }
 
 /// "OLD=NEW", where NEW is a word that boxplus reads.
@@ -97,13 +101,21 @@ void add_reading_options(CLI::App& command, ReadOptions& options) {
       ->group("Reading");
 }
 
-GraphFile load_graph(const std::string& path, const ReadOptions& options) {
-  return load_graph_text(read_text(path), path, options);
+GraphFile read_input(const std::string& path, const ReadOptions& options) {
+  if (path == kStandardStream) return parse_input(read_text(path), path, options);
+  GraphFile file = read_graph(path, options);
+  require_graph(file, path);
+  return file;
 }
 
-GraphFile load_graph_text(const std::string& text, const std::string& path, const ReadOptions& options) {
+GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options) {
   GraphFile file = parse_graph(text, input_name(path), options);
-  if (file.graph.vertex_count() == 0 && file.graph.edge_count() == 0) throw_no_graph(file, path);
+  require_graph(file, path);
+  return file;
+}
+
+GraphFile load_graph(const std::string& path, const ReadOptions& options) {
+  GraphFile file = read_input(path, options);
   print_notes(file, path);
   return file;
 }

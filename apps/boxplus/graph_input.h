@@ -24,13 +24,14 @@ std::string read_text(const std::string& path);
 /// Adds --lenient and --rename, which fill `options`.
 void add_reading_options(CLI::App& command, ReadOptions& options);
 
-/// Reads a graph and prints the notes of its file. Throws FileError, also where the file holds no vertex and
-/// no edge, and InputError.
-GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
+/// Reads a graph. Throws FileError, also where the file holds no vertex and no edge, and InputError.
+GraphFile read_input(const std::string& path, const ReadOptions& options = {});
 /// The same from the text of the file.
-GraphFile load_graph_text(const std::string& text, const std::string& path, const ReadOptions& options);
+GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);
 
-/// One message per note, and not too many. Part of load_graph().
+/// Reads a graph and prints the notes of its file.
+GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
+/// One message per note, and not too many.
 void print_notes(const GraphFile& file, const std::string& path);
 
 /// Writes a .g2o file, or to the standard output. Throws FileError.

@@ -26,7 +26,8 @@ int describe_file(const InfoArguments& arguments) {
   const std::vector<Output> outputs{{"--json", arguments.json}};
   check_outputs(outputs);
   const std::string text = read_text(arguments.input);
-  const GraphFile file = load_graph_text(text, arguments.input, arguments.reading);
+  const GraphFile file = parse_input(text, arguments.input, arguments.reading);
+  print_notes(file, arguments.input);
   const std::string name = input_name(arguments.input);
   const GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);
   if (!arguments.json.empty()) write_output(arguments.json, facts_json(facts, file, name));

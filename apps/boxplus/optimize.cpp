@@ -50,9 +50,11 @@ int optimize_file(const OptimizeArguments& arguments) {
   const auto begin = Clock::now();
   Progress progress(choose_progress(arguments.quiet, arguments.verbose));
   progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
-  const std::string text = read_text(arguments.input);
+  ReadOptions reading = arguments.reading;
+  reading.threads = arguments.options.threads;
+  GraphFile file = read_input(arguments.input, reading);
   progress.erase();
-  GraphFile file = load_graph_text(text, arguments.input, arguments.reading);
+  print_notes(file, arguments.input);
   RunFacts facts;
   facts.input = input_name(arguments.input);
   facts.edges = file.graph.edge_count();

@@ -28,7 +28,7 @@ class ConvertTest(CommandCase):
         text = "OLD 0 0 0 0\nOLD 1 x 0 0\nMYSTERY 1 2 3\n"
         done = run("convert", "-", "-", "--lenient", "--rename", "OLD=VERTEX_SE2", stdin=text)
         self.assertEqual((done.returncode, done.stdout), (0, "VERTEX_SE2 0 0 0 0\nMYSTERY 1 2 3\n"))
-        self.assertIn("1 vertex, 0 edges, 1 unknown line kept, 1 line skipped", done.stderr)
+        self.assertIn("1 vertex, 0 edges, 1 other line kept, 1 line skipped", done.stderr)
 
     def test_refuses_what_it_cannot_do_and_touches_nothing(self):
         out = self.written("out.g2o", "precious")
