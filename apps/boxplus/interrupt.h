@@ -20,8 +20,8 @@ class Interrupt {
   static bool raised() { return flag()->load(); }
 
  private:
-  struct sigaction old_interrupt_ {
-  }, old_terminate_{};
+  using SignalAction = struct sigaction;
+  SignalAction old_interrupt_{}, old_terminate_{};
 };
 
 }  // namespace boxplus::app

@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 
 #include "command.h"
 #include "help_format.h"
@@ -21,7 +22,7 @@ constexpr const char* kFooter =
     "  0  success (optimize: converged)\n"
     "  1  optimize stopped before it converged; the best estimate is kept\n"
     "  2  bad input or usage; no output file is touched\n"
-    "  3  the numerics failed\n"
+    "  3  the numerics failed, or the memory did not suffice\n"
     "\n"
     "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
     "to the standard error.";
@@ -61,6 +62,9 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
     boxplus::app::print_message("cannot write to the standard output");
     return boxplus::app::kBadInput;
+  } catch (const std::bad_alloc&) {
+    boxplus::app::print_message("not enough memory (optimize: --solver pcg needs the least)");
+    return boxplus::app::kNumericalFailure;
   } catch (const std::exception& error) {
     boxplus::app::print_message(error.what());
     return boxplus::app::kBadInput;
