@@ -18,7 +18,11 @@ using Action = std::function<int()>;
 
 /// Each adds its sub-command, which sets `action` when it is chosen.
 void add_optimize(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_convert(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+void add_help(CLI::App& app, Action& action);  ///< comes last: it names the others
 
 }  // namespace boxplus::app

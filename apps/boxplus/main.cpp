@@ -6,29 +6,49 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
+#include <new>
 
 #include "command.h"
+#include "command_line/help_format.h"
+#include "command_line/message.h"
+#include "command_line/usage_error.h"
 
 namespace boxplus::app {
 namespace {
 
-constexpr const char* kExitCodes =
-    "Exit codes: 0 success (optimize: converged), 1 optimize stopped before it converged,\n"
-    "2 bad input or usage, 3 the numerics failed.";
+constexpr const char* kFooter =
+    "Exit codes:\n"
+    "  0  success (optimize: converged)\n"
+    "  1  optimize stopped before it converged; the best estimate is kept\n"
+    "  2  bad input or usage; no output file is touched\n"
+    "  3  the numerics failed, or the memory did not suffice\n"
+    "\n"
+    "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
+    "to the standard error.";
 
 int run(int argc, char** argv) {
-  CLI::App app{"boxplus: nonlinear least squares on graphs", "boxplus"};
-  app.set_version_flag("--version", "boxplus " BOXPLUS_VERSION);
+  CLI::App app{"Nonlinear least squares on graphs: SLAM, bundle adjustment, calibration", "boxplus"};
+  app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h,--help", "Show this help");
+  app.set_version_flag("--version", "boxplus " BOXPLUS_VERSION, "Show the version");
   app.require_subcommand(1);
-  app.footer(kExitCodes);
   Action action;
   add_optimize(app, action);
+  add_info(app, action);
+  add_convert(app, action);
   add_simulate(app, action);
   add_plot(app, action);
+  add_completion(app, action);
+  add_help(app, action);
+  app.footer(kFooter);  // last, since commands would inherit it
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kSuccess : kBadInput;  // prints --help to stdout, complaints to stderr
+    print_message(usage_message(app, error));
+    return kBadInput;
   }
   return action();
 }
@@ -40,10 +60,13 @@ int main(int argc, char** argv) {
   try {
     const int code = boxplus::app::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
-    fmt::print(stderr, "boxplus: cannot write to the standard output\n");
+    boxplus::app::print_message("cannot write to the standard output");
     return boxplus::app::kBadInput;
+  } catch (const std::bad_alloc&) {
+    boxplus::app::print_message("not enough memory (optimize: --solver pcg needs the least)");
+    return boxplus::app::kNumericalFailure;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "boxplus: {}\n", error.what());
+    boxplus::app::print_message(error.what());
     return boxplus::app::kBadInput;
   }
 }

@@ -48,9 +48,7 @@ const char* skip_blanks(const char* at, const char* end) {
 }  // namespace
 
 void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string_view text = source.read(k, memory_);
-  if (k == 0 && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   lines_.clear();
   line_count_ = 0;
   last_word_ = {};
@@ -75,6 +73,9 @@ void LineBlock::place_fields() {
 }
 
 void LineBlock::read_line(std::string_view text, const Words& words) {
+  // Some editors put a mark at the beginning of a file; joined files have it elsewhere.
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const char* const end = text.data() + text.size();
   const char* const begin = skip_blanks(text.data(), end);
   if (begin == end) return;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line described as data: help texts, docs/cli.md and shell completions are made of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace boxplus::app {
+
+struct OptionDescription {
+  std::vector<std::string> names;    ///< "-o", "--output"; of a positional, its one name
+  std::string value;                 ///< what stands for its value, such as FILE; empty for a flag
+  std::vector<std::string> choices;  ///< the only values, where they can be listed
+  std::string text, default_text, group;
+  bool positional = false, required = false;
+};
+
+struct CommandDescription {
+  std::string name, text, usage;
+  std::string footer;  ///< examples, exit codes
+  std::vector<OptionDescription> options;
+  std::vector<CommandDescription> commands;
+};
+
+CommandDescription describe(const CLI::App& app);
+
+/// "-o, --output FILE".
+std::string signature(const OptionDescription& option);
+/// The text, with the choices and the default where there are any.
+std::string explanation(const OptionDescription& option);
+
+/// Calls f(title, options) for the arguments and for each group of options, in order.
+template <class F>
+void for_each_group(const CommandDescription& command, F&& f) {
+  std::vector<std::string> titles;
+  std::vector<std::vector<OptionDescription>> groups;
+  for (const OptionDescription& option : command.options) {
+    const std::string title = option.positional ? "Arguments" : option.group;
+    std::size_t k = 0;
+    while (k < titles.size() && titles[k] != title) ++k;
+    if (k == titles.size()) {
+      titles.push_back(title);
+      groups.emplace_back();
+    }
+    groups[k].push_back(option);
+  }
+  for (std::size_t k = 0; k < titles.size(); ++k) f(titles[k], groups[k]);
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line/option_kinds.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace boxplus::app {
+namespace {
+
+template <class T>
+bool parse(const std::string& text, T& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end;
+}
+
+template <class Accept>
+CLI::Validator number_check(std::string expected, Accept accept) {
+  const auto check = [expected = std::move(expected), accept](const std::string& text) {
+    double value = 0;
+    const bool good = parse(text, value) && std::isfinite(value) && accept(value);
+    return good ? std::string() : fmt::format("expected {}, got '{}'", expected, text);
+  };
+  return {check, ""};
+}
+
+}  // namespace
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
+  const auto check = [words = std::move(words)](const std::string& text) {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+    return fmt::format("expected one of {}, got '{}'", fmt::join(words, ", "), text);
+  };
+  return {check, description};
+}
+
+CLI::Validator file_name() {
+  const auto check = [](const std::string& text) {
+    return text.empty() ? std::string("expected the name of a file, got ''") : std::string();
+  };
+  return {check, ""};
+}
+
+CLI::Validator whole_number_from(long low) {
+  const auto check = [low](const std::string& text) {
+    int value = 0;
+    const bool good = parse(text, value) && value >= low;
+    return good ? std::string() : fmt::format("expected a whole number ≥ {}, got '{}'", low, text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator whole_number_within(long low, long high) {
+  const auto check = [low, high](const std::string& text) {
+    long value = 0;
+    const bool good = parse(text, value) && value >= low && value <= high;
+    return good ? std::string()
+                : fmt::format("expected a whole number from {} to {}, got '{}'", low, high, text);
+  };
+  return {check, ""};
+}
+
+CLI::Validator number_within(double low, double high) {
+  return number_check(fmt::format("a number from {} to {}", low, high),
+                      [low, high](double value) { return value >= low && value <= high; });
+}
+
+CLI::Validator number_from(double low) {
+  return number_check(fmt::format("a number ≥ {}", low), [low](double value) { return value >= low; });
+}
+
+CLI::Validator number_above(double low) {
+  return number_check(fmt::format("a number > {}", low), [low](double value) { return value > low; });
+}
+
+}  // namespace boxplus::app

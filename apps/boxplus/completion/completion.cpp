@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// boxplus completion SHELL: prints what completes the command line there.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "command.h"
+#include "command_line/option_kinds.h"
+#include "completion/completion_scripts.h"
+
+namespace boxplus::app {
+namespace {
+
+using Script = std::string (*)(const CommandDescription&);
+
+}  // namespace
+
+void add_completion(CLI::App& app, Action& action) {
+  auto shell = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("completion", "Prints a script that completes boxplus in a shell");
+  command->add_option("SHELL", *shell, "The shell")->required()->check(one_of({"bash", "zsh", "fish"}));
+  command->footer(
+      "Examples:\n"
+      "  source <(boxplus completion bash)        # this shell; in ~/.bashrc: every shell\n"
+      "  source <(boxplus completion zsh)         # after compinit\n"
+      "  boxplus completion fish | source");
+  command->callback([&app, &action, shell] {
+    action = [&app, shell] {
+      const Script script = *shell == "bash"  ? bash_completion
+                            : *shell == "zsh" ? zsh_completion
+                                              : fish_completion;
+      fmt::print("{}", script(describe(app)));
+      return kSuccess;
+    };
+  });
+}
+
+}  // namespace boxplus::app

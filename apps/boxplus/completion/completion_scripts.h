@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scripts that complete the command line, one per shell.
+#pragma once
+
+#include <string>
+
+#include "command_line/description.h"
+
+namespace boxplus::app {
+
+std::string bash_completion(const CommandDescription& root);
+std::string zsh_completion(const CommandDescription& root);
+std::string fish_completion(const CommandDescription& root);
+
+}  // namespace boxplus::app

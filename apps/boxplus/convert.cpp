@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// boxplus convert IN OUT: reads any known format, writes .g2o.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "boxplus/base/error.h"
+#include "command.h"
+#include "command_line/message.h"
+#include "command_line/option_kinds.h"
+#include "files/graph_input.h"
+#include "files/outputs.h"
+
+namespace boxplus::app {
+namespace {
+
+struct ConvertArguments {
+  std::string input, output;
+  bool quiet = false;
+  ReadOptions reading;
+};
+
+std::string counted(std::size_t count, const char* singular, const char* plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::string summary(const GraphFile& file) {
+  std::string text = counted(file.graph.vertex_count(), "vertex", "vertices") + ", " +
+                     counted(file.graph.edge_count(), "edge", "edges");
+  if (file.graph.parameter_count() > 0)
+    text += ", " + counted(file.graph.parameter_count(), "parameter", "parameters");
+  if (!file.kept.empty()) text += ", " + counted(file.kept.size(), "other line", "other lines") + " kept";
+  if (file.skipped > 0)
+    text += ", " + counted(static_cast<std::size_t>(file.skipped), "line", "lines") + " skipped";
+  return text;
+}
+
+int convert_file(const ConvertArguments& arguments) {
+  const std::vector<Output> outputs{{"OUT", arguments.output}};
+  if (arguments.output.ends_with(".graph")) {
+    throw InvalidArgument(
+        fmt::format("{}: expected a .g2o file to write; TORO's .graph is only read", arguments.output));
+  }
+  check_outputs(outputs);
+  const GraphFile file = load_graph(arguments.input, arguments.reading);
+  save_graph(arguments.output, file);
+  if (!arguments.quiet) {
+    fmt::print(takes_stdout(outputs) ? stderr : stdout, "{} → {}: {}\n", escaped(input_name(arguments.input)),
+               escaped(arguments.output == kStandardStream ? "<stdout>" : arguments.output), summary(file));
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command = app.add_subcommand("convert", "Writes a graph as .g2o, its vertices sorted by id");
+  command->add_option("IN", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
+      ->required()
+      ->check(file_name());
+  command->add_option("OUT", arguments->output, "Where to write it (.g2o); - is the standard output")
+      ->required()
+      ->check(file_name());
+  command->add_flag("-q,--quiet", arguments->quiet, "Do not tell what was converted")->group("Output");
+  add_reading_options(*command, arguments->reading);
+  command->footer(
+      "Examples:\n"
+      "  boxplus convert w10000.graph w10000.g2o\n"
+      "  boxplus convert old.g2o - --rename VERTEX_CAM=VERTEX_SE3:QUAT | boxplus info -");
+  command->callback([&action, arguments] { action = [arguments] { return convert_file(*arguments); }; });
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files/graph_input.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/registry.h"
+#include "boxplus/optimize/optimize.h"
+#include "command_line/message.h"
+#include "files/outputs.h"
+
+namespace boxplus::app {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const char* what) {
+  throw FileError(fmt::format("{}: {}: {}", input_name(path), what, std::strerror(errno)));
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::string read_all(std::FILE* file, const std::string& path) {
+  std::string text;
+  constexpr std::size_t kChunk = std::size_t{1} << 20;
+  for (;;) {
+    const std::size_t size = text.size();
+    text.resize(size + kChunk);
+    const std::size_t count = std::fread(text.data() + size, 1, kChunk, file);
+    text.resize(size + count);
+    if (std::ferror(file) != 0) fail(path, "cannot be read");
+    if (count == 0) return text;
+  }
+}
+
+/// Without vertices and edges it is most likely a file of another kind: notes on each of its words would help
+/// nobody.
+void require_graph(const GraphFile& file, const std::string& path) {
+  if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
+  std::string message = input_name(path) + ": expected a graph, got no vertex and no edge";
+  if (!file.kept.empty()) {
+    constexpr std::size_t kShown = 40;
+    const std::string& line = file.kept.front().text;
+    message += fmt::format("; its first line is '{}{}'", escaped(line.substr(0, kShown)),
+                           line.size() > kShown ? "…" : "");
+  }
+  throw FileError(message);
+}
+
+/// The chordal guess for vertices that the file does not place.
+void place_vertices(Graph& graph, const std::string& path) {
+  Options guess_only;
+  guess_only.start = Start::kChordal;
+  guess_only.max_iterations = 0;
+  const Report report = optimize(graph, guess_only);
+  print_message(report.start.note.empty()
+                    ? fmt::format("{}: they were placed by a first guess from the edges", input_name(path))
+                    : fmt::format("{}: they stay at the origin: {}", input_name(path), report.start.note));
+}
+
+/// "OLD=NEW", where NEW is a word that boxplus reads.
+std::string complaint_about_rename(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return fmt::format("expected OLD=NEW[,OLD=NEW…], got '{}'", text);
+  const std::string known = text.substr(equals + 1);
+  if (default_registry().find(known)) return {};
+  return fmt::format("expected a word that boxplus reads after '{}=', got '{}'", text.substr(0, equals),
+                     known);
+}
+
+std::string complaint_about_renames(const std::string& text) {
+  for (const std::string& rename : CLI::detail::split(text, ',')) {
+    if (std::string complaint = complaint_about_rename(rename); !complaint.empty()) return complaint;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) {
+  return path == kStandardStream ? "<stdin>" : path;
+}
+
+std::string read_text(const std::string& path) {
+  if (path == kStandardStream) return read_all(stdin, path);
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rbe"));
+  if (!file) fail(path, "cannot be opened");
+  return read_all(file.get(), path);
+}
+
+void add_reading_options(CLI::App& command, ReadOptions& options) {
+  command.add_flag("--lenient", options.lenient, "Skip, name and count lines that cannot be read")
+      ->group("Reading");
+  const auto add_renames = [&options](const std::string& text) {
+    for (const std::string& rename : CLI::detail::split(text, ',')) {
+      const std::size_t equals = rename.find('=');
+      options.renames[rename.substr(0, equals)] = rename.substr(equals + 1);
+    }
+  };
+  command
+      .add_option_function<std::string>("--rename", add_renames,
+                                        "Read the word OLD of the file as the word NEW")
+      ->type_name("OLD=NEW,...")
+      ->check(CLI::Validator(complaint_about_renames, ""))
+      ->join(',')
+      ->group("Reading");
+}
+
+GraphFile read_input(const std::string& path, const ReadOptions& options) {
+  if (path == kStandardStream) return parse_input(read_text(path), path, options);
+  GraphFile file = read_graph(path, options);
+  require_graph(file, path);
+  return file;
+}
+
+GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options) {
+  GraphFile file = parse_graph(text, input_name(path), options);
+  require_graph(file, path);
+  return file;
+}
+
+GraphFile load_graph(const std::string& path, const ReadOptions& options) {
+  GraphFile file = read_input(path, options);
+  print_notes(file, path);
+  if (file.vertices_created) place_vertices(file.graph, path);
+  return file;
+}
+
+void print_notes(const GraphFile& file, const std::string& path) {
+  constexpr std::size_t kShown = 10;
+  const std::string name = input_name(path);
+  for (std::size_t k = 0; k < std::min(kShown, file.notes.size()); ++k) {
+    const GraphFile::Note& note = file.notes[k];
+    if (note.text.find(name + ":") != std::string::npos) {  // it tells its place itself
+      print_message(note.text);
+    } else if (note.line > 0) {
+      print_message(fmt::format("{}:{}: {}", name, note.line, note.text));
+    } else {
+      print_message(fmt::format("{}: {}", name, note.text));
+    }
+  }
+  if (file.notes.size() > kShown)
+    print_message(fmt::format("{}: … and {} more such notes", name, file.notes.size() - kShown));
+}
+
+void save_graph(const std::string& path, const GraphFile& file) {
+  if (path == kStandardStream) {
+    write_output(path, format_graph(file));
+  } else {
+    write_graph(path, file);
+  }
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files/outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/graph_file.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+namespace {
+
+bool is_stdout(const Output& output) {
+  return output.path == kStandardStream || output.path == "/dev/stdout";
+}
+
+/// Whatever way the path is spelt.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+}
+
+bool are_same(const Output& a, const Output& b) {
+  if (a.path.empty() || b.path.empty()) return false;
+  if (is_stdout(a) || is_stdout(b)) return is_stdout(a) && is_stdout(b);
+  std::error_code none;
+  if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null takes any number
+  return place_of(a.path) == place_of(b.path);
+}
+
+}  // namespace
+
+void check_outputs(const std::vector<Output>& outputs) {
+  for (auto a = outputs.begin(); a != outputs.end(); ++a) {
+    for (auto b = a + 1; b != outputs.end(); ++b) {
+      if (are_same(*a, *b)) {
+        throw InvalidArgument(fmt::format("{} and {}: expected two different files, got '{}' and '{}'",
+                                          a->option, b->option, a->path, b->path));
+      }
+    }
+  }
+  for (const Output& output : outputs) {
+    if (!output.path.empty() && !is_stdout(output)) require_writable(output.path);
+  }
+}
+
+bool takes_stdout(const std::vector<Output>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(), is_stdout);
+}
+
+void write_output(const std::string& path, std::string_view text) {
+  if (path != kStandardStream) return write_file(path, text);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw FileError("cannot write to the standard output");
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where results go: to files, or to the standard output.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace boxplus::app {
+
+struct Output {
+  const char* option;  ///< that names it, for complaints
+  std::string path;    ///< "-": the standard output; empty: none
+};
+
+/// Before any work: throws InvalidArgument where two outputs are the same, FileError where one cannot be
+/// written.
+void check_outputs(const std::vector<Output>& outputs);
+
+/// Whether one of them is the standard output, which then holds nothing else.
+bool takes_stdout(const std::vector<Output>& outputs);
+
+/// Replaces a file at once or not at all, or writes to the standard output. Throws FileError.
+void write_output(const std::string& path, std::string_view text);
+
+}  // namespace boxplus::app

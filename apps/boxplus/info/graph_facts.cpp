@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "info/graph_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "boxplus/io/registry.h"
+#include "info/components.h"
+
+namespace boxplus::app {
+namespace {
+
+std::string word_of(const Graph& graph, VertexRef vertex) {
+  const Tag* tag = default_registry().tag_of(graph, vertex);
+  return tag ? tag->name : std::string(graph.vertex_pools()[vertex.pool]->type_name());
+}
+
+std::string word_of(const Graph& graph, EdgeRef edge) {
+  const Tag* tag = default_registry().tag_of(graph, edge);
+  return tag ? tag->name : std::string(graph.edge_pools()[edge.pool]->type_name());
+}
+
+/// How bad an edge is; one that overflowed is the worst.
+double badness(double chi2) {
+  return std::isnan(chi2) ? std::numeric_limits<double>::infinity() : chi2;
+}
+
+EdgeFacts facts_of(const Graph& graph, EdgeRef edge) {
+  EdgeFacts facts{edge, word_of(graph, edge), {}, graph.chi2(edge), 0};
+  for (const VertexRef& vertex : graph.vertices(edge)) {
+    if (!graph.vertex_pools()[vertex.pool]->parameter(vertex.slot))
+      facts.vertices.push_back(graph.id(vertex));
+  }
+  return facts;
+}
+
+std::map<VertexRef, std::size_t> count_degrees(const Graph& graph) {
+  std::map<VertexRef, std::size_t> degrees;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    for (const VertexRef& vertex : graph.vertices(edge)) ++degrees[vertex];
+  }
+  return degrees;
+}
+
+void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, VertexTypeFacts& type) {
+  type.degrees.min = type.count == 0 ? degree : std::min(type.degrees.min, degree);
+  type.degrees.max = std::max(type.degrees.max, degree);
+  type.degrees.mean += static_cast<double>(degree);  // a sum until all are known
+  ++type.count;
+  if (graph.is_fixed(vertex)) {
+    ++type.fixed;
+  } else {
+    type.unknowns += static_cast<std::size_t>(graph.tangent_dim(vertex));
+  }
+}
+
+void find_vertex_types(const Graph& graph, GraphFacts& facts) {
+  const std::map<VertexRef, std::size_t> degrees = count_degrees(graph);
+  std::map<std::pair<bool, std::string>, VertexTypeFacts> types;
+  const auto add_all = [&](const std::vector<VertexRef>& vertices, bool parameters) {
+    for (const VertexRef& vertex : vertices) {
+      VertexTypeFacts& type = types[{parameters, word_of(graph, vertex)}];
+      type.role = role_of(graph, vertex);
+      const auto degree = degrees.find(vertex);
+      add_vertex(graph, vertex, degree == degrees.end() ? 0 : degree->second, type);
+    }
+  };
+  add_all(graph.all_vertices(), false);
+  add_all(graph.all_parameters(), true);
+  for (auto& [key, type] : types) {
+    std::tie(type.parameter, type.word) = key;
+    type.degrees.mean /= static_cast<double>(type.count);
+    facts.unknowns += type.unknowns;
+    facts.vertex_types.push_back(std::move(type));
+  }
+}
+
+void find_extent(const Graph& graph, GraphFacts& facts) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    Frame frame;
+    if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
+    facts.dimension = std::max(facts.dimension, frame.dimension);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(frame.dimension); ++axis) {
+      low[axis] = std::min(low[axis], frame.translation[axis]);
+      high[axis] = std::max(high[axis], frame.translation[axis]);
+    }
+  }
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(facts.dimension); ++axis)
+    facts.extent[axis] = high[axis] - low[axis];
+}
+
+void find_edge_types(const Graph& graph, const std::vector<EdgeFacts>& edges, GraphFacts& facts) {
+  std::map<std::string, EdgeTypeFacts> types;
+  for (const EdgeFacts& edge : edges) {
+    EdgeTypeFacts& type = types[edge.word];
+    if (type.count++ == 0 || badness(edge.chi2) > badness(type.worst.chi2)) type.worst = edge;
+    type.rows += static_cast<std::size_t>(graph.edge_pools()[edge.edge.pool]->shape(edge.edge.slot).rows);
+    type.chi2 += edge.chi2;
+  }
+  for (auto& [word, type] : types) {
+    type.word = word;
+    facts.rows += type.rows;
+    facts.edge_types.push_back(std::move(type));
+  }
+}
+
+void find_worst(std::vector<EdgeFacts> edges, std::size_t count, GraphFacts& facts) {
+  const auto end = edges.begin() + static_cast<std::ptrdiff_t>(std::min(count, edges.size()));
+  std::partial_sort(edges.begin(), end, edges.end(), [](const EdgeFacts& a, const EdgeFacts& b) {
+    return std::pair(-badness(a.chi2), a.edge) < std::pair(-badness(b.chi2), b.edge);
+  });
+  facts.worst.assign(edges.begin(), end);
+}
+
+}  // namespace
+
+GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst) {
+  const Graph& graph = file.graph;
+  GraphFacts facts;
+  facts.vertices = graph.vertex_count();
+  facts.parameters = graph.parameter_count();
+  facts.edges = graph.edge_count();
+  facts.chi2 = graph.chi2();
+  find_vertex_types(graph, facts);
+  find_extent(graph, facts);
+  const EdgeRoles role(graph);
+  std::vector<EdgeFacts> edges;
+  for (std::size_t k = 0; k < file.edges.size(); ++k) {
+    edges.push_back(facts_of(graph, file.edges[k]));
+    if (!edge_lines.empty()) edges.back().line = edge_lines[k];
+    ++facts.roles[static_cast<std::size_t>(role(file.edges[k]))];
+  }
+  find_edge_types(graph, edges, facts);
+  find_worst(std::move(edges), worst, facts);
+  find_components(graph, role, facts);
+  return facts;
+}
+
+}  // namespace boxplus::app

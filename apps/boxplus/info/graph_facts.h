@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `boxplus info` tells about a graph.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boxplus/io/graph_file.h"
+#include "optimize/edge_roles.h"
+
+namespace boxplus::app {
+
+struct Degrees {
+  std::size_t min = 0, max = 0;
+  double mean = 0;
+};
+
+struct VertexTypeFacts {
+  std::string word;  ///< of the file, or the name of the type where it has none
+  VertexRole role = VertexRole::kOther;
+  bool parameter = false;
+  std::size_t count = 0, fixed = 0, unknowns = 0;
+  Degrees degrees;  ///< edges per vertex
+};
+
+struct EdgeFacts {
+  EdgeRef edge;
+  std::string word;
+  std::vector<Id> vertices;  ///< without parameters
+  double chi2 = 0;
+  std::int64_t line = 0;  ///< of the file; 0: not known
+};
+
+struct EdgeTypeFacts {
+  std::string word;
+  std::size_t count = 0, rows = 0;  ///< rows of error, of all edges together
+  double chi2 = 0;
+  EdgeFacts worst;
+};
+
+/// Vertices that edges connect; parameters connect nothing.
+struct ComponentFacts {
+  Id first = 0;  ///< lowest id
+  std::size_t vertices = 0, edges = 0;
+  std::vector<Id> fixed, held;  ///< by FIX; by optimize, because nothing else does
+  std::size_t priors = 0;
+};
+
+struct GraphFacts {
+  std::vector<VertexTypeFacts> vertex_types;
+  std::vector<EdgeTypeFacts> edge_types;
+  std::array<std::size_t, kEdgeRoles> roles{};  ///< edges by EdgeRole
+  std::vector<ComponentFacts> components;       ///< largest first; not those of a single vertex without edges
+  std::vector<Id> isolated;                     ///< vertices without edges
+  std::vector<EdgeFacts> worst;                 ///< largest chi2 first
+  std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
+  double chi2 = 0;
+  int damped_components = 0;       ///< held by too little: optimize damps them minutely
+  int dimension = 0;               ///< of the world; 0: no vertex has a place
+  std::array<double, 3> extent{};  ///< of all places, metres
+};
+
+/// `edge_lines` are those of find_edge_lines(); `worst` is how many edges to list.
+GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst);
+
+}  // namespace boxplus::app

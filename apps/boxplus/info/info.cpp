@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// boxplus info FILE: what is in a graph, and what is odd about it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "command_line/option_kinds.h"
+#include "files/graph_input.h"
+#include "files/outputs.h"
+#include "info/edge_lines.h"
+#include "info/info_text.h"
+
+namespace boxplus::app {
+namespace {
+
+struct InfoArguments {
+  std::string input, json;
+  std::size_t worst = 5;
+  ReadOptions reading;
+};
+
+int describe_file(const InfoArguments& arguments) {
+  const std::vector<Output> outputs{{"--json", arguments.json}};
+  check_outputs(outputs);
+  const std::string text = read_text(arguments.input);
+  const GraphFile file = parse_input(text, arguments.input, arguments.reading);
+  print_notes(file, arguments.input);
+  const std::string name = input_name(arguments.input);
+  const GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);
+  if (!arguments.json.empty()) write_output(arguments.json, facts_json(facts, file, name));
+  if (!takes_stdout(outputs)) fmt::print("{}", facts_text(facts, name));
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command = app.add_subcommand(
+      "info", "Tells what a graph holds: counts, components, degrees, gauge, chi2 by type, worst edges");
+  command->add_option("FILE", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
+      ->required()
+      ->check(file_name());
+  command->add_option("--worst", arguments->worst, "List so many edges of the largest chi2")
+      ->check(whole_number_from(0))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Output");
+  command
+      ->add_option("--json", arguments->json,
+                   "Where to write the same as JSON; - is stdout, in place of the text")
+      ->check(file_name())
+      ->type_name("FILE")
+      ->group("Output");
+  add_reading_options(*command, arguments->reading);
+  command->footer(
+      "Examples:\n"
+      "  boxplus info graph.g2o\n"
+      "  boxplus info graph.g2o --json - | jq .chi2");
+  command->callback([&action, arguments] { action = [arguments] { return describe_file(*arguments); }; });
+}
+
+}  // namespace boxplus::app

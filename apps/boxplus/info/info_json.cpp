@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nlohmann/json.hpp>
+
+#include "info/info_text.h"
+
+namespace boxplus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(VertexRole role) {
+  switch (role) {
+    case VertexRole::kPose:
+      return "pose";
+    case VertexRole::kLandmark:
+      return "landmark";
+    default:
+      return "other";
+  }
+}
+
+Json edge_json(const EdgeFacts& edge) {
+  return {{"word", edge.word},
+          {"vertices", edge.vertices},
+          {"chi2", edge.chi2},
+          {"line", edge.line > 0 ? Json(edge.line) : Json(nullptr)}};
+}
+
+Json vertex_types_json(const GraphFacts& facts) {
+  Json result = Json::array();
+  for (const VertexTypeFacts& type : facts.vertex_types) {
+    result.push_back({{"word", type.word},
+                      {"role", type.parameter ? "parameter" : name_of(type.role)},
+                      {"count", type.count},
+                      {"fixed", type.fixed},
+                      {"unknowns", type.unknowns},
+                      {"degree_min", type.degrees.min},
+                      {"degree_mean", type.degrees.mean},
+                      {"degree_max", type.degrees.max}});
+  }
+  return result;
+}
+
+Json edge_types_json(const GraphFacts& facts) {
+  Json result = Json::array();
+  for (const EdgeTypeFacts& type : facts.edge_types) {
+    result.push_back({{"word", type.word},
+                      {"count", type.count},
+                      {"rows", type.rows},
+                      {"chi2", type.chi2},
+                      {"worst", edge_json(type.worst)}});
+  }
+  return result;
+}
+
+Json components_json(const GraphFacts& facts) {
+  Json result = Json::array();
+  for (const ComponentFacts& component : facts.components) {
+    result.push_back({{"first", component.first},
+                      {"vertices", component.vertices},
+                      {"edges", component.edges},
+                      {"fixed", component.fixed},
+                      {"priors", component.priors},
+                      {"held", component.held}});
+  }
+  return result;
+}
+
+Json roles_json(const GraphFacts& facts) {
+  const auto count = [&](EdgeRole role) { return facts.roles[static_cast<std::size_t>(role)]; };
+  return {{"odometry", count(EdgeRole::kOdometry)},
+          {"loop_closures", count(EdgeRole::kLoopClosure)},
+          {"observations", count(EdgeRole::kObservation)},
+          {"priors", count(EdgeRole::kPrior)},
+          {"others", count(EdgeRole::kOther)}};
+}
+
+Json extent_json(const GraphFacts& facts) {
+  Json result = Json::array();
+  for (int axis = 0; axis < facts.dimension; ++axis)
+    result.push_back(facts.extent[static_cast<std::size_t>(axis)]);
+  return result;
+}
+
+Json notes_json(const GraphFile& file) {
+  Json result = Json::array();
+  for (const GraphFile::Note& note : file.notes) result.push_back({{"line", note.line}, {"text", note.text}});
+  return result;
+}
+
+}  // namespace
+
+std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std::string& name) {
+  Json worst = Json::array();
+  for (const EdgeFacts& edge : facts.worst) worst.push_back(edge_json(edge));
+  const Json json = {{"input", name},
+                     {"vertices", facts.vertices},
+                     {"parameters", facts.parameters},
+                     {"edges", facts.edges},
+                     {"unknowns", facts.unknowns},
+                     {"rows", facts.rows},
+                     {"chi2", facts.chi2},
+                     {"extent", extent_json(facts)},
+                     {"edge_roles", roles_json(facts)},
+                     {"vertex_types", vertex_types_json(facts)},
+                     {"edge_types", edge_types_json(facts)},
+                     {"components", components_json(facts)},
+                     {"damped_components", facts.damped_components},
+                     {"isolated", facts.isolated},
+                     {"worst_edges", worst},
+                     {"kept_lines", file.kept.size()},
+                     {"skipped_lines", file.skipped},
+                     {"notes", notes_json(file)}};
+  // Words and notes may hold text of the file: bytes that are no UTF-8 are replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "info/info_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command_line/message.h"
+#include "command_line/table.h"
+
+namespace boxplus::app {
+namespace {
+
+constexpr std::size_t kShownComponents = 10, kShownIds = 6;
+
+std::string list(const std::vector<Id>& ids) {
+  const std::vector<Id> shown(ids.begin(),
+                              ids.begin() + static_cast<std::ptrdiff_t>(std::min(kShownIds, ids.size())));
+  std::string text = fmt::format("{}", fmt::join(shown, ", "));
+  if (ids.size() > kShownIds) text += fmt::format(", … ({} in all)", ids.size());
+  return text;
+}
+
+std::string fact(const char* name, const std::string& text) {
+  return fmt::format("  {:<14}{}\n", name, text);
+}
+
+std::size_t count_of(const GraphFacts& facts, VertexRole role) {
+  std::size_t count = 0;
+  for (const VertexTypeFacts& type : facts.vertex_types) {
+    if (!type.parameter && type.role == role) count += type.count;
+  }
+  return count;
+}
+
+/// "1250  (1200 poses, 50 landmarks)"; kinds of which there are none are left out.
+std::string with_kinds(std::size_t total, const std::vector<std::pair<std::size_t, std::string>>& kinds) {
+  std::vector<std::string> parts;
+  for (const auto& [count, name] : kinds) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, name));
+  }
+  if (parts.empty()) return fmt::format("{}", total);
+  return fmt::format("{}  ({})", total, fmt::join(parts, ", "));
+}
+
+std::string vertices_text(const GraphFacts& facts) {
+  const std::size_t poses = count_of(facts, VertexRole::kPose);
+  const std::size_t landmarks = count_of(facts, VertexRole::kLandmark);
+  const std::size_t others = count_of(facts, VertexRole::kOther);
+  return with_kinds(facts.vertices, {{poses, poses == 1 ? "pose" : "poses"},
+                                     {landmarks, landmarks == 1 ? "landmark" : "landmarks"},
+                                     {others, others == 1 ? "other" : "others"}});
+}
+
+std::string edges_text(const GraphFacts& facts) {
+  std::vector<std::pair<std::size_t, std::string>> kinds;
+  for (std::size_t k = 0; k < kEdgeRoles; ++k)
+    kinds.emplace_back(facts.roles[k], name_of(static_cast<EdgeRole>(k), facts.roles[k]));
+  return with_kinds(facts.edges, kinds);
+}
+
+std::string extent_text(const GraphFacts& facts) {
+  std::string text;
+  for (int axis = 0; axis < facts.dimension; ++axis)
+    text += fmt::format("{}{:.4g}", axis == 0 ? "" : " × ", facts.extent[static_cast<std::size_t>(axis)]);
+  return text + " m";
+}
+
+std::string chi2_text(const GraphFacts& facts) {
+  std::string text = fmt::format("{:.9g}", facts.chi2);
+  if (facts.rows > 0)
+    text += fmt::format("  ({:.4g} per row of error)", facts.chi2 / static_cast<double>(facts.rows));
+  return text;
+}
+
+std::string summary_text(const GraphFacts& facts) {
+  std::string text = fact("vertices", vertices_text(facts));
+  if (facts.parameters > 0) text += fact("parameters", fmt::format("{}", facts.parameters));
+  text += fact("edges", edges_text(facts));
+  text += fact("unknowns", fmt::format("{}  against {} rows of error", facts.unknowns, facts.rows));
+  if (facts.dimension > 0) text += fact("extent", extent_text(facts));
+  return text + fact("chi2", chi2_text(facts));
+}
+
+std::string vertex_types_text(const GraphFacts& facts) {
+  if (facts.vertex_types.empty()) return {};
+  Table table({"<vertices", "count", "fixed", "unknowns", "degree: min", "mean", "max"});
+  for (const VertexTypeFacts& type : facts.vertex_types) {
+    table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.fixed),
+               fmt::format("{}", type.unknowns), fmt::format("{}", type.degrees.min),
+               fmt::format("{:.2f}", type.degrees.mean), fmt::format("{}", type.degrees.max)});
+  }
+  return "\n" + table.text();
+}
+
+std::string edge_types_text(const GraphFacts& facts) {
+  if (facts.edge_types.empty()) return {};
+  Table table({"<edges", "count", "rows", "chi2", "chi2/row", "worst chi2", "<worst between"});
+  for (const EdgeTypeFacts& type : facts.edge_types) {
+    table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.rows),
+               fmt::format("{:.6g}", type.chi2),
+               fmt::format("{:.4g}", type.chi2 / static_cast<double>(std::max<std::size_t>(type.rows, 1))),
+               fmt::format("{:.4g}", type.worst.chi2), list(type.worst.vertices)});
+  }
+  return "\n" + table.text();
+}
+
+std::string worst_text(const GraphFacts& facts) {
+  if (facts.worst.empty()) return {};
+  Table table({"<worst edges", "chi2", "share", "line", "<between"});
+  for (const EdgeFacts& edge : facts.worst) {
+    const double share = facts.chi2 > 0 ? 100 * edge.chi2 / facts.chi2 : 0;
+    table.add({escaped(edge.word), fmt::format("{:.6g}", edge.chi2), fmt::format("{:.1f} %", share),
+               edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)});
+  }
+  return "\n" + table.text();
+}
+
+std::string anchor_text(const ComponentFacts& component) {
+  std::vector<std::string> anchors;
+  if (!component.fixed.empty()) {
+    anchors.push_back(
+        fmt::format("fixed vert{} {}", component.fixed.size() == 1 ? "ex" : "ices", list(component.fixed)));
+  }
+  if (component.priors > 0)
+    anchors.push_back(fmt::format("{} prior{}", component.priors, component.priors == 1 ? "" : "s"));
+  if (!component.held.empty()) {
+    anchors.push_back(
+        fmt::format("{}optimize holds vertex {}", anchors.empty() ? "nothing: " : "", list(component.held)));
+  }
+  return anchors.empty() ? "nothing" : fmt::format("{}", fmt::join(anchors, "; "));
+}
+
+std::string components_text(const GraphFacts& facts) {
+  std::string text;
+  if (!facts.components.empty()) {
+    Table table({"<components", "vertices", "edges", "<held in place by"});
+    for (std::size_t k = 0; k < std::min(kShownComponents, facts.components.size()); ++k) {
+      const ComponentFacts& component = facts.components[k];
+      table.add({fmt::format("of vertex {}", component.first), fmt::format("{}", component.vertices),
+                 fmt::format("{}", component.edges), anchor_text(component)});
+    }
+    text = "\n" + table.text();
+    if (facts.components.size() > kShownComponents)
+      text += fmt::format("  … and {} smaller ones\n", facts.components.size() - kShownComponents);
+  }
+  if (facts.damped_components > 0) {
+    text += fmt::format("  {} component{} held in some directions only: optimize damps {} minutely\n",
+                        facts.damped_components, facts.damped_components == 1 ? " is" : "s are",
+                        facts.damped_components == 1 ? "it" : "them");
+  }
+  if (!facts.isolated.empty()) {
+    text += fmt::format("\n  without edges: vert{} {}\n", facts.isolated.size() == 1 ? "ex" : "ices",
+                        list(facts.isolated));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string facts_text(const GraphFacts& facts, const std::string& name) {
+  return escaped(name) + "\n" + summary_text(facts) + vertex_types_text(facts) + edge_types_text(facts) +
+         components_text(facts) + worst_text(facts);
+}
+
+}  // namespace boxplus::app

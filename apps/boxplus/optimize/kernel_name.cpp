@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/kernel_name.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "boxplus/base/error.h"
+#include "boxplus/robust/make_robust_kernel.h"
+
+namespace boxplus::app {
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// "huber" as "Huber" and "barron:1" as "Barron:1"; what is not known as it is.
+std::string spelt_out(const std::string& text) {
+  const std::size_t end = std::min(text.find(':'), text.size());
+  for (const std::string_view name : robust_kernel_names()) {
+    const std::string known(name.substr(0, name.find(':')));
+    if (lower(text.substr(0, end)) == lower(known)) return known + text.substr(end);
+  }
+  return text;
+}
+
+}  // namespace
+
+CLI::Validator kernel_name() {
+  const auto check = [](std::string& name) {
+    name = spelt_out(name);
+    try {
+      make_robust_kernel(name);
+      return std::string();
+    } catch (const InvalidArgument& error) {
+      return std::string(error.what());
+    }
+  };
+  return {check, fmt::format("{{{}}}", fmt::join(robust_kernel_names(), ","))};
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// boxplus optimize FILE: reads a graph, optimises it, reports, writes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+
+#include "command.h"
+#include "files/graph_input.h"
+#include "files/outputs.h"
+#include "optimize/interrupt.h"
+#include "optimize/optimize_options.h"
+#include "optimize/optimize_report.h"
+#include "optimize/optimize_run.h"
+#include "optimize/progress.h"
+#include "optimize/report_json.h"
+
+namespace boxplus::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+int exit_code(Status status) {
+  switch (status) {
+    case Status::kConverged:
+      return kSuccess;
+    case Status::kNotConverged:
+      return kNotConverged;
+    default:
+      return kNumericalFailure;
+  }
+}
+
+void require_levenberg_marquardt(const CLI::App& command, const OptimizeArguments& arguments) {
+  if (arguments.options.algorithm == AlgorithmKind::kLevenbergMarquardt) return;
+  for (const char* option : {"--damping", "--lambda"}) {
+    if (command.count(option) > 0) {
+      throw CLI::RequiresError(option, "--algorithm levenberg-marquardt");
+    }
+  }
+}
+
+int optimize_file(const OptimizeArguments& arguments) {
+  check_outputs(outputs_of(arguments));
+  const auto begin = Clock::now();
+  Progress progress(choose_progress(arguments.quiet, arguments.verbose));
+  progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
+  ReadOptions reading = arguments.reading;
+  reading.threads = arguments.options.threads;
+  GraphFile file = read_input(arguments.input, reading);
+  progress.erase();
+  print_notes(file, arguments.input);
+  RunFacts facts;
+  facts.input = input_name(arguments.input);
+  facts.edges = file.graph.edge_count();
+  facts.load_s = seconds_since(begin);
+  facts.kernel = robustify(file.graph, arguments);
+
+  const Interrupt interrupt;
+  const Report report = run_optimize(file.graph, arguments, progress);
+  if (!arguments.output.empty()) save_graph(arguments.output, file);
+  facts.total_s = seconds_since(begin);
+  if (!arguments.json.empty()) write_output(arguments.json, report_json(report, facts));
+  if (!arguments.quiet) print_report(report, facts, arguments);
+  print_why_stopped(report, arguments);
+  return exit_code(report.status);
+}
+
+}  // namespace
+
+void add_optimize(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<OptimizeArguments>();
+  CLI::App* command =
+      app.add_subcommand("optimize", "Moves the vertices of a graph to where they explain its edges best");
+  add_optimize_options(*command, *arguments);
+  command->footer(
+      "Examples:\n"
+      "  boxplus optimize graph.g2o -o optimized.g2o\n"
+      "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
+      "\n"
+      "Exit codes: 0 converged, 1 stopped before, 2 bad input or usage, 3 the numerics failed.\n"
+      "Ctrl-C stops at the next chance: the best estimate so far is written, and the exit code is 1.\n"
+      "A second Ctrl-C ends at once.");
+  command->callback([&action, command, arguments] {
+    require_levenberg_marquardt(*command, *arguments);
+    action = [arguments] { return optimize_file(*arguments); };
+  });
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `boxplus optimize` can be asked for.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/options.h"
+#include "boxplus/robust/robust_kernel.h"
+#include "command_line/id_ranges.h"
+
+namespace CLI {
+class App;
+}
+
+namespace boxplus::app {
+
+enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
+
+struct OptimizeArguments {
+  std::string input, output, json;
+  bool quiet = false, verbose = false;
+  ReadOptions reading;
+  Options options;
+
+  std::string kernel;  ///< empty: none
+  double kernel_width = 1;
+  KernelScope kernel_scope = KernelScope::kAll;
+  std::vector<IdRange> fixed, moving;
+
+  OptimizeArguments() { options.start = Start::kAutomatic; }
+};
+
+/// Adds all options; they fill `arguments`, which must outlive the command.
+void add_optimize_options(CLI::App& command, OptimizeArguments& arguments);
+
+}  // namespace boxplus::app

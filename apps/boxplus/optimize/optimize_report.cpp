@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/optimize_report.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "command_line/message.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+namespace {
+
+std::string where_written(const OptimizeArguments& arguments) {
+  return arguments.output.empty()              ? "not written (-o FILE writes it)"
+         : arguments.output == kStandardStream ? "written to the standard output"
+                                               : "written to " + arguments.output;
+}
+
+}  // namespace
+
+std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
+  return {{"--output", arguments.output}, {"--json", arguments.json}};
+}
+
+void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
+  std::string text = to_string(report);
+  if (!facts.kernel.name.empty()) {
+    text += fmt::format(
+        "\n{} kernel of width {:g} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
+        facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
+  }
+  text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
+  fmt::print(takes_stdout(outputs_of(arguments)) ? stderr : stdout, "{}", text);
+}
+
+void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {
+  if (report.converged()) return;
+  if (report.reason == Reason::kStopFlag) {
+    print_message(fmt::format("{}: interrupted after {} iteration{}; the best estimate is {}",
+                              input_name(arguments.input), report.iterations,
+                              report.iterations == 1 ? "" : "s", where_written(arguments)));
+  } else {
+    print_message(fmt::format("{}: {}", input_name(arguments.input), report.message));
+  }
+}
+
+}  // namespace boxplus::app

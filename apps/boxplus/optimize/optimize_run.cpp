@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/optimize_run.h"
+
+#include <memory>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/robust/make_robust_kernel.h"
+#include "command_line/message.h"
+#include "optimize/edge_roles.h"
+#include "optimize/interrupt.h"
+
+namespace boxplus::app {
+namespace {
+
+/// Fixes vertices for one run: what the file says about them stays.
+class FixForRun {
+ public:
+  FixForRun(Graph& graph, const std::vector<VertexRef>& vertices) : graph_(graph) {
+    for (const VertexRef& vertex : vertices) {
+      if (graph.is_fixed(vertex)) continue;
+      graph.fix(vertex);
+      fixed_.push_back(vertex);
+    }
+  }
+  ~FixForRun() {
+    for (const VertexRef& vertex : fixed_) graph_.unfix(vertex);
+  }
+  FixForRun(const FixForRun&) = delete;
+  FixForRun& operator=(const FixForRun&) = delete;
+
+ private:
+  Graph& graph_;
+  std::vector<VertexRef> fixed_;
+};
+
+}  // namespace
+
+KernelFacts robustify(Graph& graph, const OptimizeArguments& arguments) {
+  KernelFacts facts;
+  if (arguments.kernel.empty()) return facts;
+  facts.name = arguments.kernel;
+  facts.width = arguments.kernel_width;
+  const std::shared_ptr<const RobustKernel> kernel =
+      make_robust_kernel(arguments.kernel, arguments.kernel_width);
+  const EdgeRoles role(graph);
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (arguments.kernel_scope == KernelScope::kAll || role(edge) == EdgeRole::kLoopClosure) {
+      graph.set_kernel(edge, kernel);
+      ++facts.edges;
+    }
+  }
+  if (facts.edges == 0 && arguments.kernel_scope == KernelScope::kLoopClosures)
+    print_message("the graph has no loop closures: the kernel is used nowhere");
+  return facts;
+}
+
+Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress) {
+  Options options = arguments.options;
+  options.vertices = find_vertices(graph, arguments.moving, "--only-vertices");
+  options.stop = Interrupt::flag();
+  options.callback = [&progress](const IterationRecord& record) {
+    progress.iteration(record);
+    return true;
+  };
+  const FixForRun fixed(graph, find_vertices(graph, arguments.fixed, "--fix"));
+  progress.stage("preparing …");
+  Report report = optimize(graph, options);
+  progress.erase();
+  return report;
+}
+
+}  // namespace boxplus::app

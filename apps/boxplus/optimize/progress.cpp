@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "command_line/message.h"
+
+namespace boxplus::app {
+namespace {
+
+/// A line that wraps cannot be rewritten.
+std::size_t terminal_columns() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+/// At most so many bytes, and no half character.
+std::string cut(const std::string& text, std::size_t size) {
+  while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
+  return text.substr(0, size);
+}
+
+std::string line_of(const IterationRecord& record) {
+  return fmt::format("iteration {:3}  chi2 {:<13.7g}  step {:<10.3e}  {:.2f} s", record.iteration,
+                     record.chi2, record.step_max, record.time_s);
+}
+
+}  // namespace
+
+ProgressKind choose_progress(bool quiet, bool verbose) {
+  if (verbose) return ProgressKind::kLines;
+  return !quiet && ::isatty(STDERR_FILENO) == 1 ? ProgressKind::kLive : ProgressKind::kNone;
+}
+
+void Progress::stage(const std::string& text) {
+  if (kind_ == ProgressKind::kLive) rewrite(escaped(text));
+}
+
+void Progress::iteration(const IterationRecord& record) {
+  if (kind_ == ProgressKind::kLines) fmt::print(stderr, "{}\n", line_of(record));
+  if (kind_ == ProgressKind::kLive) rewrite(line_of(record));
+}
+
+void Progress::erase() {
+  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  shown_ = false;
+}
+
+void Progress::rewrite(const std::string& text) {
+  fmt::print(stderr, "\r\x1b[K{}", cut(text, terminal_columns() - 1));
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace boxplus::app

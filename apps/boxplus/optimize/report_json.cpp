@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/report_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace boxplus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Negative stands for "there was none".
+Json unless_negative(double value) {
+  return value < 0 ? Json(nullptr) : Json(value);
+}
+
+Json start_json(const StartReport& start) {
+  return {{"requested", to_string(start.requested)},
+          {"used", to_string(start.used)},
+          {"chi2_current", start.chi2_current},
+          {"chi2_guess", unless_negative(start.chi2_guess)},
+          {"ran_both", start.ran_both},
+          {"chi2_other_final", unless_negative(start.chi2_other_final)},
+          {"note", start.note}};
+}
+
+Json gauge_json(const GaugeReport& gauge) {
+  return {{"held", gauge.held}, {"released", gauge.released}, {"damped_components", gauge.damped_components}};
+}
+
+Json kernel_json(const KernelFacts& kernel) {
+  if (kernel.name.empty()) return nullptr;
+  return {{"name", kernel.name}, {"width", kernel.width}, {"edges", kernel.edges}};
+}
+
+Json time_json(const Timings& time, const RunFacts& facts) {
+  return {{"load", facts.load_s},     {"plan", time.plan_s},           {"start", time.start_s},
+          {"optimize", time.total_s}, {"linearize", time.linearize_s}, {"factorize", time.factorize_s},
+          {"solve", time.solve_s},    {"evaluate", time.evaluate_s},   {"total", facts.total_s}};
+}
+
+Json records_json(const std::vector<IterationRecord>& records) {
+  Json result = Json::array();
+  for (const IterationRecord& record : records) {
+    result.push_back({{"iteration", record.iteration},
+                      {"chi2", record.chi2},
+                      {"step_max", record.step_max},
+                      {"gradient_max", record.gradient_max},
+                      {"control", record.control},
+                      {"tries", record.tries},
+                      {"time_s", record.time_s}});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_json(const Report& report, const RunFacts& facts) {
+  const Json json = {{"input", facts.input},
+                     {"status", to_string(report.status)},
+                     {"reason", to_string(report.reason)},
+                     {"message", report.message},
+                     {"chi2_initial", report.chi2_initial},
+                     {"chi2_final", report.chi2_final},
+                     {"iterations", report.iterations},
+                     {"start", start_json(report.start)},
+                     {"gauge", gauge_json(report.gauge)},
+                     {"kernel", kernel_json(facts.kernel)},
+                     {"algorithm", report.algorithm},
+                     {"linear_solver", report.linear_solver},
+                     {"threads", report.threads},
+                     {"workers", report.workers},
+                     {"vertices", report.vertices},
+                     {"edges", report.edges},
+                     {"scalars", report.scalars},
+                     {"numeric_jacobians", report.numeric_jacobians},
+                     {"regularised_steps", report.regularised_steps},
+                     {"time_s", time_json(report.time, facts)},
+                     {"records", records_json(report.records)}};
+  // Ids and messages may hold text of the file: bytes that are no UTF-8 are replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace boxplus::app

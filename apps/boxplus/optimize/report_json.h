@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A Report as JSON, for scripts.
+#pragma once
+
+#include <string>
+
+#include "boxplus/optimize/report.h"
+
+namespace boxplus::app {
+
+/// The robust kernel that --kernel asked for; without a name there is none.
+struct KernelFacts {
+  std::string name;
+  double width = 0;
+  std::size_t edges = 0;  ///< that have it
+};
+
+/// What only the command knows.
+struct RunFacts {
+  std::string input;
+  std::size_t edges = 0;  ///< in the file
+  KernelFacts kernel;
+  double load_s = 0, total_s = 0;
+};
+
+/// One JSON object, indented, with a newline at its end. Numbers that are not finite become null.
+std::string report_json(const Report& report, const RunFacts& facts);
+
+}  // namespace boxplus::app

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace boxplus::app {
+namespace {
+
+/// Where a vertex is, if it is anywhere, and whether it is a pose.
+struct Place {
+  Spot spot{};
+  bool is_known = false, is_pose = false;
+  std::size_t order = 0;  ///< among the poses
+};
+
+/// Seen from the front left, a little from above: a parallel projection, so that lengths stay comparable.
+Spot project(const Frame& frame) {
+  const auto& t = frame.translation;
+  if (frame.dimension == 2) return {t[0], t[1], 0};
+  constexpr double kAzimuth = -0.55, kElevation = 0.42;
+  const double ca = std::cos(kAzimuth), sa = std::sin(kAzimuth), ce = std::cos(kElevation),
+               se = std::sin(kElevation);
+  const double right = ca * t[0] - sa * t[1], away = sa * t[0] + ca * t[1];
+  return {right, ce * t[2] + se * away, se * t[2] - ce * away};
+}
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const Graph& graph) : graph_(graph) {}
+
+  Scene make() {
+    for (const auto& pool : graph_.vertex_pools()) places_.emplace_back(pool->slots());
+    for (const VertexRef& vertex : graph_.all_vertices()) place(vertex);
+    for (const EdgeRef& edge : graph_.all_edges()) join(edge);
+    scene_.poses = poses_.size();
+    scene_.landmark_count = scene_.landmarks.size();
+    scene_.edges = graph_.edge_count();
+    scene_.chi2 = graph_.chi2();
+    std::stable_sort(scene_.segments.begin(), scene_.segments.end(),
+                     [](const Segment& a, const Segment& b) { return a.time < b.time; });
+    add_dots();
+    enclose();
+    return std::move(scene_);
+  }
+
+ private:
+  Place& place_of(VertexRef vertex) { return places_[vertex.pool][vertex.slot]; }
+
+  void place(VertexRef vertex) {
+    Frame frame;
+    if (!graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) return;
+    const Spot spot = project(frame);
+    constexpr double kFarthest = 1e100;  // so that no sum or square of lengths overflows
+    if (!(std::abs(spot[0]) + std::abs(spot[1]) + std::abs(spot[2]) < kFarthest)) return;
+    scene_.is_spatial = scene_.is_spatial || frame.dimension == 3;
+    place_of(vertex) = {spot, true, frame.has_rotation, poses_.size()};
+    if (frame.has_rotation) {
+      poses_.push_back({spot, false});
+    } else {
+      scene_.landmarks.push_back(spot);
+    }
+  }
+
+  void join(EdgeRef edge) {
+    const double chi2_per_row = graph_.chi2(edge) / std::max(1, graph_.information(edge).rows);
+    const Place* first = nullptr;
+    for (const VertexRef& vertex : graph_.vertices(edge)) {
+      const Place& place = place_of(vertex);
+      if (!place.is_known) continue;
+      if (first) join(*first, place, chi2_per_row);
+      if (!first) first = &place;
+    }
+  }
+
+  void join(const Place& a, const Place& b, double chi2_per_row) {
+    const std::size_t later = std::max(a.order, b.order), gap = later - std::min(a.order, b.order);
+    const SegmentKind kind = !(a.is_pose && b.is_pose) ? SegmentKind::kObservation
+                             : gap == 1                ? SegmentKind::kTrajectory
+                                                       : SegmentKind::kLoopClosure;
+    if (kind == SegmentKind::kTrajectory) poses_[a.order].is_passed = poses_[b.order].is_passed = true;
+    scene_.segments.push_back({kind, a.spot, b.spot, time(later), chi2_per_row});
+  }
+
+  double time(std::size_t order) const {
+    return static_cast<double>(order) / static_cast<double>(std::max<std::size_t>(2, poses_.size()) - 1);
+  }
+
+  void add_dots() {
+    constexpr std::size_t kFew = 60;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      if (poses_.size() <= kFew || !poses_[i].is_passed) scene_.dots.push_back({poses_[i].spot, time(i)});
+    }
+  }
+
+  void enclose() {
+    scene_.low.fill(std::numeric_limits<double>::infinity());
+    scene_.high.fill(-std::numeric_limits<double>::infinity());
+    const auto include = [&](const Spot& spot) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        scene_.low[i] = std::min(scene_.low[i], spot[i]);
+        scene_.high[i] = std::max(scene_.high[i], spot[i]);
+      }
+    };
+    for (const Pose& pose : poses_) include(pose.spot);
+    for (const Spot& landmark : scene_.landmarks) include(landmark);
+    if (poses_.empty() && scene_.landmarks.empty()) scene_.low = scene_.high = {};
+  }
+
+  struct Pose {
+    Spot spot;
+    bool is_passed;
+  };
+
+  const Graph& graph_;
+  Scene scene_;
+  std::vector<std::vector<Place>> places_;  // by pool and slot
+  std::vector<Pose> poses_;                 // by id
+};
+
+}  // namespace
+
+bool Scene::has(SegmentKind kind) const {
+  return std::any_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.kind == kind; });
+}
+
+Scene make_scene(const Graph& graph, std::string title) {
+  Scene scene = SceneMaker(graph).make();
+  scene.title = std::move(title);
+  return scene;
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace boxplus::app {
+namespace {
+
+using Cell = std::array<std::int64_t, 2>;
+
+Cell cell_of(const Spot& spot, const Spot& origin, double pixel) {
+  return {std::llround((spot[0] - origin[0]) / pixel), std::llround((spot[1] - origin[1]) / pixel)};
+}
+
+/// Segments come by time. A piece of the trajectory that ends below a pixel ends a pixel early.
+std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, const Spot& origin,
+                                       double pixel) {
+  std::vector<Segment> result;
+  std::optional<Spot> begin, end;  // what of the trajectory waits to be long enough, and where it came to
+  for (Segment segment : segments) {
+    if (segment.kind == SegmentKind::kTrajectory) {
+      const bool goes_on = end == segment.from;
+      end = segment.to;
+      if (goes_on) segment.from = *begin;
+      begin = segment.from;
+      if (goes_on && cell_of(segment.from, origin, pixel) == cell_of(segment.to, origin, pixel)) continue;
+      begin = segment.to;
+    }
+    result.push_back(segment);
+  }
+  return result;
+}
+
+/// Keeps the first of those with equal keys, where `keys` are (what is equal, what comes first, …, index).
+template <class T, class Keys>
+std::vector<T> without_copies(const std::vector<T>& items, Keys keys) {
+  std::sort(keys.begin(), keys.end());
+  const auto same = [](const auto& a, const auto& b) { return std::get<0>(a) == std::get<0>(b); };
+  keys.erase(std::unique(keys.begin(), keys.end(), same), keys.end());
+  std::vector<std::size_t> kept;
+  for (const auto& key : keys) kept.push_back(std::get<std::size_t>(key));
+  std::sort(kept.begin(), kept.end());
+  std::vector<T> result;
+  for (std::size_t index : kept) result.push_back(items[index]);
+  return result;
+}
+
+std::vector<Segment> without_copies(const std::vector<Segment>& segments, const Spot& origin, double pixel) {
+  using Look = std::tuple<SegmentKind, Cell, Cell>;
+  std::vector<std::tuple<Look, double, std::size_t>> keys;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    const Cell a = cell_of(segment.from, origin, pixel), b = cell_of(segment.to, origin, pixel);
+    const double badness = std::isnan(segment.chi2_per_row) ? HUGE_VAL : segment.chi2_per_row;
+    keys.emplace_back(Look{segment.kind, std::min(a, b), std::max(a, b)}, -badness, i);
+  }
+  return without_copies(segments, std::move(keys));
+}
+
+std::vector<Spot> without_copies(const std::vector<Spot>& spots, const Spot& origin, double pixel) {
+  std::vector<std::tuple<Cell, std::size_t>> keys;
+  for (std::size_t i = 0; i < spots.size(); ++i) keys.emplace_back(cell_of(spots[i], origin, pixel), i);
+  return without_copies(spots, std::move(keys));
+}
+
+std::vector<Dot> without_copies(const std::vector<Dot>& dots, const Spot& origin, double pixel) {
+  std::vector<std::tuple<Cell, std::size_t>> keys;
+  for (std::size_t i = 0; i < dots.size(); ++i) keys.emplace_back(cell_of(dots[i].spot, origin, pixel), i);
+  return without_copies(dots, std::move(keys));
+}
+
+}  // namespace
+
+Scene thinned(Scene scene, double pixel, std::size_t most) {
+  for (;; pixel *= 2) {
+    scene.segments = without_copies(with_joined_steps(scene.segments, scene.low, pixel), scene.low, pixel);
+    scene.landmarks = without_copies(scene.landmarks, scene.low, pixel);
+    scene.dots = without_copies(scene.dots, scene.low, pixel);
+    if (scene.segments.size() + scene.landmarks.size() + scene.dots.size() <= most) return scene;
+  }
+}
+
+}  // namespace boxplus::app

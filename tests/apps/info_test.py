@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""boxplus info: what it tells of tiny graphs, and that it stands odd ones."""
+
+import json
+
+from command_case import TOWN, CommandCase, main, run
+
+UNIT = "1 0 0 1 0 1"  # Ω of an EDGE_SE2
+
+# Two components: one that nothing holds, whose loop closure is off by 3 metres; one with a fixed vertex.
+GRAPH = f"""\
+VERTEX_SE2 0 0 0 0
+VERTEX_SE2 2 1 0 0
+VERTEX_SE2 4 2 0 0
+VERTEX_XY 3 1 1
+VERTEX_SE2 10 5 5 0
+FIX 10
+VERTEX_SE2 11 6 5 0
+VERTEX_XY 20 0 -1
+EDGE_SE2 0 2 1 0 0 {UNIT}
+EDGE_SE2 2 4 1 0 0 {UNIT}
+EDGE_SE2 0 4 5 0 0 {UNIT}
+EDGE_SE2_XY 0 3 1 2 1 0 1
+EDGE_SE2 10 11 1 0 0 {UNIT}
+"""
+
+
+def facts_of(text, *arguments):
+    done = run("info", "-", "--json", "-", *arguments, stdin=text)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+class InfoTest(CommandCase):
+    def test_counts_what_is_there(self):
+        facts = facts_of(GRAPH)
+        self.assertEqual([facts[key] for key in ("vertices", "parameters", "edges", "unknowns", "rows")], [7, 0, 5, 16, 14])
+        self.assertEqual(facts["edge_roles"],
+                         {"odometry": 3, "loop_closures": 1, "observations": 1, "priors": 0, "others": 0})
+        self.assertEqual(facts["extent"], [6, 6])
+        poses, points = facts["vertex_types"]
+        self.assertEqual((poses["word"], poses["count"], poses["fixed"], poses["unknowns"]), ("VERTEX_SE2", 5, 1, 12))
+        self.assertEqual((poses["degree_min"], poses["degree_mean"], poses["degree_max"]), (1, 1.8, 3))
+        self.assertEqual((points["role"], points["degree_min"]), ("landmark", 0))
+
+    def test_tells_chi2_by_type_and_the_worst_edges(self):
+        facts = facts_of(GRAPH, "--worst", 2)
+        self.assertEqual(facts["chi2"], 10)
+        poses, points = facts["edge_types"]
+        self.assertEqual((poses["word"], poses["count"], poses["chi2"]), ("EDGE_SE2", 4, 9))
+        self.assertEqual((points["word"], points["count"], points["chi2"]), ("EDGE_SE2_XY", 1, 1))
+        self.assertEqual([(edge["vertices"], edge["chi2"], edge["line"]) for edge in facts["worst_edges"]],
+                         [([0, 4], 9, 11), ([0, 3], 1, 12)])
+        self.assertEqual(poses["worst"], facts["worst_edges"][0])
+
+    def test_lines_are_right_beside_skipped_ones(self):
+        broken = GRAPH.replace("EDGE_SE2 0 2 1", "EDGE_SE2 0 2 x")
+        facts = facts_of(broken, "--lenient")
+        self.assertEqual(facts["skipped_lines"], 1)
+        self.assertEqual(facts["worst_edges"][0]["line"], 11)
+
+    def test_lines_are_not_told_where_they_are_not_certain(self):
+        facts = facts_of(GRAPH + f"EDGE_SE2_XY 0 -1 1 2 1 0 1\n")
+        self.assertEqual({edge["line"] for edge in facts["worst_edges"]}, {None})
+
+    def test_tells_components_and_what_holds_them(self):
+        first, second = (facts := facts_of(GRAPH))["components"]
+        self.assertEqual(first, {"first": 0, "vertices": 4, "edges": 4, "fixed": [], "priors": 0, "held": [0]})
+        self.assertEqual(second, {"first": 10, "vertices": 2, "edges": 1, "fixed": [10], "priors": 0, "held": []})
+        self.assertEqual(facts["isolated"], [20])
+        text = run("info", "-", stdin=GRAPH).stdout
+        for words in ("nothing: optimize holds vertex 0", "fixed vertex 10", "without edges: vertex 20"):
+            self.assertIn(words, text)
+
+    def test_optimize_holds_what_info_says(self):
+        graph = self.written("graph.g2o", GRAPH)
+        report = json.loads(run("optimize", graph, "--json", "-").stdout)
+        self.assertEqual(report["gauge"]["held"], [0])
+
+    def test_a_prior_holds_its_component(self):
+        prior = f"EDGE_PRIOR_SE2 0 0 0 0 {UNIT}\n"
+        first = facts_of(GRAPH + prior)["components"][0]
+        self.assertEqual((first["priors"], first["held"]), (1, []))
+        self.assertIn("1 prior", run("info", "-", stdin=GRAPH + prior).stdout)
+
+    def test_the_text_is_aligned_and_plain(self):
+        done = run("info", TOWN)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("119 odometry, 6 loop closures", done.stdout)
+        self.assertEqual([line for line in done.stdout.splitlines() if line != line.rstrip()], [])
+
+    def test_stands_odd_graphs(self):
+        lone = facts_of("VERTEX_SE2 7 0 0 0\n")
+        self.assertEqual((lone["edges"], lone["chi2"], lone["components"], lone["isolated"]), (0, 0, [], [7]))
+        huge = f"VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1e300 0 0\nEDGE_SE2 0 1 0 0 0 {UNIT}\n"
+        self.assertIsNone(facts_of(huge)["chi2"])  # it overflows
+        for text in ("VERTEX_SE2 7 0 0 0\n", huge, "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 3 0 0 0 0 0 0 1\n"):
+            done = run("info", "-", stdin=text)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_notes_of_the_file_are_told_but_not_without_end(self):
+        words = "".join(f"WORD{k} 1\n" for k in range(50))
+        done = run("info", "-", stdin=GRAPH + words)
+        self.assertIn("and 40 more such notes", done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 11)
+        self.assertEqual(len(facts_of(GRAPH + words)["notes"]), 50)
+
+    def test_bad_input_is_refused(self):
+        self.assert_refused(run("info", "-", stdin="VERTEX_SE2 0 0 0\n"), "<stdin>:1:17: expected")
+        self.assert_refused(run("info", "-", stdin="\x7fELF\x02\n\x00\n"), r"expected a graph", r"its first line is '\x7fELF\x02'")
+        self.assert_refused(run("info", self.path), "cannot be read")
+        self.assert_refused(run("info", TOWN, "--worst", -1), "--worst: expected a whole number ≥ 0, got '-1'")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,254 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""boxplus optimize: options, outputs, exit codes, progress and Ctrl-C."""
+
+import json
+import os
+import pathlib
+import pty
+import re
+import signal
+import subprocess
+import time
+
+from command_case import BOXPLUS, TOWN, CommandCase, main, run
+
+
+def estimates(text):
+    """The vertex lines of a graph by id."""
+    lines = (line.split() for line in text.splitlines())
+    return {int(words[1]): words[2:] for words in lines if words[0].startswith("VERTEX")}
+
+
+def catches(process, number):
+    """Whether the process has a handler for that signal."""
+    status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+    return int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16) >> (number - 1) & 1
+
+
+class OptimizeTest(CommandCase):
+    def report_of(self, *arguments, code=0):
+        done = run("optimize", *arguments, "--quiet", "--json", self.path / "report.json")
+        self.assertEqual((done.returncode, done.stdout), (code, ""), done.stderr)
+        return json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+
+    def simulated(self, world, poses):
+        graph = self.path / f"{world}.g2o"
+        self.assertEqual(run("simulate", world, "--poses", poses, "-o", graph).returncode, 0)
+        return graph
+
+    def test_needs_no_option(self):
+        done = run("optimize", TOWN)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("converged: chi2", done.stdout)
+        self.assertIn("not written (-o FILE writes it)", done.stdout)
+
+    def test_writes_the_graph_and_the_report(self):
+        report = self.report_of(TOWN, "-o", self.path / "out.g2o")
+        self.assertEqual(report["status"], "converged")
+        self.assertLess(report["chi2_final"], report["chi2_initial"])
+        self.assertEqual(report["start"]["requested"], "automatic")
+        for key in ("reason", "iterations", "gauge", "kernel", "threads", "vertices", "edges"):
+            self.assertIn(key, report)
+        for key in ("load", "plan", "optimize", "total"):
+            self.assertGreaterEqual(report["time_s"][key], 0)
+        again = self.report_of(self.path / "out.g2o")
+        self.assertAlmostEqual(again["chi2_initial"] / report["chi2_final"], 1, places=12)
+
+    def test_reads_stdin_and_keeps_stdout_for_the_graph(self):
+        text = TOWN.read_text(encoding="utf-8")
+        done = run("optimize", "-", "-o", "-", stdin=text)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(set(estimates(done.stdout)), set(estimates(text)))
+        self.assertTrue(all(line.startswith(("VERTEX", "EDGE", "FIX")) for line in done.stdout.splitlines()))
+        self.assertIn("converged: chi2", done.stderr)
+        run("optimize", TOWN, "-o", self.path / "out.g2o")
+        self.assertEqual(done.stdout, (self.path / "out.g2o").read_text(encoding="utf-8"))
+
+    def test_keeps_stdout_for_the_json(self):
+        done = run("optimize", TOWN, "--json", "-")
+        self.assertEqual(json.loads(done.stdout)["status"], "converged")
+        self.assertIn("converged: chi2", done.stderr)
+
+    def test_bad_input_on_stdin_is_named(self):
+        self.assert_refused(run("optimize", "-", stdin="VERTEX_SE2 0 0 0\n"), "<stdin>:1:17: expected")
+
+    def test_refuses_two_outputs_in_one_place(self):
+        for first, second in (("-", "-"), (self.path / "x", self.path / "." / "x")):
+            self.assert_refused(run("optimize", TOWN, "-o", first, "--json", second), "two different files")
+        self.assertEqual(list(self.path.iterdir()), [])
+
+    def test_finds_an_unwritable_output_before_it_reads(self):
+        missing = self.path / "none" / "out.g2o"
+        self.assert_refused(run("optimize", self.path / "none.g2o", "-o", missing), "none/out.g2o: cannot be written")
+        self.assert_refused(run("optimize", TOWN, "--json", self.path), "cannot be written")
+        self.assert_refused(run("optimize", TOWN, "-o", ""), "--output: expected the name of a file, got ''")
+
+    def test_bad_input_touches_no_output(self):
+        bad = self.written("bad.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 zero 0\n")
+        out = self.written("out.g2o", "precious")
+        self.assert_refused(run("optimize", bad, "-o", out, "--json", self.path / "out.json"),
+                            "bad.g2o:2:16: expected y (a finite number), got 'zero'")
+        self.assertEqual(out.read_text(encoding="utf-8"), "precious")
+        self.assertFalse((self.path / "out.json").exists())
+        self.assertIn("skipped", run("optimize", bad, "--lenient").stderr)
+        self.assert_refused(run("optimize", self.path / "missing.g2o"), "missing.g2o: cannot be opened")
+        self.assert_refused(run("optimize", self.written("empty.g2o", "")), "expected a graph, got no vertex and no edge")
+
+    def test_unknown_words_are_escaped_in_messages(self):
+        graph = self.written("odd.g2o", "VERTEX_SE2 0 0 0 0\nBAD\x1b[31m 1\n")
+        done = run("optimize", graph)
+        self.assertIn(r"BAD\x1b[31m", done.stderr)
+        self.assertNotIn("\x1b", done.stderr + done.stdout)
+
+    def test_not_converged_is_1(self):
+        done = run("optimize", TOWN, "--iterations", 1, "--start", "current")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\Aboxplus: .*iteration limit.*\n\Z")
+        self.assertEqual(self.report_of(TOWN, "--time-limit", 0, code=1)["reason"], "the time limit is reached")
+
+    def test_a_gauge_freedom_that_is_an_error_is_3(self):
+        loose = self.written("loose.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 1 0 0 1 0 1\n")
+        self.assertEqual(self.report_of(loose)["gauge"]["held"], [0])
+        self.assertEqual(self.report_of(loose, "--gauge", "damp")["gauge"]["held"], [])
+        done = run("optimize", loose, "--gauge", "error")
+        self.assertEqual(done.returncode, 3)
+        self.assertNotEqual(done.stderr, "")
+
+    def test_results_do_not_depend_on_the_threads(self):
+        graph = self.simulated("sphere", 225)
+        texts = set()
+        for threads in (1, 2, 4):
+            run("optimize", graph, "-o", self.path / "out.g2o", "--threads", threads)
+            texts.add((self.path / "out.g2o").read_bytes())
+        self.assertEqual(len(texts), 1)
+
+    def test_every_algorithm_and_solver_reaches_the_optimum(self):
+        best = self.report_of(TOWN)
+        for option, name, key, shown in (
+                ("--algorithm", "gauss-newton", "algorithm", "Gauss-Newton"),
+                ("--algorithm", "levenberg-marquardt", "algorithm", "Levenberg-Marquardt"),
+                ("--algorithm", "dogleg", "algorithm", "dogleg"),
+                ("--solver", "cholesky", "linear_solver", "block_cholesky"),
+                ("--solver", "pcg", "linear_solver", "pcg"),
+                ("--solver", "dense", "linear_solver", "dense"),
+                ("--solver", "eigen", "linear_solver", "eigen_sparse")):
+            report = self.report_of(TOWN, option, name)
+            self.assertEqual(report[key], shown)
+            self.assertAlmostEqual(report["chi2_final"] / best["chi2_final"], 1, places=8, msg=name)
+
+    def test_damping_is_of_levenberg_marquardt_only(self):
+        marquardt = ("--algorithm", "levenberg-marquardt")
+        records = self.report_of(TOWN, *marquardt, "--lambda", 7.5)["records"]
+        self.assertEqual(records[0]["control"], 7.5)
+        scaled, plain = (self.report_of(TOWN, *marquardt, "--damping", name, "--lambda", 10)["records"]
+                         for name in ("diagonal", "identity"))
+        self.assertNotEqual(scaled[0]["step_max"], plain[0]["step_max"])
+        for option in (("--lambda", 1), ("--damping", "identity")):
+            self.assert_refused(run("optimize", TOWN, *option), "requires --algorithm levenberg-marquardt")
+
+    def test_starts_where_it_is_told(self):
+        for name, used in (("current", "current"), ("odometry", "odometry"), ("spanning-tree", "spanning tree"),
+                           ("chordal", "chordal")):
+            self.assertEqual(self.report_of(TOWN, "--start", name)["start"]["used"], used)
+
+    def test_kernels_can_be_for_loop_closures_only(self):
+        self.assertIsNone(self.report_of(TOWN)["kernel"])
+        report = self.report_of(TOWN, "--kernel", "Huber", "--kernel-width", 2)
+        self.assertEqual(report["kernel"], {"name": "Huber", "width": 2, "edges": 125})
+        report = self.report_of(TOWN, "--kernel", "Barron:-2", "--kernel-on", "loop-closures")
+        self.assertEqual(report["kernel"], {"name": "Barron:-2", "width": 1, "edges": 6})
+        self.assertEqual(self.report_of(TOWN, "--kernel", "barron:1")["kernel"]["name"], "Barron:1")
+        self.assert_refused(run("optimize", TOWN, "--kernel", "Hubert"), "unknown robust kernel 'Hubert'")
+        self.assert_refused(run("optimize", TOWN, "--kernel-width", 2), "--kernel-width requires --kernel")
+        chain = self.written("chain.g2o",
+                             "VERTEX_SE2 0 0 0 0\nVERTEX_XY 1 5 5\nVERTEX_SE2 2 1 0 0\nEDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n")
+        done = run("optimize", chain, "--kernel", "Huber", "--kernel-on", "loop-closures")
+        self.assertIn("no loop closures", done.stderr)  # the poses 0 and 2 follow each other: 1 is a landmark
+
+    def test_fixed_vertices_stay_and_are_not_marked_in_the_file(self):
+        before = estimates(TOWN.read_text(encoding="utf-8"))
+        done = run("optimize", TOWN, "--fix", "5,17-19", "-o", "-")
+        after = estimates(done.stdout)
+        self.assertEqual({id for id in before if before[id] == after[id]}, {0, 5, 17, 18, 19})
+        self.assertEqual([line for line in done.stdout.splitlines() if line.startswith("FIX")], ["FIX 0"])
+        self.assert_refused(run("optimize", TOWN, "--fix", 900), "--fix: expected the id of a vertex, got 900")
+        self.assert_refused(run("optimize", TOWN, "--fix", "9-4"), "got '9-4'")
+
+    def test_a_subset_moves_alone(self):
+        before = estimates(TOWN.read_text(encoding="utf-8"))
+        after = estimates(run("optimize", TOWN, "--only-vertices", "30-39,8", "-o", "-").stdout)
+        self.assertEqual({id for id in before if before[id] != after[id]}, {8, *range(30, 40)})
+        self.assert_refused(run("optimize", TOWN, "--only-vertices", "900-999"), "no vertex from 900 to 999")
+
+    def test_words_can_be_renamed(self):
+        text = TOWN.read_text(encoding="utf-8").replace("VERTEX_SE2", "VERTEX_ROBOT").replace("EDGE_SE2", "MY_EDGE")
+        done = run("optimize", "-", "--rename", "VERTEX_ROBOT=VERTEX_SE2,MY_EDGE=EDGE_SE2", "-o", "-", stdin=text)
+        self.assertEqual((done.returncode, done.stdout), (0, run("optimize", TOWN, "-o", "-").stdout))
+        self.assert_refused(run("optimize", "-", "--rename", "A=NONSENSE"), "got 'NONSENSE'")
+
+    def test_verbose_writes_a_line_per_iteration_to_a_log(self):
+        lines = run("optimize", TOWN, "--start", "current", "--verbose").stderr.splitlines()
+        self.assertGreater(len(lines), 2)
+        self.assertEqual([line.split()[:3] for line in lines],
+                         [["iteration", str(k), "chi2"] for k in range(len(lines))])
+
+    def on_a_terminal(self, *arguments):
+        """What boxplus writes to stderr where that is a terminal."""
+        leader, follower = pty.openpty()
+        with os.fdopen(leader, "rb", buffering=0) as terminal:
+            done = subprocess.run([BOXPLUS, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=follower, check=False)
+            os.close(follower)
+            self.assertEqual(done.returncode, 0)
+            shown = b""
+            try:
+                while chunk := terminal.read(65536):
+                    shown += chunk
+            except OSError:  # how Linux tells that nobody holds the other end
+                pass
+        return shown.decode()
+
+    def test_a_terminal_gets_one_line_that_is_erased(self):
+        shown = self.on_a_terminal("optimize", TOWN)
+        self.assertIn("iteration", shown)
+        self.assertNotIn("\n", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+        self.assertEqual(self.on_a_terminal("optimize", TOWN, "--quiet"), "")
+
+    def start_endless(self, output):
+        """An optimisation that would take long, once it has begun to iterate."""
+        words = [BOXPLUS, "optimize", self.simulated("sphere", 2500), "-o", output, "--json", self.path / "out.json",
+                 "--verbose", "--algorithm", "levenberg-marquardt", "--lambda", "1e9", "--start", "current",
+                 "--iterations", "1000000000", "--cost-tolerance", "0", "--step-tolerance", "0"]
+        process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertIn("iteration", process.stderr.readline())
+        return process
+
+    def test_an_interrupt_keeps_writes_and_tells_the_best_estimate(self):
+        for each in (signal.SIGINT, signal.SIGTERM):
+            process = self.start_endless(self.path / "out.g2o")
+            process.send_signal(each)
+            out, err = process.communicate(timeout=300)
+            self.assertEqual(process.returncode, 1)
+            self.assertRegex(err, r"boxplus: .*interrupted after \d+ iterations?; the best estimate is written to .*out\.g2o")
+            self.assertIn("the stop flag was raised", out)
+            report = json.loads((self.path / "out.json").read_text(encoding="utf-8"))
+            self.assertLess(report["chi2_final"], report["chi2_initial"])
+            written = json.loads(run("info", self.path / "out.g2o", "--json", "-").stdout)
+            self.assertAlmostEqual(written["chi2"] / report["chi2_final"], 1, places=10)
+
+    def test_a_second_interrupt_ends_at_once(self):
+        os.mkfifo(self.path / "pipe")  # nobody reads it: after the first interrupt, boxplus waits to write
+        process = self.start_endless(self.path / "pipe")
+        process.send_signal(signal.SIGINT)
+        while catches(process, signal.SIGINT):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=300)
+        self.assertEqual(process.returncode, -signal.SIGINT)
+
+
+if __name__ == "__main__":
+    main()
