@@ -8,21 +8,10 @@
 #include <cmath>
 
 #include "boxplus/base/error.h"
+#include "io/characters.h"
 
 namespace boxplus {
 namespace {
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-/// What came, in quotes and not too long.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  if (text.empty()) return "the end of the line";
-  if (text.size() > kLongest) return fmt::format("'{}…'", text.substr(0, kLongest));
-  return fmt::format("'{}'", text);
-}
 
 /// The number that is all of `text`, but for a leading +; false where it is none.
 template <class Parse>
@@ -39,12 +28,18 @@ void FieldReader::skip_blanks() {
   while (position_ < line_.size() && is_blank(line_[position_])) ++position_;
 }
 
+void FieldReader::require_text() const {
+  if (is_numeric_) throw NotNumeric();
+}
+
 bool FieldReader::at_end() {
+  if (is_numeric_) return next_ == end_;
   skip_blanks();
   return position_ == line_.size() || line_[position_] == '#';
 }
 
 std::int64_t FieldReader::column() {
+  if (is_numeric_) return 0;
   skip_blanks();
   return static_cast<std::int64_t>(position_) + 1;
 }
@@ -58,6 +53,7 @@ void FieldReader::fail_at(std::size_t begin, std::string_view expected, std::str
 }
 
 std::string_view FieldReader::word(std::string_view what) {
+  require_text();
   skip_blanks();
   const std::size_t begin = position_;
   while (position_ < line_.size() && !is_blank(line_[position_])) ++position_;
@@ -65,7 +61,7 @@ std::string_view FieldReader::word(std::string_view what) {
   return line_.substr(begin, position_ - begin);
 }
 
-double FieldReader::number(std::string_view what) {
+double FieldReader::number_from_text(std::string_view what) {
   const std::string_view text = word(what);
   double value = 0;
   const bool read = is_all_of(text, [&](const char* begin, const char* end) {
@@ -81,7 +77,7 @@ void FieldReader::numbers(double* out, int count, std::string_view what) {
   for (int i = 0; i < count; ++i) out[i] = number(what);
 }
 
-std::int64_t FieldReader::integer(std::string_view what) {
+std::int64_t FieldReader::integer_from_text(std::string_view what) {
   const std::string_view text = word(what);
   std::int64_t value = 0;
   const bool read = is_all_of(text, [&](const char* begin, const char* end) {
@@ -93,6 +89,7 @@ std::int64_t FieldReader::integer(std::string_view what) {
 }
 
 bool FieldReader::accept(std::string_view text) {
+  require_text();
   if (at_end()) return false;
   const std::size_t begin = position_;
   if (word("a field") == text) return true;
@@ -102,6 +99,7 @@ bool FieldReader::accept(std::string_view text) {
 
 void FieldReader::expect_end() {
   if (at_end()) return;
+  require_text();
   const std::size_t begin = position_;
   fail_at(begin, "the end of the line", word("a field"));
 }

@@ -42,7 +42,7 @@ SE3 FileFields<SE3>::read(FieldReader& in) {
   const std::int64_t column = in.column();
   double q[4];
   in.numbers(q, 4, "a quaternion (qx qy qz qw)");
-  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (!(std::abs(norm - 1) <= kNormTolerance)) {
     in.fail(column, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
                                 kNormTolerance, norm));

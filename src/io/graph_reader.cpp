@@ -2,22 +2,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <utility>
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
-#include "io/text_file.h"
+#include "io/characters.h"
+#include "io/line_block.h"
+#include "io/pipeline.h"
 
 namespace boxplus {
 namespace {
 
-/// A line whose turn comes after all vertices are known.
+/// The element before a line, which a line that is kept belongs to.
+struct Neighbour {
+  enum class Kind : std::uint8_t { kNone, kVertex, kEdge };
+  Kind kind = Kind::kNone;
+  Id vertex = 0;
+};
+
+/// A line whose turn comes after all others, since it, or an edge before it, names a vertex that came not
+/// yet.
 struct PendingLine {
-  const Tag* tag;  ///< nullptr: a FIX line, or one to keep
-  std::string_view text;
+  Line::Kind kind;
+  const Tag* tag;
+  std::string text;
   std::int64_t number;
+  Neighbour neighbour;
 };
 
 /// A word that stands for nothing, and where it came first.
@@ -25,52 +36,124 @@ struct UnknownWord {
   std::int64_t count = 0, first_line = 0;
 };
 
-/// Builds a GraphFile in two passes: vertices and parameters, then everything that refers to them.
+/// Builds a GraphFile: the workers take the lines apart, block by block, and one of them, who is always the
+/// same, puts the blocks before into the graph. Elements thus come into the graph in the order of the file,
+/// but for edges that stand before their vertices.
 class GraphReader {
  public:
-  GraphReader(std::string_view text, std::string_view name, const ReadOptions& options)
+  GraphReader(const TextBlocks& text, std::string_view name, const ReadOptions& options)
       : text_(text),
         name_(name),
-        registry_(options.registry ? *options.registry : default_registry()),
-        renames_(options.renames),
-        lenient_(options.lenient) {}
+        words_(options.registry ? *options.registry : default_registry(), options.renames),
+        lenient_(options.lenient),
+        threads_(options.threads) {}
 
   GraphFile read() {
-    read_vertices();
+    read_blocks();
     file_.vertices_created = file_.graph.vertex_count() == 0;
-    for (const PendingLine& line : pending_) guarded(line, [&] { read_pending(line); });
+    all_known_ = true;
+    for (const PendingLine& line : std::exchange(pending_, {})) take_pending(line);
     file_.vertices_created = file_.vertices_created && created_ > 0;
     add_notes();
     return std::move(file_);
   }
 
  private:
-  /// First pass.
-  void read_vertices() {
-    std::int64_t number = 0;
-    for (std::size_t begin = 0; begin < text_.size();) {
-      const auto* newline =
-          static_cast<const char*>(std::memchr(text_.data() + begin, '\n', text_.size() - begin));
-      const std::size_t end = newline ? static_cast<std::size_t>(newline - text_.data()) : text_.size();
-      const std::string_view line = text_.substr(begin, end - begin);
-      begin = end + 1;
-      FieldReader in(name_, ++number, line);
-      if (in.at_end()) continue;
-      const std::string_view word = in.word("a word");
-      const Tag* tag = find_tag(word);
-      if (tag && tag->kind != Tag::Kind::kEdge) {
-        guarded({tag, line, number}, [&] { read_vertex(*tag, in); });
-      } else {
-        if (!tag && word != "FIX") note_unknown(word, number);
-        pending_.push_back({tag, line, number});
-        if (!tag && word != "FIX") keep_place_.emplace_back(last_vertex_);
-      }
+  void read_blocks() {
+    prepare_and_consume<LineBlock>(
+        text_.count(), threads_, [&](std::size_t k, LineBlock& block) { block.read(text_, k, words_); },
+        [&](const LineBlock& block) { take(block); });
+  }
+
+  void take(const LineBlock& block) {
+    for (Line line : block.lines()) {
+      line.number += lines_before_;
+      guarded(line.number, [&] { take(line); });
+    }
+    lines_before_ += block.line_count();
+  }
+
+  void take(const Line& line) {
+    switch (line.kind) {
+      case Line::Kind::kElement:
+        if (line.tag->kind == Tag::Kind::kEdge) {
+          take_edge(line);
+        } else {
+          with_fields(line, [&](FieldReader& in) { read_vertex(*line.tag, in); });
+        }
+        break;
+      case Line::Kind::kFix:
+        if (!fix(line)) wait(line);
+        break;
+      case Line::Kind::kUnknown:
+        note_unknown(line);
+        [[fallthrough]];
+      case Line::Kind::kComment:
+        if (neighbour_.kind == Neighbour::Kind::kEdge && !pending_.empty()) {
+          wait(line);
+        } else {
+          keep(line.text, neighbour_);
+        }
     }
   }
 
-  const Tag* find_tag(std::string_view word) const {
-    const auto renamed = renames_.find(word);
-    return registry_.find(renamed == renames_.end() ? word : renamed->second);
+  void take_edge(const Line& line) {
+    neighbour_ = {Neighbour::Kind::kEdge};
+    bool taken = false;
+    if (pending_.empty()) with_fields(line, [&](FieldReader& in) { taken = read_edge(line, in); });
+    if (!taken) wait(line);
+  }
+
+  void wait(const Line& line) {
+    pending_.push_back({line.kind, line.tag, std::string(line.text), line.number, neighbour_});
+  }
+
+  void take_pending(const PendingLine& pending) {
+    Line line;
+    line.text = pending.text;
+    line.number = pending.number;
+    line.kind = pending.kind;
+    line.tag = pending.tag;
+    neighbour_ = pending.neighbour;
+    guarded(line.number, [&] {
+      if (line.kind == Line::Kind::kElement) {
+        take_edge(line);
+      } else if (line.kind == Line::Kind::kFix) {
+        fix(line);
+      } else {
+        keep(line.text, neighbour_);
+      }
+    });
+  }
+
+  /// Runs one line's reader; a lenient reader notes what went wrong and goes on.
+  template <class F>
+  void guarded(std::int64_t number, F&& read_line) {
+    try {
+      read_line();
+    } catch (const InputError& error) {
+      if (!lenient_) throw;
+      ++file_.skipped;
+      file_.notes.push_back({number, std::string("skipped: ") + error.what()});
+    }
+  }
+
+  /// Has the fields of a line read: from numbers where they are numbers, and again from the text where that
+  /// does not succeed, so that complaints name columns.
+  template <class F>
+  void with_fields(const Line& line, F&& read) {
+    if (line.is_numeric) {
+      try {
+        FieldReader in(name_, line.number, line.text, line.fields);
+        read(in);
+        return;
+      } catch (const FieldReader::NotNumeric&) {
+      } catch (const InputError&) {
+      }
+    }
+    FieldReader in(name_, line.number, line.text);
+    in.word("a word");
+    read(in);
   }
 
   void read_vertex(const Tag& tag, FieldReader& in) {
@@ -86,106 +169,105 @@ class GraphReader {
     const VertexRef added = tag.read_vertex(file_.graph, id, in);
     try {
       in.expect_end();
-    } catch (const InputError&) {
+    } catch (...) {
       file_.graph.remove(added);
       throw;
     }
-    if (!is_parameter) last_vertex_ = id;
+    if (!is_parameter) neighbour_ = {Neighbour::Kind::kVertex, id};
   }
 
-  void read_pending(const PendingLine& line) {
+  /// False where a vertex is not known yet.
+  bool fix(const Line& line) {
     FieldReader in(name_, line.number, line.text);
-    const std::string_view word = in.word("a word");
-    if (line.tag) {
-      read_edge(*line.tag, in, line.text);
-    } else if (word == "FIX") {
-      fix(in);
-    } else {
-      const std::optional<Id> vertex = keep_place_[next_kept_++];
-      keep(line.text, vertex);
-    }
-  }
-
-  void keep(std::string_view text, std::optional<Id> vertex) {
-    while (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    KeptLine kept{KeptLine::Place::kBegin, 0, std::string(text)};
-    if (!file_.edges.empty()) {
-      kept.place = KeptLine::Place::kAfterEdge;
-      kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
-    } else if (vertex) {
-      kept.place = KeptLine::Place::kAfterVertex;
-      kept.after = *vertex;
-    }
-    file_.kept.push_back(std::move(kept));
-  }
-
-  void fix(FieldReader& in) {
+    in.word("a word");
+    vertices_.clear();
     do {
       const std::int64_t column = in.column();
       const Id id = in.integer("the id of a vertex");
       const auto vertex = file_.graph.find_vertex(id);
+      if (!vertex && !all_known_) return false;
       if (!vertex) in.fail(column, fmt::format("expected the id of a vertex, but there is no vertex {}", id));
-      file_.graph.fix(*vertex);
+      vertices_.push_back(*vertex);
     } while (!in.at_end());
+    for (const VertexRef& vertex : vertices_) file_.graph.fix(vertex);
+    return true;
   }
 
-  void read_edge(const Tag& tag, FieldReader& in, std::string_view text) {
-    std::vector<VertexRef> vertices;
-    if (!read_vertices_of(tag, in, vertices)) {
+  enum class Vertices : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
+
+  /// False where a vertex is not known yet.
+  bool read_edge(const Line& line, FieldReader& in) {
+    const Vertices known = read_vertices_of(*line.tag, in);
+    if (known == Vertices::kNotYetKnown) return false;
+    if (known == Vertices::kUnassigned) {
       ++unassigned_;
-      keep(text, std::nullopt);
-      return;
+      keep(line.text, neighbour_);
+      return true;
     }
-    const Tag* chosen = &tag;
-    if (tag.shared_parameter && vertices.back() == vertices[vertices.size() - 2]) {
-      chosen = tag.shared_parameter.get();
-      vertices.pop_back();
+    const Tag* tag = line.tag;
+    if (tag->shared_parameter && vertices_.back() == vertices_[vertices_.size() - 2]) {
+      tag = tag->shared_parameter.get();
+      vertices_.pop_back();
     }
-    std::vector<VertexRef> sorted = vertices;
-    std::sort(sorted.begin(), sorted.end());
-    if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end()) {
-      in.fail(
-          1, fmt::format("expected different vertices, but vertex {} appears twice", file_.graph.id(*twice)));
-    }
+    refuse_repetition(in);
     const std::int64_t column = in.column();
     try {
-      const EdgeRef edge = chosen->read_edge(file_.graph, vertices, in);
+      const EdgeRef edge = tag->read_edge(file_.graph, vertices_, in);
       check_end(edge, in);
       file_.edges.push_back(edge);
     } catch (const InvalidArgument& error) {
       in.fail(column, error.what());
     }
+    return true;
+  }
+
+  void refuse_repetition(FieldReader& in) {
+    sorted_ = vertices_;
+    std::sort(sorted_.begin(), sorted_.end());
+    if (const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end()); twice != sorted_.end()) {
+      in.fail(1, fmt::format("expected different vertices, but {} {} appears twice",
+                             is_parameter(*twice) ? "parameter" : "vertex", file_.graph.id(*twice)));
+    }
+  }
+
+  bool is_parameter(VertexRef vertex) const {
+    return file_.graph.vertex_pools()[vertex.pool]->parameter(vertex.slot);
   }
 
   void check_end(EdgeRef edge, FieldReader& in) {
     try {
       in.expect_end();
-    } catch (const InputError&) {
+    } catch (...) {
       file_.graph.remove(edge);
       throw;
     }
   }
 
-  /// False where one of the ids is −1: an edge whose vertex is not known.
-  bool read_vertices_of(const Tag& tag, FieldReader& in, std::vector<VertexRef>& vertices) {
-    bool assigned = true;
+  /// Fills vertices_.
+  Vertices read_vertices_of(const Tag& tag, FieldReader& in) {
+    vertices_.clear();
+    Vertices result = Vertices::kKnown;
+    const auto read_one = [&](const Tag::Argument& argument) {
+      result = std::max(result, read_vertex_of(argument, in));
+    };
     for (const Tag::Argument& argument : tag.arguments) {
       if (!argument.is_tail) {
-        assigned = read_vertex_of(argument, in, vertices) && assigned;
-        continue;
+        read_one(argument);
+      } else {
+        while (!in.accept("||")) read_one(argument);
       }
-      while (!in.accept("||")) assigned = read_vertex_of(argument, in, vertices) && assigned;
     }
-    return assigned;
+    return result;
   }
 
-  bool read_vertex_of(const Tag::Argument& argument, FieldReader& in, std::vector<VertexRef>& vertices) {
+  Vertices read_vertex_of(const Tag::Argument& argument, FieldReader& in) {
     Graph& graph = file_.graph;
     const char* kind = argument.is_parameter ? "parameter" : "vertex";
     const std::int64_t column = in.column();
     const Id id = in.integer(argument.is_parameter ? "the id of a parameter" : "the id of a vertex");
-    if (id == -1 && !argument.is_parameter) return false;
+    if (id == -1 && !argument.is_parameter) return Vertices::kUnassigned;
     auto found = argument.is_parameter ? graph.find_parameter(id) : graph.find_vertex(id);
+    if (!found && !all_known_) return Vertices::kNotYetKnown;
     if (!found && !argument.is_parameter && id >= 0 && file_.vertices_created) {
       found = argument.create(graph, id);
       ++created_;
@@ -197,56 +279,62 @@ class GraphReader {
       in.fail(column, fmt::format("expected the id of a {} of type {}, but {} {} is a {}", kind,
                                   argument.type_name, kind, id, pool.type_name()));
     }
-    vertices.push_back(*found);
-    return true;
+    vertices_.push_back(*found);
+    return Vertices::kKnown;
   }
 
-  /// Runs one line's reader; a lenient reader notes what went wrong and goes on.
-  template <class F>
-  void guarded(const PendingLine& line, F&& read_line) {
-    try {
-      read_line();
-    } catch (const InputError& error) {
-      if (!lenient_) throw;
-      ++file_.skipped;
-      file_.notes.push_back({line.number, std::string("skipped: ") + error.what()});
+  void keep(std::string_view text, const Neighbour& neighbour) {
+    while (text.ends_with('\r')) text.remove_suffix(1);
+    KeptLine kept{KeptLine::Place::kBegin, 0, std::string(text)};
+    if (neighbour.kind == Neighbour::Kind::kEdge) {
+      kept.place = KeptLine::Place::kAfterEdge;
+      kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
+    } else if (neighbour.kind == Neighbour::Kind::kVertex) {
+      kept.place = KeptLine::Place::kAfterVertex;
+      kept.after = neighbour.vertex;
     }
+    file_.kept.push_back(std::move(kept));
   }
 
-  void note_unknown(std::string_view word, std::int64_t number) {
-    UnknownWord& unknown = unknown_[std::string(word)];
-    if (unknown.count++ == 0) unknown.first_line = number;
+  void note_unknown(const Line& line) {
+    FieldReader in(name_, line.number, line.text);
+    UnknownWord& unknown = unknown_[quoted(in.word("a word"))];
+    if (unknown.count++ == 0) unknown.first_line = line.number;
   }
 
   void add_notes() {
+    const auto plural = [](std::int64_t count) { return count == 1 ? "" : "s"; };
     for (const auto& [word, unknown] : unknown_) {
-      file_.notes.push_back(
-          {unknown.first_line,
-           fmt::format("{} line{} with the unknown word {}, kept as {} (the first is line {})", unknown.count,
-                       unknown.count == 1 ? "" : "s", word, unknown.count == 1 ? "it is" : "they are",
-                       unknown.first_line)});
+      file_.notes.push_back({unknown.first_line, fmt::format("{} line{} with the unknown word {}: kept as {}",
+                                                             unknown.count, plural(unknown.count), word,
+                                                             unknown.count == 1 ? "it is" : "they are")});
     }
+    std::stable_sort(file_.notes.begin(), file_.notes.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
     if (unassigned_ > 0) {
       file_.notes.push_back(
-          {0, fmt::format("{} edge{} with the unassigned vertex -1 left out, kept as they are", unassigned_,
-                          unassigned_ == 1 ? "" : "s")});
+          {0, fmt::format("{} edge{} with the unassigned vertex -1: kept as {}, but not part of "
+                          "the graph",
+                          unassigned_, plural(unassigned_), unassigned_ == 1 ? "it is" : "they are")});
     }
     if (file_.vertices_created) {
       file_.notes.push_back(
-          {0, fmt::format("the file has edges only: {} vertices were created and need an initial guess",
-                          created_)});
+          {0, fmt::format("the file has edges only: {} {} created and need{} an initial guess", created_,
+                          created_ == 1 ? "vertex was" : "vertices were", created_ == 1 ? "s" : "")});
     }
   }
 
-  std::string_view text_, name_;
-  const Registry& registry_;
-  const std::map<std::string, std::string, std::less<>>& renames_;
-  bool lenient_;
+  const TextBlocks& text_;
+  std::string_view name_;
+  const Words words_;
+  const bool lenient_;
+  const int threads_;
   GraphFile file_;
+  std::int64_t lines_before_ = 0;
+  Neighbour neighbour_;
   std::vector<PendingLine> pending_;
-  std::optional<Id> last_vertex_;
-  std::vector<std::optional<Id>> keep_place_;  // per kept line: the vertex before it
-  std::size_t next_kept_ = 0;
+  bool all_known_ = false;  // every vertex of the file is in the graph
+  std::vector<VertexRef> vertices_, sorted_;
   std::map<std::string, UnknownWord> unknown_;
   std::int64_t created_ = 0, unassigned_ = 0;
 };
@@ -254,11 +342,11 @@ class GraphReader {
 }  // namespace
 
 GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options) {
-  return GraphReader(text, name, options).read();
+  return GraphReader(TextBlocks(text), name, options).read();
 }
 
 GraphFile read_graph(const std::string& path, const ReadOptions& options) {
-  return parse_graph(read_file(path), path, options);
+  return GraphReader(TextBlocks::of_file(path), path, options).read();
 }
 
 }  // namespace boxplus

@@ -2,101 +2,111 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
+#include "io/pipeline.h"
+#include "io/text_file.h"
 
 namespace boxplus {
 namespace {
 
+/// Writes a graph in pieces, which the workers format and one of them hands on, in order.
 class GraphWriter {
  public:
   GraphWriter(const Graph& graph, const std::vector<EdgeRef>& edges, const std::vector<KeptLine>& kept,
               const Registry* registry)
-      : graph_(graph), edges_(edges), kept_(kept), registry_(registry ? *registry : default_registry()) {}
+      : graph_(graph),
+        registry_(registry ? *registry : default_registry()),
+        parameters_(graph.all_parameters()),
+        vertices_(graph.all_vertices()),
+        edges_(edges) {
+    append_edges_of_no_file();
+    for (const KeptLine& line : kept) kept_.emplace(std::pair(line.place, line.after), &line.text);
+  }
 
-  std::string text() {
-    next_kept_ = kept_.begin();
-    for (const VertexRef& parameter : graph_.all_parameters()) write_vertex(parameter);
-    write_kept(KeptLine::Place::kBegin);
-    for (const VertexRef& vertex : graph_.all_vertices()) {
-      write_vertex(vertex);
-      if (graph_.is_fixed(vertex)) write_fix(vertex);
-      write_kept_after_vertex(graph_.id(vertex));
-    }
-    write_edges();
-    return std::move(text_);
+  void write(TextSink sink) const {
+    constexpr std::size_t kPiece = 1024;
+    const auto format_piece = [&](std::size_t k, std::string& text) {
+      text.clear();
+      for (std::size_t i = k * kPiece; i < std::min((k + 1) * kPiece, items()); ++i) format(i, text);
+    };
+    prepare_and_consume<std::string>((items() + kPiece - 1) / kPiece, 0, format_piece, sink);
   }
 
  private:
-  void write_vertex(VertexRef vertex) {
-    const Tag* tag = registry_.tag_of(graph_, vertex);
-    if (!tag) throw_no_word("vertices", graph_.vertex_pools()[vertex.pool]->type_name());
-    out_.word(tag->name);
-    out_.integer(graph_.id(vertex));
-    tag->write_vertex(graph_, vertex, out_);
-    out_.end_line();
-  }
-
-  void write_fix(VertexRef vertex) {
-    out_.word("FIX");
-    out_.integer(graph_.id(vertex));
-    out_.end_line();
-  }
-
-  /// Those of the file in its order, then the others.
-  void write_edges() {
-    std::set<EdgeRef> written;
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      if (graph_.contains(edges_[k]) && written.insert(edges_[k]).second) write_edge(edges_[k]);
-      write_kept_after_edge(static_cast<std::int64_t>(k));
-    }
-    for (const EdgeRef& edge : graph_.all_edges()) {
-      if (!written.contains(edge)) write_edge(edge);
-    }
-  }
-
-  void write_edge(EdgeRef edge) {
-    const Tag* tag = registry_.tag_of(graph_, edge);
-    if (!tag) throw_no_word("edges", graph_.edge_pools()[edge.pool]->type_name());
-    out_.word(tag->name);
-    const std::vector<VertexRef> vertices = graph_.vertices(edge);
-    for (const VertexRef& vertex : vertices) out_.integer(graph_.id(vertex));
-    const Tag* named = registry_.find(tag->name);
-    if (named != tag && named->shared_parameter.get() == tag) out_.integer(graph_.id(vertices.back()));
-    if (tag->arguments.back().is_tail) out_.word("||");
-    tag->write_edge(graph_, edge, out_);
-    out_.end_line();
-  }
-
-  void write_line(const KeptLine& line) {
-    text_ += line.text;
-    out_.end_line();
-  }
-  void write_kept(KeptLine::Place place) {
-    for (const KeptLine& line : kept_) {
-      if (line.place == place) write_line(line);
-    }
-  }
-  void write_kept_after_vertex(Id id) {
-    if (kept_after_vertex_.empty()) {
-      for (const KeptLine& line : kept_) {
-        if (line.place == KeptLine::Place::kAfterVertex) kept_after_vertex_.emplace(line.after, &line);
+  /// Edges that were added since the file was read follow those of the file.
+  void append_edges_of_no_file() {
+    std::vector<std::vector<bool>> listed;
+    for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
+    for (EdgeRef& edge : edges_) {
+      // What is listed twice, or was removed, only keeps the place of the lines that follow it.
+      if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
+        edge = kNoEdge;
+      } else {
+        listed[edge.pool][edge.slot] = true;
       }
     }
-    const auto [first, last] = kept_after_vertex_.equal_range(id);
-    for (auto entry = first; entry != last; ++entry) write_line(*entry->second);
+    for (const EdgeRef& edge : graph_.all_edges()) {
+      if (!listed[edge.pool][edge.slot]) edges_.push_back(edge);
+    }
   }
-  /// Lines that follow edges stand in the order of the edges.
-  void write_kept_after_edge(std::int64_t position) {
-    const auto belongs = [&](const KeptLine& line) {
-      return line.place == KeptLine::Place::kAfterEdge && line.after <= position;
-    };
-    for (; next_kept_ != kept_.end(); ++next_kept_) {
-      if (next_kept_->place != KeptLine::Place::kAfterEdge) continue;
-      if (!belongs(*next_kept_)) return;
-      write_line(*next_kept_);
+
+  /// Parameters, the lines at the beginning, vertices, the lines before the edges, edges.
+  std::size_t items() const { return parameters_.size() + vertices_.size() + edges_.size() + 2; }
+
+  void format(std::size_t item, std::string& out) const {
+    if (item < parameters_.size()) return format_vertex(parameters_[item], out);
+    item -= parameters_.size();
+    if (item == 0) return format_kept(KeptLine::Place::kBegin, 0, out);
+    item -= 1;
+    if (item < vertices_.size()) return format_vertex(vertices_[item], out);
+    item -= vertices_.size();
+    if (item > 0) format_edge(edges_[item - 1], out);
+    format_kept(KeptLine::Place::kAfterEdge, static_cast<std::int64_t>(item) - 1, out);
+  }
+
+  void format_vertex(VertexRef vertex, std::string& text) const {
+    const Tag* tag = registry_.tag_of(graph_, vertex);
+    const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    if (!tag) throw_no_word("vertices", pool.type_name());
+    const Id id = graph_.id(vertex);
+    FieldWriter out(text);
+    out.word(tag->name);
+    out.integer(id);
+    tag->write_vertex(graph_, vertex, out);
+    out.end_line();
+    if (pool.parameter(vertex.slot)) return;
+    if (graph_.is_fixed(vertex)) {
+      out.word("FIX");
+      out.integer(id);
+      out.end_line();
+    }
+    format_kept(KeptLine::Place::kAfterVertex, id, text);
+  }
+
+  void format_edge(EdgeRef edge, std::string& text) const {
+    if (edge == kNoEdge) return;
+    const Tag* tag = registry_.tag_of(graph_, edge);
+    if (!tag) throw_no_word("edges", graph_.edge_pools()[edge.pool]->type_name());
+    FieldWriter out(text);
+    out.word(tag->name);
+    const std::vector<VertexRef> vertices = graph_.vertices(edge);
+    for (const VertexRef& vertex : vertices) out.integer(graph_.id(vertex));
+    const Tag* named = registry_.find(tag->name);
+    if (named != tag && named->shared_parameter.get() == tag) out.integer(graph_.id(vertices.back()));
+    if (tag->arguments.back().is_tail) out.word("||");
+    tag->write_edge(graph_, edge, out);
+    out.end_line();
+  }
+
+  void format_kept(KeptLine::Place place, std::int64_t after, std::string& out) const {
+    if (kept_.empty()) return;
+    const auto [first, last] = kept_.equal_range({place, after});
+    for (auto line = first; line != last; ++line) {
+      out += *line->second;
+      out += '\n';
     }
   }
 
@@ -105,28 +115,32 @@ class GraphWriter {
         fmt::format("cannot write {} of type {}: no word of a file is registered for them", what, type));
   }
 
+  static constexpr EdgeRef kNoEdge{};
   const Graph& graph_;
-  const std::vector<EdgeRef>& edges_;
-  const std::vector<KeptLine>& kept_;
   const Registry& registry_;
-  std::string text_;
-  FieldWriter out_{text_};
-  std::multimap<Id, const KeptLine*> kept_after_vertex_;
-  std::vector<KeptLine>::const_iterator next_kept_;
+  std::vector<VertexRef> parameters_, vertices_;
+  std::vector<EdgeRef> edges_;
+  std::multimap<std::pair<KeptLine::Place, std::int64_t>, const std::string*> kept_;
 };
 
 }  // namespace
 
 std::string format_graph(const GraphFile& file, const Registry* registry) {
-  return GraphWriter(file.graph, file.edges, file.kept, registry).text();
+  std::string text;
+  GraphWriter(file.graph, file.edges, file.kept, registry).write([&](std::string_view piece) {
+    text += piece;
+  });
+  return text;
 }
 
 void write_graph(const std::string& path, const GraphFile& file, const Registry* registry) {
-  write_file(path, format_graph(file, registry));
+  const GraphWriter writer(file.graph, file.edges, file.kept, registry);
+  replace_file(path, [&](TextSink sink) { writer.write(sink); });
 }
 
 void write_graph(const std::string& path, const Graph& graph, const Registry* registry) {
-  write_file(path, GraphWriter(graph, {}, {}, registry).text());
+  const GraphWriter writer(graph, {}, {}, registry);
+  replace_file(path, [&](TextSink sink) { writer.write(sink); });
 }
 
 }  // namespace boxplus

@@ -1,14 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The words of TORO (Grisetti, Stachniss, Burgard, "Nonlinear constraint network optimization for efficient
 // map learning", 2009). They are read, and written as their .g2o counterparts.
+#include <array>
+#include <cmath>
+
 #include "boxplus/io/registry.h"
 #include "boxplus/types/slam2d.h"
+#include "boxplus/types/slam3d.h"
 
 namespace boxplus {
+namespace {
+
+/// Ω is listed as xx xy yy θθ xθ yθ.
+struct ToroEdge2 : EdgeLayout<Between<SE2>> {
+  static Information read_information(FieldReader& in, int rows) {
+    const std::int64_t column = in.column();
+    const std::vector<double> v = read_triangle(in, rows);
+    return checked_information(in, column, std::array{v[0], v[1], v[4], v[2], v[5], v[3]}, rows);
+  }
+};
+
+/// x y z roll pitch yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll).
+struct ToroPose3 {
+  static SE3 read(FieldReader& in) {
+    Vector3 t;
+    in.numbers(t.data(), 3, "a coordinate");
+    const double roll = in.number("the roll angle") / 2, pitch = in.number("the pitch angle") / 2,
+                 yaw = in.number("the yaw angle") / 2;
+    const double cr = std::cos(roll), sr = std::sin(roll), cp = std::cos(pitch), sp = std::sin(pitch),
+                 cy = std::cos(yaw), sy = std::sin(yaw);
+    return SE3(t, Quaternion<double>{cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr,
+                                     sy * cp * cr - cy * sp * sr, cy * cp * cr + sy * sp * sr});
+  }
+};
+
+/// Ω weighs small errors in x y z roll pitch yaw. Our rotation error is the vector part of a quaternion, half
+/// as large: its rows and columns of Ω count twice.
+struct ToroEdge3 {
+  static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
+  static Information read_information(FieldReader& in, int rows) {
+    const std::int64_t column = in.column();
+    std::vector<double> triangle = read_triangle(in, rows);
+    const auto scale = [](int row) { return row < 3 ? 1 : 2; };
+    auto value = triangle.begin();
+    for (int i = 0; i < rows; ++i) {
+      for (int j = i; j < rows; ++j) *value++ *= scale(i) * scale(j);
+    }
+    return checked_information(in, column, triangle, rows);
+  }
+};
+
+}  // namespace
 
 void register_toro(Registry& registry) {
   registry.old_vertex<SE2>("VERTEX2");
-  registry.old_edge<InformationOrder::kToro, Between<SE2>, SE2, SE2>("EDGE2");
+  registry.old_edge<ToroEdge2, Between<SE2>, SE2, SE2>("EDGE2");
+  registry.old_vertex<SE3, ToroPose3>("VERTEX3");
+  registry.old_edge<ToroEdge3, Between<SE3>, SE3, SE3>("EDGE3");
 }
 
 }  // namespace boxplus

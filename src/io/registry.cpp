@@ -19,17 +19,25 @@ bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const Verte
 
 }  // namespace
 
-Information read_information(FieldReader& in, int rows, InformationOrder order) {
-  const std::int64_t column = in.column();
+std::vector<double> read_triangle(FieldReader& in, int rows) {
   std::vector<double> values(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2);
   for (double& value : values) value = in.number("an entry of the information matrix");
-  if (order == InformationOrder::kToro) {  // xx xy yy θθ xθ yθ → xx xy xθ yy yθ θθ
-    values = {values[0], values[1], values[4], values[2], values[5], values[3]};
-  }
-  Information information = Information::upper_triangle(values, rows);
+  return values;
+}
+
+Information checked_information(FieldReader& in, std::int64_t column, std::span<const double> triangle,
+                                int rows) {
+  Information information = Information::upper_triangle(triangle, rows);
   if (const std::string complaint = information.complaint(rows); !complaint.empty())
     in.fail(column, complaint);
+  if (std::all_of(triangle.begin(), triangle.end(), [](double value) { return value == 0; }))
+    in.fail(column, "information: expected a matrix that weighs something, got zeros only");
   return information;
+}
+
+Information read_information(FieldReader& in, int rows) {
+  const std::int64_t column = in.column();
+  return checked_information(in, column, read_triangle(in, rows), rows);
 }
 
 void write_information(const InformationView& information, FieldWriter& out) {

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
@@ -20,15 +21,7 @@ namespace {
   throw FileError(fmt::format("{}: {}: {}", path, what, std::strerror(error)));
 }
 
-/// An open file, closed at the end of the scope.
-struct Descriptor {
-  int value;
-  ~Descriptor() {
-    if (value >= 0) ::close(value);
-  }
-};
-
-/// Writes all of `text` and has it reach the disk; the error number, or 0.
+/// Writes all of `text`; the error number, or 0.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -36,6 +29,11 @@ int write_all(int descriptor, std::string_view text) {
     if (written < 0) return errno;
     text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return 0;
+}
+
+/// Has what was written reach the disk, where there is one; the error number, or 0.
+int flush(int descriptor) {
   return ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
 }
 
@@ -60,32 +58,99 @@ std::string target_of(const std::string& path) {
                                                  : path;
 }
 
-/// Pipes and devices, such as /dev/stdout, cannot be replaced: they are written to.
-void write_through(const std::string& path, std::string_view text) {
-  const Descriptor file{::open(path.c_str(), O_WRONLY | O_CLOEXEC)};
-  if (file.value < 0) fail(path, "cannot be written", errno);
-  if (const int error = write_all(file.value, text); error != 0) fail(path, "cannot be written", error);
+void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<void(TextSink)> write) {
+  write([&](std::string_view text) {
+    if (const int error = write_all(file.value(), text); error != 0) fail(path, "cannot be written", error);
+  });
+  if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
+
+/// A file beside `target` that takes its place, or vanishes with its owner.
+class Replacement {
+ public:
+  Replacement(const std::string& path, const std::string& target)
+      : path_(path), target_(target), name_(target + ".XXXXXX"), file_(::mkstemp(name_.data())) {
+    if (!file_.is_open()) fail(path_, "cannot be written", errno);
+  }
+  ~Replacement() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  const FileDescriptor& file() const { return file_; }
+  void take_place() {
+    if (::fchmod(file_.value(), permissions_for(target_)) != 0 ||
+        ::rename(name_.c_str(), target_.c_str()) != 0) {
+      fail(path_, "cannot be written", errno);
+    }
+    name_.clear();
+  }
+
+ private:
+  const std::string &path_, &target_;
+  std::string name_;
+  FileDescriptor file_;
+};
 
 }  // namespace
 
-std::string read_file(const std::string& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-  if (file.value < 0) fail(path, "cannot be opened", errno);
+FileDescriptor::~FileDescriptor() {
+  if (is_open()) ::close(value_);
+}
+
+std::optional<std::size_t> FileDescriptor::regular_size() const {
   struct stat status {};
+  // Files of /proc are regular and claim to be empty.
+  if (::fstat(value_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return std::nullopt;
+  return static_cast<std::size_t>(status.st_size);
+}
+
+FileDescriptor open_for_reading(const std::string& path) {
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) fail(path, "cannot be opened", errno);
+  return file;
+}
+
+std::string read_all(const FileDescriptor& file, const std::string& path) {
   std::string text;
-  if (::fstat(file.value, &status) == 0 && status.st_size > 0)
-    text.reserve(static_cast<std::size_t>(status.st_size));
   constexpr std::size_t kChunk = std::size_t{1} << 20;
   for (;;) {
     const std::size_t size = text.size();
     text.resize(size + kChunk);
-    const ssize_t count = ::read(file.value, text.data() + size, kChunk);
+    const ssize_t count = ::read(file.value(), text.data() + size, kChunk);
     text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(path, "cannot be read", errno);
     if (count == 0) return text;
   }
+}
+
+std::size_t read_at(const FileDescriptor& file, const std::string& path, std::size_t offset, char* out,
+                    std::size_t size) {
+  std::size_t total = 0;
+  while (total < size) {
+    const ssize_t count =
+        ::pread(file.value(), out + total, size - total, static_cast<off_t>(offset + total));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "cannot be read", errno);
+    if (count == 0) break;
+    total += static_cast<std::size_t>(count);
+  }
+  return total;
+}
+
+void replace_file(const std::string& path, FunctionRef<void(TextSink)> write) {
+  if (is_special_file(path)) {
+    const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (!file.is_open()) fail(path, "cannot be written", errno);
+    write_to(file, path, write);
+    return;
+  }
+  const std::string target = target_of(path);
+  Replacement replacement(path, target);
+  write_to(replacement.file(), path, write);
+  replacement.take_place();
 }
 
 void require_writable(const std::string& path) {
@@ -95,28 +160,12 @@ void require_writable(const std::string& path) {
   }
   std::error_code none;
   if (std::filesystem::is_directory(path, none)) fail(path, "cannot be written", EISDIR);
-  std::string probe = target_of(path) + ".XXXXXX";
-  const Descriptor file{::mkstemp(probe.data())};
-  if (file.value < 0) fail(path, "cannot be written", errno);
-  ::unlink(probe.c_str());
+  const std::string target = target_of(path);
+  const Replacement probe(path, target);
 }
 
 void write_file(const std::string& path, std::string_view text) {
-  if (is_special_file(path)) return write_through(path, text);
-  const std::string target = target_of(path);
-  std::string temporary = target + ".XXXXXX";
-  int error = 0;
-  {
-    const Descriptor file{::mkstemp(temporary.data())};
-    if (file.value < 0) fail(path, "cannot be written", errno);
-    error = write_all(file.value, text);
-    if (error == 0 && ::fchmod(file.value, permissions_for(target)) != 0) error = errno;
-  }
-  if (error == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    fail(path, "cannot be written", error);
-  }
+  replace_file(path, [&](TextSink sink) { sink(text); });
 }
 
 }  // namespace boxplus

@@ -1,12 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole files in one piece.
+// Files, read and replaced.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+
+#include "boxplus/base/function_ref.h"
 
 namespace boxplus {
 
-/// The bytes of a file. Throws FileError.
-std::string read_file(const std::string& path);
+/// An open file, closed with its owner.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int value = -1) : value_(value) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(value_, other.value_);
+    return *this;
+  }
+  ~FileDescriptor();
+
+  bool is_open() const { return value_ >= 0; }
+  int value() const { return value_; }
+  /// The size of a regular file; none for a pipe or a device.
+  std::optional<std::size_t> regular_size() const;
+
+ private:
+  int value_;
+};
+
+/// These throw FileError; `path` stands for the file in its message.
+FileDescriptor open_for_reading(const std::string& path);
+std::string read_all(const FileDescriptor& file, const std::string& path);
+/// Up to `size` bytes from `offset` on; fewer only at the end of the file.
+std::size_t read_at(const FileDescriptor& file, const std::string& path, std::size_t offset, char* out,
+                    std::size_t size);
+
+/// Replaces a file, at once or not at all, by what `write` puts into the sink it is given. Pipes and devices,
+/// such as /dev/stdout, cannot be replaced: they are written to. Throws FileError.
+using TextSink = FunctionRef<void(std::string_view)>;
+void replace_file(const std::string& path, FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "boxplus/boxplus.h"
+#include "boxplus/testing/simulate.h"
 
 namespace boxplus {
 namespace {
@@ -53,6 +56,50 @@ TEST(GraphReader, ReadsTorosOrderOfInformation) {
   EXPECT_EQ(omega(1, 2), 3);
 }
 
+TEST(GraphReader, ReadsTorosRollPitchAndYaw) {
+  const GraphFile file = parse_graph(
+      "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 2 3 0.3 -0.4 1.2\nEDGE3 0 1 1 2 3 0.3 -0.4 1.2 "
+      "1 0 0 5 0 0 2 0 0 0 0 3 0 0 0 100 0 7 200 0 300\n",
+      "g");
+  const Eigen::Matrix3d expected =
+      (Eigen::AngleAxisd(1.2, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitY()) *
+       Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  const SE3& pose = file.graph.estimate(file.graph.vertex<SE3>(1));
+  EXPECT_LT((pose.rotation() - expected).norm(), 1e-15);
+  EXPECT_EQ(pose.translation(), Vector3(1, 2, 3));
+  EXPECT_LT(file.graph.chi2(), 1e-28);
+  const InformationView omega = file.graph.information(file.edges[0]);
+  EXPECT_EQ(omega(1, 1), 2);
+  EXPECT_EQ(omega(0, 3), 2 * 5) << "an angle is twice its part of a quaternion";
+  EXPECT_EQ(omega(3, 3), 4 * 100);
+  EXPECT_EQ(omega(3, 5), 4 * 7);
+}
+
+TEST(GraphReader, ReadsTheSameForAnyNumberOfThreads) {
+  Simulation simulation = simulate(World::kLandmarks, {.poses = 3000});
+  const GraphFile made{.graph = std::move(simulation.graph), .edges = std::move(simulation.edges)};
+  const std::string text = format_graph(made);
+  ASSERT_GT(text.size(), 3 * 131072u) << "several blocks";
+  for (int threads : {1, 2, 5}) {
+    ReadOptions options;
+    options.threads = threads;
+    EXPECT_EQ(format_graph(parse_graph(text, "g", options)), text);
+  }
+}
+
+TEST(GraphReader, TakesAByteOrderMarkForNothing) {
+  EXPECT_EQ(parse_graph(std::string("\xEF\xBB\xBF") + kTwoPoses, "g").graph.vertex_count(), 2u);
+}
+
+TEST(GraphReader, ReadsWordsUnderOtherNames) {
+  ReadOptions options;
+  options.renames = {{"POSE", "VERTEX_SE2"}, {"VERTEX_SE2", "VERTEX_XY"}};
+  const GraphFile file = parse_graph("POSE 0 0 0 0\nVERTEX_SE2 1 2 3\n", "g", options);
+  EXPECT_EQ(file.graph.estimate(file.graph.vertex<Vector2>(1)), Vector2(2, 3));
+  EXPECT_EQ(format_graph(file), "VERTEX_SE2 0 0 0 0\nVERTEX_XY 1 2 3\n");
+}
+
 TEST(GraphReader, AppliesSensorOffsets) {
   const GraphFile file = parse_graph(
       "PARAMS_SE2OFFSET 5 1 0 0\nVERTEX_SE2 0 0 0 0\nVERTEX_XY 1 3 0\nEDGE_SE2_POINTXY_OFFSET 0 1 5 2 0 1 0 "
@@ -89,7 +136,7 @@ TEST(GraphReader, KeepsAndNotesUnknownLines) {
   const GraphFile file = parse_graph(std::string(kTwoPoses) + "ROBOTLASER1 x y\nROBOTLASER1 z\n", "g");
   EXPECT_THAT(file.kept, SizeIs(2));
   ASSERT_THAT(file.notes, SizeIs(1));
-  EXPECT_THAT(file.notes[0].text, HasSubstr("2 lines with the unknown word ROBOTLASER1"));
+  EXPECT_THAT(file.notes[0].text, HasSubstr("2 lines with the unknown word 'ROBOTLASER1'"));
 }
 
 TEST(GraphReader, LeavesOutEdgesWithUnassignedVertices) {

@@ -47,6 +47,41 @@ TEST(GraphWriter, WritesAFileInItsOwnOrderByteForByte) {
   EXPECT_EQ(format_graph(parse_graph(kCanonical, "g")), kCanonical);
 }
 
+TEST(GraphWriter, WritesLinesThatAreNoElementsBackWhereTheyStood) {
+  const std::string text =
+      "# about this file\n"
+      "VERTEX_SE2 0 0 0 0\n"
+      "ROBOTLASER1 0 -1.57 3.14  180\n"
+      "# two scans\n"
+      "ROBOTLASER1 0 -1.57 3.14  181\n"
+      "VERTEX_SE2 1 1 0 0\n"
+      "FIX 1\n"
+      "SCAN of 1\n"
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 1 -1 1 0 0 1 0 0 1 0 1\n"
+      "MATCH 0.7\n"
+      "EDGE_SE2 1 0 -1 0 0 1 0 0 1 0 1\n"
+      "# the end\n";
+  EXPECT_EQ(format_graph(parse_graph(text, "g")), text);
+  const std::string mixed =
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nMATCH 1\nVERTEX_SE2 1 1 0 0\nSCAN of 1\nVERTEX_SE2 0 0 0 0\nSCAN of "
+      "0\n";
+  EXPECT_EQ(format_graph(parse_graph(mixed, "g")),
+            "VERTEX_SE2 0 0 0 0\nSCAN of 0\nVERTEX_SE2 1 1 0 0\nSCAN of 1\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 "
+            "1\nMATCH 1\n");
+}
+
+TEST(GraphWriter, KeepsTheLinesOfAnEdgeThatIsGoneInTheirPlace) {
+  GraphFile file = parse_graph(
+      "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nMATCH 1\nEDGE_SE2 1 0 -1 0 0 "
+      "1 0 0 1 0 "
+      "1\n",
+      "g");
+  file.graph.remove(file.edges[0]);
+  EXPECT_EQ(format_graph(file),
+            "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nMATCH 1\nEDGE_SE2 1 0 -1 0 0 1 0 0 1 0 1\n");
+}
+
 TEST(GraphWriter, WritesEdgesThatWereAddedAfterThoseOfTheFile) {
   GraphFile file = parse_graph("VERTEX_XY 0 0 0\nVERTEX_XY 1 1 0\nEDGE_POINTXY 0 1 1 0 1 0 1\n", "g");
   file.graph.add_edge(Prior(Vector2(0.5, 0)), 2.0, file.graph.vertex<Vector2>(0));

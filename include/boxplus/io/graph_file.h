@@ -23,13 +23,15 @@ struct ReadOptions {
   /// Words to take for others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
   std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
+  int threads = 0;       ///< at most; 0: one per hardware thread. What is read does not depend on it.
 };
 
-/// A line that stands for no known type, kept for writing back.
+/// A line that is no element (a comment, an unknown word, an edge with an unassigned vertex), kept for
+/// writing back after the element that it followed.
 struct KeptLine {
   enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
   Place place = Place::kBegin;
-  std::int64_t after = 0;  ///< the id of the vertex, or the position in GraphFile::edges
+  std::int64_t after = 0;  ///< the id of the vertex; the position in GraphFile::edges, or −1: before them
   std::string text;
 };
 
@@ -40,10 +42,10 @@ struct GraphFile {
     std::string text;
   };
   Graph graph;
-  std::vector<EdgeRef> edges;  ///< in the order of the file
-  std::vector<KeptLine> kept;
-  std::vector<Note> notes;   ///< what was odd, but no error
-  std::int64_t skipped = 0;  ///< lines that were skipped (lenient reading)
+  std::vector<EdgeRef> edges = {};  ///< in the order of the file
+  std::vector<KeptLine> kept = {};
+  std::vector<Note> notes = {};  ///< what was odd, but no error
+  std::int64_t skipped = 0;      ///< lines that were skipped (lenient reading)
   bool vertices_created =
       false;  ///< the file lists edges only: the estimates mean nothing, and need an initial guess
 };

@@ -25,12 +25,6 @@ struct Parameter {
   using Element = T;
 };
 
-/// The order in which a file lists Ω.
-enum class InformationOrder : std::uint8_t {
-  kUpperTriangle,  ///< by rows: 11 12 … 1n 22 …
-  kToro            ///< TORO's EDGE2: xx xy yy θθ xθ yθ
-};
-
 /// What a word at the beginning of a line stands for.
 struct Tag {
   enum class Kind : std::uint8_t { kVertex, kParameter, kEdge };
@@ -55,9 +49,24 @@ struct Tag {
   bool written = true;  ///< false: an old word that is read only
 };
 
-/// Throws InputError; reads n(n+1)/2 numbers.
-Information read_information(FieldReader& in, int rows, InformationOrder order);
+/// Ω as the n(n+1)/2 numbers of its upper triangle by rows: 11 12 … 1n 22 … Throws InputError where it is
+/// indefinite or zero.
+Information read_information(FieldReader& in, int rows);
+/// The numbers alone, in the order of the file.
+std::vector<double> read_triangle(FieldReader& in, int rows);
+/// The Ω of an upper triangle that began at `column`. Throws InputError as above.
+Information checked_information(FieldReader& in, std::int64_t column, std::span<const double> triangle,
+                                int rows);
 void write_information(const InformationView& information, FieldWriter& out);
+
+/// How an edge stands in a file: its measurement, then Ω. Old formats have layouts of their own.
+template <class E>
+struct EdgeLayout {
+  static E read(FieldReader& in) { return EdgeFields<E>::read(in); }
+  static Information read_information(FieldReader& in, int rows) {
+    return boxplus::read_information(in, rows);
+  }
+};
 
 namespace io {
 
@@ -98,13 +107,13 @@ auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
   }
 }
 
-template <InformationOrder Order, class E, class... V>
+template <class Layout, class E, class... V>
 EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
-  E edge = EdgeFields<E>::read(in);
+  E edge = Layout::read(in);
   constexpr int kRows = edge::kRows<edge::Result<E, V...>>;
   int rows = kRows;
   if constexpr (kRows == kDynamic) rows = static_cast<int>(edge.measurement.size());
-  const Information information = read_information(in, rows, Order);
+  const Information information = Layout::read_information(in, rows);
   const std::tuple handles{attach<V>(graph, refs)...};
   return std::apply([&](const auto&... h) { return graph.add_edge(std::move(edge), information, h...); },
                     handles);
@@ -132,23 +141,24 @@ class Registry {
   /// V: a vertex type, Tail<T> in the last place, or Parameter<T> after all vertices.
   template <class E, class... V>
   void edge(std::string name) {
-    add(edge_tag<InformationOrder::kUpperTriangle, E, V...>(std::move(name)));
+    add(edge_tag<EdgeLayout<E>, E, V...>(std::move(name)));
   }
   /// How the edge with that word, whose last two parameters are one and the same, is kept: V names it once.
   template <class E, class... V>
   void edge_with_shared_parameter(const std::string& name) {
-    add_shared(name, edge_tag<InformationOrder::kUpperTriangle, E, V...>(name));
+    add_shared(name, edge_tag<EdgeLayout<E>, E, V...>(name));
   }
-  /// An old word for vertices (edges) that are written under another.
-  template <class T>
+  /// An old word for vertices (edges) that are written under another, with a layout of its own (see
+  /// EdgeLayout).
+  template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name) {
-    Tag tag = vertex_tag<T, false>(std::move(name));
+    Tag tag = vertex_tag<T, false, Fields>(std::move(name));
     tag.written = false;
     add(std::move(tag));
   }
-  template <InformationOrder Order, class E, class... V>
+  template <class Layout, class E, class... V>
   void old_edge(std::string name) {
-    Tag tag = edge_tag<Order, E, V...>(std::move(name));
+    Tag tag = edge_tag<Layout, E, V...>(std::move(name));
     tag.written = false;
     add(std::move(tag));
   }
@@ -160,7 +170,7 @@ class Registry {
   const Tag* tag_of(const Graph& graph, EdgeRef edge) const;
 
  private:
-  template <class T, bool IsParameter>
+  template <class T, bool IsParameter, class Fields = FileFields<T>>
   static Tag vertex_tag(std::string name) {
     Tag tag{std::move(name),
             IsParameter ? Tag::Kind::kParameter : Tag::Kind::kVertex,
@@ -168,9 +178,9 @@ class Registry {
             {}};
     tag.read_vertex = [](Graph& graph, Id id, FieldReader& in) -> VertexRef {
       if constexpr (IsParameter) {
-        return graph.add_parameter(FileFields<T>::read(in), id);
+        return graph.add_parameter(Fields::read(in), id);
       } else {
-        return graph.add_vertex(FileFields<T>::read(in), id);
+        return graph.add_vertex(Fields::read(in), id);
       }
     };
     tag.write_vertex = [](const Graph& graph, VertexRef ref, FieldWriter& out) {
@@ -179,11 +189,11 @@ class Registry {
     return tag;
   }
 
-  template <InformationOrder Order, class E, class... V>
+  template <class Layout, class E, class... V>
   static Tag edge_tag(std::string name) {
     Tag tag{
         std::move(name), Tag::Kind::kEdge, typeid(TypedEdgePool<E, io::Strip<V>...>), {io::argument<V>()...}};
-    tag.read_edge = &io::read_edge<Order, E, io::Strip<V>...>;
+    tag.read_edge = &io::read_edge<Layout, E, io::Strip<V>...>;
     tag.write_edge = &io::write_edge<E>;
     return tag;
   }

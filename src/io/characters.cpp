@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/characters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace boxplus {
+namespace {
+
+/// The longest beginning of at most `size` bytes that does not cut a UTF-8 character.
+std::string_view beginning(std::string_view text, std::size_t size) {
+  if (text.size() <= size) return text;
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
+  return text.substr(0, size);
+}
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  if (text.empty()) return "the end of the line";
+  const std::string_view shown = beginning(text, kLongest);
+  std::string result = "'";
+  for (const char c : shown) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) {
+      result += fmt::format("\\x{:02x}", code);
+    } else {
+      result += c;
+    }
+  }
+  return result + (shown.size() < text.size() ? "…'" : "'");
+}
+
+}  // namespace boxplus

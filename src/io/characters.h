@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Characters of text files, and how text of a file is shown in messages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace boxplus {
+
+/// Blank within a line. Any other control character is part of a field.
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+/// `text` in quotes, not too long, its control characters as \xNN; "the end of the line" for nothing.
+std::string quoted(std::string_view text);
+
+}  // namespace boxplus

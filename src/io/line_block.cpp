@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/line_block.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "io/characters.h"
+
+namespace boxplus {
+namespace {
+
+bool ends_field(const char* at, const char* end) {
+  return at == end || is_blank(*at);
+}
+
+/// An integer that a double holds exactly, from `at` to the end of its field; `at` moves behind it.
+std::optional<double> read_integer(const char*& at, const char* end) {
+  constexpr std::ptrdiff_t kMostDigits = 15;
+  const bool negative = *at == '-';
+  const char* const digits = at + negative;
+  const char* digit = digits;
+  std::int64_t value = 0;
+  for (; digit != end && *digit >= '0' && *digit <= '9' && digit - digits < kMostDigits; ++digit) {
+    value = 10 * value + (*digit - '0');
+  }
+  if (digit == digits || !ends_field(digit, end)) return std::nullopt;
+  at = digit;
+  return negative ? -static_cast<double>(value) : static_cast<double>(value);
+}
+
+std::optional<double> read_number(const char*& at, const char* end) {
+  double value = 0;
+  const auto [stopped, error] = fast_float::from_chars(at, end, value);
+  if (error != std::errc() || !ends_field(stopped, end) || !std::isfinite(value)) return std::nullopt;
+  at = stopped;
+  return value;
+}
+
+const char* skip_blanks(const char* at, const char* end) {
+  while (at != end && is_blank(*at)) ++at;
+  return at;
+}
+
+}  // namespace
+
+void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string_view text = source.read(k, memory_);
+  if (k == 0 && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  lines_.clear();
+  line_count_ = 0;
+  last_word_ = {};
+  // A number and the blank before it take two bytes at least.
+  if (values_.size() < text.size() / 2 + 1) values_.resize(text.size() / 2 + 1);
+  values_used_ = 0;
+  while (!text.empty()) {
+    const std::size_t newline = text.find('\n');
+    const std::string_view line = text.substr(0, newline);
+    text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
+    ++line_count_;
+    read_line(line, words);
+  }
+}
+
+void LineBlock::read_line(std::string_view text, const Words& words) {
+  const char* const end = text.data() + text.size();
+  const char* const begin = skip_blanks(text.data(), end);
+  if (begin == end) return;
+  Line line;
+  line.text = text;
+  line.number = line_count_;
+  const std::string_view word(begin, static_cast<std::size_t>(std::find_if(begin, end, is_blank) - begin));
+  if (word[0] == '#') {
+    line.kind = Line::Kind::kComment;
+  } else if (word == "FIX") {
+    line.kind = Line::Kind::kFix;
+  } else {
+    if (word != last_word_) {
+      last_word_ = word;
+      last_tag_ = words.find(word);
+    }
+    line.tag = last_tag_;
+    line.kind = line.tag ? Line::Kind::kElement : Line::Kind::kUnknown;
+    line.is_numeric = line.tag && read_fields(begin + word.size(), end, line.fields);
+  }
+  lines_.push_back(line);
+}
+
+/// False where a field is no number.
+bool LineBlock::read_fields(const char* at, const char* end, NumericFields& fields) {
+  double* const first = values_.data() + values_used_;
+  double* next = first;
+  bool integers_only = true;
+  for (at = skip_blanks(at, end); at != end && *at != '#'; at = skip_blanks(at, end)) {
+    std::optional<double> value = read_integer(at, end);
+    if (!value) {
+      integers_only = false;
+      value = read_number(at, end);
+      if (!value) return false;
+    }
+    *next++ = *value;
+    fields.integers += integers_only;
+  }
+  fields.values = {first, next};
+  values_used_ += fields.values.size();
+  return true;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A block of lines, taken apart as far as it can be without a graph.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "boxplus/io/field_reader.h"
+#include "boxplus/io/registry.h"
+#include "io/text_blocks.h"
+
+namespace boxplus {
+
+using Renames = std::map<std::string, std::string, std::less<>>;
+
+/// What the words of a file stand for.
+class Words {
+ public:
+  Words(const Registry& registry, const Renames& renames) : registry_(registry), renames_(renames) {}
+  /// nullptr where the word is unknown.
+  const Tag* find(std::string_view word) const {
+    const auto renamed = renames_.find(word);
+    return registry_.find(renamed == renames_.end() ? word : renamed->second);
+  }
+
+ private:
+  const Registry& registry_;
+  const Renames& renames_;
+};
+
+/// A line that is not blank.
+struct Line {
+  enum class Kind : std::uint8_t {
+    kElement,  ///< `tag` says of what type
+    kFix,
+    kUnknown,
+    kComment
+  };
+  std::string_view text;
+  std::int64_t number = 0;  ///< from 1; within the block for LineBlock::lines
+  Kind kind = Kind::kUnknown;
+  bool is_numeric = false;  ///< an element whose fields are all numbers: `fields` holds them
+  const Tag* tag = nullptr;
+  NumericFields fields = {};
+};
+
+/// What one worker makes of one block; its memory is used again for the next.
+class LineBlock {
+ public:
+  void read(const TextBlocks& source, std::size_t k, const Words& words);
+  const std::vector<Line>& lines() const { return lines_; }
+  /// How many lines begin in the block, blank ones too.
+  std::int64_t line_count() const { return line_count_; }
+
+ private:
+  void read_line(std::string_view text, const Words& words);
+  bool read_fields(const char* at, const char* end, NumericFields& fields);
+
+  std::string memory_;
+  std::vector<double> values_;  // room for the numbers of all lines
+  std::size_t values_used_ = 0;
+  std::vector<Line> lines_;
+  std::int64_t line_count_ = 0;
+  std::string_view last_word_;  // most lines begin like the one before
+  const Tag* last_tag_ = nullptr;
+};
+
+}  // namespace boxplus

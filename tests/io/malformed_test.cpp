@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad lines, one by one: what the strict reader says, and that the lenient one skips and counts them.
+#include <gtest/gtest.h>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus {
+namespace {
+
+struct Malformed {
+  const char* name;
+  std::string lines;      ///< follow kGood
+  std::string complaint;  ///< without the name of the file
+  int bad_lines = 1;
+};
+
+void PrintTo(const Malformed& malformed, std::ostream* out) {
+  *out << malformed.name;
+}
+
+/// Eight lines, all good: poses 0, 1 (2-D), point 2, poses 3, 4 (3-D), point 5, and two offsets.
+constexpr const char* kGood =
+    "VERTEX_SE2 0 0 0 0\n"
+    "VERTEX_SE2 1 1 0 0.5\n"
+    "VERTEX_XY 2 2 1\n"
+    "VERTEX_SE3:QUAT 3 0 0 0 0 0 0 1\n"
+    "VERTEX_SE3:QUAT 4 1 0 0 0 0 0 1\n"
+    "VERTEX_TRACKXYZ 5 1 1 1\n"
+    "PARAMS_SE2OFFSET 0 0 0 0\n"
+    "PARAMS_SE3OFFSET 1 0 0 0 0 0 0 1\n";
+
+const std::string kIdentity6 = "1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1";
+
+const Malformed kTable[] = {
+    // Fields
+    {"VertexWithoutId", "VERTEX_SE2", "9:11: expected the id of a vertex, got the end of the line"},
+    {"VertexIdThatIsNoInteger", "VERTEX_SE2 1.5 0 0 0",
+     "9:12: expected the id of a vertex (an integer), got '1.5'"},
+    {"VertexIdThatIsAWord", "VERTEX_SE2 one 0 0 0",
+     "9:12: expected the id of a vertex (an integer), got 'one'"},
+    {"VertexIdBeyondAllIntegers", "VERTEX_SE2 99999999999999999999 0 0 0",
+     "9:12: expected the id of a vertex (an integer), got '99999999999999999999'"},
+    {"NegativeVertexId", "VERTEX_SE2 -1 0 0 0", "9:12: expected an id ≥ 0, got -1"},
+    {"TruncatedVertex", "VERTEX_SE2 9 0 0", "9:17: expected the heading θ, got the end of the line"},
+    {"VertexWithAFieldTooMany", "VERTEX_SE2 9 0 0 0 7", "9:20: expected the end of the line, got '7'"},
+    {"CoordinateThatIsAWord", "VERTEX_SE2 9 0 zero 0", "9:16: expected y (a finite number), got 'zero'"},
+    {"CoordinateThatIsNotANumber", "VERTEX_SE2 9 nan 0 0", "9:14: expected x (a finite number), got 'nan'"},
+    {"CoordinateThatIsInfinite", "VERTEX_SE2 9 0 -inf 0", "9:16: expected y (a finite number), got '-inf'"},
+    {"CoordinateThatOverflows", "VERTEX_SE2 9 0 0 1e999",
+     "9:18: expected the heading θ (a finite number), got '1e999'"},
+    {"CoordinateWithADecimalComma", "VERTEX_SE2 9 0,5 0 0", "9:14: expected x (a finite number), got '0,5'"},
+    {"CoordinateInHexadecimal", "VERTEX_SE2 9 0x10 0 0", "9:14: expected x (a finite number), got '0x10'"},
+    {"NumberWithTwoSigns", "VERTEX_SE2 9 +-1 0 0", "9:14: expected x (a finite number), got '+-1'"},
+    {"NumberAndItsUnit", "VERTEX_SE2 9 1m 0 0", "9:14: expected x (a finite number), got '1m'"},
+    {"ControlCharactersInAField", "VERTEX_SE2 9 \x01\x1b[31m 0 0",
+     "9:14: expected x (a finite number), got '\\x01\\x1b[31m'"},
+    {"OverlongField", "VERTEX_SE2 9 " + std::string(1000, 'x') + " 0 0",
+     "9:14: expected x (a finite number), got '" + std::string(40, 'x') + "…'"},
+    {"FieldThatIsNoAscii", "VERTEX_SE2 9 " + std::string(39, 'x') + "ø 0 0",
+     "9:14: expected x (a finite number), got '" + std::string(39, 'x') + "…'"},
+    {"BlanksOfAllSortsBeforeTheBadField", "\t VERTEX_SE2 \t9\t0 \tx 0\r",
+     "9:20: expected y (a finite number), got 'x'"},
+    {"TheLastLineIsCutOff", "VERTEX_XY 9 1\nVERTEX_XY 10 1",
+     "9:14: expected a coordinate, got the end of the line", 2},
+    // Quaternions
+    {"QuaternionOfZeros", "VERTEX_SE3:QUAT 9 0 0 0 0 0 0 0",
+     "9:25: expected a quaternion of length 1 (± 0.001), got one of length 0"},
+    {"QuaternionThatIsTooLong", "VERTEX_SE3:QUAT 9 0 0 0 0 0 3 4",
+     "9:25: expected a quaternion of length 1 (± 0.001), got one of length 5"},
+    {"QuaternionOfAMeasurementThatIsTooLong", "EDGE_SE3:QUAT 3 4 1 0 0 0 0 0 1.002 " + kIdentity6,
+     "9:25: expected a quaternion of length 1 (± 0.001), got one of length 1.002"},
+    {"QuaternionCutOff", "VERTEX_SE3:QUAT 9 0 0 0 0 0 1",
+     "9:30: expected a quaternion (qx qy qz qw), got the end of the line"},
+    // Information
+    {"InformationCutOff", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0",
+     "9:31: expected an entry of the information matrix, got the end of the line"},
+    {"InformationWithAnEntryTooMany", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0 1 1",
+     "9:34: expected the end of the line, got '1'"},
+    {"InformationGivenAsAFullMatrix", "EDGE_SE2 0 1 1 0 0.5 1 0 0 0 1 0 0 0 1",
+     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1.000000"},
+    {"InformationWithANegativeEntryOnTheDiagonal", "EDGE_SE2 0 1 1 0 0.5 1 0 0 -1 0 1",
+     "9:22: information: expected a positive semi-definite matrix, got the diagonal entry -1.000000"},
+    {"IndefiniteInformation", "EDGE_SE2 0 1 1 0 0.5 1 2 0 1 0 1",
+     "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1.000000"},
+    {"InformationOfZeros", "EDGE_SE2 0 1 1 0 0.5 0 0 0 0 0 0",
+     "9:22: information: expected a matrix that weighs something, got zeros only"},
+    {"InformationThatIsNotANumber", "EDGE_SE2 0 1 1 0 0.5 1 0 0 nan 0 1",
+     "9:28: expected an entry of the information matrix (a finite number), got 'nan'"},
+    // Ids of edges
+    {"EdgeWithoutIds", "EDGE_SE2", "9:9: expected the id of a vertex, got the end of the line"},
+    {"EdgeThatIsCutOffAfterItsIds", "EDGE_SE2 0 1", "9:13: expected x, got the end of the line"},
+    {"EdgeToAnUnknownVertex", "EDGE_SE2 0 77 1 0 0.5 1 0 0 1 0 1",
+     "9:12: expected the id of a vertex, but there is no vertex 77"},
+    {"EdgeToANegativeId", "EDGE_SE2 0 -7 1 0 0.5 1 0 0 1 0 1",
+     "9:12: expected the id of a vertex, but there is no vertex -7"},
+    {"EdgeWithAVertexTwice", "EDGE_SE2 1 1 1 0 0.5 1 0 0 1 0 1",
+     "9:1: expected different vertices, but vertex 1 appears twice"},
+    {"EdgeToAVertexOfTheWrongType", "EDGE_SE2 0 2 1 0 0.5 1 0 0 1 0 1",
+     "9:12: expected the id of a vertex of type SE2, but vertex 2 is a Vector2"},
+    {"EdgeBetweenTwoAndThreeDimensions", "EDGE_SE3:QUAT 3 1 1 0 0 0 0 0 1 " + kIdentity6,
+     "9:17: expected the id of a vertex of type SE3, but vertex 1 is a SE2"},
+    {"ObservationWithItsVerticesSwapped", "EDGE_SE2_XY 2 0 1 0 1 0 1",
+     "9:13: expected the id of a vertex of type SE2, but vertex 2 is a Vector2"},
+    {"EdgeWithAMissingParameter", "EDGE_SE2_POINTXY_OFFSET 0 2 9 1 0 1 0 1",
+     "9:29: expected the id of a parameter, but there is no parameter 9"},
+    {"EdgeWithAParameterOfTheWrongType", "EDGE_SE2_POINTXY_OFFSET 0 2 1 1 0 1 0 1",
+     "9:29: expected the id of a parameter of type SE2, but parameter 1 is a SE3"},
+    {"TailWithoutItsEnd", "EDGE_SE2_LOTSOFXY 0 2",
+     "9:22: expected the id of a vertex, got the end of the line"},
+    {"TailWithAWrongCount", "EDGE_SE2_LOTSOFXY 0 2 || 0 1 0 1",
+     "9:26: expected a number of points ≥ 1, got 0"},
+    {"TailWithAnAbsurdCount", "EDGE_SE2_LOTSOFXY 0 2 || 99999999999 1 1 1 0 1",
+     "9:26: expected a number of points ≥ 1, got 99999999999"},
+    // Ids that are taken
+    {"VertexIdTwice", "VERTEX_SE2 1 0 0 0", "9:12: expected a new id, but vertex 1 is defined before"},
+    {"VertexIdTwiceWithOtherTypes", "VERTEX_XY 1 0 0",
+     "9:11: expected a new id, but vertex 1 is defined before"},
+    {"ParameterIdTwice", "PARAMS_SE2OFFSET 1 0 0 0",
+     "9:18: expected a new id, but parameter 1 is defined before"},
+    // FIX
+    {"FixWithoutId", "FIX", "9:4: expected the id of a vertex, got the end of the line"},
+    {"FixOfAnUnknownVertex", "FIX 0 77", "9:7: expected the id of a vertex, but there is no vertex 77"},
+    {"FixOfAWord", "FIX all", "9:5: expected the id of a vertex (an integer), got 'all'"},
+    // Several
+    {"BadLinesInARow", "VERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1\nFIX x",
+     "9:12: expected a new id, but vertex 1 is defined before", 3},
+    {"EdgesOfAVertexThatIsBad", "VERTEX_SE2 9 0 0\nEDGE_SE2 0 9 1 0 0.5 1 0 0 1 0 1",
+     "9:17: expected the heading θ, got the end of the line", 2},
+};
+
+class MalformedLine : public testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedLine, IsNamedByTheStrictReader) {
+  try {
+    parse_graph(kGood + GetParam().lines, "g");
+    FAIL() << "read without complaint";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), "g:" + GetParam().complaint);
+  }
+}
+
+TEST_P(MalformedLine, IsSkippedAndCountedByTheLenientReader) {
+  const std::string good_end = "\nEDGE_SE2_XY 0 2 1 1 1 0 1\n";
+  ReadOptions lenient;
+  lenient.lenient = true;
+  const GraphFile file = parse_graph(kGood + GetParam().lines + good_end, "g", lenient);
+  EXPECT_EQ(file.skipped, GetParam().bad_lines);
+  EXPECT_EQ(std::ssize(file.notes), GetParam().bad_lines);
+  EXPECT_EQ(file.graph.vertex_count(), 6u);
+  EXPECT_EQ(file.graph.parameter_count(), 2u);
+  EXPECT_EQ(file.graph.edge_count(), 1u) << "good lines after bad ones are read";
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, MalformedLine, testing::ValuesIn(kTable),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace boxplus
