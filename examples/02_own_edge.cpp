@@ -50,7 +50,7 @@ int main() {
   // [/graph]
 
   // [lambda]
-  // For a measurement that is used once, a lambda is enough: the robot stands on the road y = x / 2.
+  // The robot stands on the road y = x / 2.
   graph.add_edge([](const auto& point) { return point.y() - 0.5 * point.x(); }, 1e6, robot);
   optimize(graph);
   // [/lambda]

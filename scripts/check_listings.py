@@ -81,13 +81,14 @@ def check_page(page, programs, fix):
     text, complaints = page.read_text(encoding="utf-8"), []
 
     def complain(what, match):
-        line = text.count("\n", 0, match.start()) + 1
+        line = match.string.count("\n", 0, match.start()) + 1
         complaints.append(f"{page.relative_to(ROOT)}:{line}: {what}")
 
     corrected = BLOCK.sub(lambda match: check_block(match, programs, complain), text)
     if fix and corrected != text:
         page.write_text(corrected, encoding="utf-8")
-    for match in LINK.finditer(text):
+    prose = BLOCK.sub(lambda match: "\n" * match[0].count("\n"), text)
+    for match in LINK.finditer(prose):
         if not (page.parent / match[1]).exists():
             complain(f"no such file: {match[1]}", match)
     return complaints
