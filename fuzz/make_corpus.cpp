@@ -16,7 +16,7 @@ constexpr World kWorlds[] = {World::kSphere, World::kTorus, World::kGrid, World:
                              World::kLandmarks};
 
 std::string simulated(World world) {
-  Simulation simulation = simulate(world, {.poses = 9});
+  Simulation simulation = simulate(world, {.poses = 4});
   GraphFile file;
   file.graph = std::move(simulation.graph);
   file.edges = std::move(simulation.edges);
@@ -80,7 +80,7 @@ std::string odds() {
 
 /// TORO's words and order of Ω, which our writer does not write: the numbers of our writer, rearranged.
 std::string toro_plane() {
-  const Simulation simulation = simulate(World::kManhattan, {.poses = 9});
+  const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
   std::string text;
   FieldWriter out(text);
   for (const VertexRef& vertex : simulation.graph.all_vertices()) {

@@ -74,7 +74,13 @@ std::string nudged(std::string text, Random& random) {
   return text;
 }
 
-void mutate_field(std::string& line, Random& random) {
+std::string any_field(const std::string& line, Random& random) {
+  const Parts fields = split(line, ' ');
+  return fields[below(fields.size(), random)];
+}
+
+/// Changes one field of a line; `other` is a line to take one from.
+void mutate_field(std::string& line, const std::string& other, Random& random) {
   Parts fields = split(line, ' ');
   std::string& field = fields[below(fields.size(), random)];
   switch (below(5, random)) {
@@ -85,7 +91,7 @@ void mutate_field(std::string& line, Random& random) {
       field = nudged(field, random);
       break;
     case 2:
-      field = fields[below(fields.size(), random)];
+      field = any_field(other, random);
       break;
     case 3:
       fields.insert(fields.begin() + static_cast<std::ptrdiff_t>(below(fields.size(), random)),
@@ -111,7 +117,7 @@ void mutate_lines(Parts& lines, Random& random) {
       if (lines.size() > 1) lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(a));
       break;
     default:
-      mutate_field(lines[a], random);
+      mutate_field(lines[a], std::string(lines[b]), random);
   }
 }
 

@@ -11,7 +11,7 @@ for format in g2o toro; do
   mkdir -p "$build/corpus/$format" "$build/findings"
   log="$build/$format.log"
   if ! "$build/bin/fuzz_$format" "$build/corpus/$format" "$build/fuzz/seeds/$format" fuzz/regressions \
-    -max_total_time="$1" -max_len=4096 -timeout=10 -rss_limit_mb=2048 -dict="fuzz/$format.dict" \
+    -max_total_time="$1" -max_len=2048 -timeout=10 -rss_limit_mb=2048 -dict="fuzz/$format.dict" \
     -artifact_prefix="$build/findings/$format-" -print_final_stats=1 >"$log" 2>&1; then
     tail -n 60 "$log"
     exit 1
