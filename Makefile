@@ -6,7 +6,7 @@ JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test dev asan ubsan tsan tidy format check fuzz install clean
+.PHONY: help setup build demo test bench dev asan ubsan tsan tidy format check fuzz install clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -25,6 +25,11 @@ test: setup ## builds everything and runs all tests
 	@cmake --preset release
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS)
+
+bench: setup ## runs the benchmarks; bench/RESULTS.md holds the latest figures
+	@cmake --preset bench
+	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks
+	@build/bench/bin/graph_file_bench
 
 dev asan ubsan tsan: setup
 	@cmake --preset $@

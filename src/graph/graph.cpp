@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace boxplus {
 
@@ -21,6 +22,8 @@ Graph& Graph::operator=(Graph&& other) noexcept {
   vertex_pools_ = std::move(other.vertex_pools_);
   edge_pools_ = std::move(other.edge_pools_);
   edge_access_ = std::move(other.edge_access_);
+  last_vertex_pool_ = std::exchange(other.last_vertex_pool_, {});
+  last_edge_pool_ = std::exchange(other.last_edge_pool_, {});
   vertex_pool_of_ = std::move(other.vertex_pool_of_);
   edge_pool_of_ = std::move(other.edge_pool_of_);
   vertex_ids_ = std::move(other.vertex_ids_);
@@ -85,13 +88,19 @@ void Graph::check(EdgeRef edge) const {
     throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
 }
 
-void Graph::check_distinct(std::span<const VertexRef> vertices) const {
-  if (vertices.empty()) throw InvalidArgument("an edge needs at least one vertex");
-  for (const VertexRef& vertex : vertices) check(vertex);
+/// A vertex that appears twice.
+std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> vertices) {
+  if (vertices.size() == 2) return vertices[0] == vertices[1] ? std::optional(vertices[0]) : std::nullopt;
   std::vector<VertexRef> sorted(vertices.begin(), vertices.end());
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-  if (twice != sorted.end()) {
+  return twice == sorted.end() ? std::nullopt : std::optional(*twice);
+}
+
+void Graph::check_distinct(std::span<const VertexRef> vertices) const {
+  if (vertices.empty()) throw InvalidArgument("an edge needs at least one vertex");
+  for (const VertexRef& vertex : vertices) check(vertex);
+  if (const auto twice = find_repetition(vertices)) {
     throw InvalidArgument("vertex " + std::to_string(id(*twice)) + " appears twice in one edge");
   }
 }

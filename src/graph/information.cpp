@@ -16,6 +16,43 @@ int triangle_index(int i, int j, int n) {
   return i * n - i * (i - 1) / 2 + (j - i);
 }
 
+/// What is wrong with a full Ω, if anything. Small ones are looked at without allocation.
+constexpr int kSmall = 6;
+template <class Storage>
+std::string complaint_about(const InformationView& omega) {
+  const int rows = omega.rows;
+  Storage full(rows, rows);
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) full(i, j) = omega(i, j);
+  }
+  const double least = full.diagonal().minCoeff();
+  if (least < 0) {
+    return "information: expected a positive semi-definite matrix, got the diagonal entry " +
+           std::to_string(least);
+  }
+  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell
+  // indefinite ones.
+  const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
+  Storage l = full;
+  for (int k = 0; k < rows; ++k) {
+    const double pivot = l(k, k) + shift;
+    if (!(pivot > 0)) {
+      const double smallest =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
+      if (smallest < -shift) {
+        return "information: expected a positive semi-definite matrix, got the eigenvalue " +
+               std::to_string(smallest);
+      }
+      return {};
+    }
+    for (int i = k + 1; i < rows; ++i) {
+      const double factor = l(i, k) / pivot;
+      for (int j = k + 1; j <= i; ++j) l(i, j) -= factor * l(j, k);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 double InformationView::operator()(int i, int j) const {
@@ -91,24 +128,25 @@ Information Information::upper_triangle(std::span<const double> values, int rows
                           " numbers of an upper triangle of " + std::to_string(rows) + " rows, got " +
                           std::to_string(values.size()));
   }
-  bool diagonal = true;
-  std::vector<double> on_diagonal(static_cast<std::size_t>(rows));
-  std::size_t k = 0;
+  bool diagonal = rows > 0, scalar = diagonal;
+  const double* value = values.data();
   for (int i = 0; i < rows; ++i) {
-    on_diagonal[static_cast<std::size_t>(i)] = values[k++];
-    for (int j = i + 1; j < rows; ++j) diagonal = (values[k++] == 0) && diagonal;
-  }
-  if (diagonal && rows > 0) {
-    const bool scalar =
-        std::all_of(on_diagonal.begin(), on_diagonal.end(), [&](double v) { return v == on_diagonal[0]; });
-    Information result = scalar ? Information(on_diagonal[0]) : Information::diagonal(on_diagonal);
-    result.rows_ = rows;
-    return result;
+    scalar = scalar && *value++ == values[0];
+    for (int j = i + 1; j < rows; ++j) diagonal = (*value++ == 0) && diagonal;
   }
   Information result;
-  result.kind_ = InformationKind::kFull;
   result.rows_ = rows;
-  result.values_.assign(values.begin(), values.end());
+  if (diagonal && scalar) {
+    result.kind_ = InformationKind::kScalar;
+    result.values_.assign(1, values[0]);
+  } else if (diagonal) {
+    result.kind_ = InformationKind::kDiagonal;
+    for (int i = 0; i < rows; ++i)
+      result.values_.push_back(values[static_cast<std::size_t>(triangle_index(i, i, rows))]);
+  } else {
+    result.kind_ = InformationKind::kFull;
+    result.values_.assign(values.begin(), values.end());
+  }
   return result;
 }
 
@@ -152,33 +190,11 @@ std::string Information::complaint(int rows) const {
     }
     return {};
   }
-  const Eigen::MatrixXd full = InformationView{kind_, rows_, values_.data()}.matrix();
-  const double least = full.diagonal().minCoeff();
-  if (least < 0) {
-    return "information: expected a positive semi-definite matrix, got the diagonal entry " +
-           std::to_string(least);
-  }
-  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell
-  // indefinite ones.
-  const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
-  Eigen::MatrixXd l = full;
-  for (int k = 0; k < rows_; ++k) {
-    const double pivot = l(k, k) + shift;
-    if (!(pivot > 0)) {
-      const double smallest =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
-      if (smallest < -shift) {
-        return "information: expected a positive semi-definite matrix, got the eigenvalue " +
-               std::to_string(smallest);
-      }
-      return {};
-    }
-    for (int i = k + 1; i < rows_; ++i) {
-      const double factor = l(i, k) / pivot;
-      for (int j = k + 1; j <= i; ++j) l(i, j) -= factor * l(j, k);
-    }
-  }
-  return {};
+  const InformationView omega{kind_, rows_, values_.data()};
+  return rows_ <= kSmall
+             ? complaint_about<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>>(
+                   omega)
+             : complaint_about<Eigen::MatrixXd>(omega);
 }
 
 void InformationStore::append(const Information& information, int rows) {

@@ -222,6 +222,7 @@ class GraphReader {
   }
 
   void refuse_repetition(FieldReader& in) {
+    if (vertices_.size() == 2 && vertices_[0] != vertices_[1]) return;
     sorted_ = vertices_;
     std::sort(sorted_.begin(), sorted_.end());
     if (const auto twice = std::adjacent_find(sorted_.begin(), sorted_.end()); twice != sorted_.end()) {

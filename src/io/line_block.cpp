@@ -54,15 +54,23 @@ void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words
   lines_.clear();
   line_count_ = 0;
   last_word_ = {};
-  // A number and the blank before it take two bytes at least.
-  if (values_.size() < text.size() / 2 + 1) values_.resize(text.size() / 2 + 1);
-  values_used_ = 0;
+  values_.clear();
   while (!text.empty()) {
     const std::size_t newline = text.find('\n');
     const std::string_view line = text.substr(0, newline);
     text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
     ++line_count_;
     read_line(line, words);
+  }
+  place_fields();
+}
+
+/// Now that values_ does not grow any more, the fields of a line are where its values lie.
+void LineBlock::place_fields() {
+  const double* next = values_.data();
+  for (Line& line : lines_) {
+    line.fields.values = {next, line.value_count};
+    next += line.value_count;
   }
 }
 
@@ -85,16 +93,20 @@ void LineBlock::read_line(std::string_view text, const Words& words) {
     }
     line.tag = last_tag_;
     line.kind = line.tag ? Line::Kind::kElement : Line::Kind::kUnknown;
-    line.is_numeric = line.tag && read_fields(begin + word.size(), end, line.fields);
+    const std::size_t values_before = values_.size();
+    line.is_numeric = line.tag && read_fields(begin + word.size(), end, line.fields.integers);
+    if (!line.is_numeric) values_.resize(values_before);
+    line.value_count = values_.size() - values_before;
   }
   lines_.push_back(line);
 }
 
-/// False where a field is no number.
-bool LineBlock::read_fields(const char* at, const char* end, NumericFields& fields) {
-  double* const first = values_.data() + values_used_;
-  double* next = first;
+/// Appends to values_; false where a field is no number, or there are so many that it is not worth the
+/// memory.
+bool LineBlock::read_fields(const char* at, const char* end, std::size_t& integers) {
+  constexpr std::size_t kMost = std::size_t{1} << 16;
   bool integers_only = true;
+  std::size_t count = 0;
   for (at = skip_blanks(at, end); at != end && *at != '#'; at = skip_blanks(at, end)) {
     std::optional<double> value = read_integer(at, end);
     if (!value) {
@@ -102,11 +114,10 @@ bool LineBlock::read_fields(const char* at, const char* end, NumericFields& fiel
       value = read_number(at, end);
       if (!value) return false;
     }
-    *next++ = *value;
-    fields.integers += integers_only;
+    if (++count > kMost) return false;
+    values_.push_back(*value);
+    integers += integers_only;
   }
-  fields.values = {first, next};
-  values_used_ += fields.values.size();
   return true;
 }
 

@@ -46,6 +46,7 @@ struct Line {
   bool is_numeric = false;  ///< an element whose fields are all numbers: `fields` holds them
   const Tag* tag = nullptr;
   NumericFields fields = {};
+  std::size_t value_count = 0;
 };
 
 /// What one worker makes of one block; its memory is used again for the next.
@@ -58,11 +59,11 @@ class LineBlock {
 
  private:
   void read_line(std::string_view text, const Words& words);
-  bool read_fields(const char* at, const char* end, NumericFields& fields);
+  void place_fields();
+  bool read_fields(const char* at, const char* end, std::size_t& integers);
 
   std::string memory_;
-  std::vector<double> values_;  // room for the numbers of all lines
-  std::size_t values_used_ = 0;
+  std::vector<double> values_;  // the fields of all numeric lines
   std::vector<Line> lines_;
   std::int64_t line_count_ = 0;
   std::string_view last_word_;  // most lines begin like the one before

@@ -15,7 +15,7 @@ namespace {
 struct ToroEdge2 : EdgeLayout<Between<SE2>> {
   static Information read_information(FieldReader& in, int rows) {
     const std::int64_t column = in.column();
-    const std::vector<double> v = read_triangle(in, rows);
+    const std::span<const double> v = read_triangle(in, rows);
     return checked_information(in, column, std::array{v[0], v[1], v[4], v[2], v[5], v[3]}, rows);
   }
 };
@@ -40,7 +40,7 @@ struct ToroEdge3 {
   static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
   static Information read_information(FieldReader& in, int rows) {
     const std::int64_t column = in.column();
-    std::vector<double> triangle = read_triangle(in, rows);
+    const std::span<double> triangle = read_triangle(in, rows);
     const auto scale = [](int row) { return row < 3 ? 1 : 2; };
     auto value = triangle.begin();
     for (int i = 0; i < rows; ++i) {

@@ -19,8 +19,9 @@ bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const Verte
 
 }  // namespace
 
-std::vector<double> read_triangle(FieldReader& in, int rows) {
-  std::vector<double> values(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2);
+std::span<double> read_triangle(FieldReader& in, int rows) {
+  thread_local std::vector<double> values;
+  values.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2);
   for (double& value : values) value = in.number("an entry of the information matrix");
   return values;
 }
@@ -28,7 +29,8 @@ std::vector<double> read_triangle(FieldReader& in, int rows) {
 Information checked_information(FieldReader& in, std::int64_t column, std::span<const double> triangle,
                                 int rows) {
   Information information = Information::upper_triangle(triangle, rows);
-  if (const std::string complaint = information.complaint(rows); !complaint.empty())
+  // Where the columns are not known, the graph's own complaint suffices.
+  if (const std::string complaint = column > 0 ? information.complaint(rows) : ""; !complaint.empty())
     in.fail(column, complaint);
   if (std::all_of(triangle.begin(), triangle.end(), [](double value) { return value == 0; }))
     in.fail(column, "information: expected a matrix that weighs something, got zeros only");

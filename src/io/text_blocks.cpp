@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace boxplus {
+namespace {
+
+constexpr std::size_t kFirstExtension = 4096;
+
+}  // namespace
 
 TextBlocks::TextBlocks(std::string_view text, std::size_t block_size)
     : size_(text.size()), block_size_(block_size), text_(text) {}
@@ -23,37 +28,31 @@ TextBlocks TextBlocks::of_file(const std::string& path, std::size_t block_size) 
 }
 
 std::string_view TextBlocks::read(std::size_t k, std::string& memory) const {
-  // A line begins after a newline: its search begins one byte earlier.
+  // A line begins after a newline, whose search begins one byte earlier.
   const std::size_t begin = k == 0 ? 0 : k * block_size_ - 1, end = std::min((k + 1) * block_size_, size_);
-  std::string_view lines = file_.is_open() ? read_file(begin, end, memory) : read_text(begin, end);
-  if (k == 0) return lines;
-  const std::size_t newline = lines.substr(0, end - begin).find('\n');
-  // Where the block's last byte is the newline, the next line begins in the next block.
-  if (newline == std::string_view::npos || begin + newline + 1 >= end) return {};
-  return lines.substr(newline + 1);
-}
-
-/// From `begin` to the end of the line that holds byte end − 1.
-std::string_view TextBlocks::read_text(std::size_t begin, std::size_t end) const {
-  const std::string_view text = owned_.empty() ? text_ : std::string_view(owned_);
-  const std::size_t newline = text.find('\n', end - 1);
-  return text.substr(begin, newline == std::string_view::npos ? newline : newline + 1 - begin);
-}
-
-std::string_view TextBlocks::read_file(std::size_t begin, std::size_t end, std::string& memory) const {
-  constexpr std::size_t kMore = 4096;
-  const std::size_t searched = end - 1 - begin;
-  std::size_t wanted = end - begin + kMore, count = 0, from = searched;
-  for (;;) {
-    if (memory.size() < wanted) memory.resize(wanted);
-    count += read_at(file_, path_, begin + count, memory.data() + count, wanted - count);
-    const std::string_view text(memory.data(), count);
-    const std::size_t newline = text.find('\n', from);
-    if (newline != std::string_view::npos) return text.substr(0, newline + 1);
-    if (count < wanted) return text;  // the end of the file
-    from = count;
-    wanted *= 2;
+  std::string_view part = bytes(begin, end - begin, memory);
+  std::size_t first = 0;
+  if (k > 0) {
+    first = part.find('\n');
+    if (first == std::string_view::npos || ++first >= part.size()) return {};  // no line begins in this block
   }
+  // The last line ends where it likes.
+  std::size_t searched = part.size() - 1, newline = part.find('\n', searched);
+  for (std::size_t more = kFirstExtension; newline == std::string_view::npos; more *= 2) {
+    const std::size_t wanted = part.size() + more;
+    searched = part.size();
+    part = bytes(begin, wanted, memory);
+    newline = part.find('\n', searched);
+    if (part.size() < wanted) break;  // the end of the text
+  }
+  return part.substr(first, newline == std::string_view::npos ? newline : newline + 1 - first);
+}
+
+/// `count` bytes from `begin` on, fewer at the end of the text.
+std::string_view TextBlocks::bytes(std::size_t begin, std::size_t count, std::string& memory) const {
+  if (!file_.is_open()) return (owned_.empty() ? text_ : std::string_view(owned_)).substr(begin, count);
+  if (memory.size() < count) memory.resize(count);
+  return {memory.data(), read_at(file_, path_, begin, memory.data(), count)};
 }
 
 }  // namespace boxplus

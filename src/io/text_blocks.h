@@ -25,8 +25,7 @@ class TextBlocks {
   std::string_view read(std::size_t k, std::string& memory) const;
 
  private:
-  std::string_view read_text(std::size_t begin, std::size_t end) const;
-  std::string_view read_file(std::size_t begin, std::size_t end, std::string& memory) const;
+  std::string_view bytes(std::size_t begin, std::size_t count, std::string& memory) const;
 
   std::size_t size_ = 0, block_size_;
   std::string_view text_;

@@ -2,6 +2,7 @@
 // The problem: vertices (estimates on manifolds) and edges (measurements), owned by value.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <ranges>
@@ -38,6 +39,23 @@ struct VertexTypeOf<R> {
 /// T for VertexHandle<T>, Tail<T> for a range of them.
 template <class H>
 using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
+
+/// A list of at most N items, without allocation.
+template <class T, std::size_t N>
+class ShortList {
+ public:
+  void push_back(const T& item) { items_[size_++] = item; }
+  const T* begin() const { return items_.data(); }
+  const T* end() const { return items_.data() + size_; }
+  operator std::span<const T>() const { return {items_.data(), size_}; }  // NOLINT: as a vector does
+
+ private:
+  std::array<T, N> items_{};
+  std::size_t size_ = 0;
+};
+/// One T per vertex of an edge over V…
+template <class T, class... V>
+using ListFor = std::conditional_t<(kIsTail<V> || ...), std::vector<T>, ShortList<T, sizeof...(V)>>;
 
 template <class H>
 concept Attachable = requires {
@@ -147,15 +165,16 @@ class Graph {
     static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last argument may be a range of handles");
     static_assert(EdgeType<E, edge::VertexType<H>...>,
                   "the error function cannot be called with the estimates of these vertices (in this order)");
-    std::vector<VertexRef> refs;
+    edge::ListFor<VertexRef, edge::VertexType<H>...> refs;
     (gather(refs, vertices), ...);
     check_distinct(refs);
-    auto& pool = edge_pool_for<E, edge::VertexType<H>...>();
-    std::vector<std::uint32_t> slots;
+    edge::ListFor<std::uint32_t, edge::VertexType<H>...> slots;
     for (const VertexRef& ref : refs) slots.push_back(ref.slot);
+    const std::uint32_t index = edge_pool_for<E, edge::VertexType<H>...>();
+    auto& pool = static_cast<TypedEdgePool<E, edge::VertexType<H>...>&>(*edge_pools_[index]);
     const std::uint32_t slot = pool.add(std::move(error), information, slots);
     ++revision_;
-    return {EdgeRef{edge_pool_index<E, edge::VertexType<H>...>(), slot, pool.generation(slot)}};
+    return {EdgeRef{index, slot, pool.generation(slot)}};
   }
 
   /// The error function (measurement) of an edge.
@@ -242,19 +261,20 @@ class Graph {
   [[noreturn]] void throw_wrong_type(EdgeRef edge, std::string_view expected) const;
   void check(VertexRef vertex) const;
   void check(EdgeRef edge) const;
+  static std::optional<VertexRef> find_repetition(std::span<const VertexRef> vertices);
   void check_distinct(std::span<const VertexRef> vertices) const;
   void mark_parameter(VertexRef vertex);
   void save(Saved saved);
   Saved live(const Saved& saved) const;
 
   /// Appends a handle, or a range of them, to the vertices of a new edge.
-  template <class T>
-  void gather(std::vector<VertexRef>& out, const VertexHandle<T>& vertex) const {
+  template <class List, class T>
+  void gather(List& out, const VertexHandle<T>& vertex) const {
     typed_pool<T>(vertex);
     out.push_back(vertex);
   }
-  template <std::ranges::range R>
-  void gather(std::vector<VertexRef>& out, const R& vertices) const {
+  template <class List, std::ranges::range R>
+  void gather(List& out, const R& vertices) const {
     for (const auto& vertex : vertices) gather(out, vertex);
   }
 
@@ -273,12 +293,14 @@ class Graph {
   /// The index of T's pool, which is made where it is missing.
   template <class T>
   std::uint32_t require_vertex_pool() {
+    if (last_vertex_pool_.type == &typeid(T)) return last_vertex_pool_.index;
     const auto [entry, fresh] =
         vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
     if (fresh) {
       vertex_pools_.push_back(std::make_unique<TypedVertexPool<T>>());
       vertex_pools_.back()->first_generation_ = epoch_;
     }
+    last_vertex_pool_ = {&typeid(T), entry->second};
     return entry->second;
   }
   template <class T>
@@ -324,13 +346,11 @@ class Graph {
     return access;
   }
 
+  /// The index of the edges' pool, which is made where it is missing.
   template <class E, class... V>
-  std::uint32_t edge_pool_index() const {
-    return edge_pool_of_.at(typeid(TypedEdgePool<E, V...>));
-  }
-  template <class E, class... V>
-  TypedEdgePool<E, V...>& edge_pool_for() {
+  std::uint32_t edge_pool_for() {
     using Pool = TypedEdgePool<E, V...>;
+    if (last_edge_pool_.type == &typeid(Pool)) return last_edge_pool_.index;
     const auto [entry, fresh] =
         edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
     if (fresh) {
@@ -341,13 +361,22 @@ class Graph {
       edge_pools_.back()->first_generation_ = epoch_;
       edge_access_.push_back(EdgeAccess::of<E, Pool>());
     }
-    return static_cast<Pool&>(*edge_pools_[entry->second]);
+    last_edge_pool_ = {&typeid(Pool), entry->second};
+    return entry->second;
   }
+
+  /// The pool that was added to last: most elements come in runs of one type, and a type is hashed by its
+  /// name.
+  struct LastPool {
+    const std::type_info* type = nullptr;
+    std::uint32_t index = 0;
+  };
 
   std::vector<std::unique_ptr<VertexPool>> vertex_pools_;
   std::vector<std::unique_ptr<EdgePool>> edge_pools_;
   std::vector<EdgeAccess> edge_access_;  // per edge pool
   std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
+  LastPool last_vertex_pool_, last_edge_pool_;
   IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
   std::uint64_t revision_ = 1;
