@@ -4,7 +4,6 @@
 // use.
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <random>
 #include <string>
 #include <string_view>
@@ -131,6 +130,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   for (std::size_t count = 1 + below(3, random); count > 0; --count) mutate_lines(lines, random);
   const std::string text = join(lines, '\n');
   const std::size_t length = std::min(text.size(), max_size);
-  std::memcpy(data, text.data(), length);
+  std::copy_n(text.begin(), length, data);
   return length;
 }
