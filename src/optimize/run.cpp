@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/run.h"
+
+#include <cmath>
+
+namespace boxplus {
+
+Run::Run(Graph& graph, const Options& options, Report& report)
+    : graph_(graph), options_(options), report_(report) {
+  {
+    const TimeAdder adder(report_.time.plan_s);
+    session_ = &Session::find(graph_, options_, report_.plan_reused);
+  }
+  system().configure(options_, report_.time);
+  report_.chi2_initial = system().chi2();
+  report_.start.requested = options_.start;
+  report_.start.chi2_current = report_.chi2_initial;
+  describe_problem();
+}
+
+void Run::describe_problem() {
+  const Plan& plan = system().plan();
+  report_.linear_solver = system().linear_solver().name();
+  report_.algorithm = session_->algorithm(options_).name();
+  report_.vertices = plan.structure.blocks();
+  report_.scalars = plan.scalars();
+  report_.eliminated = plan.eliminated_blocks;
+  report_.edges = plan.edge_count;
+  report_.linear = system().linear_solver().statistics();
+  report_.threads = resolved_threads(options_);
+  report_.workers = system().linearizer().workers();
+  report_.gauge.damped_components = plan.damped_components + plan.free_components;
+  report_.gauge.held.clear();
+  for (const GaugeVertex& gauge : plan.held) report_.gauge.held.push_back(gauge.id);
+  report_.gauge.released.clear();
+  for (const VertexRef& vertex : session_->released()) report_.gauge.released.push_back(graph_.id(vertex));
+  report_.numeric_jacobians.clear();
+  report_.disabled_edges = 0;
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph_.edge_pools()[list.pool];
+    if (options_.numeric_jacobians || pool.jacobian_source() == JacobianSource::kNumeric) {
+      report_.numeric_jacobians.push_back(pool.type_name());
+    }
+    for (std::uint32_t edge : list.edges) report_.disabled_edges += !pool.enabled(edge);
+  }
+}
+
+RunResult Run::minimize(double chi2) {
+  if (!std::isfinite(chi2)) return {Status::kFailed, Reason::kNotFinite, chi2, 0};
+  Algorithm& algorithm = session_->algorithm(options_);
+  algorithm.reset(options_, system().plan().scalars());
+  const auto go_on = [this](const IterationRecord& record) { return call_back(record); };
+  RunResult result = boxplus::minimize(system(), algorithm, options_, go_on, chi2, clock_, report_.records);
+  report_.iterations += result.iterations;
+  report_.regularised_steps += algorithm.regularised_steps();
+  return result;
+}
+
+bool Run::call_back(const IterationRecord& record) {
+  if (!options_.callback) return true;
+  const std::uint64_t revision = graph_.revision();
+  const bool go_on = options_.callback(record);
+  if (graph_.revision() != revision || graph_.cache().get() != session_) {
+    throw InvalidArgument("Options::callback changed the structure of the graph, or optimised it");
+  }
+  return go_on;
+}
+
+void Run::plan_again(FunctionRef<void()> change) {
+  {
+    const TimeAdder adder(report_.time.plan_s);
+    change();
+  }
+  system().configure(options_, report_.time);
+  describe_problem();
+}
+
+}  // namespace boxplus

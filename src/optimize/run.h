@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One call of optimize(): what its parts (starts, the release of gauge vertices) share.
+#pragma once
+
+#include "boxplus/base/function_ref.h"
+#include "boxplus/optimize/optimize.h"
+#include "optimize/minimize.h"
+#include "optimize/session.h"
+
+namespace boxplus {
+
+class Run {
+ public:
+  /// Finds or makes the plan, evaluates chi2 and begins the report.
+  Run(Graph& graph, const Options& options, Report& report);
+
+  Graph& graph() { return graph_; }
+  const Options& options() const { return options_; }
+  Report& report() { return report_; }
+  Session& session() { return *session_; }
+  BatchSystem& system() { return session_->system(); }
+  double seconds() const { return clock_.seconds(); }
+
+  /// Runs the algorithm from the current estimates, whose chi2 is given.
+  RunResult minimize(double chi2);
+  /// Has `change` change the plan.
+  void plan_again(FunctionRef<void()> change);
+
+ private:
+  void describe_problem();
+  bool call_back(const IterationRecord& record);
+
+  Graph& graph_;
+  const Options& options_;
+  Report& report_;
+  Stopwatch clock_;
+  Session* session_ = nullptr;
+};
+
+}  // namespace boxplus
