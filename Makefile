@@ -3,9 +3,10 @@
 
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 60
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench dev asan ubsan tsan tidy format check install clean
+.PHONY: help setup build demo test bench dev asan ubsan tsan tidy format check fuzz install clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -50,6 +51,11 @@ format: ## formats all C++ files
 check: ## checks the format and the direction of includes
 	@scripts/check_format.sh
 	@scripts/check_includes.py
+
+fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
+	@cmake --preset fuzz
+	@cmake --build --preset fuzz --parallel $(JOBS)
+	@fuzz/run.sh $(FUZZ_SECONDS)
 
 install: build ## installs headers, library, programs and CMake package under PREFIX (/usr/local)
 	@cmake --install build/release --prefix $(PREFIX)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A robot drives a square and comes back to where it began; README.md shows this program.
+
+// [program]
 #include <boxplus/boxplus.h>
 
 #include <iostream>
-
 using namespace boxplus;
-
 int main() {
   Graph graph;
   auto a = graph.add_vertex(SE2(0, 0, 0));  // poses: x, y in metres, heading in radians
@@ -18,4 +18,6 @@ int main() {
   graph.add_edge([](const auto& p) { return p.y() - 1.02; }, information, c);  // any callable is an edge
   Report report = optimize(graph);
   std::cout << report << graph.estimate(c).vector().transpose() << "\n";
+  return report.converged() ? 0 : 1;
 }
+// [/program]

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An own vertex type: a circle through measured points.
+//
+// Any copyable type becomes a vertex by the trait Manifold<T>, which says how many degrees of freedom it has
+// (kDim), what it means to add a small step to it (⊞, oplus), and the step between two of them (⊟, ominus).
+// The type itself stays as it is; it may come from another library.
+#include <boxplus/boxplus.h>
+#include <boxplus/testing/check_manifold.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace boxplus;
+
+// [type]
+template <class S>
+struct BasicCircle {
+  Vector<S, 2> centre;
+  S radius;
+};
+using Circle = BasicCircle<double>;
+// [/type]
+
+// [trait]
+template <class S>
+struct boxplus::Manifold<BasicCircle<S>> {
+  static constexpr int kDim = 3;
+
+  /// The radius is stretched, not added to: whatever the step, it stays positive.
+  static BasicCircle<S> oplus(const BasicCircle<S>& x, const S* delta) {
+    using std::exp;
+    return {Vector<S, 2>(x.centre[0] + delta[0], x.centre[1] + delta[1]), x.radius * exp(delta[2])};
+  }
+  static void ominus(const BasicCircle<S>& y, const BasicCircle<S>& x, S* delta) {
+    using std::log;
+    delta[0] = y.centre[0] - x.centre[0];
+    delta[1] = y.centre[1] - x.centre[1];
+    delta[2] = log(y.radius / x.radius);
+  }
+
+  // These two let exact derivatives pass through ⊞. Without them, edges are differentiated numerically.
+  template <class T>
+  using Rebind = BasicCircle<T>;
+  template <class T>
+  static BasicCircle<T> cast(const BasicCircle<S>& x) {
+    return {x.centre.template cast<T>(), T(x.radius)};
+  }
+};
+// [/trait]
+
+// [edge]
+/// How far (metres) a measured point lies outside of the circle.
+struct PointOnCircle {
+  Vector2 point;
+
+  template <class S>
+  S error(const BasicCircle<S>& circle) const {
+    return (point - circle.centre).norm() - circle.radius;
+  }
+};
+// [/edge]
+
+bool laws_hold() {
+  // [check_manifold]
+  const ManifoldCheck check = check_manifold<Circle>({{Vector2(0, 0), 1}, {Vector2(3, -2), 0.01}});
+  if (!check) std::printf("%s\n", check.message.c_str());
+  // [/check_manifold]
+  return check.ok;
+}
+
+int main() {
+  // [graph]
+  Graph graph;
+  const auto circle = graph.add_vertex(Circle{Vector2(0, 0), 1});
+  for (const double angle : {0.1, 0.7, 1.2, 2.0, 2.9, 3.3, 4.4, 5.6}) {
+    const double radius = 2 + 0.01 * std::sin(40 * angle);  // with a little noise
+    graph.add_edge(PointOnCircle{Vector2(3 + radius * std::cos(angle), -1 + radius * std::sin(angle))},
+                   circle);
+  }
+  const Report report = optimize(graph);
+  const Circle& found = graph.estimate(circle);
+  std::printf("centre (%.2f, %.2f), radius %.2f\n", found.centre.x(), found.centre.y(), found.radius);
+  // [/graph]
+
+  const bool is_right = (found.centre - Vector2(3, -1)).norm() < 0.02 && std::abs(found.radius - 2) < 0.02;
+  return report.converged() && is_right && laws_hold() ? 0 : 1;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Outliers: a curve y = exp(m t + c) is fitted to samples, of which every fifth is grossly wrong.
+//
+// Least squares trusts every measurement, so a few wrong ones pull the curve away. A robust kernel lets an
+// edge count less the more it disagrees; its width says from which (whitened) error on.
+#include <boxplus/boxplus.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+/// One sample of the curve; the vertex is (m, c).
+struct Sample {
+  double t, y;
+
+  template <class S>
+  S error(const Vector<S, 2>& curve) const {
+    using std::exp;
+    return exp(curve[0] * t + curve[1]) - y;
+  }
+};
+
+int main() {
+  const Vector2 truth(0.3, 0.1);
+  Graph graph;
+  const auto curve = graph.add_vertex(Vector2(0, 0));
+  const double sigma = 0.05;
+  std::vector<EdgeHandle<Sample>> samples;
+  for (int i = 0; i < 50; ++i) {
+    const double t = 0.1 * i, noise = sigma * std::sin(37.0 * i);
+    const double outlier = i % 5 == 0 ? 4 : 0;
+    const Sample sample{t, std::exp(truth[0] * t + truth[1]) + noise + outlier};
+    samples.push_back(graph.add_edge(sample, 1 / (sigma * sigma), curve));
+  }
+
+  optimize(graph);
+  const Vector2 trusting = graph.estimate(curve);
+  std::printf("least squares:  m %.3f, c %.3f\n", trusting[0], trusting[1]);
+
+  // [kernel]
+  for (const auto& sample : samples) graph.set_kernel(sample, Cauchy(2));  // in standard deviations
+  const Report report = optimize(graph);
+  // [/kernel]
+  const Vector2 robust = graph.estimate(curve);
+  std::printf("Cauchy kernel:  m %.3f, c %.3f (the truth: %.3f, %.3f)\n", robust[0], robust[1], truth[0],
+              truth[1]);
+
+  const bool helps = (robust - truth).norm() < 0.02 && (trusting - truth).norm() > 0.2;
+  return report.converged() && helps ? 0 : 1;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bundle adjustment: cameras and points from the pixels in which the cameras see the points.
+//
+// There are many more points than cameras, and no edge joins two points. Points that are marked as eliminated
+// are solved for in closed form (by the Schur complement); what remains has the size of the cameras.
+#include <boxplus/boxplus.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+/// The pixel at which a camera sees a point. The camera looks along its z axis.
+struct Pixel {
+  static constexpr double kFocalLength = 500;  // pixels
+  Vector2 measurement;
+
+  template <class S, class Point>
+  Vector<S, 2> error(const BasicSE3<S>& camera, const Point& point) const {
+    const auto p = camera.inverse_times(point);
+    return Vector<S, 2>(kFocalLength * p[0] / p[2], kFocalLength * p[1] / p[2]) - measurement;
+  }
+};
+
+/// A camera on a circle around the origin, at which it looks.
+SE3 camera_at(double angle) {
+  const double half = 0.5 * (angle + kPi);
+  const Quaternion<double> turn{0, std::sin(half), 0, std::cos(half)};
+  return SE3(Vector3(10 * std::sin(angle), 0, 10 * std::cos(angle)), turn);
+}
+
+int main() {
+  std::vector<SE3> true_cameras;
+  std::vector<Vector3> true_points;
+  for (int i = 0; i < 8; ++i) true_cameras.push_back(camera_at(0.2 * i));
+  for (int k = 0; k < 60; ++k)
+    true_points.push_back(3 * Vector3(std::sin(1.3 * k), std::sin(2.1 * k), std::sin(3.7 * k)));
+
+  // [eliminate]
+  Graph graph;
+  std::vector<VertexHandle<SE3>> cameras;
+  std::vector<VertexHandle<Vector3>> points;
+  for (const SE3& camera : true_cameras)
+    cameras.push_back(graph.add_vertex(camera * SE3(Vector3(0.1, -0.1, 0.1), SO3())));  // a wrong guess
+  for (const Vector3& point : true_points) {
+    points.push_back(graph.add_vertex(Vector3(1.1 * point)));
+    graph.set_eliminated(points.back(), true);
+  }
+  // [/eliminate]
+  for (int i : {0, 1}) {  // two known cameras say where the world is, and how large
+    graph.set_estimate(cameras[i], true_cameras[i]);
+    graph.fix(cameras[i]);
+  }
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Pixel pixel{Vector2(0, 0)};
+      pixel.measurement = pixel.error(true_cameras[i], true_points[k]);
+      graph.add_edge(pixel, cameras[i], points[k]);
+    }
+  }
+
+  const Report report = optimize(graph);
+  double worst = 0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    worst = std::max(worst, (graph.estimate(points[k]) - true_points[k]).norm());
+  std::printf("%u of %u vertices eliminated; all points found to %s\n", report.eliminated, report.vertices,
+              worst < 1e-6 ? "a micrometre" : "more than a micrometre");
+  return report.converged() && report.eliminated == 60 && worst < 1e-6 ? 0 : 1;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A graph that grows while the robot drives, and loop closures that are tried before they are believed.
+#include <boxplus/boxplus.h>
+
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+// [try_edge]
+/// Adds the edge where the graph can live with it; otherwise leaves everything as it was.
+bool try_edge(Graph& graph, const SE2& measured, VertexHandle<SE2> a, VertexHandle<SE2> b) {
+  const double believable = 12.8;  // 3 rows exceed this chi2 in one of 200 cases
+  const double before = graph.chi2();
+  graph.push();  // saves all estimates
+  const auto edge = graph.add_edge(Between(measured), 100.0, a, b);
+  const Report report = optimize(graph);
+  if (report.converged() && report.chi2_final - before < believable) {
+    graph.discard_top();  // forgets what was saved
+    return true;
+  }
+  graph.remove(edge);
+  graph.pop();  // puts the estimates back
+  return false;
+}
+// [/try_edge]
+
+int main() {
+  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, measured slightly wrong each time
+
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(0, 0, 0))};
+  graph.fix(poses[0]);
+  for (int step = 0; step < 8; ++step) {
+    const auto last = poses.back();
+    poses.push_back(graph.add_vertex(graph.estimate(last) * measured));
+    graph.add_edge(Between(measured), 100.0, last, poses.back());
+    optimize(graph);
+  }
+
+  // After four sides the robot is back where it began. (Seen again from there: itself.)
+  const bool good = try_edge(graph, SE2(0, 0, 0), poses[0], poses[4]);
+  // Somebody takes one corner for the opposite one.
+  const SE2 kept = graph.estimate(poses[8]);
+  const bool bad = try_edge(graph, SE2(0, 0, 0), poses[0], poses[6]);
+  std::printf("true closure %s, false closure %s\n", good ? "accepted" : "refused",
+              bad ? "accepted" : "refused");
+  const bool is_restored = graph.estimate(poses[8]).vector() == kept.vector();
+
+  // [subset]
+  // Only the last three poses move; edges that do not touch them take no part.
+  Options options;
+  options.vertices = {poses[6], poses[7], poses[8]};
+  const Report local = optimize(graph, options);
+  // [/subset]
+  std::printf("local optimisation: %u vertices, %u edges\n", local.vertices, local.edges);
+  return good && !bad && is_restored && local.converged() && local.vertices == 3 ? 0 : 1;
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An own linear solver behind the seam of boxplus/linear/linear_solver.h: Eigen's dense Cholesky.
+//
+// A solver gets the blocks of A, adds the damping λD to its diagonal while it copies them, and solves.
+#include <boxplus/linear/linear_solver.h>
+
+#include <Eigen/Cholesky>
+#include <cstdio>
+
+using namespace boxplus;
+
+// [solver]
+class EigenLlt final : public LinearSolver {
+ public:
+  std::string_view name() const override { return "eigen_llt"; }
+  Needs needs() const override { return Needs::kBlocks; }
+
+  /// Once per structure: all that does not depend on the values, and memory.
+  void analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) override {
+    structure_ = &structure;
+    matrix_.resize(structure.scalars(), structure.scalars());
+  }
+
+  /// Once per linearisation and damping.
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         std::span<const std::uint32_t> /*changed_columns*/) override {
+    const BlockStructure& s = *structure_;
+    matrix_.setZero();
+    for (std::uint32_t j = 0; j < s.blocks(); ++j) {
+      for (std::uint32_t k = s.column_start[j]; k < s.column_start[j + 1]; ++k) {
+        const double* block = system.values().data() + s.value_start[k];
+        matrix_.block(s.offset[s.row[k]], s.offset[j], s.dim(s.row[k]), s.dim(j)) =
+            Eigen::Map<const Eigen::MatrixXd>(block, s.dim(s.row[k]), s.dim(j));
+      }
+    }
+    for (std::uint32_t i = 0; i < s.scalars(); ++i) matrix_(i, i) += damping(i);
+    cholesky_.compute(matrix_);  // reads the lower triangle
+    if (cholesky_.info() == Eigen::Success) return {};
+    return {LinearStatus::kNotPositiveDefinite, 0};
+  }
+
+  /// Any number of times per factorisation; b and x may be the same.
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& /*control*/) override {
+    const Eigen::Map<const Eigen::MatrixXd> right(b, matrix_.rows(), columns);
+    Eigen::Map<Eigen::MatrixXd>(x, matrix_.rows(), columns) = cholesky_.solve(right).eval();
+    return {};
+  }
+
+ private:
+  const BlockStructure* structure_ = nullptr;
+  Eigen::MatrixXd matrix_;
+  Eigen::LLT<Eigen::MatrixXd> cholesky_;
+};
+// [/solver]
+
+int main() {
+  // Two blocks, of 2 and 1 scalars, that are coupled: values column by column, diagonal blocks in full.
+  const BlockStructure structure = make_block_structure({2, 1}, {{1, 0}});
+  const std::vector<double> values{4, 1, 1, 3, /* (1, 0) */ 1, 0.5, /* (1, 1) */ 2};
+  const std::vector<double> b{1, 2, 3};
+  const AssembledSystem system(structure, values);
+
+  EigenLlt mine;
+  const auto theirs = make_linear_solver(LinearSolverKind::kBlockCholesky);
+  double x[2][3];
+  int k = 0;
+  for (LinearSolver* solver : {static_cast<LinearSolver*>(&mine), theirs.get()}) {
+    solver->analyze(structure, {});
+    if (solver->factorize(system, Damping{0.1}).status != LinearStatus::kOk) return 1;
+    solver->solve(b.data(), 1, x[k]);
+    std::printf("%-14s %.6f %.6f %.6f\n", solver->name().data(), x[k][0], x[k][1], x[k][2]);
+    ++k;
+  }
+  return (Eigen::Vector3d(x[0]) - Eigen::Vector3d(x[1])).norm() < 1e-12 ? 0 : 1;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An own algorithm behind the seam of boxplus/optimize/algorithm.h: Gauss-Newton with a line search.
+//
+// An algorithm sees the problem only as a System: it has it linearised, asks for steps, tries them, and
+// accepts or rejects what it tried. It knows neither graphs nor matrices.
+#include <boxplus/boxplus.h>
+#include <boxplus/optimize/algorithm.h>
+#include <boxplus/optimize/batch_system.h>
+
+#include <cstdio>
+
+using namespace boxplus;
+
+// [algorithm]
+class LineSearch final : public Algorithm {
+ public:
+  std::string_view name() const override { return "line search"; }
+  void reset(const Options& /*options*/, std::size_t scalars) override { step_.resize(scalars); }
+
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
+    if (!system.linearize()) return IterationOutcome::kNotFinite;
+    if (system.solve({}, step_).status != LinearStatus::kOk) return IterationOutcome::kNotPositiveDefinite;
+    for (record.tries = 1; record.tries < 30; ++record.tries) {
+      record.chi2 = system.try_step(step_);
+      record.chi2_decrease = chi2 - record.chi2;
+      if (record.chi2 < chi2) {
+        system.accept();
+        return IterationOutcome::kAccepted;
+      }
+      system.reject();
+      for (double& entry : step_) entry /= 2;
+    }
+    record.chi2 = chi2;
+    return IterationOutcome::kNoFurtherDecrease;
+  }
+
+ private:
+  std::vector<double> step_;
+};
+// [/algorithm]
+
+int main() {
+  Graph graph;
+  const auto x =
+      graph.add_vertex(Vector2(-1.2, 1));  // Rosenbrock's valley, along which the minimum lies at (1, 1)
+  graph.add_edge([](const auto& p) { return 10.0 * (p[1] - p[0] * p[0]); }, x);
+  graph.add_edge([](const auto& p) { return 1.0 - p[0]; }, x);
+
+  // [run]
+  BatchSystem system(graph, PlanRequest{}, LinearSolverKind::kAutomatic, SchurMode::kAutomatic);
+  Timings timings;
+  system.configure(Options{}, timings);
+  LineSearch algorithm;
+  algorithm.reset(Options{}, system.gradient().size());
+  double chi2 = system.chi2();
+  int iterations = 0;
+  for (IterationRecord record; iterations < 100; ++iterations) {
+    if (algorithm.iterate(system, chi2, record) != IterationOutcome::kAccepted) break;
+    chi2 = record.chi2;
+  }
+  // [/run]
+  const Vector2 found = graph.estimate(x);
+  std::printf("%d iterations: (%.6f, %.6f)\n", iterations, found[0], found[1]);
+  return (found - Vector2(1, 1)).norm() < 1e-6 ? 0 : 1;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What must hold for any text that someone takes for a graph file:
+//
+//   - reading it ends with a graph or with an InputError, and nothing else;
+//   - lenient reading never complains, and reads what strict reading accepts as strict reading does, with
+//     any number of threads;
+//   - what was read can be written; what was written is read as the same graph and written as the same text.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus {
+namespace {
+
+/// What tells graphs apart: the text that writes one, and its chi2 (a sum whose order may differ).
+struct Trace {
+  std::string text;
+  double chi2;
+
+  bool operator==(const Trace& other) const {
+    const bool same_sum = chi2 == other.chi2 || std::abs(chi2 - other.chi2) <= 1e-12 * std::abs(chi2) ||
+                          (std::isnan(chi2) && std::isnan(other.chi2));
+    return text == other.text && same_sum;
+  }
+};
+
+std::optional<Trace> trace_of(std::string_view text, const ReadOptions& options) {
+  try {
+    const GraphFile file = parse_graph(text, "fuzz", options);
+    return Trace{format_graph(file), file.graph.chi2()};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+void print(const char* title, const std::optional<Trace>& trace) {
+  if (trace) {
+    std::fprintf(stderr, "── %s, chi2 %.17g ──\n%s", title, trace->chi2, trace->text.c_str());
+  } else {
+    std::fprintf(stderr, "── %s: an InputError ──\n", title);
+  }
+}
+
+void expect_same(const char* law, const std::optional<Trace>& expected, const std::optional<Trace>& actual) {
+  if (expected == actual) return;
+  std::fprintf(stderr, "broken: %s\n", law);
+  print("expected", expected);
+  print("got", actual);
+  std::abort();
+}
+
+void check(std::string_view text) {
+  ReadOptions strict, lenient;
+  strict.threads = 1;
+  lenient.threads = 2;
+  lenient.lenient = true;
+  const std::optional<Trace> strictly = trace_of(text, strict), leniently = trace_of(text, lenient);
+  if (strictly) expect_same("lenient reading accepts what strict reading does", strictly, leniently);
+  if (!leniently) expect_same("lenient reading does not complain", Trace{}, leniently);
+  expect_same("what was written is read as it was", leniently, trace_of(leniently->text, strict));
+}
+
+}  // namespace
+}  // namespace boxplus
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  boxplus::check({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

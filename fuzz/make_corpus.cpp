@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// make_corpus g2o|toro FOLDER: the seeds of a fuzz target, small graphs written by our writer.
+#include <cstdio>
+#include <filesystem>
+
+#include "boxplus/io/graph_file.h"
+#include "boxplus/io/registry.h"
+#include "boxplus/testing/simulate.h"
+#include "boxplus/types/slam2d.h"
+#include "boxplus/types/slam3d.h"
+
+namespace boxplus {
+namespace {
+
+constexpr World kWorlds[] = {World::kSphere, World::kTorus, World::kGrid, World::kManhattan,
+                             World::kLandmarks};
+
+std::string simulated(World world) {
+  Simulation simulation = simulate(world, {.poses = 4});
+  GraphFile file;
+  file.graph = std::move(simulation.graph);
+  file.edges = std::move(simulation.edges);
+  return format_graph(file);
+}
+
+/// Every word that the simulators do not write, once.
+std::string plane() {
+  GraphFile file;
+  Graph& graph = file.graph;
+  const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(1, 0.5, -3));
+  const auto p = graph.add_vertex(Vector2(2, 1)), q = graph.add_vertex(Vector2(-2, 1e-300));
+  const auto wheels = graph.add_vertex(DifferentialDrive{1, 1, 0.5});
+  const auto mount = graph.add_vertex(SE2(0.1, 0, 0.2));
+  const auto sensor = graph.add_parameter(SE2(0.2, 0, 0)), other = graph.add_parameter(SE2(0, 0.3, 1));
+  graph.fix(a);
+  Eigen::Matrix3d full;
+  full << 4, 1, 0, 1, 3, 0.5, 0, 0.5, 2;
+  graph.add_edge(Between(SE2(1, 0, 0)), full, a, b);
+  graph.add_edge(BearingObservation2(0.5), 10.0, a, p);
+  graph.add_edge(Prior(SE2(0, 0, 0)), a);
+  graph.add_edge(PositionPrior(Vector2(1, 0)), b);
+  graph.add_edge(Prior(Vector2(1, 0)), p);
+  graph.add_edge(Between(Vector2(1, 0)), p, q);
+  graph.add_edge(OffsetPointObservation2(Vector2(1, 0)), a, p, sensor);
+  graph.add_edge(OffsetPointObservation2(Vector2(1, 0)), a, p, mount);
+  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, sensor, other);
+  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, sensor);
+  graph.add_edge(OffsetBetween(SE2(1, 0, 0)), a, b, mount);
+  graph.add_edge(WheelOdometry(WheelSpeeds{1, 1.1, 0.1}), a, b, wheels);
+  graph.add_edge(TwoPointsObservation2({1, 0, 2, 0}), a, p, q);
+  graph.add_edge(PointsObservation2(Vector<double, kDynamic>(Eigen::VectorXd::Ones(4))), a,
+                 std::vector{p, q});
+  return format_graph(file);
+}
+
+std::string space() {
+  GraphFile file;
+  Graph& graph = file.graph;
+  const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(SE3(Vector3(1, 0, 0), SO3()));
+  const auto p = graph.add_vertex(Vector3(2, 1, 0)), q = graph.add_vertex(Vector3(-2, 1, 5));
+  const auto sensor = graph.add_parameter(SE3()), other = graph.add_parameter(SE3());
+  graph.fix(a);
+  graph.add_edge(OffsetPointObservation3(Vector3(1, 0, 0)), a, p, sensor);
+  graph.add_edge(OffsetPrior(SE3()), a, sensor);
+  graph.add_edge(PositionPrior(Vector3(1, 0, 0)), b, sensor);
+  graph.add_edge(OffsetBetween(SE3()), a, b, sensor, other);
+  graph.add_edge(OffsetBetween(SE3()), a, b, sensor);
+  graph.add_edge(Between(Vector3(1, 0, 0)), p, q);
+  graph.add_edge(Prior(Vector3(1, 0, 0)), p);
+  graph.add_edge(PointsObservation3(Vector<double, kDynamic>(Eigen::VectorXd::Ones(6))), a,
+                 std::vector{p, q});
+  return format_graph(file);
+}
+
+/// What a reader does besides elements: comments, unknown words, unassigned vertices, several ids after FIX.
+std::string odds() {
+  return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
+         "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
+}
+
+/// TORO's words and order of Ω, which our writer does not write: the numbers of our writer, rearranged.
+std::string toro_plane() {
+  const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
+  std::string text;
+  FieldWriter out(text);
+  for (const VertexRef& vertex : simulation.graph.all_vertices()) {
+    out.word("VERTEX2");
+    out.integer(simulation.graph.id(vertex));
+    FileFields<SE2>::write(simulation.graph.estimate(simulation.graph.typed<SE2>(vertex)), out);
+    out.end_line();
+  }
+  for (const EdgeRef& edge : simulation.edges) {
+    out.word("EDGE2");
+    for (const VertexRef& vertex : simulation.graph.vertices(edge)) out.integer(simulation.graph.id(vertex));
+    FileFields<SE2>::write(simulation.graph.measurement(EdgeHandle<Between<SE2>>{edge}).measurement, out);
+    const InformationView omega = simulation.graph.information(edge);
+    for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}})
+      out.number(omega(i, j));
+    out.end_line();
+  }
+  return text;
+}
+
+std::string toro_space() {
+  return "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 0 0.5 0.1 -0.2 3\n"
+         "EDGE3 0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4\n";
+}
+
+void write_corpus(const std::string& format, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  auto add = [&, count = 0](const std::string& text) mutable {
+    write_file(folder / (std::to_string(count++) + "." + format), text);
+  };
+  if (format == "toro") {
+    add(toro_plane());
+    add(toro_space());
+    return;
+  }
+  for (const World world : kWorlds) add(simulated(world));
+  add(plane());
+  add(space());
+  add(odds());
+}
+
+}  // namespace
+}  // namespace boxplus
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: make_corpus g2o|toro FOLDER\n");
+    return 2;
+  }
+  boxplus::write_corpus(argv[1], argv[2]);
+}

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks that README.md and docs/*.md show what compiles, and what programs really print.
+
+    check_listings.py [--fix] [PROGRAMS]
+
+Each C++ block of these pages follows a line that names its source, each block of output one that names the
+example that prints it:
+
+    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge]
+    <!-- output of 02_own_edge -->                  checked where PROGRAMS, the folder of the examples, is given
+
+Numbers in outputs may differ by rounding. With --fix the pages are corrected instead. Words of files that
+src/io registers must stand in docs/formats.md, and links to files must lead somewhere.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import textwrap
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BLOCK = re.compile(r"(?:<!-- (?P<source>.+?) -->\n)?```(?P<language>\w*)\n(?P<text>.*?)```", re.DOTALL)
+MARKER = re.compile(r"^ *// \[/?\w+\]\n", re.MULTILINE)
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+WORD = re.compile(r'(?:vertex|parameter|edge|old_vertex|old_edge)<.*?>\(\s*"([^"]+)"')
+LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
+
+
+def region(source):
+    """What stands between the markers of "examples/x.cpp [name]", or all of "examples/x.cpp"."""
+    file, _, name = source.partition(" ")
+    text = (ROOT / file).read_text(encoding="utf-8")
+    if name:
+        found = re.search(rf"^ *// \[{name[1:-1]}\]\n(.*?)^ *// \[/{name[1:-1]}\]\n", text, re.DOTALL | re.MULTILINE)
+        if not found:
+            raise LookupError(f"{file} has no region {name}")
+        text = found[1]
+    return textwrap.dedent(MARKER.sub("", text))
+
+
+def output(programs, name):
+    return subprocess.run([programs / name], check=True, capture_output=True, text=True).stdout
+
+
+def alike(shown, printed):
+    """The same text, and the same numbers but for rounding."""
+    if NUMBER.sub("0", shown) != NUMBER.sub("0", printed):
+        return False
+    pairs = zip(NUMBER.findall(shown), NUMBER.findall(printed))
+    return all(abs(float(a) - float(b)) <= 1e-6 * max(1, abs(float(a))) for a, b in pairs)
+
+
+def check_block(match, programs, complain):
+    """The block as it should be."""
+    source, language, shown = match["source"], match["language"], match["text"]
+    try:
+        if source and source.startswith("examples/"):
+            expected = region(source)
+            right = shown == expected
+        elif source and source.startswith("output of "):
+            if not programs:
+                return match[0]
+            expected = output(programs, source.removeprefix("output of "))
+            right = alike(shown, expected)
+        else:
+            if language == "cpp":
+                complain("C++ that does not say which example compiles it", match)
+            return match[0]
+    except (LookupError, OSError, subprocess.CalledProcessError) as error:
+        complain(str(error), match)
+        return match[0]
+    if right:
+        return match[0]
+    complain(f"differs from: {source}", match)
+    return f"<!-- {source} -->\n```{language}\n{expected}```"
+
+
+def check_page(page, programs, fix):
+    text, complaints = page.read_text(encoding="utf-8"), []
+
+    def complain(what, match):
+        line = match.string.count("\n", 0, match.start()) + 1
+        complaints.append(f"{page.relative_to(ROOT)}:{line}: {what}")
+
+    corrected = BLOCK.sub(lambda match: check_block(match, programs, complain), text)
+    if fix and corrected != text:
+        page.write_text(corrected, encoding="utf-8")
+    prose = BLOCK.sub(lambda match: "\n" * match[0].count("\n"), text)
+    for match in LINK.finditer(prose):
+        if not (page.parent / match[1]).exists():
+            complain(f"no such file: {match[1]}", match)
+    return complaints
+
+
+def missing_words():
+    page = (ROOT / "docs/formats.md").read_text(encoding="utf-8")
+    for file in sorted((ROOT / "src/io").glob("register_*.cpp")):
+        for word in sorted(set(WORD.findall(file.read_text(encoding="utf-8")))):
+            if f"`{word}`" not in page:
+                yield f"docs/formats.md: does not explain {word} of {file.relative_to(ROOT)}"
+
+
+def main():
+    arguments = sys.argv[1:]
+    fix = "--fix" in arguments
+    folders = [pathlib.Path(a).resolve() for a in arguments if a != "--fix"]
+    complaints = list(missing_words())
+    for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        complaints += check_page(page, folders[0] if folders else None, fix)
+    print(*complaints, sep="\n", end="\n" if complaints else "")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
