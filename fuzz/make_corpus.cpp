@@ -12,8 +12,7 @@
 namespace boxplus {
 namespace {
 
-constexpr World kWorlds[] = {World::kSphere, World::kTorus, World::kGrid, World::kManhattan,
-                             World::kLandmarks};
+constexpr World kWorlds[] = {World::kSphere, World::kTorus, World::kGrid, World::kManhattan, World::kCity};
 
 std::string simulated(World world) {
   Simulation simulation = simulate(world, {.poses = 4});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -57,6 +58,7 @@ int run(int argc, char** argv) {
 }  // namespace boxplus::app
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   try {
     const int code = boxplus::app::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;

@@ -50,6 +50,7 @@ class GraphReader {
 
   GraphFile read() {
     read_blocks();
+    file_.lines = lines_before_;
     file_.vertices_created = file_.graph.vertex_count() == 0;
     all_known_ = true;
     for (const PendingLine& line : std::exchange(pending_, {})) take_pending(line);

@@ -103,7 +103,7 @@ class PlotTest(CommandCase):
         self.assertIn("a<b>&c", self.drawn(path).words)
 
     def test_what_cannot_be_drawn_is_refused(self):
-        for words, stdin, text in ((["-"], "", "poses or points"), (["-", "-"], CHAIN, "'-' twice"),
+        for words, stdin, text in ((["-"], "", "<stdin>:1:1: expected a vertex or an edge"), (["-", "-"], CHAIN, "'-' twice"),
                                    (["-"], "VERTEX_SE2 0 1e308 0 0\n", "finite place"), ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
             done = run("plot", *words, "-o", self.path / "p.svg", stdin=stdin)
             self.assertEqual((done.returncode, done.stdout), (2, ""))

@@ -68,12 +68,12 @@ class SimulateTest(CommandCase):
         for words, text in ((["moon"], "moon"),
                             (["sphere", "--poses", "1"], "a whole number from 2 to 10000000, got '1'"),
                             (["sphere", "--poses", "many"], "got 'many'"),
-                            (["sphere", "--seed", "-1"], "a whole number from 0, got '-1'"),
+                            (["sphere", "--seed", "-1"], "a whole number ≥ 0, got '-1'"),
                             (["sphere", "--noise", "-1"], "a number from 0 to 1000, got '-1'"),
                             (["sphere", "--noise", "nan"], "got 'nan'"),
                             (["sphere", "--outliers", "1.5"], "a number from 0 to 1, got '1.5'"),
                             (["sphere", "--outliers", "nan"], "got 'nan'"),
-                            (["sphere", "--truth", out], "two places")):
+                            (["sphere", "--truth", out], "two different files")):
             done = run("simulate", *words, "-o", out)
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)
             self.assertIn(text, done.stderr)

@@ -77,7 +77,7 @@ TEST(GraphReader, ReadsTorosRollPitchAndYaw) {
 }
 
 TEST(GraphReader, ReadsTheSameForAnyNumberOfThreads) {
-  Simulation simulation = simulate(World::kLandmarks, {.poses = 3000});
+  Simulation simulation = simulate(World::kCity, {.poses = 3000});
   const GraphFile made{.graph = std::move(simulation.graph), .edges = std::move(simulation.edges)};
   const std::string text = format_graph(made);
   ASSERT_GT(text.size(), 3 * 131072u) << "several blocks";

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace boxplus::app {
 namespace {
@@ -55,11 +56,12 @@ CLI::Validator whole_number_from(long low) {
 }
 
 CLI::Validator whole_number_within(long low, long high) {
-  const auto check = [low, high](const std::string& text) {
+  const bool is_bounded = high < std::numeric_limits<long>::max();
+  std::string range = is_bounded ? fmt::format("from {} to {}", low, high) : fmt::format("≥ {}", low);
+  const auto check = [low, high, range = std::move(range)](const std::string& text) {
     long value = 0;
     const bool good = parse(text, value) && value >= low && value <= high;
-    return good ? std::string()
-                : fmt::format("expected a whole number from {} to {}, got '{}'", low, high, text);
+    return good ? std::string() : fmt::format("expected a whole number {}, got '{}'", range, text);
   };
   return {check, ""};
 }

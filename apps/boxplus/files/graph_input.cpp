@@ -43,14 +43,14 @@ std::string read_all(std::FILE* file, const std::string& path) {
 /// nobody.
 void require_graph(const GraphFile& file, const std::string& path) {
   if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
-  std::string message = input_name(path) + ": expected a graph, got no vertex and no edge";
+  std::string message = "expected a vertex or an edge, got the end of the file";
   if (!file.kept.empty()) {
     constexpr std::size_t kShown = 40;
     const std::string& line = file.kept.front().text;
     message += fmt::format("; its first line is '{}{}'", escaped(line.substr(0, kShown)),
                            line.size() > kShown ? "…" : "");
   }
-  throw FileError(message);
+  throw InputError(input_name(path), file.lines + 1, 1, message);
 }
 
 /// The chordal guess for vertices that the file does not place.

@@ -24,7 +24,7 @@ std::string read_text(const std::string& path);
 /// Adds --lenient and --rename, which fill `options`.
 void add_reading_options(CLI::App& command, ReadOptions& options);
 
-/// Reads a graph. Throws FileError, also where the file holds no vertex and no edge, and InputError.
+/// Reads a graph. Throws FileError, and InputError also where the file holds no vertex and no edge.
 GraphFile read_input(const std::string& path, const ReadOptions& options = {});
 /// The same from the text of the file.
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 
+#include "boxplus/base/error.h"
 #include "command.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
@@ -45,6 +46,11 @@ void require_levenberg_marquardt(const CLI::App& command, const OptimizeArgument
   }
 }
 
+void require_edges(const GraphFile& file, const std::string& path) {
+  if (file.graph.edge_count() == 0)
+    throw InputError(input_name(path), file.lines + 1, 1, "expected an edge, got the end of the file");
+}
+
 int optimize_file(const OptimizeArguments& arguments) {
   check_outputs(outputs_of(arguments));
   const auto begin = Clock::now();
@@ -55,6 +61,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   GraphFile file = read_input(arguments.input, reading);
   progress.erase();
   print_notes(file, arguments.input);
+  require_edges(file, arguments.input);
   RunFacts facts;
   facts.input = input_name(arguments.input);
   facts.edges = file.graph.edge_count();

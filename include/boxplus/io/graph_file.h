@@ -45,6 +45,7 @@ struct GraphFile {
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
   std::vector<Note> notes = {};  ///< what was odd, but no error
+  std::int64_t lines = 0;        ///< of the file
   std::int64_t skipped = 0;      ///< lines that were skipped (lenient reading)
   bool vertices_created =
       false;  ///< the file lists edges only: the estimates mean nothing, and need an initial guess

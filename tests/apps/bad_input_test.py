@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is wrong with files, and not with their lines: one message, exit code 2, and no output is touched.
+
+The lines themselves: tests/io/malformed_test.cpp.
+"""
+
+import os
+import resource
+import subprocess
+import unittest
+
+from command_case import BOXPLUS, CommandCase, main, run
+
+GRAPH = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+BAD_LINE = "VERTEX_SE2 7 0 zero 0\n"
+
+
+class BadInputTest(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.output = self.written("out.g2o", "precious\n")
+
+    def assert_untouched(self):
+        self.assertEqual(self.output.read_text(encoding="utf-8"), "precious\n")
+        self.assertEqual([name for name in os.listdir(self.path) if name.startswith("out.g2o.")], [], "temporary files")
+
+    def assert_bad(self, path, *texts):
+        for words in (["optimize", path, "-o", self.output], ["convert", path, self.output], ["info", path],
+                      ["plot", path, "-o", self.output]):
+            self.assert_refused(run(*words), *texts)
+        self.assert_untouched()
+
+    def test_files_that_cannot_be_read(self):
+        self.assert_bad(self.path / "none.g2o", "none.g2o: cannot be opened: No such file or directory")
+        self.assert_bad(self.path, "Is a directory")
+        secret = self.written("secret.g2o", GRAPH)
+        secret.chmod(0)
+        if os.geteuid() != 0:  # root may read everything
+            self.assert_bad(secret, "secret.g2o: cannot be opened: Permission denied")
+
+    def test_files_without_a_graph(self):
+        self.assert_bad(self.written("empty.g2o", ""), "empty.g2o:1:1: expected a vertex or an edge, got the end of the file")
+        self.assert_bad(self.written("blank.g2o", "\n  \n# nothing\n"), "blank.g2o:4:1: expected a vertex or an edge")
+        self.assert_bad(self.written("prose.g2o", "Dear all,\n"), "its first line is 'Dear all,'")
+
+    def test_a_file_without_edges_cannot_be_optimized(self):
+        path = self.written("lonely.g2o", "VERTEX_SE2 0 0 0 0\n")
+        self.assert_refused(run("optimize", path, "-o", self.output), "lonely.g2o:2:1: expected an edge")
+        self.assert_untouched()
+
+    def test_bad_lines_name_their_place(self):
+        self.assert_bad(self.written("bad.g2o", GRAPH + BAD_LINE), "bad.g2o:4:16: expected y (a finite number), got 'zero'")
+
+    def test_lenient_reading_counts_bad_lines(self):
+        path = self.written("bad.g2o", BAD_LINE + GRAPH + BAD_LINE)
+        done = run("convert", path, self.path / "good.g2o", "--lenient")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("2 lines skipped", done.stdout)
+        self.assertEqual(done.stderr.count("skipped"), 2)
+        self.assertEqual((self.path / "good.g2o").read_text(encoding="utf-8"), GRAPH)
+
+    def test_outputs_that_cannot_be_written(self):
+        graph = self.written("graph.g2o", GRAPH)
+        self.assert_refused(run("optimize", graph, "-o", self.path), "Is a directory")
+        self.assert_refused(run("optimize", graph, "-o", self.path / "none" / "out.g2o"), "No such file or directory")
+        self.assert_refused(run("convert", graph, "/dev/full"), "No space left on device")
+
+    def test_a_full_disk_leaves_the_old_file(self):
+        # A limit on the size of files stands for the disk; the graph is larger.
+        graph = self.written("graph.g2o", "".join(f"VERTEX_SE2 {i} 0.123456789 0 0\n" for i in range(5000)))
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (65536, 65536))  # noqa: E731
+        done = subprocess.run([BOXPLUS, "convert", graph, self.output], capture_output=True, encoding="utf-8", check=False,
+                              preexec_fn=limit, timeout=300)
+        self.assert_refused(done, "out.g2o: cannot be written: File too large")
+        self.assert_untouched()
+
+    def test_a_line_of_a_gigabyte_costs_a_few_times_its_size(self):
+        path = self.path / "long.g2o"
+        size = 1 << 30
+        with path.open("wb") as file:
+            file.write(GRAPH.encode() + b"VERTEX_SE2 7 ")
+            file.truncate(size)  # a hole: NUL bytes
+        script = f'ulimit -v {5 * size // 1024}; exec "$0" info "$1"'
+        done = subprocess.run(["bash", "-c", script, BOXPLUS, path], capture_output=True, encoding="utf-8", check=False, timeout=600)
+        if "AddressSanitizer" in done.stderr or "ThreadSanitizer" in done.stderr:
+            self.skipTest("a sanitizer needs more address space than any limit leaves")
+        self.assert_refused(done, "long.g2o:4:14: expected x (a finite number), got '\\x00\\x00")
+
+
+if __name__ == "__main__":
+    main()
