@@ -93,7 +93,7 @@ class OptimizeTest(CommandCase):
         self.assertFalse((self.path / "out.json").exists())
         self.assertIn("skipped", run("optimize", bad, "--lenient").stderr)
         self.assert_refused(run("optimize", self.path / "missing.g2o"), "missing.g2o: cannot be opened")
-        self.assert_refused(run("optimize", self.written("empty.g2o", "")), "expected a graph, got no vertex and no edge")
+        self.assert_refused(run("optimize", self.written("empty.g2o", "")), "empty.g2o:1:1: expected a vertex or an edge")
 
     def test_unknown_words_are_escaped_in_messages(self):
         graph = self.written("odd.g2o", "VERTEX_SE2 0 0 0 0\nBAD\x1b[31m 1\n")
