@@ -131,7 +131,8 @@ Information Information::upper_triangle(std::span<const double> values, int rows
   bool diagonal = rows > 0, scalar = diagonal;
   const double* value = values.data();
   for (int i = 0; i < rows; ++i) {
-    scalar = scalar && *value++ == values[0];
+    const double on_diagonal = *value++;
+    scalar = scalar && on_diagonal == values[0];
     for (int j = i + 1; j < rows; ++j) diagonal = (*value++ == 0) && diagonal;
   }
   Information result;

@@ -21,6 +21,20 @@ Eigen::Matrix2d matrix2(double a, double b, double c, double d) {
   return (Eigen::Matrix2d() << a, b, c, d).finished();
 }
 
+TEST(Information, IsStoredAsShortAsItIs) {
+  constexpr int kRows = 6;
+  std::vector<double> triangle;
+  for (int i = 0; i < kRows; ++i) {
+    for (int j = i; j < kRows; ++j) triangle.push_back(i != j ? 0 : i < 3 ? 1.5 : 7);
+  }
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kDiagonal);
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).values().size(), 6u);
+  triangle[1] = 0.25;
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kFull);
+  for (double& value : triangle) value = value == 0 || value == 0.25 ? 0 : 4;
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kScalar);
+}
+
 TEST(Information, IsStoredAsWhatItIs) {
   EXPECT_EQ(Information(2.0).kind(), InformationKind::kScalar);
   EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).kind(), InformationKind::kScalar);
