@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "linear/kernels/dense_reference.h"
+#include "linear/kernels/kernel_table.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -48,7 +49,17 @@ void expect_equal(const Matrix& fast, const Matrix& slow) {
   EXPECT_LE((fast - slow).cwiseAbs().maxCoeff(), kTolerance * (1 + slow.cwiseAbs().maxCoeff()));
 }
 
-TEST(DenseKernels, FactorPanelsAsTheReferenceDoes) {
+/// Each test runs for every set of kernels that this processor can run.
+class DenseKernels : public ::testing::TestWithParam<const dense::KernelTable*> {
+ protected:
+  void SetUp() override { dense::use_kernels(*GetParam()); }
+  void TearDown() override { dense::use_kernels(*before_); }
+
+ private:
+  const dense::KernelTable* before_ = &dense::kernels();
+};
+
+TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
   std::mt19937 random(1);
   for (const int columns : kSizes) {
     for (const int below : kSizes) {
@@ -66,7 +77,7 @@ TEST(DenseKernels, FactorPanelsAsTheReferenceDoes) {
   }
 }
 
-TEST(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
+TEST_P(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
   std::mt19937 random(2);
   for (const int size : {1, 3, 6, 13, 64, 65, 100}) {
     for (const double bad : {-1.0, 0.0, 0.5, std::numeric_limits<double>::quiet_NaN(),
@@ -81,7 +92,7 @@ TEST(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
   }
 }
 
-TEST(DenseKernels, SquareAsTheReferenceDoes) {
+TEST_P(DenseKernels, SquareAsTheReferenceDoes) {
   std::mt19937 random(3);
   for (const int size : kSizes) {
     for (const int k : kSizes) {
@@ -98,7 +109,7 @@ TEST(DenseKernels, SquareAsTheReferenceDoes) {
   }
 }
 
-TEST(DenseKernels, MultiplyAsTheReferenceDoes) {
+TEST_P(DenseKernels, MultiplyAsTheReferenceDoes) {
   std::mt19937 random(4);
   for (const int rows : kSizes) {
     for (const int columns : {1, 2, 5, 6, 9, 70}) {
@@ -120,7 +131,7 @@ TEST(DenseKernels, MultiplyAsTheReferenceDoes) {
   }
 }
 
-TEST(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
+TEST_P(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
   std::mt19937 random(5);
   for (const int rows : kSizes) {
     for (const int size : kSizes) {
@@ -137,7 +148,7 @@ TEST(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
   }
 }
 
-TEST(DenseKernels, SubstituteAsTheReferenceDoes) {
+TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
   std::mt19937 random(6);
   for (const int columns : kSizes) {
     for (const int below : kSizes) {
@@ -154,6 +165,9 @@ TEST(DenseKernels, SubstituteAsTheReferenceDoes) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, DenseKernels, ::testing::ValuesIn(dense::usable_kernels()),
+                         [](const auto& test) { return std::string(test.param->name); });
 
 }  // namespace
 }  // namespace boxplus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Register tiles: a strip of rows (some packs) times up to four columns, accumulated over k.
+// Register tiles: a few packs of rows times a strip of columns, accumulated over k.
 #pragma once
 
 #include "linear/kernels/simd_pack.h"
 
-namespace boxplus::dense {
+namespace boxplus::dense::BOXPLUS_ISA {
 
 /// B of the product A B or A Bᵀ: entry (k, column) is at data[k * step_k + column * step_column].
 struct Operand {
@@ -17,26 +17,30 @@ struct Operand {
 enum class TileUse { kSubtract, kSet, kDivide };
 
 struct Triangle {
-  const double* data;
-  int ld;
-  const double* inverse_diagonal;
+  const double* data = nullptr;
+  int ld = 0;
+  const double* inverse_diagonal = nullptr;
 };
 
-/// One tile of Packs·lanes rows and Columns columns.
-template <TileUse Use, class Pack, int Packs, int Columns>
-inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Operand b, int k, Triangle t) {
+/// One tile of Packs packs of rows and Columns columns. Of the last pack only `lanes` count where IsTail.
+template <TileUse Use, int Packs, int Columns, bool IsTail>
+inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Operand b, int k, Triangle t,
+                     Lanes lanes) {
+  const auto load_pack = [&](const double* from, int p) {
+    return IsTail && p == Packs - 1 ? lanes.load(from + p * kLanes) : load(from + p * kLanes);
+  };
   Pack tile[Columns][Packs];
 #pragma GCC unroll 8
   for (int j = 0; j < Columns; ++j) {
 #pragma GCC unroll 8
     for (int p = 0; p < Packs; ++p) {
-      tile[j][p] = Use == TileUse::kSet ? Pack{} : load<Pack>(c + j * ldc + p * kLanes<Pack>);
+      tile[j][p] = Use == TileUse::kSet ? Pack{} : load_pack(c + static_cast<long>(j) * ldc, p);
     }
   }
   for (int i = 0; i < k; ++i) {
     Pack column[Packs];
 #pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) column[p] = load<Pack>(a + p * kLanes<Pack>);
+    for (int p = 0; p < Packs; ++p) column[p] = load_pack(a, p);
 #pragma GCC unroll 8
     for (int j = 0; j < Columns; ++j) {
       const double factor = b.data[j * b.step_column];
@@ -59,8 +63,15 @@ inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Op
   }
 #pragma GCC unroll 8
   for (int j = 0; j < Columns; ++j) {
+    double* to = c + static_cast<long>(j) * ldc;
 #pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) store(c + j * ldc + p * kLanes<Pack>, tile[j][p]);
+    for (int p = 0; p < Packs; ++p) {
+      if (IsTail && p == Packs - 1) {
+        lanes.store(to + p * kLanes, tile[j][p]);
+      } else {
+        store(to + p * kLanes, tile[j][p]);
+      }
+    }
   }
 }
 
@@ -68,42 +79,31 @@ inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Op
 template <TileUse Use, int Columns>
 void run_strip(double* c, int ldc, const double* a, int lda, Operand b, int rows, int k, Triangle t) {
   int i = 0;
-  constexpr int kWide = kLanes<Wide>, kPair = kLanes<Pair>;
-  for (; i + 2 * kWide <= rows; i += 2 * kWide) {
-    run_tile<Use, Wide, 2, Columns>(c + i, ldc, a + i, lda, b, k, t);
+  for (; i + kPacks * kLanes <= rows; i += kPacks * kLanes) {
+    run_tile<Use, kPacks, Columns, false>(c + i, ldc, a + i, lda, b, k, t, Lanes(kLanes));
   }
-  if constexpr (kWide > kPair) {
-    for (; i + kWide <= rows; i += kWide) run_tile<Use, Wide, 1, Columns>(c + i, ldc, a + i, lda, b, k, t);
-  }
-  for (; i + kPair <= rows; i += kPair) run_tile<Use, Pair, 1, Columns>(c + i, ldc, a + i, lda, b, k, t);
-  if constexpr (kPair > 1) {
-    for (; i < rows; ++i) run_tile<Use, double, 1, Columns>(c + i, ldc, a + i, lda, b, k, t);
+  const int left = rows - i, packs = (left + kLanes - 1) / kLanes;
+  const Lanes lanes(left - (packs - 1) * kLanes);
+  static_assert(kPacks <= 3);
+  if (packs == 1) run_tile<Use, 1, Columns, true>(c + i, ldc, a + i, lda, b, k, t, lanes);
+  if (packs == 2) run_tile<Use, 2, Columns, true>(c + i, ldc, a + i, lda, b, k, t, lanes);
+  if constexpr (kPacks == 3) {
+    if (packs == 3) run_tile<Use, 3, Columns, true>(c + i, ldc, a + i, lda, b, k, t, lanes);
   }
 }
-
-/// The widest strip that the kernels have.
-inline constexpr int kStrip = 4;
 
 /// run_strip for 1 … kStrip columns.
-template <TileUse Use>
+template <TileUse Use, int Most = kStrip>
 inline void run_strip(int columns, double* c, int ldc, const double* a, int lda, Operand b, int rows, int k,
                       Triangle t = {}) {
-  switch (columns) {
-    case 1:
-      return run_strip<Use, 1>(c, ldc, a, lda, b, rows, k, t);
-    case 2:
-      return run_strip<Use, 2>(c, ldc, a, lda, b, rows, k, t);
-    case 3:
-      return run_strip<Use, 3>(c, ldc, a, lda, b, rows, k, t);
-    default:
-      return run_strip<Use, 4>(c, ldc, a, lda, b, rows, k, t);
-  }
+  if (columns == Most) return run_strip<Use, Most>(c, ldc, a, lda, b, rows, k, t);
+  if constexpr (Most > 1) run_strip<Use, Most - 1>(columns, c, ldc, a, lda, b, rows, k, t);
 }
 
-/// Width of the next strip of `left` columns: no lone last column where that can be avoided (5 = 3 + 2, 6 = 3
-/// + 3).
+/// Width of the next strip of `left` columns: as few strips as can be, of about the same width.
 inline int strip_width(int left) {
-  return left == 5 || left == 6 ? 3 : left < kStrip ? left : kStrip;
+  const int strips = (left + kStrip - 1) / kStrip;
+  return strips == 0 ? 0 : (left + strips - 1) / strips;
 }
 
-}  // namespace boxplus::dense
+}  // namespace boxplus::dense::BOXPLUS_ISA

@@ -1,29 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/kernels/dense_kernels.h"
+// The kernels over panels and fronts: blocks and strips of register tiles.
+#pragma once
 
-#include <algorithm>
+#include <cfloat>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 
+#include "linear/kernels/dense_kernels.h"
 #include "linear/kernels/micro_kernels.h"
 
-namespace boxplus::dense {
-namespace {
+namespace boxplus::dense::BOXPLUS_ISA {
 
-double* at(double* a, int ld, int i, int j) {
-  return a + i + static_cast<std::ptrdiff_t>(ld) * j;
+inline int smaller(int a, int b) {
+  return a < b ? a : b;
 }
-const double* at(const double* a, int ld, int i, int j) {
-  return a + i + static_cast<std::ptrdiff_t>(ld) * j;
+
+inline double* at(double* a, int ld, int i, int j) {
+  return a + i + static_cast<long>(ld) * j;
+}
+inline const double* at(const double* a, int ld, int i, int j) {
+  return a + i + static_cast<long>(ld) * j;
 }
 
 /// Cholesky factor of a tiny square in place; returns the bad column or `size`.
-int factor_tiny(double* a, int size, int ld, const double* minimum_pivot, double* inverse_diagonal) {
+inline int factor_tiny(double* a, int size, int ld, const double* minimum_pivot, double* inverse_diagonal) {
   for (int j = 0; j < size; ++j) {
     double pivot = a[j + j * ld];
     for (int k = 0; k < j; ++k) pivot -= a[j + k * ld] * a[j + k * ld];
-    if (!(pivot > minimum_pivot[j] && pivot <= std::numeric_limits<double>::max())) return j;
+    if (!(pivot > minimum_pivot[j] && pivot <= DBL_MAX)) return j;
     const double root = std::sqrt(pivot), inverse = 1 / root;
     a[j + j * ld] = root;
     inverse_diagonal[j] = inverse;
@@ -38,7 +41,7 @@ int factor_tiny(double* a, int size, int ld, const double* minimum_pivot, double
 
 /// Left-looking, strip by strip: update with the columns to the left, factor the diagonal, divide the rows
 /// below.
-int factor_narrow_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+inline int factor_narrow_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
   for (int j = 0; j < columns;) {
     const int width = strip_width(columns - j);
     const double* left = panel + j;
@@ -65,14 +68,14 @@ void update_trapezoid(double* c, int ldc, const double* a, int lda, int rows, in
   }
 }
 
-void subtract_general(double* c, int ldc, const double* a, int lda, Operand b, int rows, int columns, int k) {
+inline void subtract_general(double* c, int ldc, const double* a, int lda, Operand b, int rows, int columns,
+                             int k) {
   for (int k0 = 0; k0 < k; k0 += kBlock) {
-    const int depth = std::min(kBlock, k - k0);
+    const int depth = smaller(kBlock, k - k0);
     const double* left = at(a, lda, 0, k0);
     for (int j = 0; j < columns;) {
       const int width = strip_width(columns - j);
-      const Operand right{b.data + static_cast<std::ptrdiff_t>(k0) * b.step_k +
-                              static_cast<std::ptrdiff_t>(j) * b.step_column,
+      const Operand right{b.data + static_cast<long>(k0) * b.step_k + static_cast<long>(j) * b.step_column,
                           b.step_k, b.step_column};
       run_strip<TileUse::kSubtract>(width, at(c, ldc, 0, j), ldc, left, lda, right, rows, depth);
       j += width;
@@ -80,42 +83,30 @@ void subtract_general(double* c, int ldc, const double* a, int lda, Operand b, i
   }
 }
 
-}  // namespace
-
-int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
-  for (int j = 0; j < columns; j += kBlock) {
-    const int width = std::min(kBlock, columns - j);
-    double* block = at(panel, ld, j, j);
-    const int good = factor_narrow_panel(block, rows - j, width, ld, minimum_pivot + j);
-    if (good < width) return j + good;
-    const int next = j + width;
-    subtract_square(at(panel, ld, next, next), ld, block + width, ld, rows - next, width, 0, columns - next);
-  }
-  return columns;
-}
-
-void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
+inline void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
+                            int end) {
   update_trapezoid<TileUse::kSubtract>(c, ldc, a, lda, size, k, begin, end);
 }
 
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
-  update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, std::min(k, kBlock), begin, end);
+inline void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
+                                int end) {
+  update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, smaller(k, kBlock), begin, end);
   for (int k0 = kBlock; k0 < k; k0 += kBlock) {
-    subtract_square(c, ldc, at(a, lda, 0, k0), lda, size, std::min(kBlock, k - k0), begin, end);
+    subtract_square(c, ldc, at(a, lda, 0, k0), lda, size, smaller(kBlock, k - k0), begin, end);
   }
 }
 
-void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
-                                 int rows, int columns, int k) {
+inline void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b,
+                                        int ldb, int rows, int columns, int k) {
   subtract_general(c, ldc, a, lda, {b, ldb, 1}, rows, columns, k);
 }
 
-void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
-                      int columns, int k) {
+inline void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
+                             int columns, int k) {
   subtract_general(c, ldc, a, lda, {b, 1, ldb}, rows, columns, k);
 }
 
-void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+inline void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size) {
   for (int j = 0; j < size;) {
     const int width = strip_width(size - j);
     const double* diagonal = at(l, ldl, j, j);
@@ -127,7 +118,7 @@ void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows
   }
 }
 
-void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+inline void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size) {
   // Columns from the last to the first; the triangle of a strip is Lᵀ of its diagonal square, reversed.
   for (int end = size; end > 0;) {
     const int width = strip_width(end), j = end - width;
@@ -147,4 +138,16 @@ void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size)
   }
 }
 
-}  // namespace boxplus::dense
+inline int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+  for (int j = 0; j < columns; j += kBlock) {
+    const int width = smaller(kBlock, columns - j);
+    double* block = at(panel, ld, j, j);
+    const int good = factor_narrow_panel(block, rows - j, width, ld, minimum_pivot + j);
+    if (good < width) return j + good;
+    const int next = j + width;
+    subtract_square(at(panel, ld, next, next), ld, block + width, ld, rows - next, width, 0, columns - next);
+  }
+  return columns;
+}
+
+}  // namespace boxplus::dense::BOXPLUS_ISA

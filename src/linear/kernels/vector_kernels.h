@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangular solves with one right-hand side: bound by reading L, four columns at a time.
-#include <cstddef>
+#pragma once
 
-#include "linear/kernels/dense_kernels.h"
 #include "linear/kernels/simd_pack.h"
 
-namespace boxplus::dense {
-namespace {
+namespace boxplus::dense::BOXPLUS_ISA {
 
 /// work[i] −= Σ_j column_j[i] y[j] for `Columns` columns.
 template <int Columns>
@@ -15,7 +13,7 @@ void subtract_columns(const double* columns, int ld, const double* y, int count,
   for (int j = 0; j < Columns; ++j) factor[j] = y[j];
   for (int i = 0; i < count; ++i) {
     double value = work[i];
-    for (int j = 0; j < Columns; ++j) value -= columns[i + static_cast<std::ptrdiff_t>(j) * ld] * factor[j];
+    for (int j = 0; j < Columns; ++j) value -= columns[i + static_cast<long>(j) * ld] * factor[j];
     work[i] = value;
   }
 }
@@ -23,18 +21,18 @@ void subtract_columns(const double* columns, int ld, const double* y, int count,
 /// y[j] −= column_j · work for `Columns` columns.
 template <int Columns>
 void subtract_dots(const double* columns, int ld, const double* work, int count, double* y) {
-  Wide sums[Columns] = {};
+  Pack sums[Columns] = {};
   double tails[Columns] = {};
   int i = 0;
-  for (; i + kLanes<Wide> <= count; i += kLanes<Wide>) {
-    const Wide w = load<Wide>(work + i);
+  for (; i + kLanes <= count; i += kLanes) {
+    const Pack w = load(work + i);
 #pragma GCC unroll 4
     for (int j = 0; j < Columns; ++j) {
-      sums[j] += load<Wide>(columns + i + static_cast<std::ptrdiff_t>(j) * ld) * w;
+      sums[j] += load(columns + i + static_cast<long>(j) * ld) * w;
     }
   }
   for (; i < count; ++i) {
-    for (int j = 0; j < Columns; ++j) tails[j] += columns[i + static_cast<std::ptrdiff_t>(j) * ld] * work[i];
+    for (int j = 0; j < Columns; ++j) tails[j] += columns[i + static_cast<long>(j) * ld] * work[i];
   }
   for (int j = 0; j < Columns; ++j) y[j] -= sum(sums[j]) + tails[j];
 }
@@ -57,13 +55,11 @@ void backward_columns(const double* diagonal, int ld, int below, double* y) {
   }
 }
 
-constexpr int kGroup = 4;
+inline constexpr int kGroup = 4;
 
-}  // namespace
-
-void solve_forward(const double* panel, int rows, int columns, int ld, double* work) {
+inline void solve_forward(const double* panel, int rows, int columns, int ld, double* work) {
   int j = 0;
-  const auto diagonal = [&] { return panel + j + static_cast<std::ptrdiff_t>(j) * ld; };
+  const auto diagonal = [&] { return panel + j + static_cast<long>(j) * ld; };
   for (; j + kGroup <= columns; j += kGroup)
     forward_columns<kGroup>(diagonal(), ld, rows - j - kGroup, work + j);
   if (columns - j == 3) return forward_columns<3>(diagonal(), ld, rows - j - 3, work + j);
@@ -71,9 +67,9 @@ void solve_forward(const double* panel, int rows, int columns, int ld, double* w
   if (columns - j == 1) return forward_columns<1>(diagonal(), ld, rows - j - 1, work + j);
 }
 
-void solve_backward(const double* panel, int rows, int columns, int ld, double* work) {
+inline void solve_backward(const double* panel, int rows, int columns, int ld, double* work) {
   int j = columns - columns % kGroup;
-  const auto diagonal = [&] { return panel + j + static_cast<std::ptrdiff_t>(j) * ld; };
+  const auto diagonal = [&] { return panel + j + static_cast<long>(j) * ld; };
   if (columns - j == 3) backward_columns<3>(diagonal(), ld, rows - j - 3, work + j);
   if (columns - j == 2) backward_columns<2>(diagonal(), ld, rows - j - 2, work + j);
   if (columns - j == 1) backward_columns<1>(diagonal(), ld, rows - j - 1, work + j);
@@ -81,4 +77,4 @@ void solve_backward(const double* panel, int rows, int columns, int ld, double* 
     backward_columns<kGroup>(diagonal(), ld, rows - j - kGroup, work + j);
 }
 
-}  // namespace boxplus::dense
+}  // namespace boxplus::dense::BOXPLUS_ISA

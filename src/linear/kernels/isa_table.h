@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Included once per instruction set, by isa_….cpp.
+#include "linear/kernels/kernel_table.h"
+#include "linear/kernels/panel_kernels.h"
+#include "linear/kernels/vector_kernels.h"
+
+#define BOXPLUS_TEXT(word) #word
+#define BOXPLUS_TEXT_OF(macro) BOXPLUS_TEXT(macro)
+
+namespace boxplus::dense::BOXPLUS_ISA {
+
+const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
+                         factor_panel,
+                         set_to_minus_square,
+                         subtract_square,
+                         subtract_product_transposed,
+                         subtract_product,
+                         divide_by_transposed,
+                         divide_by,
+                         solve_forward,
+                         solve_backward};
+
+}  // namespace boxplus::dense::BOXPLUS_ISA

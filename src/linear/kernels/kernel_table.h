@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The dense kernels, compiled once per instruction set; which are used is chosen when the program starts.
+#pragma once
+
+#include <span>
+
+namespace boxplus::dense {
+
+/// One set of kernels; dense_kernels.h says what they do.
+struct KernelTable {
+  const char* name;
+  int (*factor_panel)(double* panel, int rows, int columns, int ld, const double* minimum_pivot);
+  void (*set_to_minus_square)(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
+                              int end);
+  void (*subtract_square)(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
+  void (*subtract_product_transposed)(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
+                                      int rows, int columns, int k);
+  void (*subtract_product)(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
+                           int columns, int k);
+  void (*divide_by_transposed)(double* x, int ldx, const double* l, int ldl, int rows, int size);
+  void (*divide_by)(double* x, int ldx, const double* l, int ldl, int rows, int size);
+  void (*solve_forward)(const double* panel, int rows, int columns, int ld, double* work);
+  void (*solve_backward)(const double* panel, int rows, int columns, int ld, double* work);
+};
+
+/// The sets that this processor can run, the best one last.
+std::span<const KernelTable* const> usable_kernels();
+/// The set in use: the best, or the one that the environment variable BOXPLUS_ISA names (baseline, avx2,
+/// avx512), where the processor can run it.
+const KernelTable& kernels();
+/// Uses another set from now on: for tests, while nothing else runs.
+void use_kernels(const KernelTable& table);
+
+namespace baseline {
+extern const KernelTable kTable;
+}
+namespace avx2 {
+extern const KernelTable kTable;
+}
+namespace avx512 {
+extern const KernelTable kTable;
+}
+
+}  // namespace boxplus::dense
