@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/interleave.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "optimize/stopwatch.h"
+
+namespace boxplus::bench {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double geometric_mean(const std::vector<double>& values) {
+  if (values.empty()) return 1;
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0,
+                                     [](double total, double value) { return total + std::log(value); });
+  return std::exp(sum / static_cast<double>(values.size()));
+}
+
+std::vector<Figures> interleaved_medians(const std::vector<Contestant>& contestants, const Effort& effort) {
+  std::vector<std::vector<std::vector<double>>> samples;  // [contestant][figure][repetition]
+  for (const Contestant& run : contestants) samples.emplace_back(run().size());
+  const Stopwatch clock;
+  for (int done = 0; done < effort.most; ++done) {
+    if (done >= effort.least && clock.seconds() > effort.enough_s) break;
+    for (std::size_t c = 0; c < contestants.size(); ++c) {
+      const Figures figures = contestants[c]();
+      for (std::size_t f = 0; f < figures.size(); ++f) samples[c][f].push_back(figures[f]);
+    }
+  }
+  std::vector<Figures> medians;
+  for (const auto& figures : samples) {
+    medians.emplace_back();
+    for (const auto& figure : figures) medians.back().push_back(median(figure));
+  }
+  return medians;
+}
+
+}  // namespace boxplus::bench

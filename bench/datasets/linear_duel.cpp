@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/linear_duel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linearize/linearizer.h"
+#include "datasets/cholmod_peer.h"
+#include "datasets/interleave.h"
+#include "optimize/stopwatch.h"
+
+namespace boxplus::bench {
+namespace {
+
+template <class F>
+double seconds_of(F&& action) {
+  const Stopwatch clock;
+  action();
+  return clock.seconds();
+}
+
+/// H and −g of a graph at its estimates.
+struct Equations {
+  explicit Equations(const Graph& graph) : plan(make_plan(graph, {})), linearizer(graph, plan) {
+    linearizer.linearize({});
+    for (const double g : linearizer.gradient()) right_hand_side.push_back(-g);
+  }
+  Plan plan;
+  Linearizer linearizer;
+  std::vector<double> right_hand_side;
+};
+
+Figures run_ours(const Equations& equations, LinearSolver& solver, std::vector<double>& x) {
+  const AssembledSystem system(equations.plan.structure, equations.linearizer.values());
+  const double analyze = seconds_of([&] { solver.analyze(equations.plan.structure, {}); });
+  const auto factorize = [&] {
+    if (solver.factorize(system, {}).status != LinearStatus::kOk) {
+      throw std::runtime_error("our factorisation failed");
+    }
+  };
+  const auto solve = [&] { solver.solve(equations.right_hand_side.data(), 1, x.data()); };
+  factorize();  // the first touches fresh memory, on both sides
+  return {analyze, seconds_of(factorize), seconds_of(solve)};
+}
+
+Figures run_cholmod(const Equations& equations, CholmodPeer& peer, std::vector<double>& x) {
+  const double analyze = seconds_of([&] { peer.analyze(); });
+  peer.factorize();
+  const double factorize = seconds_of([&] { peer.factorize(); });
+  const double solve = seconds_of([&] { peer.solve(equations.right_hand_side); });
+  const auto solution = peer.solve(equations.right_hand_side);
+  x.assign(solution.begin(), solution.end());
+  return {analyze, factorize, solve};
+}
+
+double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+    size = std::max(size, std::abs(a[i]));
+  }
+  return difference / size;
+}
+
+/// The analysis with AMD in the form, simplicial or supernodal, that then factorises faster.
+double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
+  const Figures* best = nullptr;
+  for (std::size_t k = 0; k < medians.size(); ++k) {
+    const CholmodSettings& settings = all_cholmod_settings()[k];
+    if (settings.ordering != CholmodSettings::Ordering::kAmd || settings.on_blocks != on_blocks) continue;
+    if (best == nullptr || medians[k][1] < (*best)[1]) best = &medians[k];
+  }
+  return (*best)[0];
+}
+
+}  // namespace
+
+LinearDuel run_linear_duel(Graph& graph) {
+  const Equations equations(graph);
+  const std::unique_ptr<LinearSolver> solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
+  std::vector<double> our_x(equations.right_hand_side.size()), peer_x;
+  std::vector<std::unique_ptr<CholmodPeer>> peers;
+  std::vector<Contestant> contestants{[&] { return run_ours(equations, *solver, our_x); }};
+  LinearDuel duel;
+  for (const CholmodSettings& settings : all_cholmod_settings()) {
+    peers.push_back(
+        std::make_unique<CholmodPeer>(equations.plan.structure, equations.linearizer.values(), settings));
+    contestants.emplace_back(
+        [&, peer = peers.back().get()] { return run_cholmod(equations, *peer, peer_x); });
+  }
+  std::vector<Figures> medians = interleaved_medians(contestants, {.least = 5, .most = 25, .enough_s = 2});
+  const Figures ours = medians.front();
+  medians.erase(medians.begin());
+  const auto best = std::min_element(medians.begin(), medians.end(),
+                                     [](const Figures& a, const Figures& b) { return a[1] < b[1]; });
+  const CholmodPeer& best_peer = *peers[static_cast<std::size_t>(best - medians.begin())];
+  duel.scalars = equations.plan.scalars();
+  duel.ours = {ours[0], ours[1], ours[2], solver->statistics().factor_flops};
+  duel.cholmod = {(*best)[0], (*best)[1], (*best)[2], best_peer.flops()};
+  duel.cholmod_settings = best_peer.settings().name();
+  duel.cholmod_amd_analyze_s = amd_analysis(medians, false);
+  duel.cholmod_block_amd_analyze_s = amd_analysis(medians, true);
+  duel.largest_difference = relative_difference(our_x, peer_x);
+  return duel;
+}
+
+}  // namespace boxplus::bench

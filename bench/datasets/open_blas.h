@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The BLAS below the peers: OpenBLAS with one thread, or the figures mean nothing.
+#pragma once
+
+#include <string>
+
+namespace boxplus::bench {
+
+/// Throws std::runtime_error where the BLAS and LAPACK routines that CHOLMOD calls are not OpenBLAS's, or
+/// where OpenBLAS or OpenMP may use more than one thread.
+void require_open_blas_with_one_thread();
+
+/// Version, build and the kernels in use.
+std::string open_blas_version();
+
+/// GFLOP/s of one DGEMM of 1024 × 1024 matrices.
+double dgemm_rate();
+
+}  // namespace boxplus::bench
