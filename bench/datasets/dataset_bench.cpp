@@ -8,6 +8,7 @@
 #include "datasets/datasets.h"
 #include "datasets/linear_duel.h"
 #include "datasets/open_blas.h"
+#include "datasets/solve_duel.h"
 
 using namespace boxplus;
 using namespace boxplus::bench;
@@ -17,14 +18,17 @@ int main(int, char** argv) try {
   fmt::print("{}: {:.1f} GFLOP/s\n", open_blas_version(), dgemm_rate());
   for (const Dataset& dataset : datasets()) {
     GraphFile file = read_anchored((std::filesystem::path(argv[1]) / dataset.path).string());
-    const LinearDuel d = run_linear_duel(file.graph);
-    fmt::print(
-        "{:28} analyse {:.2f} vs {:.2f} / {:.2f}  factor {:.2f} vs {:.2f} ({}) x{:.2f}  solve {:.2f} vs "
-        "{:.2f}  GF/s {:.1f} {:.1f}  diff {:.1e}\n",
-        dataset.name(), 1e3 * d.ours.analyze_s, 1e3 * d.cholmod_amd_analyze_s,
-        1e3 * d.cholmod_block_amd_analyze_s, 1e3 * d.ours.factorize_s, 1e3 * d.cholmod.factorize_s,
-        d.cholmod_settings, d.cholmod.factorize_s / d.ours.factorize_s, 1e3 * d.ours.solve_s,
-        1e3 * d.cholmod.solve_s, d.ours.rate(), d.cholmod.rate(), d.largest_difference);
+    const SolveDuel d = run_solve_duel(file.graph, dataset.target());
+    const auto show = [](const char* name, const SolveFigures& f) {
+      fmt::print("   {:10} arrival {:9.2f} ms lin {:8.3f} it {:8.3f} n {} chi2 {:.9g}\n", name,
+                 1e3 * f.arrival_s, 1e3 * f.linearize_s, 1e3 * f.iteration_s, f.iterations, f.chi2);
+    };
+    fmt::print("{} {:.12g} {:.1e} {}\n", dataset.name(), d.chi2_initial, d.start_difference,
+               d.ceres_settings);
+    show("ours", d.ours);
+    show("auto", d.ours_automatic);
+    show("analytic", d.analytic);
+    show("autodiff", d.autodiff);
     std::fflush(stdout);
   }
   return 0;

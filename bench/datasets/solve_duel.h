@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole solves of a graph from its estimates: ours against Ceres.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "boxplus/graph/graph.h"
+
+namespace boxplus::bench {
+
+struct SolveFigures {
+  double arrival_s = std::numeric_limits<double>::infinity();  ///< until chi2 was at most the target
+  double linearize_s = 0;  ///< of one linearisation; ours adds H, Ceres only writes the Jacobian
+  double iteration_s = 0;  ///< the median iteration
+  double iterations = 0;
+  double chi2 = 0;  ///< where it ended
+  bool arrived() const { return arrival_s < std::numeric_limits<double>::infinity(); }
+};
+
+struct SolveDuel {
+  double chi2_initial = 0;
+  double start_difference = 0;      ///< relative, of Ceres's chi2 and ours at the start
+  SolveFigures ours;                ///< from the estimates, default options, one thread
+  SolveFigures ours_automatic;      ///< Start::kAutomatic: the estimates or the chordal guess
+  SolveFigures analytic, autodiff;  ///< Ceres with its fastest settings
+  std::string ceres_settings;       ///< their name
+  int ceres_settings_index = 0;
+};
+
+/// Throws std::runtime_error where the chi2 of the two at the start differ by more than 1e-9.
+SolveDuel run_solve_duel(Graph& graph, double target);
+
+}  // namespace boxplus::bench
