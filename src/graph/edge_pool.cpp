@@ -51,6 +51,16 @@ void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
   }
 }
 
+void EdgePool::reserve_slots(std::size_t edges) {
+  const double growth = slots() == 0 ? 1 : static_cast<double>(edges) / slots();
+  if (growth <= 1) return;
+  vertex_slots_.reserve(static_cast<std::size_t>(growth * static_cast<double>(vertex_slots_.size())));
+  flags_.reserve(edges);
+  generations_.reserve(edges);
+  if (uniform_arity_ < 0) vertex_start_.reserve(edges + 1);
+  information_.reserve(growth);
+}
+
 /// Where in free_ an edge of this arity lies, or its size. Of the slots of other arities that may lie on top
 /// only a few are looked at.
 std::size_t EdgePool::find_free(std::size_t arity) const {

@@ -97,9 +97,13 @@ std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> verti
   return twice == sorted.end() ? std::nullopt : std::optional(*twice);
 }
 
+void Graph::reserve_edges(EdgeRef like, std::size_t count) {
+  check(like);
+  edge_pools_[like.pool]->reserve(count);
+}
+
 void Graph::check_distinct(std::span<const VertexRef> vertices) const {
   if (vertices.empty()) throw InvalidArgument("an edge needs at least one vertex");
-  for (const VertexRef& vertex : vertices) check(vertex);
   if (const auto twice = find_repetition(vertices)) {
     throw InvalidArgument("vertex " + std::to_string(id(*twice)) + " appears twice in one edge");
   }

@@ -198,6 +198,11 @@ std::string Information::complaint(int rows) const {
              : complaint_about<Eigen::MatrixXd>(omega);
 }
 
+void InformationStore::reserve(double growth) {
+  entries_.reserve(static_cast<std::size_t>(growth * static_cast<double>(entries_.size())));
+  values_.reserve(static_cast<std::size_t>(growth * static_cast<double>(values_.size())));
+}
+
 void InformationStore::append(const Information& information, int rows) {
   if (const std::string complaint = information.complaint(rows); !complaint.empty())
     throw InvalidArgument(complaint);

@@ -66,12 +66,25 @@ class GraphReader {
         [&](const LineBlock& block) { take(block); });
   }
 
+  /// Where an edge ended a block, the rest of the file is likely to hold edges of its type.
+  void make_room(std::size_t edges_before) {
+    const std::size_t edges = file_.edges.size() - edges_before;
+    ++blocks_taken_;
+    if (neighbour_.kind != Neighbour::Kind::kEdge || edges == 0) return;
+    const std::size_t expected = file_.edges.size() + edges * (text_.count() - blocks_taken_);
+    if (expected <= file_.edges.capacity()) return;
+    file_.edges.reserve(expected + expected / 16);
+    file_.graph.reserve_edges(file_.edges.back(), expected + expected / 16);
+  }
+
   void take(const LineBlock& block) {
+    const std::size_t edges_before = file_.edges.size();
     for (Line line : block.lines()) {
       line.number += lines_before_;
       guarded(line.number, [&] { take(line); });
     }
     lines_before_ += block.line_count();
+    make_room(edges_before);
   }
 
   void take(const Line& line) {
@@ -333,6 +346,7 @@ class GraphReader {
   const int threads_;
   GraphFile file_;
   std::int64_t lines_before_ = 0;
+  std::size_t blocks_taken_ = 0;
   Neighbour neighbour_;
   std::vector<PendingLine> pending_;
   bool all_known_ = false;  // every vertex of the file is in the graph

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "linear/kernels/kernel_table.h"
+
 namespace boxplus {
 namespace {
 
@@ -47,19 +49,10 @@ void add_rank_one(double scale, const double* vi, int di, const double* vj, int 
   }
 }
 
-}  // namespace
-
-EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
-  if (kernel == nullptr) return {};
-  const Rho rho = (*kernel)(e2);
-  EdgeWeight weight{std::max(0.0, rho.first), 0};
-  if (triggs && e2 > 0) weight.second = std::max(2 * rho.second, -weight.first / e2);
-  return weight;
-}
-
-void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
-                const std::uint32_t* targets, double* values, double* gradient, double* weighted,
-                double* weighted_error) {
+/// The edge one number at a time: of any size, and with a rank-one weight.
+void accumulate_any(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+                    const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                    double* weighted_error) {
   const int rows = edge.rows, cols = edge.cols;
   const int arity = static_cast<int>(edge.dims.size());
   information.apply(edge.jacobian, cols, weighted);
@@ -90,6 +83,62 @@ void accumulate(const EdgeSystem& edge, const InformationView& information, cons
       if (weight.second != 0)
         add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
     }
+  }
+}
+
+/// Adds P = JᵀΩJ, of which `at(i, j)` is the block of the vertices i and j, where the targets say.
+void add_products(const EdgeSystem& edge, const double* products, int stride, const double* gradient_of_edge,
+                  const std::uint32_t* targets, double* values, double* gradient) {
+  const dense::KernelTable& kernels = dense::kernels();
+  const int arity = static_cast<int>(edge.dims.size());
+  const std::uint32_t* pair = targets + arity;
+  for (int i = 0, column_i = 0; i < arity; column_i += edge.dims[static_cast<std::size_t>(i)], ++i) {
+    const int di = edge.dims[static_cast<std::size_t>(i)];
+    if (targets[i] != Scatter::kNowhere)
+      kernels.add_block(gradient + targets[i], di, 1, gradient_of_edge + column_i, stride);
+    for (int j = 0, column_j = 0; j <= i; column_j += edge.dims[static_cast<std::size_t>(j)], ++j, ++pair) {
+      if (*pair == Scatter::kNowhere) continue;
+      const int dj = edge.dims[static_cast<std::size_t>(j)];
+      double* block = values + (*pair & ~Scatter::kTransposed);
+      if ((*pair & Scatter::kTransposed) == 0) {
+        kernels.add_block(block, di, dj, products + column_j * stride + column_i, stride);
+      } else {  // P is symmetric
+        kernels.add_block(block, dj, di, products + column_i * stride + column_j, stride);
+      }
+    }
+  }
+}
+
+/// The edge by the kernels for small ones.
+void accumulate_small(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+                      const std::uint32_t* targets, double* values, double* gradient) {
+  double products[dense::kMostEdgeColumns * dense::kMostEdgeColumns],
+      gradient_of_edge[dense::kMostEdgeColumns];
+  const auto kind = static_cast<dense::EdgeNumbers::Kind>(information.kind);
+  const int stride = dense::kernels().normal_products(
+      {edge.rows, edge.cols, edge.jacobian, edge.error, kind, information.values, weight.first}, products,
+      gradient_of_edge);
+  add_products(edge, products, stride, gradient_of_edge, targets, values, gradient);
+}
+
+}  // namespace
+
+EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
+  if (kernel == nullptr) return {};
+  const Rho rho = (*kernel)(e2);
+  EdgeWeight weight{std::max(0.0, rho.first), 0};
+  if (triggs && e2 > 0) weight.second = std::max(2 * rho.second, -weight.first / e2);
+  return weight;
+}
+
+void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+                const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                double* weighted_error) {
+  const bool is_small = edge.rows <= dense::kMostEdgeRows && edge.cols <= dense::kMostEdgeColumns;
+  if (is_small && weight.second == 0) {
+    accumulate_small(edge, information, weight, targets, values, gradient);
+  } else {
+    accumulate_any(edge, information, weight, targets, values, gradient, weighted, weighted_error);
   }
 }
 

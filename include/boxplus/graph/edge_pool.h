@@ -57,6 +57,9 @@ class EdgePool {
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
+  /// Makes room for `edges` edges in all, like those that are there. A hint: it changes nothing else.
+  virtual void reserve(std::size_t edges) = 0;
+
   std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }
   bool alive(std::uint32_t edge) const { return (flags_[edge] & kAlive) != 0; }
@@ -87,6 +90,7 @@ class EdgePool {
  protected:
   /// `vertex_pools`: the pool of each vertex; the last one is repeated where the arity is chosen at run time.
   EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
+  void reserve_slots(std::size_t edges);
   /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
   std::uint32_t next_slot(std::size_t arity) const;
   /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it

@@ -177,6 +177,9 @@ class Graph {
     return {EdgeRef{index, slot, pool.generation(slot)}};
   }
 
+  /// Makes room for `count` edges in all of the type of this one: a hint, which saves time where many follow.
+  void reserve_edges(EdgeRef like, std::size_t count);
+
   /// The error function (measurement) of an edge.
   template <class E>
   const E& measurement(EdgeHandle<E> edge) const {

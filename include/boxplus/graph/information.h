@@ -60,6 +60,8 @@ class Information {
 /// The Ω of all edges of a pool, one after the other.
 class InformationStore {
  public:
+  /// Makes room for `growth` times as many as there are.
+  void reserve(double growth);
   void append(const Information& information, int rows);
   void set(std::uint32_t edge, const Information& information, int rows);
   InformationView view(std::uint32_t edge, int rows) const {

@@ -71,6 +71,12 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
+  void reserve(std::size_t edges) override {
+    reserve_slots(edges);
+    edges_.reserve(edges);
+    if constexpr (kRows == kDynamic) rows_.reserve(edges);
+  }
+
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included once per instruction set, by isa_….cpp.
 #include "linear/kernels/kernel_table.h"
+#include "linear/kernels/normal_kernels.h"
 #include "linear/kernels/panel_kernels.h"
 #include "linear/kernels/vector_kernels.h"
 
@@ -18,6 +19,8 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          divide_by_transposed,
                          divide_by,
                          solve_forward,
-                         solve_backward};
+                         solve_backward,
+                         normal_products<1>,
+                         add_block};
 
 }  // namespace boxplus::dense::BOXPLUS_ISA

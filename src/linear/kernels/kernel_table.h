@@ -6,6 +6,20 @@
 
 namespace boxplus::dense {
 
+/// The largest edges that normal_products() takes.
+inline constexpr int kMostEdgeRows = 8, kMostEdgeColumns = 16;
+
+/// What is known of an edge: J is rows × cols, column-major; Ω is one number, one per row, or the upper
+/// triangle by rows.
+struct EdgeNumbers {
+  enum Kind { kScalar, kDiagonal, kFull };
+  int rows, cols;
+  const double *jacobian, *error;
+  Kind kind;
+  const double* omega;
+  double weight;  ///< that Ω is multiplied with
+};
+
 /// One set of kernels; dense_kernels.h says what they do.
 struct KernelTable {
   const char* name;
@@ -21,6 +35,11 @@ struct KernelTable {
   void (*divide_by)(double* x, int ldx, const double* l, int ldl, int rows, int size);
   void (*solve_forward)(const double* panel, int rows, int columns, int ld, double* work);
   void (*solve_backward)(const double* panel, int rows, int columns, int ld, double* work);
+  /// products = JᵀΩJ, column-major with the stride that is returned, and gradient = JᵀΩe. Both have room for
+  /// kMostEdgeColumns columns of kMostEdgeColumns numbers; what lies beyond cols is overwritten.
+  int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
+  /// block += source; the block is rows × cols and dense, the source has the given stride.
+  void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
 };
 
 /// The sets that this processor can run, the best one last.
