@@ -4,6 +4,7 @@
 PREFIX ?= /usr/local
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
+BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
 .PHONY: help setup build demo test bench dev asan ubsan tsan tidy format check fuzz install clean
@@ -26,10 +27,15 @@ test: setup ## builds everything and runs all tests
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS)
 
-bench: setup ## runs the benchmarks; bench/RESULTS.md holds the latest figures
+bench: setup ## measures us beside CHOLMOD and Ceres, and writes bench/RESULTS.md
+	@scripts/install_dependencies.sh scripts/debian-packages-bench.txt
 	@cmake --preset bench
 	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks
 	@build/bench/bin/graph_file_bench
+	@build/bench/bin/dense_kernels_bench
+	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
+	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
+	@mv build/bench/RESULTS.md bench/RESULTS.md
 
 dev asan ubsan tsan: setup
 	@cmake --preset $@

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs those packages of debian-packages.txt that are missing. Says and does nothing when none is.
+# Installs those packages of a list that are missing. Says and does nothing when none is.
+#
+#     install_dependencies.sh [LIST]      by default debian-packages.txt
 set -euo pipefail
 
-list="$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt"
+list="${1:-$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt}"
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "boxplus: not a Debian system, so nothing is installed; what is needed stands in $list" >&2

@@ -1,37 +1,107 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures boxplus and its peers on public graphs, side by side in one run.
+// Measures boxplus beside its peers on public graphs, and prints the tables of bench/RESULTS.md.
+//
+//     dataset_bench FOLDER COMMIT [NAME…]
+//
+// FOLDER holds the files (see datasets.cpp), COMMIT names the sources, NAMEs choose files. Progress goes to
+// stderr.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 
-#include "datasets/datasets.h"
-#include "datasets/linear_duel.h"
+#include "boxplus/testing/simulate.h"
+#include "datasets/interleave.h"
+#include "datasets/machine.h"
 #include "datasets/open_blas.h"
-#include "datasets/solve_duel.h"
+#include "datasets/results.h"
 
-using namespace boxplus;
-using namespace boxplus::bench;
+namespace boxplus::bench {
+namespace {
 
-int main(int, char** argv) try {
-  require_open_blas_with_one_thread();
-  fmt::print("{}: {:.1f} GFLOP/s\n", open_blas_version(), dgemm_rate());
-  for (const Dataset& dataset : datasets()) {
-    GraphFile file = read_anchored((std::filesystem::path(argv[1]) / dataset.path).string());
-    const SolveDuel d = run_solve_duel(file.graph, dataset.target());
-    const auto show = [](const char* name, const SolveFigures& f) {
-      fmt::print("   {:10} arrival {:9.2f} ms lin {:8.3f} it {:8.3f} n {} chi2 {:.9g}\n", name,
-                 1e3 * f.arrival_s, 1e3 * f.linearize_s, 1e3 * f.iteration_s, f.iterations, f.chi2);
-    };
-    fmt::print("{} {:.12g} {:.1e} {}\n", dataset.name(), d.chi2_initial, d.start_difference,
-               d.ceres_settings);
-    show("ours", d.ours);
-    show("auto", d.ours_automatic);
-    show("analytic", d.analytic);
-    show("autodiff", d.autodiff);
-    std::fflush(stdout);
+struct Arguments {
+  std::string programs, folder, commit;
+  std::vector<std::string> names;
+
+  bool wants(const std::string& name) const {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
   }
-  return 0;
+};
+
+Arguments parse(int count, char** words) {
+  if (count < 3) throw std::runtime_error("expected FOLDER COMMIT [NAME…]");
+  Arguments arguments{std::filesystem::read_symlink("/proc/self/exe").parent_path(),
+                      words[1],
+                      words[2],
+                      {words + 3, words + count}};
+  for (const std::string& name : arguments.names) {
+    const auto known = [&](const Dataset& dataset) { return dataset.name() == name; };
+    if (std::none_of(datasets().begin(), datasets().end(), known)) {
+      throw std::runtime_error("no data set is called " + name);
+    }
+  }
+  return arguments;
+}
+
+DatasetResults measure(const Dataset& dataset, const Arguments& arguments) {
+  DatasetResults results{.dataset = dataset};
+  const std::string path = std::filesystem::path(arguments.folder) / dataset.path;
+  try {
+    GraphFile file = read_anchored(path);
+    results.linear = run_linear_duel(file.graph);
+    results.solve = run_solve_duel(file.graph, dataset.target());
+    results.whole =
+        run_whole_duel(arguments.programs, path, results.solve->ceres_settings_index, dataset.target());
+    results.threads = run_thread_duel(file.graph);
+  } catch (const std::exception& error) {
+    results.trouble = error.what();
+    fmt::print(stderr, "{}: {}\n", dataset.name(), error.what());
+  }
+  return results;
+}
+
+double median_dgemm_rate() {
+  return interleaved_medians({[] { return Figures{dgemm_rate()}; }})[0][0];
+}
+
+Results measure_all(const Arguments& arguments) {
+  Results results{.machine = describe_machine(arguments.commit)};
+  results.dgemm_rate = median_dgemm_rate();
+  for (const Dataset& dataset : datasets()) {
+    if (!arguments.wants(dataset.name())) continue;
+    fmt::print(stderr, "{}\n", dataset.name());
+    results.datasets.push_back(measure(dataset, arguments));
+  }
+  fmt::print(stderr, "torus of 10 000 poses\n");
+  Simulation torus = simulate(World::kTorus, {.poses = 10000});
+  results.torus_of_10000 = run_thread_duel(torus.graph);
+  return results;
+}
+
+void print(const Results& results) {
+  fmt::print(
+      "# Results of the benchmarks\n\n"
+      "Written by `make bench`; the latest run. Everything below was measured in that one run: contestants "
+      "in turn,\n"
+      "medians of at least five repetitions, one thread where nothing else is said. × tells how many times "
+      "faster\n"
+      "(or smaller) boxplus is.\n\n| | |\n|---|---|\n");
+  for (const auto& [what, value] : results.machine) fmt::print("| {} | {} |\n", what, value);
+  fmt::print("\n{}{}", goals_of(results), tables_of(results));
+}
+
+}  // namespace
+}  // namespace boxplus::bench
+
+int main(int count, char** words) try {
+  using namespace boxplus::bench;
+  require_open_blas_with_one_thread();
+  const Results results = measure_all(parse(count, words));
+  print(results);
+  const auto failed = [](const DatasetResults& result) { return !result.trouble.empty(); };
+  return std::any_of(results.datasets.begin(), results.datasets.end(), failed) ? 1 : 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "dataset_bench: {}\n", error.what());
   return 1;

@@ -36,7 +36,9 @@ std::span<const Dataset> datasets() {
 }
 
 GraphFile read_anchored(const std::string& path) {
-  GraphFile file = read_graph(path);
+  ReadOptions options;
+  options.threads = 1;
+  GraphFile file = read_graph(path, options);
   for (const GaugeVertex& held : make_plan(file.graph, {}).held) file.graph.fix(held.vertex);
   return file;
 }

@@ -23,7 +23,7 @@ struct Dataset {
 
 std::span<const Dataset> datasets();
 
-/// Reads a file and fixes what optimize() would hold, so that peers can hold the same.
+/// Reads a file with one thread and fixes what optimize() would hold, so that peers can hold the same.
 GraphFile read_anchored(const std::string& path);
 
 }  // namespace boxplus::bench

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/interleave.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "datasets/median.h"
 #include "optimize/stopwatch.h"
 
 namespace boxplus::bench {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 double geometric_mean(const std::vector<double>& values) {
   if (values.empty()) return 1;

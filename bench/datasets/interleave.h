@@ -21,8 +21,6 @@ struct Effort {
 std::vector<Figures> interleaved_medians(const std::vector<Contestant>& contestants,
                                          const Effort& effort = {});
 
-double median(std::vector<double> values);
-
 /// exp of the mean logarithm; 1 of nothing.
 double geometric_mean(const std::vector<double>& values);
 

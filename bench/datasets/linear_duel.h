@@ -23,7 +23,7 @@ struct LinearDuel {
   double largest_difference = 0;           ///< of CHOLMOD's solution and ours, relative to the largest entry
 };
 
-/// Throws std::runtime_error where a solver fails on H.
+/// Throws std::runtime_error where a solver fails on H, or the solutions differ.
 LinearDuel run_linear_duel(Graph& graph);
 
 }  // namespace boxplus::bench

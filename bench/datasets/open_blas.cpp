@@ -11,17 +11,12 @@
 #include "optimize/stopwatch.h"
 
 namespace boxplus::bench {
-namespace {
-
-/// The file that a call of `routine` from any library ends up in.
 std::string library_of(const char* routine) {
   const void* address = dlsym(RTLD_DEFAULT, routine);
   Dl_info info;
   if (address == nullptr || dladdr(address, &info) == 0) return "no library";
   return info.dli_fname;
 }
-
-}  // namespace
 
 void require_open_blas_with_one_thread() {
   for (const char* routine : {"dgemm_", "dsyrk_", "dtrsm_", "dgemv_", "dtrsv_", "dpotrf_"}) {

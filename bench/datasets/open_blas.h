@@ -6,6 +6,9 @@
 
 namespace boxplus::bench {
 
+/// The file that a call of `routine` from any library ends up in.
+std::string library_of(const char* routine);
+
 /// Throws std::runtime_error where the BLAS and LAPACK routines that CHOLMOD calls are not OpenBLAS's, or
 /// where OpenBLAS or OpenMP may use more than one thread.
 void require_open_blas_with_one_thread();

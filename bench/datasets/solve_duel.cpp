@@ -11,6 +11,7 @@
 #include "datasets/ceres/ceres_peer.h"
 #include "datasets/graph_numbers.h"
 #include "datasets/interleave.h"
+#include "datasets/median.h"
 
 namespace boxplus::bench {
 namespace {
@@ -63,12 +64,15 @@ SolveFigures run_ceres(CeresPeer& peer, const CeresSettings& settings, const Cer
           run.chi2_final};
 }
 
-/// One run with each of the settings; the index of the fastest that arrives, or of the best chi2.
+/// Runs with each of the settings; the index of the fastest that arrives, or of the best chi2.
 std::size_t find_fastest(CeresPeer& peer, const CeresStop& stop, SolveFigures& best) {
   std::size_t fastest = 0;
   const auto rank = [](const SolveFigures& f) { return std::pair(f.arrival_s, f.arrived() ? 0 : f.chi2); };
   for (std::size_t k = 0; k < all_ceres_settings().size(); ++k) {
-    const SolveFigures run = run_ceres(peer, all_ceres_settings()[k], stop);
+    SolveFigures run = run_ceres(peer, all_ceres_settings()[k], stop);
+    if (run.arrived()) {  // once more, for whatever disturbed the first
+      run.arrival_s = std::min(run.arrival_s, run_ceres(peer, all_ceres_settings()[k], stop).arrival_s);
+    }
     if (k > 0 && rank(run) >= rank(best)) continue;
     best = run;
     fastest = k;
@@ -76,11 +80,19 @@ std::size_t find_fastest(CeresPeer& peer, const CeresStop& stop, SolveFigures& b
   return fastest;
 }
 
-double check_start(CeresPeer& peer, double chi2) {
-  const double theirs = peer.solve(all_ceres_settings()[0], {.iterations = 0}).chi2_initial;
-  const double difference = std::abs(theirs - chi2) / chi2;
-  if (difference <= 1e-9) return difference;
-  throw std::runtime_error(fmt::format("chi2 at the start: ours {:.15g}, Ceres's {:.15g}", chi2, theirs));
+void require_equal(const char* what, double a, double b) {
+  if (std::abs(a - b) <= 1e-9 * std::abs(a)) return;
+  throw std::runtime_error(fmt::format("{}: expected {:.15g} within 1e-9, got {:.15g}", what, a, b));
+}
+
+/// All solve the same problem: chi2 at the start is ours, and autodiff finds what is written by hand.
+void check_start(CeresPeer& analytic, CeresPeer& autodiff, double chi2) {
+  const CeresStop at_once{.iterations = 0};
+  const CeresRun by_hand = analytic.solve(all_ceres_settings()[0], at_once);
+  const CeresRun automatic = autodiff.solve(all_ceres_settings()[0], at_once);
+  require_equal("chi2 of Ceres's analytic edges at the start", chi2, by_hand.chi2_initial);
+  require_equal("chi2 of Ceres's autodiff edges at the start", chi2, automatic.chi2_initial);
+  require_equal("largest gradient of Ceres's analytic edges", automatic.gradient_max, by_hand.gradient_max);
 }
 
 }  // namespace
@@ -91,8 +103,7 @@ SolveDuel run_solve_duel(Graph& graph, double target) {
       autodiff(plain, CeresPeer::Jacobians::kAutodiff);
   SolveDuel duel;
   duel.chi2_initial = graph.chi2();
-  duel.start_difference =
-      std::max(check_start(analytic, duel.chi2_initial), check_start(autodiff, duel.chi2_initial));
+  check_start(analytic, autodiff, duel.chi2_initial);
 
   CeresStop stop{.chi2 = target};
   SolveFigures scouted;

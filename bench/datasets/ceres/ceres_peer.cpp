@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <utility>
 
 #include "datasets/ceres/se2_errors.h"
 #include "datasets/ceres/se3_errors.h"
+#include "datasets/median.h"
 
 namespace boxplus::bench {
 namespace {
@@ -60,14 +62,12 @@ ceres::Solver::Options options_of(const CeresSettings& settings, const CeresStop
 }
 
 double median_iteration(const std::vector<ceres::IterationSummary>& iterations) {
+  const int first = iterations.size() > 2 ? 2 : 1;
   std::vector<double> seconds;
   for (const auto& iteration : iterations) {
-    if (iteration.iteration > 0) seconds.push_back(iteration.iteration_time_in_seconds);
+    if (iteration.iteration >= first) seconds.push_back(iteration.iteration_time_in_seconds);
   }
-  if (seconds.empty()) return 0;
-  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
-  std::nth_element(seconds.begin(), middle, seconds.end());
-  return *middle;
+  return seconds.empty() ? 0 : median(std::move(seconds));
 }
 
 template <class Error, class Cost, int... sizes, class Measurement>
@@ -162,6 +162,7 @@ CeresRun CeresPeer::solve(const CeresSettings& settings, const CeresStop& stop) 
   run.jacobian_s =
       summary.jacobian_evaluation_time_in_seconds / std::max(1, summary.num_jacobian_evaluations);
   run.iteration_s = median_iteration(summary.iterations);
+  run.gradient_max = summary.iterations.front().gradient_max_norm;
   return run;
 }
 

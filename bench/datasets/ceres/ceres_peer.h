@@ -13,6 +13,7 @@
 
 #include "datasets/plain_graph.h"
 
+/// What the library shows of itself.
 #define BOXPLUS_PEER __attribute__((visibility("default")))
 
 namespace boxplus::bench {
@@ -40,8 +41,9 @@ struct CeresRun {
   int iterations = 0;
   double arrival_s = std::numeric_limits<double>::infinity();  ///< from the call until chi2 was reached
   double total_s = 0;
-  double jacobian_s = 0;   ///< of one evaluation of errors, Jacobians and gradient
-  double iteration_s = 0;  ///< the median iteration
+  double jacobian_s = 0;    ///< of one evaluation of errors, Jacobians and gradient
+  double iteration_s = 0;   ///< the median iteration but for the first, which analyses
+  double gradient_max = 0;  ///< largest entry of the gradient of the cost at the start
   bool arrived() const { return arrival_s < std::numeric_limits<double>::infinity(); }
 };
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "datasets/interleave.h"
+#include "datasets/results.h"
+
+namespace boxplus::bench {
+namespace {
+
+/// How many times faster boxplus was on each file; 0 where only the peer arrived.
+struct Ratios {
+  std::vector<std::pair<std::string, double>> files;
+  std::vector<std::string> missing;  ///< files where the peer did not arrive, or that could not be measured
+};
+
+struct Goal {
+  std::string text;
+  double mean;       ///< the geometric mean that is wanted
+  double least = 0;  ///< and the least of any file, where that is wanted too
+};
+
+Ratios ratios_of(const Results& results, const std::function<double(const DatasetResults&)>& ratio) {
+  Ratios ratios;
+  for (const DatasetResults& result : results.datasets) {
+    if (!result.dataset.counts) continue;
+    const double value = result.linear && result.solve ? ratio(result) : std::nan("");
+    if (std::isfinite(value)) {
+      ratios.files.emplace_back(result.dataset.name(), value);
+    } else {
+      ratios.missing.push_back(result.dataset.name());
+    }
+  }
+  return ratios;
+}
+
+std::string line_of(const Goal& goal, const Ratios& ratios) {
+  std::vector<double> values;
+  for (const auto& [file, ratio] : ratios.files) values.push_back(ratio);
+  if (values.empty()) return fmt::format("| {} | | | | not measured |\n", goal.text);
+  const double mean = geometric_mean(values);
+  const auto worst = std::min_element(ratios.files.begin(), ratios.files.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::string wanted = fmt::format("{:g}", goal.mean);
+  if (goal.least > 0) wanted += fmt::format(", none below {:g}", goal.least);
+  std::string verdict = mean >= goal.mean && worst->second >= goal.least ? "met" : "**not met**";
+  if (!ratios.missing.empty()) verdict += fmt::format("; without {}", fmt::join(ratios.missing, ", "));
+  return fmt::format("| {} | {} | {:.2f} | {:.2f} ({}) | {} |\n", goal.text, wanted, mean, worst->second,
+                     worst->first, verdict);
+}
+
+std::string linear_goals(const Results& results) {
+  const auto linear = [&](const std::function<double(const LinearDuel&)>& ratio) {
+    return ratios_of(results, [&](const DatasetResults& result) { return ratio(*result.linear); });
+  };
+  return line_of({"factorisation, against CHOLMOD's fastest way", 4, 2.5},
+                 linear([](const LinearDuel& d) { return d.cholmod.factorize_s / d.ours.factorize_s; })) +
+         line_of({"analysis, against CHOLMOD's with AMD", 3},
+                 linear([](const LinearDuel& d) { return d.cholmod_amd_analyze_s / d.ours.analyze_s; })) +
+         line_of({"the same, with AMD on blocks", 3}, linear([](const LinearDuel& d) {
+                   return d.cholmod_block_amd_analyze_s / d.ours.analyze_s;
+                 }));
+}
+
+std::string solve_goals(const Results& results) {
+  const auto solve = [&](const std::function<double(const SolveDuel&)>& ratio) {
+    return ratios_of(results, [&](const DatasetResults& result) { return ratio(*result.solve); });
+  };
+  return line_of({"linearise + assemble, against Ceres's Jacobian evaluation with autodiff", 6},
+                 solve([](const SolveDuel& d) { return d.autodiff.linearize_s / d.ours.linearize_s; })) +
+         line_of({"the same, with analytic edges", 2},
+                 solve([](const SolveDuel& d) { return d.analytic.linearize_s / d.ours.linearize_s; })) +
+         line_of({"iteration, against Ceres's with analytic edges", 4},
+                 solve([](const SolveDuel& d) { return d.analytic.iteration_s / d.ours.iteration_s; })) +
+         line_of(
+             {"to within 1e-6 of the best chi2, both from the file's estimates, against Ceres's fastest way",
+              10, 4},
+             solve([](const SolveDuel& d) {
+               return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours.arrival_s;
+             })) +
+         line_of({"the same, ours with Start::kAutomatic", 10, 4}, solve([](const SolveDuel& d) {
+                   return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours_automatic.arrival_s;
+                 }));
+}
+
+std::string thread_goal(const Results& results) {
+  Ratios ratios;
+  for (const DatasetResults& result : results.datasets) {
+    const std::string name = result.dataset.name();
+    if ((name != "sphere2500" && name != "torus3D") || !result.threads) continue;
+    ratios.files.emplace_back(name, result.threads->one_s / result.threads->two_s);
+  }
+  ratios.files.emplace_back("torus of 10 000 poses",
+                            results.torus_of_10000.one_s / results.torus_of_10000.two_s);
+  return line_of({"two threads, against one", 1.25, 1.25}, ratios);
+}
+
+}  // namespace
+
+std::string goals_of(const Results& results) {
+  std::string counted;
+  for (const DatasetResults& result : results.datasets) {
+    if (result.dataset.counts) counted += (counted.empty() ? "" : ", ") + result.dataset.name();
+  }
+  return "## Goals\n\nTimes faster than the peer: the geometric mean over " + counted +
+         ".\nFiles where the peer did not arrive are left out of a line, and named in it; where only the "
+         "peer did, 0 counts.\n\n"
+         "| what | wanted | mean | least | |\n|---|--:|--:|--:|---|\n" +
+         linear_goals(results) + solve_goals(results) + thread_goal(results);
+}
+
+}  // namespace boxplus::bench

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "datasets/results.h"
+
+namespace boxplus::bench {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string line_of(const Cells& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+/// The first column is text, the others are numbers.
+std::string head_of(const Cells& titles) {
+  std::string rule = "|---|";
+  for (std::size_t k = 1; k < titles.size(); ++k) rule += "--:|";
+  return line_of(titles) + rule + "\n";
+}
+
+std::string milliseconds(double seconds) {
+  const double ms = 1e3 * seconds;
+  return fmt::format("{:.{}f}", ms, ms < 1 ? 3 : ms < 100 ? 2 : ms < 1000 ? 1 : 0);
+}
+
+std::string times(double theirs, double ours) {
+  return fmt::format("{:.2f}", theirs / ours);
+}
+
+/// One row per file; where `cells` finds nothing to say, why.
+std::string rows_of(const Results& results, const std::function<Cells(const DatasetResults&)>& cells) {
+  std::string rows;
+  for (const DatasetResults& result : results.datasets) {
+    Cells row{result.dataset.name()};
+    const Cells rest = cells(result);
+    row.insert(row.end(), rest.begin(), rest.end());
+    if (rest.empty()) row.push_back(result.trouble);
+    rows += line_of(row);
+  }
+  return rows;
+}
+
+std::string rate(const LinearFigures& figures, const Results& results) {
+  return fmt::format("{:.1f} ({:.0f} %)", figures.rate(), 100 * figures.rate() / results.dgemm_rate);
+}
+
+std::string linear_tables(const Results& results) {
+  std::string out =
+      "## One linear system\n\nH of the file's estimates, ms. CHOLMOD's factorisation is the fastest of "
+      "eight ways: AMD or METIS, of\n"
+      "scalars or of blocks, supernodal or simplicial; its AMD analysis is that of the form that then "
+      "factorises\n"
+      "faster.\n\n";
+  out += head_of({"file", "scalars", "analyse", "CHOLMOD AMD", "×", "AMD on blocks", "×", "factorise",
+                  "CHOLMOD", "×", "solve", "CHOLMOD", "×"});
+  out += rows_of(results, [](const DatasetResults& result) -> Cells {
+    if (!result.linear) return {};
+    const LinearDuel& d = *result.linear;
+    const double analyze = d.ours.analyze_s;
+    return {std::to_string(d.scalars),
+            milliseconds(analyze),
+            milliseconds(d.cholmod_amd_analyze_s),
+            times(d.cholmod_amd_analyze_s, analyze),
+            milliseconds(d.cholmod_block_amd_analyze_s),
+            times(d.cholmod_block_amd_analyze_s, analyze),
+            milliseconds(d.ours.factorize_s),
+            milliseconds(d.cholmod.factorize_s),
+            times(d.cholmod.factorize_s, d.ours.factorize_s),
+            milliseconds(d.ours.solve_s),
+            milliseconds(d.cholmod.solve_s),
+            times(d.cholmod.solve_s, d.ours.solve_s)};
+  });
+  out += fmt::format(
+      "\nUseful operations of the factorisation per second, and the share of DGEMM, n = 1024, which runs at "
+      "{:.1f}\nGFLOP/s.\n\n",
+      results.dgemm_rate);
+  out += head_of({"file", "boxplus Mflop", "GFLOP/s", "CHOLMOD Mflop", "GFLOP/s", "CHOLMOD's fastest way",
+                  "largest difference of the solutions"});
+  return out + rows_of(results, [&](const DatasetResults& result) -> Cells {
+           if (!result.linear) return {};
+           const LinearDuel& d = *result.linear;
+           return {fmt::format("{:.1f}", d.ours.flops * 1e-6),
+                   rate(d.ours, results),
+                   fmt::format("{:.1f}", d.cholmod.flops * 1e-6),
+                   rate(d.cholmod, results),
+                   d.cholmod_settings,
+                   fmt::format("{:.0e}", d.largest_difference)};
+         });
+}
+
+std::string iteration_table(const Results& results) {
+  std::string out =
+      "## Linearisation and iterations\n\nms, in the runs of the next table: the mean linearisation, the "
+      "first "
+      "included, and the median iteration but for the\n"
+      "first. Ours linearises and adds up H and the gradient; Ceres's Jacobian evaluation writes the "
+      "Jacobian and the\n"
+      "gradient, and multiplies JᵀJ later, in its linear solver.\n\n";
+  out += head_of({"file", "linearise + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
+                  "Ceres analytic", "×", "Ceres autodiff", "×"});
+  return out + rows_of(results, [](const DatasetResults& result) -> Cells {
+           if (!result.solve) return {};
+           const SolveFigures &ours = result.solve->ours, &analytic = result.solve->analytic,
+                              &autodiff = result.solve->autodiff;
+           return {milliseconds(ours.linearize_s),
+                   milliseconds(autodiff.linearize_s),
+                   times(autodiff.linearize_s, ours.linearize_s),
+                   milliseconds(analytic.linearize_s),
+                   times(analytic.linearize_s, ours.linearize_s),
+                   milliseconds(ours.iteration_s),
+                   milliseconds(analytic.iteration_s),
+                   times(analytic.iteration_s, ours.iteration_s),
+                   milliseconds(autodiff.iteration_s),
+                   times(autodiff.iteration_s, ours.iteration_s)};
+         });
+}
+
+std::string arrival(const SolveFigures& figures) {
+  return figures.arrived() ? milliseconds(figures.arrival_s) : fmt::format("stuck at {:.6g}", figures.chi2);
+}
+
+std::string arrival_times(const SolveFigures& theirs, const SolveFigures& ours) {
+  if (!ours.arrived()) return "–";
+  return theirs.arrived() ? times(theirs.arrival_s, ours.arrival_s) : "∞";
+}
+
+std::string iterations(const SolveFigures& figures) {
+  return fmt::format("{:.0f}", figures.iterations);
+}
+
+std::string arrival_table(const Results& results) {
+  std::string out =
+      "## To within 1e-6 of the best chi2\n\nms from the call, analysis included. Both begin at the file's "
+      "estimates; \"automatic\" is our Start::kAutomatic,\n"
+      "which compares them with a chordal guess. Ceres: the fastest of six ways that arrives "
+      "(Levenberg-Marquardt,\n"
+      "the same with post-ordering, with a radius of 1e16 or non-monotonic; dogleg, subspace dogleg). Stuck: "
+      "where\n"
+      "it stood after 100 iterations at most.\n\n";
+  out += head_of({"file", "chi2 of the file", "best chi2", "iterations", "ms", "automatic: iterations", "ms",
+                  "Ceres", "iterations", "analytic", "×", "autodiff", "×"});
+  return out + rows_of(results, [](const DatasetResults& result) -> Cells {
+           if (!result.solve) return {};
+           const SolveDuel& d = *result.solve;
+           return {fmt::format("{:.9g}", d.chi2_initial),
+                   fmt::format("{:.9g}", result.dataset.best_chi2),
+                   iterations(d.ours),
+                   arrival(d.ours),
+                   iterations(d.ours_automatic),
+                   arrival(d.ours_automatic),
+                   d.ceres_settings,
+                   iterations(d.analytic),
+                   arrival(d.analytic),
+                   arrival_times(d.analytic, d.ours),
+                   arrival(d.autodiff),
+                   arrival_times(d.autodiff, d.ours)};
+         });
+}
+
+std::string whole_table(const Results& results) {
+  std::string out =
+      "## From file to file\n\nLoad, optimise until chi2 falls by less than 1e-10 of itself, write; a "
+      "process each. boxplus as `boxplus optimize\n"
+      "--threads 1`; Ceres with analytic Jacobians and the way above, between our reader and our writer.\n\n";
+  out += head_of({"file", "ms", "chi2", "peak MiB", "Ceres ms", "chi2", "peak MiB", "time ×", "memory ×"});
+  return out + rows_of(results, [](const DatasetResults& result) -> Cells {
+           if (!result.whole) return {};
+           const auto [ours, ceres] = *result.whole;
+           const bool stuck = ceres.chi2 > result.dataset.target();
+           return {milliseconds(ours.seconds),
+                   fmt::format("{:.9g}", ours.chi2),
+                   fmt::format("{:.1f}", ours.peak_mib),
+                   milliseconds(ceres.seconds),
+                   fmt::format("{}{:.9g}", stuck ? "stuck at " : "", ceres.chi2),
+                   fmt::format("{:.1f}", ceres.peak_mib),
+                   stuck ? "∞" : times(ceres.seconds, ours.seconds),
+                   times(ceres.peak_mib, ours.peak_mib)};
+         });
+}
+
+Cells thread_cells(const ThreadDuel& duel) {
+  return {milliseconds(duel.one_s), milliseconds(duel.two_s), times(duel.one_s, duel.two_s)};
+}
+
+std::string thread_table(const Results& results) {
+  std::string out =
+      "## Two threads\n\noptimize() with Start::kAutomatic, from nothing to convergence, ms; the results are "
+      "the same bits.\n\n";
+  out += head_of({"file", "one thread", "two threads", "×"});
+  out += rows_of(results, [](const DatasetResults& result) -> Cells {
+    return result.threads ? thread_cells(*result.threads) : Cells{};
+  });
+  Cells torus = thread_cells(results.torus_of_10000);
+  torus.insert(torus.begin(), "torus of 10 000 poses, simulated");
+  return out + line_of(torus);
+}
+
+}  // namespace
+
+std::string tables_of(const Results& results) {
+  std::string out;
+  for (const auto& table : {linear_tables(results), iteration_table(results), arrival_table(results),
+                            whole_table(results), thread_table(results)}) {
+    out += "\n" + table;
+  }
+  return out;
+}
+
+}  // namespace boxplus::bench

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/thread_duel.h"
+
+#include <stdexcept>
+
+#include "boxplus/optimize/optimize.h"
+#include "datasets/interleave.h"
+
+namespace boxplus::bench {
+namespace {
+
+Figures run(Graph& graph, int threads) {
+  graph.push();
+  graph.cache().reset();
+  const Report report = optimize(graph, {.start = Start::kAutomatic, .threads = threads});
+  graph.pop();
+  return {report.time.total_s, report.chi2_final};
+}
+
+}  // namespace
+
+ThreadDuel run_thread_duel(Graph& graph) {
+  const std::vector<Figures> medians =
+      interleaved_medians({[&] { return run(graph, 1); }, [&] { return run(graph, 2); }},
+                          {.least = 5, .most = 15, .enough_s = 3});
+  if (medians[0][1] != medians[1][1]) throw std::runtime_error("one thread and two end at different chi2");
+  return {medians[0][0], medians[1][0]};
+}
+
+}  // namespace boxplus::bench
