@@ -64,24 +64,20 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
   return failure;
 }
 
-/// One thread with a mailbox for one task at a time.
+/// One thread, which lives as long as the process, with a mailbox for one task at a time.
 ///
 /// `posted` and `done` count tasks given and finished; the owner posts again only after wait(). Both are
 /// changed under the mutex, so that no sleeper misses a change, and read without it by who spins: `task` and
 /// `failure` are published by them.
 class Worker {
  public:
-  explicit Worker(int index) : thread_([this, index] { loop(index); }) {}
-
-  ~Worker() {
-    post(nullptr);
-    thread_.join();
+  explicit Worker(int index) {
+    std::thread([this, index] { loop(index); }).detach();
   }
-
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Starts the task; nullptr ends the thread.
+  /// Starts the task.
   void post(const Task* task) {
     {
       std::lock_guard lock(mutex_);
@@ -98,11 +94,10 @@ class Worker {
   }
 
  private:
-  void loop(int index) {
+  [[noreturn]] void loop(int index) {
     inside_task = true;
     for (unsigned seen = 0;; ++seen) {
       spin_then_sleep(mutex_, wake_, [this, seen] { return posted_.load() != seen; });
-      if (task_ == nullptr) return;
       failure_ = run_here(*task_, index, index + 1);
       {
         std::lock_guard lock(mutex_);
@@ -117,7 +112,6 @@ class Worker {
   const Task* task_ = nullptr;
   std::exception_ptr failure_;
   std::atomic<unsigned> posted_{0}, done_{0};
-  std::thread thread_;  // last: it uses the members above
 };
 
 class Pool {
@@ -159,15 +153,12 @@ class Pool {
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 
-/// The pool of this process. A forked child has none of its parent's threads, so it gets a new pool and
-/// abandons the copy of the old one.
+/// The pool of this process, which is never destroyed: destructors of global objects may use it. A forked
+/// child has none of its parent's threads, so it gets a new pool and abandons the copy of the old one.
 Pool& pool() {
-  static std::unique_ptr<Pool> instance = [] {
-    pthread_atfork(nullptr, nullptr, [] {
-      static_cast<void>(instance.release());
-      instance = std::make_unique<Pool>();
-    });
-    return std::make_unique<Pool>();
+  static Pool* instance = [] {
+    pthread_atfork(nullptr, nullptr, [] { instance = new Pool(); });
+    return new Pool();
   }();
   return *instance;
 }

@@ -32,6 +32,10 @@ void FieldReader::require_text() const {
   if (is_numeric_) throw NotNumeric();
 }
 
+void FieldReader::note(std::string text) {
+  note_ = std::move(text);
+}
+
 bool FieldReader::at_end() {
   if (is_numeric_) return next_ == end_;
   skip_blanks();

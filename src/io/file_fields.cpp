@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "io/as_printed.h"
+
 namespace boxplus {
 namespace {
 
@@ -33,7 +35,9 @@ SE2 FileFields<SE2>::read(FieldReader& in) {
 }
 
 void FileFields<SE2>::write(const SE2& x, FieldWriter& out) {
-  for (int i = 0; i < 3; ++i) out.number(x.data()[i]);
+  out.number(x.x());
+  out.number(x.y());
+  out.number(as_printed(x.theta()));
 }
 
 SE3 FileFields<SE3>::read(FieldReader& in) {
@@ -48,11 +52,19 @@ SE3 FileFields<SE3>::read(FieldReader& in) {
                                 kNormTolerance, norm));
   }
   const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
-  return std::abs(norm - 1) <= kRounding ? SE3::from_unit(t, as_read) : SE3(t, as_read);
+  if (std::abs(norm - 1) <= kRounding) return SE3::from_unit(t, as_read);
+  in.note(fmt::format("a quaternion of length {:.6g} was normalised", norm));
+  return SE3(t, as_read);
 }
 
 void FileFields<SE3>::write(const SE3& x, FieldWriter& out) {
   for (int i = 0; i < 7; ++i) out.number(x.data()[i]);
+}
+
+void write_measurement(const SE3& z, FieldWriter& out) {
+  for (int i = 0; i < 3; ++i) out.number(z.translation()[i]);
+  const Quaternion<double> q = as_printed(z.quaternion());
+  for (const double value : {q.x, q.y, q.z, q.w}) out.number(value);
 }
 
 DifferentialDrive FileFields<DifferentialDrive>::read(FieldReader& in) {

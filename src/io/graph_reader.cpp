@@ -160,6 +160,7 @@ class GraphReader {
       try {
         FieldReader in(name_, line.number, line.text, line.fields);
         read(in);
+        add_note(in);
         return;
       } catch (const FieldReader::NotNumeric&) {
       } catch (const InputError&) {
@@ -168,6 +169,11 @@ class GraphReader {
     FieldReader in(name_, line.number, line.text);
     in.word("a word");
     read(in);
+    add_note(in);
+  }
+
+  void add_note(const FieldReader& in) {
+    if (!in.noted().empty()) file_.notes.push_back({in.line_number(), in.noted()});
   }
 
   void read_vertex(const Tag& tag, FieldReader& in) {
@@ -214,6 +220,7 @@ class GraphReader {
     const Vertices known = read_vertices_of(*line.tag, in);
     if (known == Vertices::kNotYetKnown) return false;
     if (known == Vertices::kUnassigned) {
+      line.tag->check_edge(in);
       ++unassigned_;
       keep(line.text, neighbour_);
       return true;
@@ -281,6 +288,7 @@ class GraphReader {
     const std::int64_t column = in.column();
     const Id id = in.integer(argument.is_parameter ? "the id of a parameter" : "the id of a vertex");
     if (id == -1 && !argument.is_parameter) return Vertices::kUnassigned;
+    if (id < 0) in.fail(column, fmt::format("expected the id of a {}, which is ≥ 0, got {}", kind, id));
     auto found = argument.is_parameter ? graph.find_parameter(id) : graph.find_vertex(id);
     if (!found && !all_known_) return Vertices::kNotYetKnown;
     if (!found && !argument.is_parameter && id >= 0 && file_.vertices_created) {

@@ -51,11 +51,15 @@ bool is_special_file(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// A link stays a link: the file that it names is replaced.
+/// A link stays a link: the file that it names is replaced, or made.
 std::string target_of(const std::string& path) {
-  std::error_code none;
-  return std::filesystem::is_symlink(path, none) ? std::filesystem::weakly_canonical(path, none).string()
-                                                 : path;
+  constexpr int kMostLinks = 40;
+  std::filesystem::path target = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+  }
+  return target.string();
 }
 
 void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<void(TextSink)> write) {
@@ -65,11 +69,15 @@ void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<v
   if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
 
-/// A file beside `target` that takes its place, or vanishes with its owner.
+/// A file beside `target` that takes its place. Until then it has no name where the file system can do so:
+/// whatever ends the process, nothing is left behind.
 class Replacement {
  public:
-  Replacement(const std::string& path, const std::string& target)
-      : path_(path), target_(target), name_(target + ".XXXXXX"), file_(::mkstemp(name_.data())) {
+  Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {
+    const std::string folder = std::filesystem::path(target).parent_path().string();
+    file_ =
+        FileDescriptor(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+    if (!file_.is_open()) file_ = make_named();
     if (!file_.is_open()) fail(path_, "cannot be written", errno);
   }
   ~Replacement() {
@@ -80,7 +88,7 @@ class Replacement {
 
   const FileDescriptor& file() const { return file_; }
   void take_place() {
-    if (::fchmod(file_.value(), permissions_for(target_)) != 0 ||
+    if (::fchmod(file_.value(), permissions_for(target_)) != 0 || !has_name() ||
         ::rename(name_.c_str(), target_.c_str()) != 0) {
       fail(path_, "cannot be written", errno);
     }
@@ -88,6 +96,27 @@ class Replacement {
   }
 
  private:
+  FileDescriptor make_named() {
+    name_ = target_ + ".XXXXXX";
+    FileDescriptor file(::mkstemp(name_.data()));
+    if (!file.is_open()) name_.clear();
+    return file;
+  }
+
+  /// Gives the file a name, where it has none.
+  bool has_name() {
+    if (!name_.empty()) return true;
+    const std::string source = fmt::format("/proc/self/fd/{}", file_.value());
+    for (unsigned i = 0;; ++i) {
+      std::string name = fmt::format("{}.{}.{}", target_, ::getpid(), i);
+      if (::linkat(AT_FDCWD, source.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        name_ = std::move(name);
+        return true;
+      }
+      if (errno != EEXIST) return false;
+    }
+  }
+
   const std::string &path_, &target_;
   std::string name_;
   FileDescriptor file_;

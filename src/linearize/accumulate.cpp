@@ -126,8 +126,11 @@ void accumulate_small(const EdgeSystem& edge, const InformationView& information
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   if (kernel == nullptr) return {};
   const Rho rho = (*kernel)(e2);
-  EdgeWeight weight{std::max(0.0, rho.first), 0};
-  if (triggs && e2 > 0) weight.second = std::max(2 * rho.second, -weight.first / e2);
+  EdgeWeight weight{rho.first < 0 ? 0 : rho.first, 0};  // NaN stays NaN
+  if (triggs && e2 > 0) {
+    const double least = -weight.first / e2;
+    weight.second = 2 * rho.second < least ? least : 2 * rho.second;
+  }
   return weight;
 }
 

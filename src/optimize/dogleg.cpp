@@ -127,7 +127,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     }
     system.reject();
     record.chi2 = chi2;
-    if (promise <= kRounding * chi2) return IterationOutcome::kNoFurtherDecrease;
+    if (promise <= kRounding * chi2) break;  // smaller steps promise even less
   }
   return outcome_without_decrease(largest_promise, largest_step, chi2);
 }

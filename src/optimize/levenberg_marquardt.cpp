@@ -61,7 +61,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
       }
       system.reject();
       record.chi2 = chi2;
-      if (promise <= kRounding * chi2) return IterationOutcome::kNoFurtherDecrease;
+      if (promise <= kRounding * chi2) break;  // smaller steps promise even less
     }
     raise_damping();
   }

@@ -19,9 +19,10 @@ void check(const Options& options) {
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
   require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
   require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
-  require(options.linear_tolerance > 0, "linear_tolerance > 0");
-  require(options.initial_lambda >= 0 && options.initial_radius >= 0,
-          "initial_lambda and initial_radius ≥ 0");
+  require(options.linear_tolerance > 0 && options.linear_tolerance < 1, "0 < linear_tolerance < 1");
+  require(options.initial_lambda >= 0 && std::isfinite(options.initial_lambda),
+          "a finite initial_lambda ≥ 0");
+  require(options.initial_radius >= 0, "initial_radius ≥ 0");
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
 }
 
@@ -50,7 +51,8 @@ void name_non_finite_edge(Run& run) {
   const auto edge =
       error ? error : run.system().linearizer().find_non_finite_jacobian(run.system().linearize_options());
   if (!edge) return;
-  run.report().message += error ? ": the error of" : ": a Jacobian of";
+  run.report().message += error ? ": the error (or its robust kernel) of"
+                                : ": a Jacobian (or the weight of the robust kernel) of";
   run.report().message +=
       " the edge " + std::string(run.graph().edge_pools()[edge->pool]->type_name()) + " between vertices";
   for (const VertexRef& vertex : run.graph().vertices(*edge))

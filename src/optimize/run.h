@@ -13,6 +13,9 @@ class Run {
  public:
   /// Finds or makes the plan, evaluates chi2 and begins the report.
   Run(Graph& graph, const Options& options, Report& report);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   Graph& graph() { return graph_; }
   const Options& options() const { return options_; }

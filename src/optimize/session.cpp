@@ -11,6 +11,9 @@ int resolved_threads(const Options& options) {
 
 Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   auto* session = dynamic_cast<Session*>(graph.cache().get());
+  if (session != nullptr && session->in_use_)
+    throw InvalidArgument(
+        "optimize(): this graph is being optimised; a callback or an error function cannot do so");
   reused = session != nullptr && session->fits(graph, options);
   if (reused) return *session;
   auto fresh = std::make_unique<Session>();

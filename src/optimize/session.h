@@ -17,6 +17,8 @@ class Session final : public Graph::Cache {
   static Session& find(Graph& graph, const Options& options, bool& reused);
 
   BatchSystem& system() { return *system_; }
+  /// While it is in use, find() throws InvalidArgument.
+  void set_in_use(bool in_use) { in_use_ = in_use; }
   Algorithm& algorithm(const Options& options);
   /// Plans anew without holding these vertices for the gauge.
   void release(Graph& graph, const std::vector<VertexRef>& vertices);
@@ -37,7 +39,7 @@ class Session final : public Graph::Cache {
   std::vector<VertexRef> vertices_, released_;
   std::vector<EdgeRef> edges_;
   std::size_t released_before_ = 0;  // by earlier calls of release()
-  bool keeps_held_ = false;
+  bool keeps_held_ = false, in_use_ = false;
   std::unique_ptr<BatchSystem> system_;
   std::array<std::unique_ptr<Algorithm>, 4> algorithms_;
 };

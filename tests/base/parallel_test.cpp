@@ -206,5 +206,14 @@ TEST(ParallelTasksDeathTest, AllRunOnTheCallerWhereTheSystemGrantsNoThreads) {
 }
 #endif
 
+/// A global object whose destructor runs tasks: the workers outlive it.
+struct RunsTasksAtTheEnd {
+  ~RunsTasksAtTheEnd() {
+    std::atomic<int> done = 0;
+    parallel_tasks(3, [&](int) { ++done; });
+    if (done != 3) std::abort();
+  }
+} runs_tasks_at_the_end;
+
 }  // namespace
 }  // namespace boxplus

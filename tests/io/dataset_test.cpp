@@ -5,7 +5,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
+#include "boxplus/io/field_reader.h"
 #include "boxplus/io/graph_file.h"
 
 namespace boxplus {
@@ -22,14 +25,20 @@ void PrintTo(const Dataset& dataset, std::ostream* out) {
   *out << dataset.file;
 }
 
-class DatasetTest : public testing::TestWithParam<Dataset> {};
+class DatasetTest : public testing::TestWithParam<Dataset> {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(path())) GTEST_SKIP() << "SKIPPED: no " << path();
+  }
+  static std::string path() {
+    const char* folder = std::getenv("BOXPLUS_DATA");
+    return std::string(folder ? folder : ".") + "/" + GetParam().file;
+  }
+};
 
 TEST_P(DatasetTest, HasTheKnownChi2) {
   const Dataset& expected = GetParam();
-  const char* folder = std::getenv("BOXPLUS_DATA");
-  const std::string path = std::string(folder ? folder : ".") + "/" + expected.file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
-  const GraphFile file = read_graph(path);
+  const GraphFile file = read_graph(path());
   EXPECT_EQ(file.graph.vertex_count(), expected.vertices);
   EXPECT_EQ(file.graph.edge_count(), expected.edges);
   EXPECT_NEAR(file.graph.chi2() / expected.chi2, 1, expected.tolerance);
@@ -37,14 +46,31 @@ TEST_P(DatasetTest, HasTheKnownChi2) {
 }
 
 TEST_P(DatasetTest, IsReadBackBitForBit) {
-  const char* folder = std::getenv("BOXPLUS_DATA");
-  const std::string path = std::string(folder ? folder : ".") + "/" + GetParam().file;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
-  const GraphFile file = read_graph(path);
+  const GraphFile file = read_graph(path());
   const std::string text = format_graph(file);
   const GraphFile again = parse_graph(text, "again");
   EXPECT_EQ(again.graph.chi2(), file.graph.chi2());
   EXPECT_TRUE(format_graph(again) == text);
+}
+
+/// The numbers of the lines of edges, in order.
+std::vector<double> edge_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    FieldReader in("text", 0, line);
+    if (in.at_end() || !in.word("a word").starts_with("EDGE_")) continue;
+    while (!in.at_end()) numbers.push_back(in.number("a number"));
+  }
+  return numbers;
+}
+
+TEST_P(DatasetTest, KeepsTheNumbersOfMeasurementsAsTheyWerePrinted) {
+  std::ostringstream text;
+  text << std::ifstream(path()).rdbuf();
+  const std::vector<double> printed = edge_numbers(text.str());
+  if (printed.empty()) GTEST_SKIP() << "a file of another format";
+  EXPECT_EQ(edge_numbers(format_graph(read_graph(path()))), printed);
 }
 
 // The tables print 14 digits of the 2-D values: half a unit of the last one is the best that can be asked

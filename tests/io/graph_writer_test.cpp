@@ -117,6 +117,21 @@ TEST(GraphWriter, NamesTheTypeThatNoWordStandsFor) {
   EXPECT_FALSE(std::filesystem::exists(temporary("never.g2o")));
 }
 
+TEST(GraphWriter, KeepsAnglesBeyondPiAsTheyWerePrinted) {
+  const std::string text = "VERTEX_SE2 0 0 0 3.141593\nVERTEX_SE2 1 0 0 -3.1416\nVERTEX_SE2 2 0 0 3.14159\n";
+  EXPECT_EQ(format_graph(parse_graph(text, "g")), text);
+}
+
+TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "boxplus_link_test";
+  std::filesystem::create_directory(folder);
+  std::filesystem::create_symlink("gone.g2o", folder / "link.g2o");
+  write_file((folder / "link.g2o").string(), "text");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.g2o"));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "gone.g2o"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(WriteFile, LeavesTheOldFileWhereItCannotWriteTheNewOne) {
   EXPECT_THROW(write_file("/nowhere/graph.g2o", "text"), FileError);
   const std::string folder = temporary("folder");

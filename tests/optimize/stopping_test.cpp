@@ -125,7 +125,7 @@ TEST_P(EveryAlgorithm, NamesTheEdgeWhoseJacobianIsNotANumber) {
   graph.add_edge([x = graph.estimate(poses[4]).x()](const auto& p) { return sqrt(p.x() - x); }, poses[4]);
   const Report report = optimize(graph, options_);
   EXPECT_EQ(report.status, Status::kFailed);
-  EXPECT_THAT(report.message, HasSubstr("a Jacobian of"));
+  EXPECT_THAT(report.message, HasSubstr("a Jacobian (or the weight of the robust kernel) of"));
   EXPECT_THAT(report.message, HasSubstr("between vertices 4 is NaN"));
 }
 
@@ -287,6 +287,62 @@ TEST(Report, ReadsAsATable) {
   EXPECT_THAT(text, HasSubstr("because"));
   EXPECT_THAT(text, HasSubstr("gauge           0"));
   EXPECT_THAT(text, HasSubstr("dogleg, block_cholesky"));
+}
+
+/// x − z with a Jacobian of the wrong sign.
+struct WrongJacobian {
+  double measurement;
+  double error(const double& x) const { return x - measurement; }
+  template <class J>
+  void jacobians(const double&, J& jacobian) const {
+    jacobian(0, 0) = -1;
+  }
+};
+
+TEST(Optimize, DoesNotCallItConvergedWhereNoStepDoesWhatItPromised) {
+  for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
+    Graph graph;
+    const auto x = graph.add_vertex(0.0);
+    graph.add_edge(WrongJacobian{5}, x);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_EQ(report.status, Status::kNotConverged);
+    EXPECT_EQ(report.reason, Reason::kNoStepFound);
+    EXPECT_EQ(graph.estimate(x), 0.0);
+  }
+}
+
+TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
+  for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kGaussNewton}) {
+    Graph graph;
+    add_noisy_circle(graph, 20);
+    Options options{.algorithm = algorithm};
+    options.callback = [&](const IterationRecord&) {
+      optimize(graph);
+      return true;
+    };
+    EXPECT_THROW(optimize(graph, options), InvalidArgument);
+    options.callback = nullptr;
+    EXPECT_TRUE(optimize(graph, options).converged()) << "the graph can be optimised again";
+  }
+}
+
+class NanWeight final : public RobustKernel {
+ public:
+  Rho operator()(double e2) const override { return {e2, std::nan(""), 0}; }
+  std::string_view name() const override { return "NanWeight"; }
+  double delta() const override { return 1; }
+  std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<NanWeight>(); }
+};
+
+TEST(Optimize, NamesAnEdgeWhoseKernelGivesNoNumber) {
+  Graph graph;
+  const auto x = graph.add_vertex(1.0);
+  const auto edge = graph.add_edge([](const auto& value) { return value - 3; }, x);
+  graph.set_kernel(edge, NanWeight());
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_THAT(report.message, HasSubstr("the weight of the robust kernel"));
+  EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
 }
 
 }  // namespace

@@ -48,9 +48,12 @@ CLI::Validator file_name() {
 
 CLI::Validator whole_number_from(long low) {
   const auto check = [low](const std::string& text) {
-    int value = 0;
-    const bool good = parse(text, value) && value >= low;
-    return good ? std::string() : fmt::format("expected a whole number ≥ {}, got '{}'", low, text);
+    constexpr long kMost = std::numeric_limits<int>::max();
+    long value = 0;
+    const bool is_number = parse(text, value);
+    if (is_number && value >= low && value <= kMost) return std::string();
+    return is_number && value > kMost ? fmt::format("expected a whole number ≤ {}, got '{}'", kMost, text)
+                                      : fmt::format("expected a whole number ≥ {}, got '{}'", low, text);
   };
   return {check, ""};
 }

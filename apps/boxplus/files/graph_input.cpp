@@ -50,6 +50,9 @@ void require_graph(const GraphFile& file, const std::string& path) {
     message += fmt::format("; its first line is '{}{}'", escaped(line.substr(0, kShown)),
                            line.size() > kShown ? "…" : "");
   }
+  if (file.skipped > 0)
+    message += fmt::format("; {} line{} skipped, the first is {}", file.skipped,
+                           file.skipped == 1 ? " was" : "s were", file.notes.front().text);
   throw InputError(input_name(path), file.lines + 1, 1, message);
 }
 

@@ -48,6 +48,15 @@ void check_outputs(const std::vector<Output>& outputs) {
   }
 }
 
+void refuse_to_replace(const Output& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    if (input != kStandardStream && are_same(output, {"", input})) {
+      throw InvalidArgument(
+          fmt::format("{}: expected another file than the input '{}'", output.option, input));
+    }
+  }
+}
+
 bool takes_stdout(const std::vector<Output>& outputs) {
   return std::any_of(outputs.begin(), outputs.end(), is_stdout);
 }

@@ -17,6 +17,9 @@ struct Output {
 /// written.
 void check_outputs(const std::vector<Output>& outputs);
 
+/// Before any work: throws InvalidArgument where the output would replace an input, which it is not like.
+void refuse_to_replace(const Output& output, const std::vector<std::string>& inputs);
+
 /// Whether one of them is the standard output, which then holds nothing else.
 bool takes_stdout(const std::vector<Output>& outputs);
 

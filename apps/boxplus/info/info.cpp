@@ -24,6 +24,7 @@ struct InfoArguments {
 
 int describe_file(const InfoArguments& arguments) {
   const std::vector<Output> outputs{{"--json", arguments.json}};
+  refuse_to_replace(outputs.front(), {arguments.input});
   check_outputs(outputs);
   const std::string text = read_text(arguments.input);
   const GraphFile file = parse_input(text, arguments.input, arguments.reading);

@@ -53,6 +53,7 @@ void require_edges(const GraphFile& file, const std::string& path) {
 
 int optimize_file(const OptimizeArguments& arguments) {
   check_outputs(outputs_of(arguments));
+  refuse_to_replace({"--json", arguments.json}, {arguments.input});
   const auto begin = Clock::now();
   Progress progress(choose_progress(arguments.quiet, arguments.verbose));
   progress.stage(fmt::format("reading {} …", input_name(arguments.input)));
@@ -65,6 +66,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   RunFacts facts;
   facts.input = input_name(arguments.input);
   facts.edges = file.graph.edge_count();
+  facts.skipped_lines = file.skipped;
   facts.load_s = seconds_since(begin);
   facts.kernel = robustify(file.graph, arguments);
 

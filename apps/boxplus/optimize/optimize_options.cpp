@@ -43,9 +43,12 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
-  command.add_flag("-q,--quiet", arguments.quiet, "No report and no progress; messages only")
-      ->group("Output");
-  command.add_flag("-v,--verbose", arguments.verbose, "One line per iteration, on stderr")->group("Output");
+  CLI::Option* quiet =
+      command.add_flag("-q,--quiet", arguments.quiet, "No report and no progress; messages only")
+          ->group("Output");
+  command.add_flag("-v,--verbose", arguments.verbose, "One line per iteration, on stderr")
+      ->group("Output")
+      ->excludes(quiet);
 }
 
 void add_method_options(CLI::App& command, OptimizeArguments& arguments) {

@@ -30,6 +30,9 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
         "\n{} kernel of width {:g} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
         facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
   }
+  if (facts.skipped_lines > 0)
+    text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
+                        facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");
   text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
   fmt::print(takes_stdout(outputs_of(arguments)) ? stderr : stdout, "{}", text);
 }

@@ -71,6 +71,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"workers", report.workers},
                      {"vertices", report.vertices},
                      {"edges", report.edges},
+                     {"skipped_lines", facts.skipped_lines},
                      {"scalars", report.scalars},
                      {"numeric_jacobians", report.numeric_jacobians},
                      {"regularised_steps", report.regularised_steps},

@@ -19,6 +19,7 @@ struct KernelFacts {
 struct RunFacts {
   std::string input;
   std::size_t edges = 0;  ///< in the file
+  std::int64_t skipped_lines = 0;
   KernelFacts kernel;
   double load_s = 0, total_s = 0;
 };

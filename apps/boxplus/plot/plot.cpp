@@ -27,11 +27,12 @@ constexpr const char* kFooter =
     "  boxplus plot before.g2o after.g2o -o streets.svg";
 
 struct PlotArguments {
+  ReadOptions reading;
   std::string before, after, output;
 };
 
-Scene scene_of(const std::string& path, std::string title) {
-  Scene scene = make_scene(load_graph(path).graph, std::move(title));
+Scene scene_of(const std::string& path, const ReadOptions& reading, std::string title) {
+  Scene scene = make_scene(load_graph(path, reading).graph, std::move(title));
   if (scene.poses + scene.landmark_count == 0) {
     throw FileError(input_name(path) + ": expected poses or points to draw, found none with a finite place");
   }
@@ -47,9 +48,11 @@ int plot_files(const PlotArguments& arguments) {
   if (arguments.before == kStandardStream && arguments.after == kStandardStream)
     throw InvalidArgument("plot: expected at most one graph from the standard input, got '-' twice");
   check_outputs({{"--output", arguments.output}});
+  refuse_to_replace({"--output", arguments.output}, {arguments.before, arguments.after});
   std::vector<Scene> scenes;
-  scenes.push_back(scene_of(arguments.before, compares ? "before" : title_of(arguments.before)));
-  if (compares) scenes.push_back(scene_of(arguments.after, "after"));
+  scenes.push_back(
+      scene_of(arguments.before, arguments.reading, compares ? "before" : title_of(arguments.before)));
+  if (compares) scenes.push_back(scene_of(arguments.after, arguments.reading, "after"));
   const std::string svg = svg_of(std::move(scenes));
   write_output(arguments.output, svg);
   if (arguments.output != kStandardStream) {
@@ -74,6 +77,7 @@ void add_plot(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->check(file_name())
       ->required();
+  add_reading_options(*command, arguments->reading);
   command->footer(kFooter);
   command->callback([&action, arguments] { action = [arguments] { return plot_files(*arguments); }; });
 }

@@ -117,7 +117,8 @@ class Graph {
   const T& estimate(VertexHandle<T> vertex) const {
     return typed_pool<T>(vertex).value(vertex.slot);
   }
-  /// Moves a vertex. A run-time-size estimate keeps its size.
+  /// Moves a vertex. Where a run-time-size estimate changes its size, the errors of its edges must follow
+  /// suit.
   template <ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, T estimate) {
     T& value = typed_pool<T>(vertex).value(vertex.slot);
@@ -201,7 +202,8 @@ class Graph {
   requires std::derived_from<K, RobustKernel>
   void set_kernel(EdgeRef edge, const K& kernel) { set_kernel(edge, std::make_shared<const K>(kernel)); }
   const RobustKernel* kernel(EdgeRef edge) const;
-  /// A disabled edge weighs nothing; the structure of the problem stays.
+  /// A disabled edge weighs nothing; the structure of the problem stays. So it still counts as what holds its
+  /// part of the graph in place (GaugePolicy), like an edge whose Ω is zero.
   void set_enabled(EdgeRef edge, bool enabled);
   bool is_enabled(EdgeRef edge) const;
   /// Options::level chooses which edges take part.

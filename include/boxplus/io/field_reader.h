@@ -55,6 +55,9 @@ class FieldReader {
   /// Column of the next field, from 1; 0 where the line is not read from its text.
   std::int64_t column();
   std::int64_t line_number() const { return line_number_; }
+  /// Remembers what is odd about this line, but no error.
+  void note(std::string text);
+  const std::string& noted() const { return note_; }
   /// Throws InputError at a column of this line.
   [[noreturn]] void fail(std::int64_t column, const std::string& message) const;
 
@@ -70,6 +73,7 @@ class FieldReader {
   std::size_t position_ = 0;
   const double *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;  // the fields, where numeric
   bool is_numeric_ = false;
+  std::string note_;
 };
 
 /// The text of a file under construction.

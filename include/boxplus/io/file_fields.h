@@ -71,8 +71,12 @@ struct FileFields<WheelSpeeds> {
   static void write(const WheelSpeeds& x, FieldWriter& out);
 };
 
+/// A measured pose, as FileFields<SE3> reads it, normalised; written with the fewest digits that read back to
+/// the same.
+void write_measurement(const SE3& z, FieldWriter& out);
+
 /// How the measurement of an edge stands in a file; by default as its member `measurement`. Quaternions of
-/// measurements are normalised, to rounding: what was read and written once never changes again.
+/// measurements are normalised.
 template <class E>
 struct EdgeFields {
   using Measurement = decltype(E::measurement);
@@ -85,7 +89,11 @@ struct EdgeFields {
     }
   }
   static void write(const E& edge, FieldWriter& out) {
-    FileFields<Measurement>::write(edge.measurement, out);
+    if constexpr (std::is_same_v<Measurement, SE3>) {
+      write_measurement(edge.measurement, out);
+    } else {
+      FileFields<Measurement>::write(edge.measurement, out);
+    }
   }
 };
 

@@ -42,6 +42,7 @@ struct Tag {
   std::vector<Argument> arguments;
   VertexRef (*read_vertex)(Graph&, Id, FieldReader&) = nullptr;
   void (*write_vertex)(const Graph&, VertexRef, FieldWriter&) = nullptr;
+  void (*check_edge)(FieldReader&) = nullptr;  ///< reads measurement and Ω for nothing
   EdgeRef (*read_edge)(Graph&, std::span<const VertexRef>, FieldReader&) = nullptr;
   void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
   /// What to use where the last two parameters are one and the same (an edge lists no vertex twice).
@@ -107,16 +108,29 @@ auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
   }
 }
 
+/// The measurement and Ω of an edge.
 template <class Layout, class E, class... V>
-EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
+std::pair<E, Information> read_measurement(FieldReader& in) {
   E edge = Layout::read(in);
   constexpr int kRows = edge::kRows<edge::Result<E, V...>>;
   int rows = kRows;
   if constexpr (kRows == kDynamic) rows = static_cast<int>(edge.measurement.size());
-  const Information information = Layout::read_information(in, rows);
+  Information information = Layout::read_information(in, rows);
+  return {std::move(edge), std::move(information)};
+}
+
+template <class Layout, class E, class... V>
+void check_edge(FieldReader& in) {
+  read_measurement<Layout, E, V...>(in);
+  in.expect_end();
+}
+
+template <class Layout, class E, class... V>
+EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
+  std::pair<E, Information> read = read_measurement<Layout, E, V...>(in);
   const std::tuple handles{attach<V>(graph, refs)...};
-  return std::apply([&](const auto&... h) { return graph.add_edge(std::move(edge), information, h...); },
-                    handles);
+  return std::apply(
+      [&](const auto&... h) { return graph.add_edge(std::move(read.first), read.second, h...); }, handles);
 }
 
 template <class E>
@@ -193,6 +207,7 @@ class Registry {
   static Tag edge_tag(std::string name) {
     Tag tag{
         std::move(name), Tag::Kind::kEdge, typeid(TypedEdgePool<E, io::Strip<V>...>), {io::argument<V>()...}};
+    tag.check_edge = &io::check_edge<Layout, E, io::Strip<V>...>;
     tag.read_edge = &io::read_edge<Layout, E, io::Strip<V>...>;
     tag.write_edge = &io::write_edge<E>;
     return tag;

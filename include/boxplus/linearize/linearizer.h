@@ -31,7 +31,7 @@ class Linearizer {
   void linearize(const LinearizeOptions& options);
   /// Σ ρ(eᵀΩe) over the active, enabled edges; not finite where an edge's is not.
   double chi2();
-  /// The first active edge, in pool and slot order, whose eᵀΩe (whose Jacobian) is not finite.
+  /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (whose Jacobian or weight) is not finite.
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 

@@ -75,8 +75,9 @@ struct Options {
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop =
       nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
-  /// Called after every iteration; returning false stops. It must not change the structure of the graph nor
-  /// optimise it: optimize() then throws InvalidArgument.
+  /// Called after every iteration; returning false stops. It must not change the graph: where it changes its
+  /// structure, or optimises it, optimize() throws InvalidArgument; with other estimates or weights chi2 is
+  /// compared with that of another problem. (Kernels may be exchanged, to anneal them.)
   std::function<bool(const IterationRecord&)> callback = {};
 
   double initial_lambda =

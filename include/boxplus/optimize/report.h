@@ -15,8 +15,9 @@ namespace boxplus {
 
 enum class Status : std::uint8_t {
   kConverged,     ///< a minimum to within the tolerances
-  kNotConverged,  ///< stopped before: `reason` tells why; the estimates are the best found
-  kFailed         ///< no step could be computed; the estimates are the best found
+  kNotConverged,  ///< stopped before: `reason` tells why; the estimates are the best found (Gauss-Newton: the
+                  ///< last)
+  kFailed         ///< no step could be computed; the estimates as for kNotConverged
 };
 std::string_view to_string(Status status);
 

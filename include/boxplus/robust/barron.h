@@ -9,7 +9,8 @@ namespace boxplus {
 /// ρ(e²) = 2c² · (|α−2|/α) · ((e²/(c²|α−2|) + 1)^(α/2) − 1), which is twice Barron's (eq. 13), with the
 /// squared scale put back, so that ρ(e²) ≈ e² near 0 like every other kernel. Smooth in e² and continuous in
 /// α: α = 2 squared error · 1 pseudo-Huber · 0 Cauchy · −2 Geman-McClure · −∞ Welsch (widths differ by
-/// constants). α > 2 punishes outliers more than least squares; +∞ is allowed.
+/// constants). α > 2 punishes outliers more than least squares (+∞ is allowed), and overflows for large
+/// errors.
 class Barron final : public RobustKernel {
  public:
   /// The shape may be any number or ±∞; c > 0 is the width in units of √e².

@@ -10,7 +10,8 @@
 
 namespace boxplus {
 
-/// The names that make_robust_kernel knows, in alphabetical order.
+/// The names that make_robust_kernel knows, for help texts, in alphabetical order. "Barron:ALPHA" stands for
+/// Barron's kernel of any shape.
 std::span<const std::string_view> robust_kernel_names();
 
 /// The kernel of that name and width. "Barron:ALPHA" gives Barron's kernel with shape ALPHA ("Barron:-inf"

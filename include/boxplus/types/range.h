@@ -7,7 +7,7 @@
 namespace boxplus {
 
 /// z measures the distance (metres) between the positions of a and b, each a pose or a point. Error: |b − a|
-/// − z. It has no derivative where a and b coincide: optimize() then stops and names the edge.
+/// − z. It has no derivative where a and b coincide: 0 is taken for it there, so do not begin there.
 struct Range {
   static constexpr std::string_view kName = "Range";
   double measurement;
