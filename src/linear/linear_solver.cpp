@@ -2,6 +2,7 @@
 #include "boxplus/linear/linear_solver.h"
 
 #include "boxplus/base/error.h"
+#include "linear/automatic/automatic_solver.h"
 #include "linear/block_cholesky/block_cholesky.h"
 #include "linear/dense/dense_solver.h"
 #include "linear/eigen_sparse/eigen_sparse_solver.h"
@@ -12,6 +13,7 @@ namespace boxplus {
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind) {
   switch (kind) {
     case LinearSolverKind::kAutomatic:
+      return std::make_unique<AutomaticSolver>();
     case LinearSolverKind::kBlockCholesky:
       return std::make_unique<BlockCholesky>();
     case LinearSolverKind::kDense:

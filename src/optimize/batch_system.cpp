@@ -18,13 +18,15 @@ constexpr double kDiagonalFloor = 1e-12;
 
 }  // namespace
 
-BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur)
+BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur,
+                         std::uint64_t max_factor_bytes)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
       solver_(make_linear_solver(solver)) {
-  const AnalyzeHints hints{.right_hand_sides = 1, .threads = request.threads, .last = {}};
+  const AnalyzeHints hints{
+      .right_hand_sides = 1, .threads = request.threads, .last = {}, .max_factor_bytes = max_factor_bytes};
   if (plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks()) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
     const bool make_values =
@@ -45,9 +47,10 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverK
   for (auto* vector : {&diagonal_, &right_hand_side_, &product_, &damping_}) vector->resize(plan_->scalars());
 }
 
-void BatchSystem::configure(const Options& options, Timings& timings) {
+void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  control_ = {options.linear_tolerance, 0, options.stop};
+  control_ = {options.linear_tolerance, 0};
+  solver_->set_stop(stop);
   timings_ = &timings;
 }
 

@@ -8,22 +8,26 @@
 namespace boxplus {
 namespace {
 
-std::optional<Reason> interruption(const Options& options, const Stopwatch& clock, int iteration) {
-  if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed)) return Reason::kStopFlag;
-  if (clock.seconds() >= options.time_limit_s) return Reason::kTimeLimit;
-  if (iteration >= options.max_iterations) return Reason::kMaxIterations;
+/// Why the token is raised.
+Reason reason_of(const StopToken& stop) {
+  return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
+}
+
+std::optional<Reason> end_before(int iteration, const RunContext& context) {
+  if (context.stop.raised()) return reason_of(context.stop);
+  if (iteration >= context.max_iterations) return Reason::kMaxIterations;
   return std::nullopt;
 }
 
 /// Why an iteration that took no step ends the run.
-RunResult ended(IterationOutcome outcome, double chi2, int iterations) {
+RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, int iterations) {
   switch (outcome) {
     case IterationOutcome::kNoFurtherDecrease:
       return {Status::kConverged, Reason::kNoFurtherDecrease, chi2, iterations};
     case IterationOutcome::kNoStepFound:
       return {Status::kNotConverged, Reason::kNoStepFound, chi2, iterations};
     case IterationOutcome::kStopped:
-      return {Status::kNotConverged, Reason::kStopFlag, chi2, iterations};
+      return {Status::kNotConverged, reason_of(stop), chi2, iterations};
     case IterationOutcome::kNotFinite:
       return {Status::kFailed, Reason::kNotFinite, chi2, iterations};
     default:
@@ -41,30 +45,27 @@ std::optional<Reason> convergence(const Options& options, const IterationRecord&
 
 }  // namespace
 
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options,
-                   FunctionRef<bool(const IterationRecord&)> go_on, double chi2, const Stopwatch& clock,
-                   std::vector<IterationRecord>& records) {
+RunResult minimize(System& system, Algorithm& algorithm, const RunContext& context, double chi2) {
   double largest_step = 0;
   for (int iteration = 0;; ++iteration) {
-    if (const auto reason = interruption(options, clock, iteration)) {
+    if (const auto reason = end_before(iteration, context)) {
       return {Status::kNotConverged, *reason, chi2, iteration};
     }
     IterationRecord record;
-    record.iteration = static_cast<int>(records.size());
+    record.iteration = static_cast<int>(context.records.size());
     record.chi2 = chi2;
     const IterationOutcome outcome = algorithm.iterate(system, chi2, record);
-    if (outcome != IterationOutcome::kAccepted) return ended(outcome, chi2, iteration);
-    record.time_s = clock.seconds();
-    records.push_back(record);
+    if (outcome != IterationOutcome::kAccepted) return ended(outcome, context.stop, chi2, iteration);
+    record.time_s = context.clock.seconds();
+    context.records.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
     largest_step = std::max(largest_step, record.step_max);
-    if (const auto reason = convergence(options, record, before, largest_step)) {
+    const bool wanted = context.go_on(record);
+    if (const auto reason = convergence(context.options, record, before, largest_step)) {
       return {Status::kConverged, *reason, chi2, iteration + 1};
     }
-    if (!go_on(record)) {
-      return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
-    }
+    if (!wanted) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
   }
 }
 

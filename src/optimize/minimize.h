@@ -18,10 +18,22 @@ struct RunResult {
   int iterations = 0;
 };
 
-/// Runs `algorithm` from estimates with cost `chi2`. `clock` began with optimize(). Records are appended.
-/// `go_on` is asked after every iteration.
-RunResult minimize(System& system, Algorithm& algorithm, const Options& options,
-                   FunctionRef<bool(const IterationRecord&)> go_on, double chi2, const Stopwatch& clock,
-                   std::vector<IterationRecord>& records);
+/// Whether somebody, or the clock, asked for the end.
+constexpr bool is_interruption(Reason reason) {
+  return reason == Reason::kStopFlag || reason == Reason::kTimeLimit || reason == Reason::kCallback;
+}
+
+/// What a run needs besides the problem and the method.
+struct RunContext {
+  const Options& options;
+  int max_iterations;  ///< what earlier runs left of Options::max_iterations
+  const StopToken& stop;
+  const Stopwatch& clock;                           ///< began with optimize()
+  FunctionRef<bool(const IterationRecord&)> go_on;  ///< asked after every iteration
+  std::vector<IterationRecord>& records;            ///< appended to
+};
+
+/// Runs `algorithm` from estimates with cost `chi2`.
+RunResult minimize(System& system, Algorithm& algorithm, const RunContext& context, double chi2);
 
 }  // namespace boxplus

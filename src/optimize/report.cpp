@@ -130,7 +130,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kTimeLimit:
       return "the time limit is reached";
     case Reason::kStopFlag:
-      return "the stop flag was raised";
+      return "it was interrupted";
     case Reason::kCallback:
       return "the callback asked to stop";
     case Reason::kNoStepFound:

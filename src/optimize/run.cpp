@@ -6,13 +6,16 @@
 namespace boxplus {
 
 Run::Run(Graph& graph, const Options& options, Report& report)
-    : graph_(graph), options_(options), report_(report) {
+    : graph_(graph),
+      options_(options),
+      report_(report),
+      stop_(options.stop, clock_.start(), options.time_limit_s) {
   {
     const TimeAdder adder(report_.time.plan_s);
     session_ = &Session::find(graph_, options_, report_.plan_reused);
     session_->set_in_use(true);
   }
-  system().configure(options_, report_.time);
+  system().configure(options_, report_.time, stop_);
   report_.chi2_initial = system().chi2();
   report_.start.requested = options_.start;
   report_.start.chi2_current = report_.chi2_initial;
@@ -55,7 +58,8 @@ RunResult Run::minimize(double chi2) {
   Algorithm& algorithm = session_->algorithm(options_);
   algorithm.reset(options_, system().plan().scalars());
   const auto go_on = [this](const IterationRecord& record) { return call_back(record); };
-  RunResult result = boxplus::minimize(system(), algorithm, options_, go_on, chi2, clock_, report_.records);
+  const RunContext context{options_, iterations_left(), stop_, clock_, go_on, report_.records};
+  const RunResult result = boxplus::minimize(system(), algorithm, context, chi2);
   report_.iterations += result.iterations;
   report_.regularised_steps += algorithm.regularised_steps();
   return result;
@@ -76,7 +80,7 @@ void Run::plan_again(FunctionRef<void()> change) {
     const TimeAdder adder(report_.time.plan_s);
     change();
   }
-  system().configure(options_, report_.time);
+  system().configure(options_, report_.time, stop_);
   describe_problem();
 }
 

@@ -23,6 +23,10 @@ class Run {
   Session& session() { return *session_; }
   BatchSystem& system() { return session_->system(); }
   double seconds() const { return clock_.seconds(); }
+  /// Raised by Options::stop, and at the end of Options::time_limit_s.
+  const StopToken& stop() const { return stop_; }
+  /// Neither stopped nor out of iterations.
+  bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
 
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult minimize(double chi2);
@@ -30,6 +34,7 @@ class Run {
   void plan_again(FunctionRef<void()> change);
 
  private:
+  int iterations_left() const { return options_.max_iterations - report_.iterations; }
   void describe_problem();
   bool call_back(const IterationRecord& record);
 
@@ -37,6 +42,7 @@ class Run {
   const Options& options_;
   Report& report_;
   Stopwatch clock_;
+  StopToken stop_;
   Session* session_ = nullptr;
 };
 

@@ -24,6 +24,7 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   session->gauge_ = options.gauge;
   session->solver_ = options.linear_solver;
   session->schur_ = options.schur;
+  session->max_factor_bytes_ = options.max_factor_bytes;
   session->vertices_ = options.vertices;
   session->edges_ = options.edges;
   graph.cache().reset();  // its memory first
@@ -35,13 +36,14 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
 bool Session::fits(const Graph& graph, const Options& options) const {
   return revision_ == graph.revision() && level_ == options.level && threads_ == resolved_threads(options) &&
          gauge_ == options.gauge && solver_ == options.linear_solver && schur_ == options.schur &&
-         vertices_ == options.vertices && edges_ == options.edges;
+         max_factor_bytes_ == options.max_factor_bytes && vertices_ == options.vertices &&
+         edges_ == options.edges;
 }
 
 void Session::plan(Graph& graph) {
   const PlanRequest request{level_, vertices_, edges_, gauge_, released_, threads_};
   system_.reset();
-  system_ = std::make_unique<BatchSystem>(graph, request, solver_, schur_);
+  system_ = std::make_unique<BatchSystem>(graph, request, solver_, schur_, max_factor_bytes_);
 }
 
 void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {

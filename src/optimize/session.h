@@ -36,6 +36,7 @@ class Session final : public Graph::Cache {
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   LinearSolverKind solver_ = LinearSolverKind::kAutomatic;
   SchurMode schur_ = SchurMode::kAutomatic;
+  std::uint64_t max_factor_bytes_ = 0;
   std::vector<VertexRef> vertices_, released_;
   std::vector<EdgeRef> edges_;
   std::size_t released_before_ = 0;  // by earlier calls of release()

@@ -13,11 +13,13 @@ namespace {
 /// Overwrites the estimates with the initial guess `start`; false, with a note in the report, where there
 /// is none.
 bool make_guess(Run& run, Start start) {
+  if (run.stop().raised()) return false;
   const TimeAdder adder(run.report().time.start_s);
-  const GuessResult guess = start == Start::kOdometry ? guess_odometry(run.graph(), run.system().plan())
-                            : start == Start::kSpanningTree
-                                ? guess_spanning_tree(run.graph(), run.system().plan())
-                                : guess_chordal(run.graph(), run.system().plan());
+  const GuessResult guess =
+      start == Start::kOdometry ? guess_odometry(run.graph(), run.system().plan())
+      : start == Start::kSpanningTree
+          ? guess_spanning_tree(run.graph(), run.system().plan())
+          : guess_chordal(run.graph(), run.system().plan(), {run.stop(), run.options().max_factor_bytes});
   run.report().start.note = guess.note;
   return guess.made;
 }
@@ -60,9 +62,8 @@ RunResult minimize_from_better(Run& run) {
   const RunResult first = run.minimize(std::min(chi2_guess, chi2_current));
   const double other_chi2 = guess_first ? chi2_current : chi2_guess;
   const bool good = first.status == Status::kConverged && !(first.chi2 > other_chi2);
-  const bool interrupted = first.reason == Reason::kStopFlag || first.reason == Reason::kCallback ||
-                           first.reason == Reason::kTimeLimit;
-  if (good || interrupted || !std::isfinite(other_chi2)) return first;
+  const bool may_go_on = !is_interruption(first.reason) && run.may_go_on();
+  if (good || !may_go_on || !std::isfinite(other_chi2)) return first;
   return minimize_from_other(run, first, other_chi2);
 }
 

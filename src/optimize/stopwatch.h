@@ -3,14 +3,17 @@
 
 #include <chrono>
 
+#include "boxplus/base/stop_token.h"
+
 namespace boxplus {
 
 class Stopwatch {
  public:
+  using Clock = StopToken::Clock;
+  Clock::time_point start() const { return start_; }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
 };
 

@@ -67,7 +67,8 @@ TEST_F(PcgTest, ObeysTheStopToken) {
   const AssembledSystem view = system.view();
   ASSERT_EQ(solver.factorize(view, {}, {}).status, LinearStatus::kOk);
   const std::atomic<bool> stop{true};
-  EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {.stop = &stop}).status, LinearStatus::kStopped);
+  solver.set_stop(StopToken(&stop));
+  EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {}).status, LinearStatus::kStopped);
 }
 
 TEST_F(PcgTest, NoticesNegativeCurvatureThatTheDiagonalBlocksHide) {

@@ -2,12 +2,12 @@
 // The seam between the optimiser and whatever solves (A + λ D) x = b.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
 
+#include "boxplus/base/stop_token.h"
 #include "boxplus/linear/block_system.h"
 
 namespace boxplus {
@@ -26,7 +26,7 @@ enum class LinearStatus {
   kNotPositiveDefinite,  ///< a pivot was ≤ 0 or lost all its digits; `failed_block` names the block
   kNotFinite,            ///< the matrix or the right-hand side holds NaN or Inf
   kNotConverged,         ///< an iterative solver stopped at its iteration limit
-  kStopped               ///< the stop token was raised
+  kStopped               ///< the stop token of the solver was raised
 };
 
 struct FactorResult {
@@ -39,7 +39,6 @@ struct SolveControl {
   double relative_tolerance =
       1e-10;  ///< iterative solvers: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
   int max_iterations = 0;  ///< iterative solvers; 0 = twice the number of scalars, at least 100
-  const std::atomic<bool>* stop = nullptr;
 };
 
 struct SolveResult {
@@ -52,6 +51,8 @@ struct AnalyzeHints {
   int threads = 1;
   /// Blocks that must come last in the elimination order, in this order (for incremental use). May be empty.
   std::span<const std::uint32_t> last = {};
+  /// LinearSolverKind::kAutomatic: the most memory that a Cholesky factor may take; 0: half of the machine's.
+  std::uint64_t max_factor_bytes = 0;
 };
 
 /// Facts about the analysis, for reports.
@@ -60,6 +61,8 @@ struct LinearStatistics {
   double factor_flops = 0;            ///< useful floating-point operations of one factorisation
   std::uint32_t supernodes = 0;
   std::uint32_t largest_front = 0;  ///< scalars
+  /// LinearSolverKind::kAutomatic: not 0 where it chose pcg because a Cholesky factor would take this much.
+  std::uint64_t refused_factor_bytes = 0;
 };
 
 /// Solves symmetric positive definite block systems of one structure.
@@ -67,7 +70,9 @@ struct LinearStatistics {
 /// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any
 /// number of times after each factorize(). After the first factorize() and solve() of a structure, further
 /// calls of both allocate no memory. A solver is used by one thread at a time. Results are the same bits in
-/// every run and for every AnalyzeHints::threads.
+/// every run and for every AnalyzeHints::threads. Once the token of set_stop() is raised, factorize() and
+/// solve() return kStopped as soon as they can; a factorize() that was stopped must be called again before
+/// solve().
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };
@@ -91,11 +96,21 @@ class LinearSolver {
     return false;
   }
   virtual LinearStatistics statistics() const { return {}; }
+
+  /// By default nothing stops factorize() and solve(). Holds until the next call.
+  void set_stop(const StopToken& stop) { stop_ = stop; }
+
+ protected:
+  const StopToken& stop() const { return stop_; }
+
+ private:
+  StopToken stop_;
 };
 
 enum class LinearSolverKind { kAutomatic, kBlockCholesky, kPcg, kDense, kEigenSparse };
 
-/// kAutomatic gives the block Cholesky.
+/// kAutomatic gives the block Cholesky, or pcg where AnalyzeHints::max_factor_bytes is too little for its
+/// factor.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind);
 std::string_view to_string(LinearSolverKind kind);
 

@@ -16,10 +16,12 @@ namespace boxplus {
 class BatchSystem final : public System {
  public:
   /// Makes the plan and all memory. `graph` must outlive it and keep its structure.
-  BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur);
+  BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur,
+              std::uint64_t max_factor_bytes = 0);
 
-  /// Takes what may differ from run to run from `options`, and adds times to `timings` from now on.
-  void configure(const Options& options, Timings& timings);
+  /// Takes what may differ from run to run from `options`, adds times to `timings` from now on, and stops
+  /// linear solvers once `stop` is raised.
+  void configure(const Options& options, Timings& timings, const StopToken& stop = {});
 
   double chi2() override;
   bool linearize() override;

@@ -14,8 +14,10 @@
 //   - They give the same bits in every run.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
+#include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linearize/plan.h"
 
@@ -35,12 +37,18 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan);
 /// O(n log n).
 GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
 
+/// Bounds of what a guess may take.
+struct GuessLimits {
+  StopToken stop = {};                 ///< once raised, no guess is made
+  std::uint64_t max_factor_bytes = 0;  ///< as AnalyzeHints::max_factor_bytes
+};
+
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
 /// projects the rotations onto SO(d), and solves again for positions and landmarks with these. What is not
 /// measured in all directions keeps its estimate in the others, and the note says so. The cost is about that
 /// of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust rotation and translation estimation in
 /// multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis & Dellaert, "Initialization techniques for
 /// 3D SLAM: a survey on rotation estimation and its use in pose graph optimization", ICRA 2015.)
-GuessResult guess_chordal(Graph& graph, const Plan& plan);
+GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
 
 }  // namespace boxplus

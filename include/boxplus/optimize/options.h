@@ -67,17 +67,17 @@ struct Options {
   DampingScale damping = DampingScale::kDiagonal;
 
   /// Stop when …
-  int max_iterations = 100;
+  int max_iterations = 100;       ///< … there were so many iterations, of all runs together,
   double cost_tolerance = 1e-10;  ///< … chi2 fell by less than this fraction of itself,
   double step_tolerance =
       1e-12;  ///< … no entry of the step is larger than this fraction of the run's largest,
   double gradient_tolerance = 0;  ///< … or none of the gradient is larger than this (in its own units).
+  /// … so much time has passed,
   double time_limit_s = std::numeric_limits<double>::infinity();
-  const std::atomic<bool>* stop =
-      nullptr;  ///< … this becomes true (checked between steps and inside iterative solvers)
-  /// Called after every iteration; returning false stops. It must not change the graph: where it changes its
-  /// structure, or optimises it, optimize() throws InvalidArgument; with other estimates or weights chi2 is
-  /// compared with that of another problem. (Kernels may be exchanged, to anneal them.)
+  const std::atomic<bool>* stop = nullptr;  ///< … this becomes true. Both hold inside linear solvers too.
+  /// Called after every iteration, the last included; returning false stops. It must not change the graph:
+  /// where it changes its structure, or optimises it, optimize() throws InvalidArgument; with other estimates
+  /// or weights chi2 is compared with that of another problem. (Kernels may be exchanged, to anneal them.)
   std::function<bool(const IterationRecord&)> callback = {};
 
   double initial_lambda =
@@ -87,6 +87,9 @@ struct Options {
   bool numeric_jacobians = false;   ///< differentiate every edge numerically
   bool triggs_correction = false;   ///< second-order term of robust kernels (see LinearizeOptions)
 
+  /// LinearSolverKind::kAutomatic takes pcg where a Cholesky factor would take more memory than this; 0: than
+  /// half of the machine's.
+  std::uint64_t max_factor_bytes = 0;
   int threads = 0;  ///< at most; 0: one per hardware thread. Results do not depend on it.
   int level = 0;    ///< edges of this level take part; negative: all
   std::vector<VertexRef> vertices =

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/triangular_solve.h"
@@ -12,15 +13,29 @@
 namespace boxplus {
 
 void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
+  analyze_within(std::numeric_limits<std::uint64_t>::max(), structure, hints);
+}
+
+std::uint64_t BlockCholesky::analyze_within(std::uint64_t limit, const BlockStructure& structure,
+                                            const AnalyzeHints& hints) {
+  const FactorOutline outline = outline_factor(structure, hints.last, rule_);
+  const auto bytes = static_cast<std::uint64_t>(outline.partition.numbers * sizeof(double));
+  if (bytes > limit) return bytes;
   structure_ = &structure;
   factorized_ = false;
   inverse_.clear();
-  symbolic_ = analyze_structure(structure, hints.last, rule_, hints.threads);
+  symbolic_ = complete_factor(structure, outline, rule_, hints.threads);
+  allocate(hints.right_hand_sides);
+  return bytes;
+}
+
+void BlockCholesky::allocate(int right_hand_sides) {
   factor_.suspects_of_thread.resize(symbolic_.schedule.threads.size());
-  factor_.thread_failed.resize(symbolic_.schedule.threads.size());
-  batch_ = std::max(1, hints.right_hand_sides);
+  factor_.status_of_thread.resize(symbolic_.schedule.threads.size());
+  batch_ = std::max(1, right_hand_sides);
   const auto batch = static_cast<std::size_t>(batch_);
-  const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size, scalars = structure.scalars();
+  const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size,
+                    scalars = structure_->scalars();
   const std::size_t size = factor_size + scalars + batch * (scalars + symbolic_.largest_front);
   arena_ = std::make_unique_for_overwrite<double[]>(size);
   factor_.arena = arena_.get();
@@ -38,9 +53,11 @@ FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& 
     throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
   }
   const double* values = system.values().data();
-  std::uint32_t failed = factorize_fronts(symbolic_, *structure_, values, damping, factor_);
-  if (failed == structure_->scalars()) failed = find_lost_pivot();
-  if (failed != structure_->scalars()) return failure(failed, values, damping);
+  if (stop().raised()) return {LinearStatus::kStopped};
+  const FrontsResult fronts = factorize_fronts(symbolic_, *structure_, values, damping, stop(), factor_);
+  if (fronts.status == LinearStatus::kStopped) return {fronts.status};
+  const std::uint32_t lost = fronts.status == LinearStatus::kOk ? find_lost_pivot() : fronts.lost_pivot;
+  if (lost != structure_->scalars()) return failure(lost, values, damping);
   factorized_ = true;
   return {};
 }
@@ -102,6 +119,7 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
     return {LinearStatus::kNotFinite, 0};
   for (int done = 0; done < columns; done += batch_) {
     const int batch = std::min(batch_, columns - done);
+    if (stop().raised()) return {LinearStatus::kStopped};
     const std::size_t first = static_cast<std::size_t>(done) * scalars;
     load_right_hand_sides(b + first, batch);
     solve_lower(symbolic_, factor_.arena, batch, x_, work_);

@@ -25,12 +25,17 @@ class BlockCholesky final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          std::span<const std::uint32_t> changed_columns) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+  /// analyze(), where the factor is predicted to take at most `limit` bytes; else nothing. Returns the
+  /// prediction.
+  std::uint64_t analyze_within(std::uint64_t limit, const BlockStructure& structure,
+                               const AnalyzeHints& hints);
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
   LinearStatistics statistics() const override;
 
   const SymbolicFactor& symbolic() const { return symbolic_; }
 
  private:
+  void allocate(int right_hand_sides);
   std::uint32_t find_lost_pivot();
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
   bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;

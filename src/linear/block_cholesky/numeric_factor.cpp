@@ -87,13 +87,16 @@ struct Context {
   const BlockStructure& structure;
   const double* values;
   const Damping& damping;
+  const StopToken& stop;
   const NumericFactor& factor;
 };
 
-/// Assembles and factors one front whose children are done. Returns the permuted scalar of the lost pivot, or
-/// kNoParent.
-std::uint32_t factor_front(const Context& context, const Front& front, int threads, Suspects& suspects) {
-  const auto& [symbolic, structure, values, damping, factor] = context;
+constexpr FrontsResult kStoppedResult{LinearStatus::kStopped, 0};
+
+/// Assembles and factors one front whose children are done.
+FrontsResult factor_front(const Context& context, const Front& front, int threads, Suspects& suspects) {
+  const auto& [symbolic, structure, values, damping, stop, factor] = context;
+  if (stop.raised()) return kStoppedResult;
   const std::uint32_t first_scalar = symbolic.offset[front.first_block];
   double* const panel = factor.arena + front.panel;
   double* const update = factor.arena + front.update;
@@ -106,51 +109,55 @@ std::uint32_t factor_front(const Context& context, const Front& front, int threa
   }
   const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
   const int leading = static_cast<int>(front.leading);
-  const int good = factor_panel_with(threads, panel, columns + below, columns, leading, minimum_pivot);
-  if (good < columns) return first_scalar + static_cast<std::uint32_t>(good);
+  const int good = factor_panel_with(threads, stop, panel, columns + below, columns, leading, minimum_pivot);
+  if (good == kPanelStopped) return kStoppedResult;
+  if (good < columns)
+    return {LinearStatus::kNotPositiveDefinite, first_scalar + static_cast<std::uint32_t>(good)};
   collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
-  set_to_minus_square_with(threads, update, below, panel + columns, leading, below, columns);
+  if (!set_to_minus_square_with(threads, stop, update, below, panel + columns, leading, below, columns))
+    return kStoppedResult;
   for (const std::uint32_t c : symbolic.children_of(front)) {
     const Front& child = symbolic.fronts[c];
     const auto all = symbolic.all_runs(child);
     extend_add(factor.arena + child.update, child.below, all.subspan(symbolic.pivot_runs(child).size()), all,
                update, front.below, front.columns, front.columns);
   }
-  return kNoParent;
+  return {};
 }
 
-std::uint32_t factor_in_order(const Context& context, Suspects& suspects) {
+FrontsResult factor_in_order(const Context& context, Suspects& suspects) {
   for (const Front& front : context.symbolic.fronts) {
-    const std::uint32_t failed = factor_front(context, front, 1, suspects);
-    if (failed != kNoParent) return failed;
+    const FrontsResult result = factor_front(context, front, 1, suspects);
+    if (result.status != LinearStatus::kOk) return result;
   }
-  return context.symbolic.offset.back();
+  return {};
 }
 
-/// Subtrees by thread, then the rest with threads inside the fronts. Returns whether all pivots were good.
-bool factor_in_parallel(const Context& context, NumericFactor& factor) {
+/// Subtrees by thread, then the rest with threads inside the fronts. A lost pivot need not be the first.
+LinearStatus factor_in_parallel(const Context& context, NumericFactor& factor) {
   const auto& [threads, top] = context.symbolic.schedule;
   parallel_tasks(static_cast<int>(threads.size()), [&, &shares = threads](int thread) {
     const auto t = static_cast<std::size_t>(thread);
     Suspects suspects;
-    factor.thread_failed[t] = false;
+    LinearStatus status = LinearStatus::kOk;
     for (const auto& subtree : shares[t]) {
-      for (std::uint32_t s = subtree.begin; s < subtree.end && !factor.thread_failed[t]; ++s) {
-        factor.thread_failed[t] = factor_front(context, context.symbolic.fronts[s], 1, suspects) != kNoParent;
+      for (std::uint32_t s = subtree.begin; s < subtree.end && status == LinearStatus::kOk; ++s) {
+        status = factor_front(context, context.symbolic.fronts[s], 1, suspects).status;
       }
     }
+    factor.status_of_thread[t] = status;
     factor.suspects_of_thread[t] = suspects;
   });
-  for (std::size_t t = 0; t < threads.size(); ++t) {
-    if (factor.thread_failed[t]) return false;
-    factor.suspects.add(factor.suspects_of_thread[t]);
-  }
+  const LinearStatus worst =
+      *std::max_element(factor.status_of_thread.begin(), factor.status_of_thread.end());
+  if (worst != LinearStatus::kOk) return worst;
+  for (const Suspects& suspects : factor.suspects_of_thread) factor.suspects.add(suspects);
   for (const std::uint32_t s : top) {
     const Front& front = context.symbolic.fronts[s];
-    if (factor_front(context, front, static_cast<int>(threads.size()), factor.suspects) != kNoParent)
-      return false;
+    const auto result = factor_front(context, front, static_cast<int>(threads.size()), factor.suspects);
+    if (result.status != LinearStatus::kOk) return result.status;
   }
-  return true;
+  return LinearStatus::kOk;
 }
 
 }  // namespace
@@ -168,12 +175,14 @@ void Suspects::add(Suspect suspect) {
   list_[place] = suspect;
 }
 
-std::uint32_t factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
-                               const double* values, const Damping& damping, NumericFactor& factor) {
-  const Context context{symbolic, structure, values, damping, factor};
+FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                              const double* values, const Damping& damping, const StopToken& stop,
+                              NumericFactor& factor) {
+  const Context context{symbolic, structure, values, damping, stop, factor};
   factor.suspects.clear();
   if (symbolic.schedule.is_parallel()) {
-    if (factor_in_parallel(context, factor)) return symbolic.offset.back();
+    const LinearStatus status = factor_in_parallel(context, factor);
+    if (status != LinearStatus::kNotPositiveDefinite) return {status, 0};
     factor.suspects.clear();  // once more in order, to name the first lost pivot
   }
   return factor_in_order(context, factor.suspects);

@@ -37,12 +37,18 @@ struct NumericFactor {
   double* minimum_pivot = nullptr;  // kLostPivot · diagonal of A + λD, by permuted scalar
   Suspects suspects;
   std::vector<Suspects> suspects_of_thread;  // one per thread
-  std::vector<char> thread_failed;
+  std::vector<LinearStatus> status_of_thread;
 };
 
-/// Factorises A + λD into the panels. Returns the permuted scalar of the first lost pivot, or the number of
-/// scalars. Reads only the lower triangle of `values`.
-std::uint32_t factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
-                               const double* values, const Damping& damping, NumericFactor& factor);
+struct FrontsResult {
+  LinearStatus status = LinearStatus::kOk;  // or kNotPositiveDefinite, or kStopped
+  std::uint32_t lost_pivot = 0;             // where not positive definite: the first, as a permuted scalar
+};
+
+/// Factorises A + λD into the panels. Reads only the lower triangle of `values`. Asks `stop` before every
+/// front, and within large ones.
+FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                              const double* values, const Damping& damping, const StopToken& stop,
+                              NumericFactor& factor);
 
 }  // namespace boxplus

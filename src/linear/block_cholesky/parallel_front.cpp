@@ -12,6 +12,7 @@ namespace boxplus {
 namespace {
 
 constexpr double kWorthThreads = 1e6;  // flops
+constexpr double kBetweenStops = 1e9;  // flops after which the stop token is asked again
 
 /// Where the columns of part `part` of `parts` begin, if each is to have the same area of the lower
 /// trapezoid.
@@ -22,9 +23,10 @@ int part_begin(int rows, int columns, int part, int parts) {
 
 }  // namespace
 
-int factor_panel_with(int threads, double* panel, int rows, int columns, int ld,
+int factor_panel_with(int threads, const StopToken& stop, double* panel, int rows, int columns, int ld,
                       const double* minimum_pivot) {
   for (int j = 0; j < columns; j += dense::kBlock) {
+    if (j > 0 && stop.raised()) return kPanelStopped;
     const int width = std::min(dense::kBlock, columns - j), next = j + width;
     double* block = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
     const int good = dense::factor_panel(block, rows - j, width, ld, minimum_pivot + j);
@@ -41,13 +43,23 @@ int factor_panel_with(int threads, double* panel, int rows, int columns, int ld,
   return columns;
 }
 
-void set_to_minus_square_with(int threads, double* c, int ldc, const double* a, int lda, int size, int k) {
-  const int parts = 1.0 * size * size * k < kWorthThreads ? 1 : threads;
-  parallel_tasks(parts, [&](int part) {
-    const int begin = part_begin(size, size, part, parts);
-    const int end = part + 1 == parts ? size : part_begin(size, size, part + 1, parts);
-    dense::set_to_minus_square(c, ldc, a, lda, size, k, begin, end);
-  });
+bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
+                              int lda, int size, int k) {
+  const double flops = 1.0 * size * size * k;
+  const int parts = flops < kWorthThreads ? 1 : threads;
+  const int strips = 1 + static_cast<int>(flops / kBetweenStops);
+  for (int strip = 0, begin = 0; strip < strips; ++strip) {
+    if (strip > 0 && stop.raised()) return false;
+    const int end = strip + 1 == strips ? size : part_begin(size, size, strip + 1, strips);
+    const int below = size - begin, width = end - begin;
+    parallel_tasks(parts, [&](int part) {
+      const int from = begin + part_begin(below, width, part, parts);
+      const int to = part + 1 == parts ? end : begin + part_begin(below, width, part + 1, parts);
+      dense::set_to_minus_square(c, ldc, a, lda, size, k, from, to);
+    });
+    begin = end;
+  }
+  return true;
 }
 
 }  // namespace boxplus

@@ -2,12 +2,18 @@
 // The dense work of one large front on several threads. The same bits as with one.
 #pragma once
 
+#include "boxplus/base/stop_token.h"
+
 namespace boxplus {
 
-/// dense::factor_panel.
-int factor_panel_with(int threads, double* panel, int rows, int columns, int ld, const double* minimum_pivot);
+inline constexpr int kPanelStopped = -1;
 
-/// dense::set_to_minus_square.
-void set_to_minus_square_with(int threads, double* c, int ldc, const double* a, int lda, int size, int k);
+/// dense::factor_panel, or kPanelStopped.
+int factor_panel_with(int threads, const StopToken& stop, double* panel, int rows, int columns, int ld,
+                      const double* minimum_pivot);
+
+/// dense::set_to_minus_square for all columns; false where it was stopped.
+bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
+                              int lda, int size, int k);
 
 }  // namespace boxplus

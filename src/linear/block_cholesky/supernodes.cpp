@@ -81,6 +81,23 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
   }
 }
 
+/// The numbers of the panels plus the most that wait in update matrices. `sequence` is a postorder of `tops`.
+double count_numbers(const std::vector<Node>& nodes, std::span<const std::uint32_t> tops,
+                     std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence) {
+  double panels = 0, waiting = 0, most_waiting = 0;
+  std::vector<double> from_children(tops.size(), 0);
+  for (const std::uint32_t top : sequence) {
+    const Node& node = nodes[tops[top]];
+    const double update = node.below * node.below;
+    panels += node.columns * (node.columns + node.below);
+    waiting += update;
+    most_waiting = std::max(most_waiting, waiting);
+    waiting -= from_children[top];
+    if (top_parent[top] != kNoParent) from_children[top_parent[top]] += update;
+  }
+  return panels + most_waiting;
+}
+
 }  // namespace
 
 double predicted_time(const AmalgamationRule& rule, double columns, double below) {
@@ -117,7 +134,9 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   }
   SupernodePartition partition;
   partition.order.reserve(parent.size());
-  for (const std::uint32_t top : postorder(top_parent, kept_tops)) {
+  const std::vector<std::uint32_t> sequence = postorder(top_parent, kept_tops);
+  partition.numbers = count_numbers(nodes, tops, top_parent, sequence);
+  for (const std::uint32_t top : sequence) {
     for (const std::uint32_t s : members[top]) {
       for (std::uint32_t j = fundamental[s].first_column; j <= fundamental[s].last_column; ++j) {
         partition.order.push_back(j);

@@ -251,20 +251,29 @@ std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const
   return row_offsets[front.row_begin + static_cast<std::size_t>(found - all.begin())];
 }
 
-SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                 const AmalgamationRule& rule, int threads) {
+FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                             const AmalgamationRule& rule) {
   const auto keep = static_cast<std::uint32_t>(last.size());
-  SymbolicFactor factor;
   std::vector<std::uint32_t> order = amd_ordering(structure, last);
   order = composed(order, postorder(elimination_tree(UpperPattern(structure, order)), keep));
   const UpperPattern pattern(structure, order);
   const std::vector<std::uint32_t> parent = elimination_tree(pattern), dims = dims_in(structure, order);
   const ColumnCounts counts = count_columns(pattern, parent, dims);
-  const SupernodePartition partition = partition_columns(parent, counts, dims, keep, rule);
-  factor.order = composed(order, partition.order);
-  factor.flops = count_flops(counts, dims);
-  Builder(structure, factor).build(partition, rule, threads);
+  return {order, partition_columns(parent, counts, dims, keep, rule), count_flops(counts, dims)};
+}
+
+SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
+                               const AmalgamationRule& rule, int threads) {
+  SymbolicFactor factor;
+  factor.order = composed(outline.order, outline.partition.order);
+  factor.flops = outline.flops;
+  Builder(structure, factor).build(outline.partition, rule, threads);
   return factor;
+}
+
+SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                                 const AmalgamationRule& rule, int threads) {
+  return complete_factor(structure, outline_factor(structure, last, rule), rule, threads);
 }
 
 }  // namespace boxplus

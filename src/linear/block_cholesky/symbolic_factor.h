@@ -85,7 +85,20 @@ struct SymbolicFactor {
   }
 };
 
-/// Orders the blocks (AMD), forms the supernodes and lays out the memory.
+/// The part of the analysis that takes little memory, whatever the factor takes.
+struct FactorOutline {
+  std::vector<std::uint32_t> order;  // before the supernodes, whose partition permutes it once more
+  SupernodePartition partition;
+  double flops = 0;
+};
+
+/// Orders the blocks (AMD) and forms the supernodes.
+FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                             const AmalgamationRule& rule = {});
+/// Finds all indices and lays out the memory.
+SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
+                               const AmalgamationRule& rule = {}, int threads = 1);
+/// Both.
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule = {}, int threads = 1);
 

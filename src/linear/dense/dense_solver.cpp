@@ -75,6 +75,7 @@ FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& da
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("DenseSolver::factorize: expected the block values of the analysed structure");
   }
+  if (stop().raised()) return {LinearStatus::kStopped};
   load(system, damping);
   const auto size = structure_->scalars();
   const int signed_size = static_cast<int>(size);
@@ -99,6 +100,7 @@ SolveResult DenseSolver::solve(const double* b, int columns, double* x, const So
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite, 0};
   for (int c = 0; c < columns; ++c, b += size, x += size) {
+    if (stop().raised()) return {LinearStatus::kStopped};
     if (b != x) std::copy_n(b, size, x);
     dense::solve_forward(matrix_.data(), n, n, n, x);
     dense::solve_backward(matrix_.data(), n, n, n, x);

@@ -77,6 +77,7 @@ std::uint32_t EigenSparseSolver::find_lost_pivot() {
 
 FactorResult EigenSparseSolver::explain_failure(const BlockSystem& system, const Damping& damping) const {
   BlockCholesky other;
+  other.set_stop(stop());
   other.analyze(*structure_, {});
   const FactorResult result = other.factorize(system, damping, {});
   if (result.status != LinearStatus::kOk) return result;
@@ -91,6 +92,7 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
     throw InvalidArgument(
         "EigenSparseSolver::factorize: expected the block values of the analysed structure");
   }
+  if (stop().raised()) return {LinearStatus::kStopped};
   const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
   if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   if (structure_->scalars() > 0) {
@@ -116,6 +118,7 @@ SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x,
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite, 0};
   for (int c = 0; c < columns && size > 0; ++c, b += size, x += size) {
+    if (stop().raised()) return {LinearStatus::kStopped};
     solution_ = factor_.solve(Eigen::Map<const Eigen::VectorXd>(b, static_cast<Eigen::Index>(size)));
     std::copy_n(solution_.data(), size, x);
   }

@@ -46,6 +46,7 @@ FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping,
                             std::span<const std::uint32_t> /*changed_columns*/) {
   system_ = nullptr;
   if (!structure_) throw InvalidArgument("Pcg::factorize: expected a call of analyze() before");
+  if (stop().raised()) return {LinearStatus::kStopped};
   const BlockStructure& s = *structure_;
   for (std::uint32_t i = 0; i < s.scalars(); ++i) damping_[i] = damping(i);
   system.block_diagonal(preconditioner_.data());
@@ -90,7 +91,7 @@ void Pcg::precondition(const double* r, double* z) const {
 }
 
 /// Conjugate gradients from x_ with residual r_, until the recurrence says ‖r‖ ≤ target.
-SolveResult Pcg::iterate(double target, int& iterations_left, const std::atomic<bool>* stop) {
+SolveResult Pcg::iterate(double target, int& iterations_left) {
   precondition(r_.data(), z_.data());
   p_ = z_;
   double rz = dot(r_, z_);
@@ -98,7 +99,7 @@ SolveResult Pcg::iterate(double target, int& iterations_left, const std::atomic<
     const double residual = std::sqrt(dot(r_, r_));
     if (residual <= target) return {LinearStatus::kOk, iteration};
     if (!std::isfinite(residual)) return {LinearStatus::kNotFinite, iteration};
-    if (stop && stop->load(std::memory_order_relaxed)) return {LinearStatus::kStopped, iteration};
+    if (stop().raised()) return {LinearStatus::kStopped, iteration};
     if (iterations_left-- <= 0) return {LinearStatus::kNotConverged, iteration};
     multiply(p_.data(), q_.data());
     const double curvature = dot(p_, q_);
@@ -126,7 +127,7 @@ SolveResult Pcg::solve_one(const double* b, const SolveControl& control) {
                                         : std::max(kMinimumIterations, 2 * static_cast<int>(size));
   SolveResult total;
   for (double previous = INFINITY;;) {
-    const SolveResult part = iterate(target, left, control.stop);
+    const SolveResult part = iterate(target, left);
     total.iterations += part.iterations;
     total.status = part.status;
     if (part.status != LinearStatus::kOk) return total;

@@ -25,7 +25,7 @@ class Pcg final : public LinearSolver {
 
  private:
   SolveResult solve_one(const double* b, const SolveControl& control);
-  SolveResult iterate(double target, int& iterations_left, const std::atomic<bool>* stop);
+  SolveResult iterate(double target, int& iterations_left);
   void multiply(const double* x, double* y) const;
   void precondition(const double* r, double* z) const;
 

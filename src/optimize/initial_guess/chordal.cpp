@@ -44,7 +44,7 @@ SmallMatrix stacked(const Frame& frame) {
 /// The guess for all vertices of one dimension d.
 class Chordal {
  public:
-  Chordal(const FrameGraph& frames, const Components& components, int d);
+  Chordal(const FrameGraph& frames, const Components& components, int d, const GuessLimits& limits);
 
   /// Finds all frames without moving anything.
   LinearStatus solve();
@@ -65,6 +65,7 @@ class Chordal {
   Frame frame(Node node) const;
 
   const FrameGraph& frames_;
+  const GuessLimits& limits_;
   int d_;
   std::vector<const Measurement*> measurements_;
   std::vector<std::uint32_t> block_;  // per node
@@ -73,8 +74,8 @@ class Chordal {
   bool anchored_ = false;
 };
 
-Chordal::Chordal(const FrameGraph& frames, const Components& components, int d)
-    : frames_(frames), d_(d), block_(frames.nodes(), kConstant) {
+Chordal::Chordal(const FrameGraph& frames, const Components& components, int d, const GuessLimits& limits)
+    : frames_(frames), limits_(limits), d_(d), block_(frames.nodes(), kConstant) {
   for (const Measurement& m : frames.measurements()) {
     if (frames.dimension(m.to) == d && !components.left_for_alignment(m)) measurements_.push_back(&m);
   }
@@ -109,7 +110,7 @@ SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) cons
 /// their estimates as weakly as the arithmetic permits, so that only those directions notice.
 LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positions_only) {
   constexpr double kAnchor = 1e-9;  // of the largest entry of the matrix
-  const LinearStatus status = system.solve();
+  const LinearStatus status = system.solve(limits_);
   if (status != LinearStatus::kNotPositiveDefinite) return status;
   anchored_ = true;
   const double weight = kAnchor * system.largest_diagonal();
@@ -119,7 +120,7 @@ LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positi
     system.add(k, SmallMatrix::Identity(rows, rows), kConstant, SmallMatrix(), x.bottomRows(rows),
                SmallVector::Constant(rows, weight));
   }
-  return system.solve();
+  return system.solve(limits_);
 }
 
 LinearStatus Chordal::solve_joint() {
@@ -182,17 +183,29 @@ void Chordal::move_vertices(FrameGraph& frames) const {
   for (std::uint32_t k = 0; k < unknowns_.size(); ++k) frames.set_frame(unknowns_[k], found_[k]);
 }
 
+std::string_view why_not_solved(LinearStatus status) {
+  switch (status) {
+    case LinearStatus::kStopped:
+      return kStopped;
+    case LinearStatus::kNotFinite:
+      return kNotFinite;
+    case LinearStatus::kNotConverged:
+      return kNotSolved;
+    default:
+      return kSingular;
+  }
+}
+
 }  // namespace
 
-GuessResult guess_chordal(Graph& graph, const Plan& plan) {
+GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
   FrameGraph frames(graph, plan);
   if (frames.measurements().empty()) return {false, kNothingMeasured};
   const Components components(frames);
-  Chordal plane(frames, components, 2), space(frames, components, 3);
+  Chordal plane(frames, components, 2, limits), space(frames, components, 3, limits);
   for (Chordal* part : {&plane, &space}) {
     const LinearStatus status = part->solve();
-    if (status != LinearStatus::kOk)
-      return {false, status == LinearStatus::kNotFinite ? kNotFinite : kSingular};
+    if (status != LinearStatus::kOk) return {false, why_not_solved(status)};
   }
   plane.move_vertices(frames);
   space.move_vertices(frames);

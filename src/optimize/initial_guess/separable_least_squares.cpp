@@ -47,11 +47,13 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
   }
 }
 
-LinearStatus SeparableLeastSquares::solve() {
+LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   if (structure_.blocks() == 0) return LinearStatus::kOk;
-  const auto solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
   AnalyzeHints hints;
   hints.right_hand_sides = columns_;
+  hints.max_factor_bytes = limits.max_factor_bytes;
+  solver->set_stop(limits.stop);
   solver->analyze(structure_, hints);
   const FactorResult factor = solver->factorize(AssembledSystem(structure_, values_), Damping{});
   if (factor.status != LinearStatus::kOk) return factor.status;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
+#include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/frame_math.h"
 
 namespace boxplus::guess {
@@ -26,7 +27,7 @@ class SeparableLeastSquares {
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
   /// May be called again after more add() where the matrix was not positive definite.
-  LinearStatus solve();
+  LinearStatus solve(const GuessLimits& limits = {});
   double largest_diagonal() const;
   /// X_i, after solve().
   SmallMatrix block(std::uint32_t i) const;

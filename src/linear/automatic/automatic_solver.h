@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The direct solver where its factor fits into memory, the iterative one where not.
+#pragma once
+
+#include "linear/block_cholesky/block_cholesky.h"
+#include "linear/pcg/pcg.h"
+
+namespace boxplus {
+
+/// analyze() decides, from the size that the analysis predicts for the factor and before any memory is taken
+/// for it. From then on this is the chosen solver, by its name, and the statistics tell what decided.
+class AutomaticSolver final : public LinearSolver {
+ public:
+  std::string_view name() const override { return chosen_->name(); }
+  /// Of either.
+  Needs needs() const override { return Needs::kBlocks; }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         std::span<const std::uint32_t> changed_columns) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+  LinearStatistics statistics() const override;
+
+ private:
+  std::unique_ptr<LinearSolver> chosen_ = std::make_unique<BlockCholesky>();
+  std::uint64_t refused_factor_bytes_ = 0;
+};
+
+}  // namespace boxplus
