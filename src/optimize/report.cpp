@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <ostream>
 
 namespace boxplus {
@@ -15,6 +17,26 @@ using Text = fmt::memory_buffer;
 template <class... A>
 void add(Text& text, fmt::format_string<A...> format, A&&... arguments) {
   fmt::format_to(std::back_inserter(text), format, std::forward<A>(arguments)...);
+}
+
+/// A NaN may have a sign, which would be printed.
+double without_sign_of_nan(double value) {
+  return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
+/// Bytes for people, to two digits: 950 MB, 61 GB, 1.2 TB.
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr std::array kUnits{"kB", "MB", "GB", "TB"};
+  double value = static_cast<double>(bytes) / 1e3;
+  std::size_t unit = 0;
+  for (; value >= 999.5 && unit + 1 < kUnits.size(); ++unit) value /= 1e3;
+  return fmt::format("{:.{}f} {}", value, value < 9.95 ? 1 : 0, kUnits[unit]);
+}
+
+std::string solver_text(const Report& report) {
+  std::string text(report.linear_solver);
+  const std::uint64_t refused = report.linear.refused_factor_bytes;
+  return refused == 0 ? text : text + " (since the factor would take " + bytes_text(refused) + ")";
 }
 
 /// The first and the last rows of a long table.
@@ -33,8 +55,9 @@ void add_records(Text& text, const Report& report) {
     }
     const IterationRecord& r = report.records[k];
     const std::string control = std::isinf(r.control) ? "∞" : fmt::format("{:.3e}", r.control);
-    add(text, "  {:4}  {:13.7g}  {:11.4g}  {:11.3e}  {:11.3e}  {:>11}  {:5}  {:9.4f}\n", r.iteration, r.chi2,
-        r.chi2_decrease, r.gradient_max, r.step_max, control, r.tries, r.time_s);
+    add(text, "  {:4}  {:13.7g}  {:11.4g}  {:11.3e}  {:11.3e}  {:>11}  {:5}  {:9.4f}\n", r.iteration,
+        without_sign_of_nan(r.chi2), without_sign_of_nan(r.chi2_decrease), r.gradient_max, r.step_max,
+        control, r.tries, r.time_s);
   }
 }
 
@@ -51,9 +74,11 @@ void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
 void add_start(Text& text, const StartReport& start) {
   add(text, "  {:<16}{}", "start", to_string(start.used));
   if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
-  add(text, "; chi2 {:.7g} as given", start.chi2_current);
-  if (start.chi2_guess >= 0) add(text, ", {:.7g} after the initial guess", start.chi2_guess);
-  if (start.ran_both) add(text, "; both were run, the other ended at {:.7g}", start.chi2_other_final);
+  add(text, "; chi2 {:.7g} as given", without_sign_of_nan(start.chi2_current));
+  if (!(start.chi2_guess < 0))
+    add(text, ", {:.7g} after the initial guess", without_sign_of_nan(start.chi2_guess));
+  if (start.ran_both)
+    add(text, "; both were run, the other ended at {:.7g}", without_sign_of_nan(start.chi2_other_final));
   if (!start.note.empty()) add(text, " ({})", start.note);
   add(text, "\n");
 }
@@ -79,13 +104,13 @@ void add_notes(Text& text, const Report& report) {
 std::string to_string(const Report& report) {
   Text text;
   add(text, "{}: chi2 {:.9g} → {:.9g} in {} iteration{}, {:.4f} s\n", to_string(report.status),
-      report.chi2_initial, report.chi2_final, report.iterations, report.iterations == 1 ? "" : "s",
-      report.time.total_s);
+      without_sign_of_nan(report.chi2_initial), without_sign_of_nan(report.chi2_final), report.iterations,
+      report.iterations == 1 ? "" : "s", report.time.total_s);
   add(text, "  {:<16}{}\n", "because", report.message);
   add(text, "  {:<16}{} vertices ({} unknowns), {} edges\n", "problem", report.vertices, report.scalars,
       report.edges);
   if (report.eliminated > 0) add(text, "  {:<16}{} vertices\n", "eliminated", report.eliminated);
-  add(text, "  {:<16}{}, {}, {} of {} thread{}\n", "method", report.algorithm, report.linear_solver,
+  add(text, "  {:<16}{}, {}, {} of {} thread{}\n", "method", report.algorithm, solver_text(report),
       report.workers, report.threads, report.threads == 1 ? "" : "s");
   add_start(text, report.start);
   add_notes(text, report);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "command_line/message.h"
 #include "command_line/table.h"
 
@@ -65,10 +67,15 @@ std::string extent_text(const GraphFacts& facts) {
   return text + " m";
 }
 
+/// chi2 or a ratio of two, to so many digits; a NaN without the sign that it may have.
+std::string number(double value, int digits) {
+  return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, digits);
+}
+
 std::string chi2_text(const GraphFacts& facts) {
-  std::string text = fmt::format("{:.9g}", facts.chi2);
+  std::string text = number(facts.chi2, 9);
   if (facts.rows > 0)
-    text += fmt::format("  ({:.4g} per row of error)", facts.chi2 / static_cast<double>(facts.rows));
+    text += fmt::format("  ({} per row of error)", number(facts.chi2 / static_cast<double>(facts.rows), 4));
   return text;
 }
 
@@ -97,9 +104,9 @@ std::string edge_types_text(const GraphFacts& facts) {
   Table table({"<edges", "count", "rows", "chi2", "chi2/row", "worst chi2", "<worst between"});
   for (const EdgeTypeFacts& type : facts.edge_types) {
     table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.rows),
-               fmt::format("{:.6g}", type.chi2),
-               fmt::format("{:.4g}", type.chi2 / static_cast<double>(std::max<std::size_t>(type.rows, 1))),
-               fmt::format("{:.4g}", type.worst.chi2), list(type.worst.vertices)});
+               number(type.chi2, 6),
+               number(type.chi2 / static_cast<double>(std::max<std::size_t>(type.rows, 1)), 4),
+               number(type.worst.chi2, 4), list(type.worst.vertices)});
   }
   return "\n" + table.text();
 }
@@ -109,7 +116,7 @@ std::string worst_text(const GraphFacts& facts) {
   Table table({"<worst edges", "chi2", "share", "line", "<between"});
   for (const EdgeFacts& edge : facts.worst) {
     const double share = facts.chi2 > 0 ? 100 * edge.chi2 / facts.chi2 : 0;
-    table.add({escaped(edge.word), fmt::format("{:.6g}", edge.chi2), fmt::format("{:.1f} %", share),
+    table.add({escaped(edge.word), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
                edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)});
   }
   return "\n" + table.text();

@@ -13,6 +13,11 @@ Json unless_negative(double value) {
   return value < 0 ? Json(nullptr) : Json(value);
 }
 
+/// Zero stands for "there was none".
+Json unless_zero(std::uint64_t value) {
+  return value == 0 ? Json(nullptr) : Json(value);
+}
+
 Json start_json(const StartReport& start) {
   return {{"requested", to_string(start.requested)},
           {"used", to_string(start.used)},
@@ -67,6 +72,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"kernel", kernel_json(facts.kernel)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
+                     {"refused_factor_bytes", unless_zero(report.linear.refused_factor_bytes)},
                      {"threads", report.threads},
                      {"workers", report.workers},
                      {"vertices", report.vertices},

@@ -48,6 +48,7 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
 }
 
 LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
+  constexpr double kTolerance = 1e-4;  // of an iterative solver: more brings no better start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
   const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
   AnalyzeHints hints;
@@ -55,9 +56,11 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   hints.max_factor_bytes = limits.max_factor_bytes;
   solver->set_stop(limits.stop);
   solver->analyze(structure_, hints);
-  const FactorResult factor = solver->factorize(AssembledSystem(structure_, values_), Damping{});
+  const AssembledSystem system(structure_, values_);  // some solvers refer to it
+  const FactorResult factor = solver->factorize(system, Damping{});
   if (factor.status != LinearStatus::kOk) return factor.status;
-  const LinearStatus status = solver->solve(x_.data(), columns_, x_.data()).status;
+  const LinearStatus status =
+      solver->solve(x_.data(), columns_, x_.data(), {.relative_tolerance = kTolerance}).status;
   const bool finite = std::all_of(x_.begin(), x_.end(), [](double value) { return std::isfinite(value); });
   return status == LinearStatus::kOk && !finite ? LinearStatus::kNotFinite : status;
 }
