@@ -13,6 +13,10 @@ namespace {
 /// that are rounding noise, too little to be seen in a step.
 constexpr double kGaugeDamping = 1e-11;
 
+/// The forcing term, at least, where the direct solver was wanted and did not fit into memory: on large maps
+/// far fewer iterations than an exact step takes.
+constexpr double kRoughTolerance = 0.1;
+
 /// The diagonal that damping is scaled by stays above this fraction of its largest entry.
 constexpr double kDiagonalFloor = 1e-12;
 
@@ -49,7 +53,8 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverK
 
 void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  control_ = {options.linear_tolerance, 0};
+  const bool replaced = solver_->statistics().refused_factor_bytes > 0;
+  control_ = {replaced ? std::max(kRoughTolerance, options.linear_tolerance) : options.linear_tolerance, 0};
   solver_->set_stop(stop);
   timings_ = &timings;
 }

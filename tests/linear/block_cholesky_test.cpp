@@ -125,6 +125,19 @@ TEST(BlockCholesky, NamesTheSameVertexOnAnyNumberOfThreads) {
   EXPECT_THAT(named.front(), ::testing::AnyOf(100, 450, 700));
 }
 
+TEST(BlockCholesky, NeverTakesAStopForALostPivot) {
+  const TestSystem system = large_grid();
+  for (const int threads : {1, 2, 3}) {
+    BlockCholesky solver;
+    solver.analyze(system.structure, {.threads = threads});
+    for (double seconds = 0; seconds < 0.01; seconds += 0.0005) {  // wherever the deadline falls
+      solver.set_stop(StopToken(nullptr, StopToken::Clock::now(), seconds));
+      const LinearStatus status = solver.factorize(system.view(), {}, {}).status;
+      EXPECT_TRUE(status == LinearStatus::kStopped || (status == LinearStatus::kOk && seconds > 0));
+    }
+  }
+}
+
 TEST(BlockCholesky, SolvesWithThreadsAndLastBlocks) {
   const TestSystem system = large_grid();
   const std::vector<std::uint32_t> last{400, 5, 899, 17};

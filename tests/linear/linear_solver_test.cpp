@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "linear/block_cholesky/symbolic_factor.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -293,13 +294,95 @@ TEST_P(LinearSolverTest, ReadsOnlyTheLowerTriangleOfDiagonalBlocksForItsSolution
   EXPECT_EQ(solve(b), x);
 }
 
+TEST_P(LinearSolverTest, IsStoppedByARaisedFlagAndByAPassedDeadline) {
+  TestSystem system = random_system(20, 20, 12);
+  const std::atomic<bool> flag{true};
+  for (const StopToken& stop : {StopToken(&flag), StopToken(nullptr, StopToken::Clock::now(), 0)}) {
+    solver->set_stop(stop);
+    EXPECT_EQ(factorize(system).status, LinearStatus::kStopped);
+    solver->set_stop({});
+    ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
+    solver->set_stop(stop);
+    MatrixXd b = right_hand_sides(system, 1);
+    EXPECT_EQ(solver->solve(b.data(), 1, b.data()).status, LinearStatus::kStopped);
+  }
+}
+
+TEST_P(LinearSolverTest, GoesOnAfterAStop) {
+  TestSystem system = random_system(20, 20, 13);
+  const std::atomic<bool> flag{true};
+  solver->set_stop(StopToken(&flag));
+  ASSERT_EQ(factorize(system).status, LinearStatus::kStopped);
+  solver->set_stop({});
+  ASSERT_EQ(solver->factorize(*view, {}).status, LinearStatus::kOk);
+  const MatrixXd b = right_hand_sides(system, 1);
+  expect_solution(system.dense(), solve(b), b);
+}
+
+TEST_P(LinearSolverTest, IsNotStoppedByADeadlineFarAway) {
+  const std::atomic<bool> flag{false};
+  for (const double seconds : {1e6, 1e300, kInfinity}) {
+    solver->set_stop(StopToken(&flag, StopToken::Clock::now(), seconds));
+    EXPECT_EQ(factorize(random_system(5, 3, 14)).status, LinearStatus::kOk);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, LinearSolverTest,
                          ::testing::Values(LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg,
                                            LinearSolverKind::kDense, LinearSolverKind::kEigenSparse),
                          [](const auto& test) { return std::string(to_string(test.param)); });
 
-TEST(MakeLinearSolver, GivesTheBlockCholeskyAutomatically) {
-  EXPECT_EQ(make_linear_solver(LinearSolverKind::kAutomatic)->name(), "block_cholesky");
+TEST(TheAutomaticSolver, IsTheBlockCholesky) {
+  TestSystem system = random_system(20, 20, 1);
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
+  EXPECT_EQ(solver->name(), "block_cholesky");
+  solver->analyze(system.structure, {});
+  EXPECT_EQ(solver->name(), "block_cholesky");
+  EXPECT_EQ(solver->statistics().refused_factor_bytes, 0u);
+}
+
+TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
+  TestSystem system = random_system(20, 20, 1);
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
+  solver->analyze(system.structure, {.max_factor_bytes = 100});
+  EXPECT_EQ(solver->name(), "pcg");
+  const std::uint64_t bytes = solver->statistics().refused_factor_bytes;
+  EXPECT_GE(bytes, 8 * system.structure.nonzero_values() / 2);
+  solver->analyze(system.structure, {.max_factor_bytes = bytes});
+  EXPECT_EQ(solver->name(), "block_cholesky");
+  solver->analyze(system.structure, {.max_factor_bytes = bytes - 1});
+  EXPECT_EQ(solver->name(), "pcg");
+}
+
+TEST(TheAutomaticSolver, SolvesAndStopsAsWhatItChose) {
+  TestSystem system = random_system(20, 20, 1);
+  const AssembledSystem view = system.view();
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
+  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}}) {
+    solver->analyze(system.structure, {.max_factor_bytes = limit});
+    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
+    const MatrixXd b = right_hand_sides(system, 1);
+    MatrixXd x = b;
+    ASSERT_EQ(solver->solve(x.data(), 1, x.data(), {.relative_tolerance = 1e-12}).status, LinearStatus::kOk);
+    expect_solution(system.dense(), x, b);
+    const std::atomic<bool> flag{true};
+    solver->set_stop(StopToken(&flag));
+    EXPECT_EQ(solver->factorize(view, {}).status, LinearStatus::kStopped);
+    solver->set_stop({});
+  }
+}
+
+/// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.
+TEST(ThePredictedSizeOfTheFactor, IsThatOfTheAnalysis) {
+  for (const std::uint32_t side : {3u, 10u, 25u}) {
+    const BlockStructure structure =
+        make_block_structure(std::vector<std::uint32_t>(side * side, 3), grid_edges(side, side));
+    const FactorOutline outline = outline_factor(structure, {});
+    const SymbolicFactor factor = complete_factor(structure, outline);
+    const auto numbers = static_cast<double>(factor.panel_size + factor.update_size);
+    EXPECT_GE(numbers, outline.partition.numbers);
+    EXPECT_LE(numbers, 1.15 * outline.partition.numbers);
+  }
 }
 
 }  // namespace

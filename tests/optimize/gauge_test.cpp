@@ -88,15 +88,20 @@ TEST(Gauge, IsAnErrorWhereTheUserSaysSo) {
   EXPECT_EQ(graph.chi2(), before);
 }
 
-TEST(Gauge, ThatIsNoneIsReleased) {
-  // y = a exp(b t) with a and b as two vertices: no prior, no fixed vertex, and yet nothing is free.
-  Graph graph;
+/// y = a exp(b t) with a and b as two vertices: no prior, no fixed vertex, and yet nothing is free.
+std::pair<VertexHandle<Vector<double, 1>>, VertexHandle<Vector<double, 1>>> add_exponential(Graph& graph) {
   const auto a = graph.add_vertex(Vector<double, 1>(1.0));
   const auto b = graph.add_vertex(Vector<double, 1>(0.0));
   for (int i = 0; i < 20; ++i) {
     const double t = i / 10.0, y = 2.5 * std::exp(-0.7 * t);
     graph.add_edge([t, y](const auto& x, const auto& z) { return x[0] * exp(z[0] * t) - y; }, a, b);
   }
+  return {a, b};
+}
+
+TEST(Gauge, ThatIsNoneIsReleased) {
+  Graph graph;
+  const auto [a, b] = add_exponential(graph);
   const Report report = optimize(graph);
   EXPECT_TRUE(report.converged()) << report;
   EXPECT_THAT(report.gauge.released, ElementsAre(0));
@@ -106,6 +111,34 @@ TEST(Gauge, ThatIsNoneIsReleased) {
   const Report second = optimize(graph);
   EXPECT_TRUE(second.plan_reused);
   EXPECT_THAT(second.gauge.held, IsEmpty());
+}
+
+TEST(Gauge, IsReleasedWithinTheIterationLimit) {
+  for (int limit = 0; limit < 12; ++limit) {
+    Graph graph;
+    add_exponential(graph);
+    const Report report = optimize(graph, {.max_iterations = limit});
+    EXPECT_LE(report.iterations, limit);
+    if (report.iterations < limit) {
+      EXPECT_TRUE(report.converged()) << report;
+    }
+  }
+}
+
+TEST(Gauge, IsNotReleasedOnceTheFlagIsUp) {
+  Graph graph;
+  add_exponential(graph);
+  std::atomic<bool> stop = false;
+  Options options{.stop = &stop};
+  optimize(graph, {.max_iterations = 3});  // not yet converged
+  options.callback = [&](const IterationRecord&) {
+    stop = true;
+    return true;
+  };
+  options.cost_tolerance = 1e30;  // the next iteration converges
+  const Report report = optimize(graph, options);
+  EXPECT_THAT(report.gauge.released, IsEmpty());
+  EXPECT_EQ(report.iterations, 1);
 }
 
 TEST(Gauge, StaysHeldWhereTheDataFitPerfectly) {

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <type_traits>
 
 #include "optimize/small_graphs.h"
 
@@ -93,6 +96,77 @@ TEST_P(EveryAlgorithm, StopsAtTheTimeLimit) {
   add_noisy_grid(graph, 3);
   options_.time_limit_s = 0;
   EXPECT_EQ(optimize(graph, options_).reason, Reason::kTimeLimit);
+}
+
+TEST_P(EveryAlgorithm, MakesNoGuessOnceItIsToStop) {
+  for (const Start start : {Start::kOdometry, Start::kSpanningTree, Start::kChordal, Start::kAutomatic}) {
+    Graph graph;
+    add_noisy_circle(graph, 30);
+    const double before = graph.chi2();
+    options_.start = start;
+    const std::atomic<bool> stop = true;
+    options_.stop = &stop;
+    EXPECT_EQ(optimize(graph, options_).reason, Reason::kStopFlag);
+    EXPECT_EQ(graph.chi2(), before);
+    options_.stop = nullptr;
+    options_.time_limit_s = 0;
+    EXPECT_EQ(optimize(graph, options_).reason, Reason::kTimeLimit);
+    EXPECT_EQ(graph.chi2(), before);
+    options_.time_limit_s = 1e9;
+  }
+}
+
+TEST_P(EveryAlgorithm, IsStoppedBetweenTheLinearisationAndTheStep) {
+  for (const LinearSolverKind solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg}) {
+    Graph graph;
+    const auto poses = add_noisy_circle(graph, 10);
+    std::atomic<bool> stop = false;
+    graph.add_edge(
+        [&stop]<class Pose>(const Pose& pose) {
+          if constexpr (!std::is_same_v<Pose, SE2>) stop = true;  // derivatives are asked for
+          return pose.x();
+        },
+        poses[4]);
+    const double before = graph.chi2();
+    options_.stop = &stop;
+    options_.linear_solver = solver;
+    const Report report = optimize(graph, options_);
+    EXPECT_EQ(report.status, Status::kNotConverged);
+    EXPECT_EQ(report.reason, Reason::kStopFlag);
+    EXPECT_EQ(report.iterations, 0);
+    EXPECT_EQ(graph.chi2(), before);
+  }
+}
+
+TEST_P(EveryAlgorithm, CallsBackAfterTheLastIterationTooWithoutChangingTheReason) {
+  Graph graph;
+  add_noisy_grid(graph, 3);
+  int calls = 0;
+  options_.callback = [&](const IterationRecord&) { return ++calls > 0; };
+  const Report report = optimize(graph, options_);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(calls, report.iterations);
+  options_.cost_tolerance = 1e30;
+  options_.callback = [](const IterationRecord&) { return false; };
+  EXPECT_EQ(optimize(graph, options_).status, Status::kConverged);
+}
+
+TEST_P(EveryAlgorithm, TakesPcgWhereTheFactorWouldNotFitIntoMemory) {
+  for (const Start start : {Start::kCurrent, Start::kChordal}) {
+    Graph direct, iterative;
+    add_noisy_grid(direct, 4);
+    add_noisy_grid(iterative, 4);
+    options_.start = start;
+    options_.max_factor_bytes = 0;
+    const Report expected = optimize(direct, options_);
+    EXPECT_EQ(expected.linear_solver, "block_cholesky");
+    options_.max_factor_bytes = 1000;
+    const Report report = optimize(iterative, options_);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_NEAR(report.chi2_final, expected.chi2_final, 1e-6 * expected.chi2_final);
+    EXPECT_EQ(report.start.used, start);
+    EXPECT_THAT(to_string(report), HasSubstr("pcg (since the factor would take "));
+  }
 }
 
 TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
@@ -277,6 +351,28 @@ TEST(Optimize, RejectsAnOutlierUnderARobustKernel) {
   const Report report = optimize(graph);
   EXPECT_EQ(report.disabled_edges, 1u);
   EXPECT_TRUE(report.plan_reused);
+}
+
+TEST(Report, ShowsNoSignOfWhatIsNotANumber) {
+  Report report;
+  const double minus_nan = -std::numeric_limits<double>::quiet_NaN();
+  report.chi2_initial = report.chi2_final = report.start.chi2_current = report.start.chi2_guess = minus_nan;
+  report.records.push_back({.chi2 = minus_nan, .chi2_decrease = minus_nan});
+  const std::string text = to_string(report);
+  EXPECT_THAT(text, HasSubstr("chi2 nan → nan"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("-nan")));
+}
+
+TEST(Report, TellsInTwoDigitsWhatTheFactorWouldTake) {
+  const auto text_for = [](std::uint64_t bytes) {
+    Report report;
+    report.linear.refused_factor_bytes = bytes;
+    return to_string(report);
+  };
+  EXPECT_THAT(text_for(40), HasSubstr("take 0.0 kB)"));
+  EXPECT_THAT(text_for(999'600), HasSubstr("take 1.0 MB)"));
+  EXPECT_THAT(text_for(61'400'000'000), HasSubstr("take 61 GB)"));
+  EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB)"));
 }
 
 TEST(Report, ReadsAsATable) {

@@ -83,9 +83,11 @@ struct Options {
   double initial_lambda =
       0;  ///< Levenberg-Marquardt; 0: 1e-5 times the largest diagonal entry of what is damped
   double initial_radius = 0;  ///< dogleg; 0: unbounded, so that the first trial is the Gauss-Newton step
-  double linear_tolerance = 1e-10;  ///< forcing term of iterative linear solvers
-  bool numeric_jacobians = false;   ///< differentiate every edge numerically
-  bool triggs_correction = false;   ///< second-order term of robust kernels (see LinearizeOptions)
+  /// Forcing term of iterative linear solvers. Where kAutomatic had to take pcg, it is at least 0.1: rough
+  /// steps are so much cheaper that they arrive sooner.
+  double linear_tolerance = 1e-10;
+  bool numeric_jacobians = false;  ///< differentiate every edge numerically
+  bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
 
   /// LinearSolverKind::kAutomatic takes pcg where a Cholesky factor would take more memory than this; 0: than
   /// half of the machine's.
