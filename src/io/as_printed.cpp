@@ -82,10 +82,10 @@ Quaternion<double> as_printed(const Quaternion<double>& q) {
 
 double as_printed(double theta) {
   constexpr double kNearPi = 3.1;
-  constexpr int kFewestDecimals = 2, kMostDecimals = 14;
+  constexpr int kFewest = 2, kMost = 14;
   if (std::abs(theta) < kNearPi) return theta;
   const double beyond = theta > 0 ? theta - 2 * kPi : theta + 2 * kPi;
-  for (int decimals = kFewestDecimals; decimals <= kMostDecimals; ++decimals) {
+  for (int decimals = kFewest; decimals <= kMost; ++decimals) {
     if (rounded(theta, decimals) == theta) return theta;
     const double printed = rounded(beyond, decimals);
     if (normalize_angle(printed) == theta) return printed;
