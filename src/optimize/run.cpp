@@ -14,16 +14,13 @@ Run::Run(Graph& graph, const Options& options, Report& report)
     const TimeAdder adder(report_.time.plan_s);
     session_ = &Session::find(graph_, options_, report_.plan_reused);
     session_->set_in_use(true);
+    in_use_.session = session_;
   }
   system().configure(options_, report_.time, stop_);
   report_.chi2_initial = system().chi2();
   report_.start.requested = options_.start;
   report_.start.chi2_current = report_.chi2_initial;
   describe_problem();
-}
-
-Run::~Run() {
-  if (graph_.cache().get() == session_) session_->set_in_use(false);
 }
 
 void Run::describe_problem() {

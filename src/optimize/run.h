@@ -13,7 +13,6 @@ class Run {
  public:
   /// Finds or makes the plan, evaluates chi2 and begins the report.
   Run(Graph& graph, const Options& options, Report& report);
-  ~Run();
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
@@ -44,6 +43,14 @@ class Run {
   Stopwatch clock_;
   StopToken stop_;
   Session* session_ = nullptr;
+  /// Marks the session as in use, also where the constructor throws.
+  struct InUse {
+    Graph& graph;
+    Session* session = nullptr;
+    ~InUse() {
+      if (session != nullptr && graph.cache().get() == session) session->set_in_use(false);
+    }
+  } in_use_{graph_};
 };
 
 }  // namespace boxplus

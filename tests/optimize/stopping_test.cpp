@@ -422,6 +422,22 @@ TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
   }
 }
 
+TEST(Optimize, LeavesTheGraphUsableWhereAnErrorFunctionThrows) {
+  Graph graph;
+  const auto x = graph.add_vertex(1.0);
+  bool throws = true;
+  graph.add_edge(
+      [&throws](const auto& value) {
+        if (throws) throw std::runtime_error("no measurement");
+        return value - 3;
+      },
+      x);
+  EXPECT_THROW(optimize(graph), std::runtime_error);
+  EXPECT_THROW(optimize(graph), std::runtime_error) << "not InvalidArgument";
+  throws = false;
+  EXPECT_TRUE(optimize(graph).converged());
+}
+
 class NanWeight final : public RobustKernel {
  public:
   Rho operator()(double e2) const override { return {e2, std::nan(""), 0}; }
