@@ -16,8 +16,10 @@ int triangle_index(int i, int j, int n) {
   return i * n - i * (i - 1) / 2 + (j - i);
 }
 
-/// What is wrong with a full Ω, if anything. Small ones are looked at without allocation.
+/// Up to so many rows, Ω is looked at without allocation.
 constexpr int kSmall = 6;
+
+/// What is wrong with a full Ω, if anything.
 template <class Storage>
 std::string complaint_about(const InformationView& omega) {
   const int rows = omega.rows;

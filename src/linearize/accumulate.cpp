@@ -49,12 +49,29 @@ void add_rank_one(double scale, const double* vi, int di, const double* vj, int 
   }
 }
 
+/// Walks over where an edge goes: add_vertex(column, dim, target) per vertex that moves, and
+/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) per pair of such vertices, j ≤ i.
+template <class AddVertex, class AddPair>
+void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVertex&& add_vertex,
+                     AddPair&& add_pair) {
+  const std::uint32_t* pair = targets + edge.dims.size();
+  int column_i = 0;
+  for (std::size_t i = 0; i < edge.dims.size(); column_i += edge.dims[i], ++i) {
+    if (targets[i] != Scatter::kNowhere) add_vertex(column_i, edge.dims[i], targets[i]);
+    int column_j = 0;
+    for (std::size_t j = 0; j <= i; column_j += edge.dims[j], ++j, ++pair) {
+      if (*pair == Scatter::kNowhere) continue;
+      add_pair(column_i, edge.dims[i], column_j, edge.dims[j], (*pair & Scatter::kTransposed) != 0,
+               *pair & ~Scatter::kTransposed);
+    }
+  }
+}
+
 /// The edge one number at a time: of any size, and with a rank-one weight.
 void accumulate_any(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                     const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                     double* weighted_error) {
   const int rows = edge.rows, cols = edge.cols;
-  const int arity = static_cast<int>(edge.dims.size());
   information.apply(edge.jacobian, cols, weighted);
   information.apply(edge.error, 1, weighted_error);
   double* v = weighted_error + rows;  // JᵀΩe, all vertices
@@ -67,58 +84,45 @@ void accumulate_any(const EdgeSystem& edge, const InformationView& information, 
     for (int k = 0; k < rows * cols; ++k) weighted[k] *= weight.first;
   }
   const AddProduct add = add_product_for(rows);
-  const std::uint32_t* pair = targets + arity;
-  for (int i = 0, column_i = 0; i < arity; column_i += edge.dims[static_cast<std::size_t>(i)], ++i) {
-    const int di = edge.dims[static_cast<std::size_t>(i)];
-    if (targets[i] != Scatter::kNowhere) {
-      for (int k = 0; k < di; ++k)
-        gradient[targets[i] + static_cast<std::uint32_t>(k)] += weight.first * v[column_i + k];
-    }
-    for (int j = 0, column_j = 0; j <= i; column_j += edge.dims[static_cast<std::size_t>(j)], ++j, ++pair) {
-      if (*pair == Scatter::kNowhere) continue;
-      const int dj = edge.dims[static_cast<std::size_t>(j)];
-      const bool transposed = (*pair & Scatter::kTransposed) != 0;
-      double* block = values + (*pair & ~Scatter::kTransposed);
-      add(edge.jacobian + column_i * rows, di, weighted + column_j * rows, dj, rows, transposed, block);
-      if (weight.second != 0)
-        add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
-    }
-  }
+  for_each_target(
+      edge, targets,
+      [&](int column, int dim, std::uint32_t target) {
+        for (int k = 0; k < dim; ++k)
+          gradient[target + static_cast<std::uint32_t>(k)] += weight.first * v[column + k];
+      },
+      [&](int column_i, int di, int column_j, int dj, bool transposed, std::uint32_t target) {
+        double* block = values + target;
+        add(edge.jacobian + column_i * rows, di, weighted + column_j * rows, dj, rows, transposed, block);
+        if (weight.second != 0)
+          add_rank_one(weight.second, v + column_i, di, v + column_j, dj, transposed, block);
+      });
 }
 
-/// Adds P = JᵀΩJ, of which `at(i, j)` is the block of the vertices i and j, where the targets say.
-void add_products(const EdgeSystem& edge, const double* products, int stride, const double* gradient_of_edge,
-                  const std::uint32_t* targets, double* values, double* gradient) {
-  const dense::KernelTable& kernels = dense::kernels();
-  const int arity = static_cast<int>(edge.dims.size());
-  const std::uint32_t* pair = targets + arity;
-  for (int i = 0, column_i = 0; i < arity; column_i += edge.dims[static_cast<std::size_t>(i)], ++i) {
-    const int di = edge.dims[static_cast<std::size_t>(i)];
-    if (targets[i] != Scatter::kNowhere)
-      kernels.add_block(gradient + targets[i], di, 1, gradient_of_edge + column_i, stride);
-    for (int j = 0, column_j = 0; j <= i; column_j += edge.dims[static_cast<std::size_t>(j)], ++j, ++pair) {
-      if (*pair == Scatter::kNowhere) continue;
-      const int dj = edge.dims[static_cast<std::size_t>(j)];
-      double* block = values + (*pair & ~Scatter::kTransposed);
-      if ((*pair & Scatter::kTransposed) == 0) {
-        kernels.add_block(block, di, dj, products + column_j * stride + column_i, stride);
-      } else {  // P is symmetric
-        kernels.add_block(block, dj, di, products + column_i * stride + column_j, stride);
-      }
-    }
-  }
-}
-
-/// The edge by the kernels for small ones.
+/// The edge by the kernels for small ones: all of P = JᵀΩJ at once, then its blocks.
 void accumulate_small(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                       const std::uint32_t* targets, double* values, double* gradient) {
+  static_assert(static_cast<int>(InformationKind::kScalar) == dense::EdgeNumbers::kScalar &&
+                static_cast<int>(InformationKind::kDiagonal) == dense::EdgeNumbers::kDiagonal &&
+                static_cast<int>(InformationKind::kFull) == dense::EdgeNumbers::kFull);
+  const dense::KernelTable& kernels = dense::kernels();
   double products[dense::kMostEdgeColumns * dense::kMostEdgeColumns],
       gradient_of_edge[dense::kMostEdgeColumns];
   const auto kind = static_cast<dense::EdgeNumbers::Kind>(information.kind);
-  const int stride = dense::kernels().normal_products(
+  const int stride = kernels.normal_products(
       {edge.rows, edge.cols, edge.jacobian, edge.error, kind, information.values, weight.first}, products,
       gradient_of_edge);
-  add_products(edge, products, stride, gradient_of_edge, targets, values, gradient);
+  for_each_target(
+      edge, targets,
+      [&](int column, int dim, std::uint32_t target) {
+        kernels.add_block(gradient + target, dim, 1, gradient_of_edge + column, stride);
+      },
+      [&](int column_i, int di, int column_j, int dj, bool transposed, std::uint32_t target) {
+        if (transposed) {  // P is symmetric
+          kernels.add_block(values + target, dj, di, products + column_i * stride + column_j, stride);
+        } else {
+          kernels.add_block(values + target, di, dj, products + column_j * stride + column_i, stride);
+        }
+      });
 }
 
 }  // namespace

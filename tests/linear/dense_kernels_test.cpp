@@ -166,6 +166,52 @@ TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
   }
 }
 
+TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
+  using dense::EdgeNumbers;
+  std::mt19937 random(7);
+  for (int rows = 1; rows <= dense::kMostEdgeRows; ++rows) {
+    for (int cols = 1; cols <= dense::kMostEdgeColumns; ++cols) {
+      const Matrix jacobian = random_matrix(rows, cols, random), error = random_matrix(rows, 1, random);
+      const Matrix root = random_matrix(rows, rows, random), full = root * root.transpose();
+      for (const auto kind : {EdgeNumbers::kScalar, EdgeNumbers::kDiagonal, EdgeNumbers::kFull}) {
+        std::vector<double> omega;
+        Matrix expected = Matrix::Zero(rows, rows);
+        for (int i = 0; i < rows; ++i) {
+          for (int j = i; j < rows; ++j) {
+            if (kind != EdgeNumbers::kFull && i != j) continue;
+            expected(i, j) = expected(j, i) = kind == EdgeNumbers::kScalar ? full(0, 0) : full(i, j);
+            if (kind != EdgeNumbers::kScalar || i == 0) omega.push_back(expected(i, j));
+          }
+        }
+        constexpr double kWeight = 0.75;
+        std::vector<double> products(dense::kMostEdgeColumns * dense::kMostEdgeColumns);
+        std::vector<double> gradient(dense::kMostEdgeColumns);
+        const int stride = dense::kernels().normal_products(
+            {rows, cols, jacobian.data(), error.data(), kind, omega.data(), kWeight}, products.data(),
+            gradient.data());
+        const Eigen::Map<const Matrix> all(products.data(), stride, cols);
+        expect_equal(all.topRows(cols), kWeight * jacobian.transpose() * expected * jacobian);
+        expect_equal(Eigen::Map<const Matrix>(gradient.data(), cols, 1),
+                     kWeight * jacobian.transpose() * expected * error);
+      }
+    }
+  }
+}
+
+TEST_P(DenseKernels, AddBlocksAndTouchNothingElse) {
+  std::mt19937 random(8);
+  for (int rows = 1; rows <= 9; ++rows) {
+    for (int cols = 1; cols <= 9; ++cols) {
+      const Matrix source = random_matrix(16, cols, random);
+      Matrix block = random_matrix(rows, cols + 1, random);
+      const Matrix before = block;
+      dense::kernels().add_block(block.data(), rows, cols, source.data(), 16);
+      expect_equal(block.leftCols(cols), before.leftCols(cols) + source.topRows(rows));
+      EXPECT_EQ(block.col(cols), before.col(cols));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(InstructionSets, DenseKernels, ::testing::ValuesIn(dense::usable_kernels()),
                          [](const auto& test) { return std::string(test.param->name); });
 
