@@ -47,7 +47,8 @@ int main() {
   graph.add_edge([](const auto& p) { return 1.0 - p[0]; }, x);
 
   // [run]
-  BatchSystem system(graph, PlanRequest{}, LinearSolverKind::kAutomatic, SchurMode::kAutomatic);
+  BatchSystem system(graph, PlanRequest{}, make_linear_solver(LinearSolverKind::kAutomatic),
+                     SchurMode::kAutomatic);
   Timings timings;
   system.configure(Options{}, timings);
   LineSearch algorithm;

@@ -14,7 +14,7 @@
 
 #include "datasets/ceres/ceres_peer.h"
 #include "datasets/open_blas.h"
-#include "linear/kernels/kernel_table.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus::bench {
 namespace {

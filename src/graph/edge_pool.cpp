@@ -8,6 +8,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/graph/error_function.h"
 #include "boxplus/graph/make_room.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 
@@ -33,21 +34,67 @@ EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity)
   if (run_time_arity) vertex_start_.push_back(0);
 }
 
+InformationKind EdgePool::informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
+                                       double* full) const {
+  const InformationKind kind = information(edges[0], rows).kind;
+  bool is_mixed = false;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const InformationView omega = information(edges[k], rows);
+    omegas[k] = omega.values;
+    is_mixed |= omega.kind != kind;
+  }
+  if (!is_mixed) return kind;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const InformationView omega = information(edges[k], rows);
+    omegas[k] = full;
+    for (int i = 0; i < rows; ++i) {
+      for (int j = i; j < rows; ++j) *full++ = omega(i, j);
+    }
+  }
+  return InformationKind::kFull;
+}
+
+/// chi2() of at most EdgeTile::kCapacity edges, where there is a kernel.
+bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const {
+  constexpr int kMostRows = dense::kMostEdgeRows, kMostNumbers = kMostRows * (kMostRows + 1) / 2;
+  double errors[EdgeTile::kCapacity * kMostRows], full[EdgeTile::kCapacity * kMostNumbers];
+  if (!errors_in_lanes(edges, errors)) return false;
+  const double* omegas[EdgeTile::kCapacity];
+  const int rows = shape(edges[0]).rows;
+  const InformationKind kind = informations(edges, rows, omegas, full);
+  dense::kernels().squared_norms(rows, static_cast<int>(edges.size()), errors,
+                                 static_cast<dense::EdgeNumbers::Kind>(kind), omegas, out);
+  return true;
+}
+
 void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
-  thread_local std::vector<double> errors_scratch;
-  constexpr std::size_t kBatch = 256;
-  for (std::size_t first = 0; first < edges.size(); first += kBatch) {
-    const auto batch = edges.subspan(first, std::min(kBatch, edges.size() - first));
-    std::size_t rows = 0;
-    for (std::uint32_t edge : batch) rows += static_cast<std::size_t>(shape(edge).rows);
-    if (errors_scratch.size() < rows) errors_scratch.resize(rows);
-    errors(batch, errors_scratch.data());
-    const double* e = errors_scratch.data();
+  constexpr std::size_t kRoom = 512;  // numbers; only a single edge may need more
+  double room[kRoom];
+  std::vector<double> more;
+  for (std::size_t first = 0; first < edges.size();) {
+    const auto tile = edges.subspan(first, std::min<std::size_t>(edges.size() - first, EdgeTile::kCapacity));
+    if (chi2_in_lanes(tile, out)) {
+      first += tile.size();
+      out += tile.size();
+      continue;
+    }
+    std::size_t last = first, rows = 0;
+    while (last < edges.size()) {
+      const auto of_edge = static_cast<std::size_t>(shape(edges[last]).rows);
+      if (last > first && rows + of_edge > kRoom) break;
+      rows += of_edge;
+      ++last;
+    }
+    if (rows > kRoom) more.resize(rows);
+    double* e = rows > kRoom ? more.data() : room;
+    const auto batch = edges.subspan(first, last - first);
+    errors(batch, e);
     for (std::uint32_t edge : batch) {
       const InformationView omega = information(edge);
       *out++ = omega.squared_norm(e);
       e += omega.rows;
     }
+    first = last;
   }
 }
 

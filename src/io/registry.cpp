@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "boxplus/base/thread_scratch.h"
+
 namespace boxplus {
 namespace {
 
@@ -20,7 +22,7 @@ bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const Verte
 }  // namespace
 
 std::span<double> read_triangle(FieldReader& in, int rows) {
-  thread_local std::vector<double> values;
+  auto& values = thread_scratch<std::vector<double>, struct Triangle>();
   values.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2);
   for (double& value : values) value = in.number("an entry of the information matrix");
   return values;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "linear/kernels/kernel_table.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 namespace {

@@ -8,6 +8,7 @@
 #include "boxplus/base/parallel.h"
 #include "linearize/accumulate.h"
 #include "linearize/pairwise_sum.h"
+#include "linearize/tile_memory.h"
 
 namespace boxplus {
 namespace {
@@ -62,20 +63,14 @@ Linearizer::Linearizer(const Graph& graph, const Plan& plan)
       plan_(&plan),
       values_(plan.structure.nonzero_values()),
       gradient_(plan.scalars()),
-      edge_chi2_(plan.edge_count),
-      memory_(plan.chunks.size()) {
-  const auto values = static_cast<std::size_t>(plan.max_tile_values);
-  const auto rows = static_cast<std::size_t>(plan.max_tile_rows);
-  if (memory_.empty()) memory_.resize(1);
-  for (TileMemory& memory : memory_) {
-    memory.error.resize(rows);
-    memory.jacobian.resize(values);
-    memory.weighted.resize(values);
-    memory.weighted_error.resize(values + rows);
-    memory.edges.reserve(EdgeTile::kCapacity);
-    memory.positions.reserve(EdgeTile::kCapacity);
+      edge_chi2_(plan.edge_count) {
+  for (std::size_t k = 0; k < std::max<std::size_t>(plan.chunks.size(), 1); ++k) {
+    memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
+                         static_cast<std::size_t>(plan.max_tile_rows));
   }
 }
+
+Linearizer::~Linearizer() = default;
 
 void Linearizer::linearize(const LinearizeOptions& options) {
   parallel_tasks(workers(), [&](int worker) {
@@ -97,40 +92,46 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
 void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                                const LinearizeOptions& options) {
   const EdgePool& pool = *graph_->edge_pools()[scatter.pool];
-  std::vector<int>& dims = memory.dims;
-  vertex_dims(*graph_, pool, scatter.edges[run.begin], dims);
+  vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
   const bool uniform = pool.uniform_shape();
-  const auto capacity = uniform
-                            ? static_cast<std::size_t>(tile_capacity(pool.shape(scatter.edges[run.begin])))
-                            : std::size_t{1};
-  const std::uint32_t stride = Scatter::targets_of(static_cast<int>(dims.size()));
+  const EdgeShape shape = pool.shape(scatter.edges[run.begin]);
+  const std::size_t capacity = uniform ? static_cast<std::size_t>(tile_capacity(shape)) : 1;
+  const bool by_lanes = capacity >= EdgeTile::kLanes && !options.triggs_correction &&
+                        memory.lanes.choose(shape.rows, memory.dims);
   EdgeTile tile;
   tile.error = memory.error.data();
   tile.jacobian = memory.jacobian.data();
   for (std::uint32_t next = run.begin; next < run.end;) {
     memory.edges.clear();
-    memory.positions.clear();
+    memory.targets.clear();
     for (; next < run.end && memory.edges.size() < capacity; ++next) {
       if (!pool.enabled(scatter.edges[next])) continue;
       memory.edges.push_back(scatter.edges[next]);
-      memory.positions.push_back(next);
+      memory.targets.push_back(scatter.targets_of_edge(next, static_cast<int>(memory.dims.size())));
     }
     if (memory.edges.empty()) continue;
+    tile.in_lanes = by_lanes;
     pool.linearize(memory.edges, tile, options.numeric_jacobians);
-    if (!uniform) vertex_dims(*graph_, pool, memory.edges[0], dims);
-    for (std::size_t k = 0; k < memory.edges.size(); ++k) {
-      const std::uint32_t position = memory.positions[k];
-      const std::uint32_t start =
-          scatter.target_start.empty() ? position * stride : scatter.target_start[position];
-      const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
-      const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
-      const InformationView omega = pool.information(memory.edges[k], tile.rows);
-      const RobustKernel* kernel = pool.kernel(memory.edges[k]);
-      const EdgeWeight weight =
-          kernel ? edge_weight(kernel, omega.squared_norm(error), options.triggs_correction) : EdgeWeight{};
-      accumulate({tile.rows, tile.cols, dims, error, jacobian}, omega, weight, scatter.targets.data() + start,
-                 values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
+    if (by_lanes) {
+      memory.lanes.add(pool, memory.edges, tile, memory.targets, values_.data(), gradient_.data());
+    } else {
+      if (!uniform) vertex_dims(*graph_, pool, memory.edges[0], memory.dims);
+      add_one_by_one(pool, tile, memory, options.triggs_correction);
     }
+  }
+}
+
+void Linearizer::add_one_by_one(const EdgePool& pool, const EdgeTile& tile, TileMemory& memory,
+                                bool triggs_correction) {
+  for (std::size_t k = 0; k < memory.edges.size(); ++k) {
+    const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
+    const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
+    const InformationView omega = pool.information(memory.edges[k], tile.rows);
+    const RobustKernel* kernel = pool.kernel(memory.edges[k]);
+    const EdgeWeight weight =
+        kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
+    accumulate({tile.rows, tile.cols, memory.dims, error, jacobian}, omega, weight, memory.targets[k],
+               values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
   }
 }
 

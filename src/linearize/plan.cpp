@@ -206,7 +206,8 @@ class ChunkBuilder {
 int tile_capacity(const EdgeShape& shape) {
   constexpr int kTileBytes = 16 * 1024;
   const int bytes = std::max(1, shape.rows * (shape.cols + 1)) * static_cast<int>(sizeof(double));
-  return std::clamp(kTileBytes / bytes, 1, EdgeTile::kCapacity);
+  const int capacity = std::clamp(kTileBytes / bytes, 1, EdgeTile::kCapacity);
+  return capacity < EdgeTile::kLanes ? capacity : capacity / EdgeTile::kLanes * EdgeTile::kLanes;
 }
 
 Plan make_plan(const Graph& graph, const PlanRequest& request) {

@@ -2,6 +2,7 @@
 #include "boxplus/optimize/batch_system.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "optimize/stopwatch.h"
 #include "optimize/vector_math.h"
@@ -22,13 +23,13 @@ constexpr double kDiagonalFloor = 1e-12;
 
 }  // namespace
 
-BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur,
-                         std::uint64_t max_factor_bytes)
+BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
+                         SchurMode schur, std::uint64_t max_factor_bytes)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
-      solver_(make_linear_solver(solver)) {
+      solver_(std::move(solver)) {
   const AnalyzeHints hints{
       .right_hand_sides = 1, .threads = request.threads, .last = {}, .max_factor_bytes = max_factor_bytes};
   if (plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks()) {

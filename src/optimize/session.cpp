@@ -23,6 +23,7 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   session->threads_ = resolved_threads(options);
   session->gauge_ = options.gauge;
   session->solver_ = options.linear_solver;
+  session->own_solver_ = options.own_linear_solver;
   session->schur_ = options.schur;
   session->max_factor_bytes_ = options.max_factor_bytes;
   session->vertices_ = options.vertices;
@@ -34,6 +35,8 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
 }
 
 bool Session::fits(const Graph& graph, const Options& options) const {
+  // An own solver may have served another graph since.
+  if (own_solver_ || options.own_linear_solver) return false;
   return revision_ == graph.revision() && level_ == options.level && threads_ == resolved_threads(options) &&
          gauge_ == options.gauge && solver_ == options.linear_solver && schur_ == options.schur &&
          max_factor_bytes_ == options.max_factor_bytes && vertices_ == options.vertices &&
@@ -43,7 +46,9 @@ bool Session::fits(const Graph& graph, const Options& options) const {
 void Session::plan(Graph& graph) {
   const PlanRequest request{level_, vertices_, edges_, gauge_, released_, threads_};
   system_.reset();
-  system_ = std::make_unique<BatchSystem>(graph, request, solver_, schur_, max_factor_bytes_);
+  system_ = std::make_unique<BatchSystem>(
+      graph, request, own_solver_ ? own_solver_ : std::shared_ptr(make_linear_solver(solver_)), schur_,
+      max_factor_bytes_);
 }
 
 void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {

@@ -35,6 +35,7 @@ class Session final : public Graph::Cache {
   int level_ = 0, threads_ = 1;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   LinearSolverKind solver_ = LinearSolverKind::kAutomatic;
+  std::shared_ptr<LinearSolver> own_solver_;
   SchurMode schur_ = SchurMode::kAutomatic;
   std::uint64_t max_factor_bytes_ = 0;
   std::vector<VertexRef> vertices_, released_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "boxplus/autodiff/numeric.h"
+#include "boxplus/base/thread_scratch.h"
 #include "boxplus/graph/error_function.h"
 
 namespace boxplus::edge {
@@ -44,7 +45,7 @@ boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
     return Manifold<boxplus::Rebind<T, S>>::oplus(lifted, delta.data());
   };
   if constexpr (kDim == kDynamic) {
-    thread_local std::vector<S> delta;
+    auto& delta = thread_scratch<std::vector<S>, struct LiftedDelta>();
     delta.resize(static_cast<std::size_t>(dim));
     return seed(delta);
   } else {

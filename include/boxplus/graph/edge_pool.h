@@ -25,12 +25,18 @@ struct EdgeShape {
 };
 
 /// Errors and Jacobians of a few edges of one shape, in memory that one worker owns and that stays in cache.
+///
+/// Both blocks of edge k, of n = rows or rows · cols numbers, lie at k · n; or, where the tile is `in_lanes`,
+/// number m of edge k lies at ((k / kLanes) · n + m) · kLanes + k % kLanes, so that kLanes edges are worked
+/// on at a time.
 struct EdgeTile {
-  static constexpr int kCapacity = 64;
+  static constexpr int kCapacity = 64, kLanes = 8;
   int count = 0, rows = 0, cols = 0;
-  double* error = nullptr;     ///< edge k: rows numbers at error + k·rows; not whitened
-  double* jacobian = nullptr;  ///< edge k: rows × cols, column-major, at jacobian + k·rows·cols; the columns
-                               ///< of its vertices in order
+  double* error = nullptr;     ///< not whitened
+  double* jacobian = nullptr;  ///< rows × cols, column-major; the columns of its vertices in order
+  /// Set before linearize() where the reader takes lanes, too; then by linearize() where it wrote lanes. The
+  /// last lanes of a tile that is not full are copies of its last edge.
+  bool in_lanes = false;
 };
 
 /// Where Jacobians come from.
@@ -49,11 +55,16 @@ class EdgePool {
   /// The errors of the listed edges, one after the other.
   virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
   /// eᵀΩe per listed edge, before any robust kernel.
-  virtual void chi2(std::span<const std::uint32_t> edges, double* out) const;
+  void chi2(std::span<const std::uint32_t> edges, double* out) const;
   /// Fills count, rows, cols, error and jacobian for the listed edges (at most EdgeTile::kCapacity, of one
   /// shape). May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
+  /// The errors of the listed edges in lanes (EdgeTile); false, and nothing done, where there is no kernel
+  /// that evaluates several edges of this type at a time.
+  virtual bool errors_in_lanes(std::span<const std::uint32_t> /*edges*/, double* /*out*/) const {
+    return false;
+  }
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
@@ -85,6 +96,10 @@ class EdgePool {
   InformationView information(std::uint32_t edge) const { return information(edge, shape(edge).rows); }
   /// The same where the caller knows the number of rows.
   InformationView information(std::uint32_t edge, int rows) const { return information_.view(edge, rows); }
+  /// Where the numbers of each listed edge's Ω lie, all of the kind that is returned: where they differ, in
+  /// full, written to `full`, which has room for rows (rows + 1) / 2 numbers per edge.
+  InformationKind informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
+                               double* full) const;
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
 
  protected:
@@ -106,6 +121,7 @@ class EdgePool {
   }
   enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
 
+  bool chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const;
   std::size_t find_free(std::size_t arity) const;
   void append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
   void remove(std::uint32_t edge);

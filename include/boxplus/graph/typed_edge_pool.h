@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/base/thread_scratch.h"
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/graph/edge_pool.h"
 #include "boxplus/graph/make_room.h"
@@ -16,6 +17,13 @@
 #include "boxplus/graph/typed_vertex_pool.h"
 
 namespace boxplus {
+
+/// Specialised for edge types that the library has a kernel for, which linearises several edges at a time
+/// (types/between.h).
+template <class E, class... V>
+struct LaneKernel {
+  static constexpr bool kExists = false;
+};
 
 template <class E, class... V>
 requires EdgeType<E, V...>
@@ -110,6 +118,15 @@ class TypedEdgePool final : public EdgePool {
     tile.count = static_cast<int>(edges.size());
     tile.rows = first.rows;
     tile.cols = first.cols;
+    if constexpr (LaneKernel<E, V...>::kExists) {
+      if (tile.in_lanes && !force_numeric) {
+        with_lane_sources(edges, [&](const auto&... sources) {
+          LaneKernel<E, V...>::linearize(tile.count, sources..., tile.error, tile.jacobian);
+        });
+        return;
+      }
+    }
+    tile.in_lanes = false;
     double* error = tile.error;
     double* jacobian = tile.jacobian;
     for (std::uint32_t edge : edges) {
@@ -117,6 +134,15 @@ class TypedEdgePool final : public EdgePool {
       error += first.rows;
       jacobian += static_cast<std::ptrdiff_t>(first.rows) * first.cols;
     }
+  }
+
+  bool errors_in_lanes(std::span<const std::uint32_t> edges, double* out) const override {
+    if constexpr (LaneKernel<E, V...>::kExists) {
+      with_lane_sources(edges, [&](const auto&... sources) {
+        LaneKernel<E, V...>::linearize(static_cast<int>(edges.size()), sources..., out, nullptr);
+      });
+    }
+    return LaneKernel<E, V...>::kExists;
   }
 
   bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {
@@ -149,7 +175,7 @@ class TypedEdgePool final : public EdgePool {
   Loaded<A> load(std::span<const std::uint32_t> slots) const {
     const auto& pool = *std::get<I>(pools_);
     if constexpr (kIsTail<A>) {
-      thread_local std::vector<edge::ElementOf<A>> gathered;
+      auto& gathered = thread_scratch<std::vector<edge::ElementOf<A>>, struct GatheredTail>();
       gathered.clear();
       for (std::uint32_t slot : slots.subspan(I)) gathered.push_back(pool.value(slot));
       return {gathered.data(), gathered.size()};
@@ -169,6 +195,24 @@ class TypedEdgePool final : public EdgePool {
   template <class F>
   decltype(auto) with_arguments(std::uint32_t edge, F&& f) const {
     return with_slots(vertex_slots(edge), std::forward<F>(f));
+  }
+
+  /// f of where the numbers of each edge lie, and those of its vertices: an array per position.
+  template <class F>
+  void with_lane_sources(std::span<const std::uint32_t> edges, F&& f) const {
+    std::array<const double*, EdgeTile::kCapacity> sources[kArguments + 1];
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto slots = vertex_slots(edges[k]);
+      sources[0][k] = LaneKernel<E, V...>::numbers(edges_[edges[k]]);
+      [&]<std::size_t... I>(std::index_sequence<I...>) {
+        ((sources[I + 1][k] = std::get<I>(pools_)->value(slots[I]).data()), ...);
+      }
+      (Indices{});
+    }
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      f(sources[0].data(), sources[I + 1].data()...);
+    }
+    (Indices{});
   }
 
   int rows(std::uint32_t edge) const {

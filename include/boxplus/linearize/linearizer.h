@@ -11,6 +11,8 @@
 
 namespace boxplus {
 
+struct TileMemory;
+
 struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   /// Adds the second-order term of Triggs et al. ("Bundle adjustment: a modern synthesis", 2000, §4.3) for
@@ -27,6 +29,7 @@ struct LinearizeOptions {
 class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
+  ~Linearizer();
 
   void linearize(const LinearizeOptions& options);
   /// Σ ρ(eᵀΩe) over the active, enabled edges; not finite where an edge's is not.
@@ -44,15 +47,10 @@ class Linearizer {
   int workers() const { return static_cast<int>(plan_->chunks.size()); }
 
  private:
-  struct TileMemory {
-    std::vector<double> error, jacobian, weighted, weighted_error;
-    std::vector<std::uint32_t> edges, positions;
-    std::vector<int> dims;
-  };
-
   void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
   void linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                      const LinearizeOptions& options);
+  void add_one_by_one(const EdgePool& pool, const EdgeTile& tile, TileMemory& memory, bool triggs_correction);
   void evaluate_share(int worker, int workers);
 
   const Graph* graph_;

@@ -54,6 +54,10 @@ struct Scatter {
   std::vector<std::uint32_t> targets;
   std::vector<std::uint32_t> target_start;  ///< per edge; empty where all have one arity
 
+  /// The targets of the edge at `position`, which has `arity` vertices.
+  const std::uint32_t* targets_of_edge(std::uint32_t position, int arity) const {
+    return targets.data() + (target_start.empty() ? position * targets_of(arity) : target_start[position]);
+  }
   static std::uint32_t targets_of(int arity) {
     return static_cast<std::uint32_t>(arity + arity * (arity + 1) / 2);
   }

@@ -14,6 +14,8 @@ namespace boxplus {
 
 /// A pose (x, y, θ) with θ in (−π, π]. A heading in that range is kept bit for bit.
 /// T_world_body * p_body = p_world. Tangent: (Δx, Δy, Δθ) in the body frame.
+/// The cosine and sine of θ are kept with it: they are taken once per estimate, and products of poses and
+/// points need no trigonometric function.
 template <class S>
 class BasicSE2 {
  public:
@@ -21,8 +23,13 @@ class BasicSE2 {
   static constexpr std::string_view kName = "SE2";
 
   /// The identity.
-  BasicSE2() : coefficients_{S(0), S(0), S(0)} {}
-  BasicSE2(const S& x, const S& y, const S& theta) : coefficients_{x, y, normalize_angle(theta)} {}
+  BasicSE2() : coefficients_{S(0), S(0), S(0), S(1), S(0)} {}
+  BasicSE2(const S& x, const S& y, const S& theta) : BasicSE2(x, y, theta, S(1), S(0)) {
+    using std::cos;
+    using std::sin;
+    coefficients_[3] = cos(coefficients_[2]);
+    coefficients_[4] = sin(coefficients_[2]);
+  }
   template <class Derived>
   BasicSE2(const Eigen::MatrixBase<Derived>& translation, const S& theta)
       : BasicSE2(S(translation[0]), S(translation[1]), theta) {}
@@ -36,71 +43,69 @@ class BasicSE2 {
   const S& x() const { return coefficients_[0]; }
   const S& y() const { return coefficients_[1]; }
   const S& theta() const { return coefficients_[2]; }
-  /// x y θ, contiguous.
+  const S& cos_theta() const { return coefficients_[3]; }
+  const S& sin_theta() const { return coefficients_[4]; }
+  /// x y θ and its cosine and sine, contiguous.
   const S* data() const { return coefficients_.data(); }
 
   /// (x, y, θ): t2v in the document.
   Vector<S, 3> vector() const { return {x(), y(), theta()}; }
   Vector<S, 2> translation() const { return {x(), y()}; }
   Matrix<S, 2, 2> rotation() const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
+    const S &c = cos_theta(), &s = sin_theta();
     Matrix<S, 2, 2> r;
     r << c, -s, s, c;
     return r;
   }
 
   BasicSE2 inverse() const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
-    return {-(c * x() + s * y()), s * x() - c * y(), -theta()};
+    const S &c = cos_theta(), &s = sin_theta();
+    return {-(c * x() + s * y()), s * x() - c * y(), -theta(), c, -s};
   }
 
   /// Composition.
   template <class T>
   BasicSE2<Promoted<S, T>> operator*(const BasicSE2<T>& b) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
-    return {x() + (c * b.x() - s * b.y()), y() + (s * b.x() + c * b.y()), theta() + b.theta()};
+    const S &c = cos_theta(), &s = sin_theta();
+    return {x() + (c * b.x() - s * b.y()), y() + (s * b.x() + c * b.y()), theta() + b.theta(),
+            c * b.cos_theta() - s * b.sin_theta(), s * b.cos_theta() + c * b.sin_theta()};
   }
   /// The point p of the body frame, in the frame of the pose.
   template <class Derived>
   Vector<Promoted<S, typename Derived::Scalar>, 2> operator*(const Eigen::MatrixBase<Derived>& p) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
+    const S &c = cos_theta(), &s = sin_theta();
     return {x() + (c * p[0] - s * p[1]), y() + (s * p[0] + c * p[1])};
   }
 
   /// inverse() * b with one rotation less.
   template <class T>
   BasicSE2<Promoted<S, T>> inverse_times(const BasicSE2<T>& b) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
+    const S &c = cos_theta(), &s = sin_theta();
     const Promoted<S, T> dx = b.x() - x(), dy = b.y() - y();
-    return {c * dx + s * dy, c * dy - s * dx, b.theta() - theta()};
+    return {c * dx + s * dy, c * dy - s * dx, b.theta() - theta(), c * b.cos_theta() + s * b.sin_theta(),
+            c * b.sin_theta() - s * b.cos_theta()};
   }
   /// inverse() * p for a point p.
   template <class Derived>
   Vector<Promoted<S, typename Derived::Scalar>, 2> inverse_times(const Eigen::MatrixBase<Derived>& p) const {
-    using std::cos;
-    using std::sin;
-    const S c = cos(theta()), s = sin(theta());
+    const S &c = cos_theta(), &s = sin_theta();
     const Promoted<S, typename Derived::Scalar> dx = p[0] - x(), dy = p[1] - y();
     return {c * dx + s * dy, c * dy - s * dx};
   }
 
   template <class T>
   BasicSE2<T> cast() const {
-    return {T(x()), T(y()), T(theta())};
+    return {T(x()), T(y()), T(theta()), T(cos_theta()), T(sin_theta())};
   }
 
  private:
-  std::array<S, 3> coefficients_;
+  template <class T>
+  friend class BasicSE2;
+  /// For a heading whose cosine and sine are known.
+  BasicSE2(const S& x, const S& y, const S& theta, const S& cos_theta, const S& sin_theta)
+      : coefficients_{x, y, normalize_angle(theta), cos_theta, sin_theta} {}
+
+  std::array<S, 5> coefficients_;
 };
 
 using SE2 = BasicSE2<double>;
@@ -115,9 +120,7 @@ struct Manifold<BasicSE2<S>> {
 
   template <class D>
   static BasicSE2<Promoted<S, D>> oplus(const BasicSE2<S>& x, const D* delta) {
-    using std::cos;
-    using std::sin;
-    const S c = cos(x.theta()), s = sin(x.theta());
+    const S &c = x.cos_theta(), &s = x.sin_theta();
     return {x.x() + (c * delta[0] - s * delta[1]), x.y() + (s * delta[0] + c * delta[1]),
             x.theta() + delta[2]};
   }

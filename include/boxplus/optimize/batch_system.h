@@ -16,7 +16,7 @@ namespace boxplus {
 class BatchSystem final : public System {
  public:
   /// Makes the plan and all memory. `graph` must outlive it and keep its structure.
-  BatchSystem(Graph& graph, const PlanRequest& request, LinearSolverKind solver, SchurMode schur,
+  BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver, SchurMode schur,
               std::uint64_t max_factor_bytes = 0);
 
   /// Takes what may differ from run to run from `options`, adds times to `timings` from now on, and stops
@@ -56,7 +56,7 @@ class BatchSystem final : public System {
   AssembledSystem assembled_;
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::shared_ptr<LinearSolver> solver_;
   std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_,
       reduced_step_;
   std::uint32_t failed_block_ = 0;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -61,6 +62,8 @@ struct IterationRecord {
 struct Options {
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
+  /// A solver of your own, instead. Each call has it analyse anew; one optimize() at a time may use it.
+  std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;
   GaugePolicy gauge = GaugePolicy::kFixFirst;
   SchurMode schur = SchurMode::kAutomatic;

@@ -2,8 +2,10 @@
 // The relative measurement between two vertices of one type: Between(SE2(1, 0, 0)).
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
+#include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/types/pose_math.h"
 #include "boxplus/types/slam2d/between_jacobians.h"
 #include "boxplus/types/slam3d/between_jacobians.h"
@@ -40,6 +42,24 @@ struct Between {
 
   RelativeFrame relative_frame(const T&, const T&) const requires FrameType<T> {
     return relative_pose(0, 1, measurement);
+  }
+};
+
+/// What the kernels do for Between<SE2> and Between<SE3>: errors and, unless `jacobian` is null, Jacobians in
+/// lanes. The arguments point to the numbers of each edge's measurement and poses.
+void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
+                       const double* const* from, const double* const* to, double* error, double* jacobian);
+void linearize_between(std::type_identity<SE3>, int count, const double* const* measurement,
+                       const double* const* from, const double* const* to, double* error, double* jacobian);
+
+template <class T>
+requires std::is_same_v<T, SE2> || std::is_same_v<T, SE3>
+struct LaneKernel<Between<T>, T, T> {
+  static constexpr bool kExists = true;
+  static const double* numbers(const Between<T>& edge) { return edge.measurement.data(); }
+  static void linearize(int count, const double* const* measurement, const double* const* from,
+                        const double* const* to, double* error, double* jacobian) {
+    linearize_between(std::type_identity<T>(), count, measurement, from, to, error, jacobian);
   }
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "linear/kernels/dense_kernels.h"
+#include "kernels/dense_kernels.h"
 
 namespace boxplus {
 namespace {

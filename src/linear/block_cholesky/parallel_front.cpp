@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "boxplus/base/parallel.h"
-#include "linear/kernels/dense_kernels.h"
+#include "kernels/dense_kernels.h"
 
 namespace boxplus {
 namespace {

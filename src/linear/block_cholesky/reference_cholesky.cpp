@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/block_cholesky/reference_cholesky.h"
 
-#include "linear/kernels/dense_reference.h"
+#include "kernels/dense_reference.h"
 
 namespace boxplus {
 

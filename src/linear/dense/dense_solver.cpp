@@ -5,9 +5,9 @@
 #include <string>
 
 #include "boxplus/base/error.h"
+#include "kernels/dense_kernels.h"
 #include "linear/column_inverse.h"
 #include "linear/finite_check.h"
-#include "linear/kernels/dense_kernels.h"
 #include "linear/lost_pivot.h"
 
 namespace boxplus {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "boxplus/base/error.h"
+#include "kernels/dense_kernels.h"
 #include "linear/finite_check.h"
-#include "linear/kernels/dense_kernels.h"
 #include "linear/lost_pivot.h"
 
 namespace boxplus {

@@ -15,8 +15,8 @@ namespace boxplus {
 template <class A, class B>
 void between_jacobians(const SE2& z, const SE2& xi, const SE2& xj, A& J_i, B& J_j) {
   const SE2 a = xi.inverse_times(xj);
-  const double cz = std::cos(z.theta()), sz = std::sin(z.theta());
-  const double c = std::cos(a.theta() - z.theta()), s = std::sin(a.theta() - z.theta());
+  const double cz = z.cos_theta(), sz = z.sin_theta();
+  const double c = cz * a.cos_theta() + sz * a.sin_theta(), s = cz * a.sin_theta() - sz * a.cos_theta();
   J_i << -cz, -sz, cz * a.y() - sz * a.x(),  //
       sz, -cz, -sz * a.y() - cz * a.x(),     //
       0, 0, -1;

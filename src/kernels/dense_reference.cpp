@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/kernels/dense_reference.h"
+#include "kernels/dense_reference.h"
 
 #include <cmath>
 

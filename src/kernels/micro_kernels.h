@@ -2,7 +2,7 @@
 // Register tiles: a few packs of rows times a strip of columns, accumulated over k.
 #pragma once
 
-#include "linear/kernels/simd_pack.h"
+#include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 

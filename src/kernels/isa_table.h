@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Included once per instruction set, by isa_….cpp.
-#include "linear/kernels/kernel_table.h"
-#include "linear/kernels/normal_kernels.h"
-#include "linear/kernels/panel_kernels.h"
-#include "linear/kernels/vector_kernels.h"
+#include "kernels/between_lanes.h"
+#include "kernels/edge_lanes.h"
+#include "kernels/kernel_table.h"
+#include "kernels/normal_kernels.h"
+#include "kernels/panel_kernels.h"
+#include "kernels/vector_kernels.h"
 
 #define BOXPLUS_TEXT(word) #word
 #define BOXPLUS_TEXT_OF(macro) BOXPLUS_TEXT(macro)
@@ -21,6 +23,11 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          solve_forward,
                          solve_backward,
                          normal_products<1>,
-                         add_block};
+                         add_block,
+                         add_edges_for,
+                         to_lanes,
+                         squared_norms,
+                         between_se2,
+                         between_se3};
 
 }  // namespace boxplus::dense::BOXPLUS_ISA

@@ -2,6 +2,7 @@
 // The dense kernels, compiled once per instruction set; which are used is chosen when the program starts.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 namespace boxplus::dense {
@@ -18,6 +19,34 @@ struct EdgeNumbers {
   Kind kind;
   const double* omega;
   double weight;  ///< that Ω is multiplied with
+};
+
+/// Edges that are worked on side by side: number m of the block of edge k, of n numbers, lies at
+/// ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
+inline constexpr int kTileLanes = 8;
+
+/// Where a binary edge goes: the offsets of both vertices in the gradient, then those of H_ii, H_ji and H_jj
+/// among the values. kTransposedTarget says that H_ij is stored in place of H_ji.
+inline constexpr int kBinaryTargets = 5;
+inline constexpr std::uint32_t kNoTarget = 0xFFFFFFFFu, kTransposedTarget = 0x80000000u;
+
+/// Binary edges of one shape.
+struct EdgeLanes {
+  int count;
+  const double *jacobian, *error;  // in lanes
+  EdgeNumbers::Kind kind;
+  const double* const* omega;           // of each edge
+  const double* weight;                 // of each edge; null: 1
+  const std::uint32_t* const* targets;  // kBinaryTargets, of each edge
+  double *values, *gradient;
+};
+/// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
+using AddEdges = void (*)(const EdgeLanes& edges);
+
+/// Edges that measure one pose from another: pointers to the numbers of each.
+struct PosePairs {
+  int count;
+  const double *const *measurement, *const *from, *const *to;
 };
 
 /// One set of kernels; dense_kernels.h says what they do.
@@ -40,6 +69,16 @@ struct KernelTable {
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
   /// block += source; the block is rows × cols and dense, the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
+  /// The kernel for binary edges of these sizes, or null where there is none.
+  AddEdges (*add_edges_for)(int rows, int dim_i, int dim_j);
+  /// Puts blocks of `size` numbers that lie edge after edge into lanes; the last lanes repeat the last edge.
+  void (*to_lanes)(const double* edges, int size, int count, double* lanes);
+  /// out[k] = eᵀΩe of edge k, of 3 or 6 rows. `error` in lanes; all Ω of one kind.
+  void (*squared_norms)(int rows, int count, const double* error, EdgeNumbers::Kind kind,
+                        const double* const* omega, double* out);
+  /// Errors and, unless `jacobian` is null, Jacobians of Between<SE2> (<SE3>) in lanes.
+  void (*between_se2)(const PosePairs& edges, double* error, double* jacobian);
+  void (*between_se3)(const PosePairs& edges, double* error, double* jacobian);
 };
 
 /// The sets that this processor can run, the best one last.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/kernels/kernel_table.h"
+#include "kernels/kernel_table.h"
 
 #include <cstdlib>
 #include <string_view>
 
-#include "linear/kernels/dense_kernels.h"
+#include "kernels/dense_kernels.h"
 
 namespace boxplus::dense {
 namespace {

@@ -2,8 +2,8 @@
 // JᵀΩJ and JᵀΩe of one small edge.
 #pragma once
 
-#include "linear/kernels/kernel_table.h"
-#include "linear/kernels/simd_pack.h"
+#include "kernels/kernel_table.h"
+#include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 

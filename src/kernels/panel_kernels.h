@@ -5,8 +5,8 @@
 #include <cfloat>
 #include <cmath>
 
-#include "linear/kernels/dense_kernels.h"
-#include "linear/kernels/micro_kernels.h"
+#include "kernels/dense_kernels.h"
+#include "kernels/micro_kernels.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 

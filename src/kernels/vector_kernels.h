@@ -2,7 +2,7 @@
 // Triangular solves with one right-hand side: bound by reading L, four columns at a time.
 #pragma once
 
-#include "linear/kernels/simd_pack.h"
+#include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 

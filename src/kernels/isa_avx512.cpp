@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define BOXPLUS_ISA avx512
-#include "linear/kernels/isa_table.h"
+#include "kernels/isa_table.h"

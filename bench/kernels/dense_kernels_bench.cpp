@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "linear/kernels/dense_kernels.h"
-#include "linear/kernels/kernel_table.h"
+#include "kernels/dense_kernels.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 namespace {

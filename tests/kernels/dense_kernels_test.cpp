@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linear/kernels/dense_kernels.h"
+#include "kernels/dense_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "linear/kernels/dense_reference.h"
-#include "linear/kernels/kernel_table.h"
+#include "kernels/dense_reference.h"
+#include "kernels/every_isa.h"
+#include "kernels/kernel_table.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -49,15 +50,7 @@ void expect_equal(const Matrix& fast, const Matrix& slow) {
   EXPECT_LE((fast - slow).cwiseAbs().maxCoeff(), kTolerance * (1 + slow.cwiseAbs().maxCoeff()));
 }
 
-/// Each test runs for every set of kernels that this processor can run.
-class DenseKernels : public ::testing::TestWithParam<const dense::KernelTable*> {
- protected:
-  void SetUp() override { dense::use_kernels(*GetParam()); }
-  void TearDown() override { dense::use_kernels(*before_); }
-
- private:
-  const dense::KernelTable* before_ = &dense::kernels();
-};
+class DenseKernels : public EveryIsa {};
 
 TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
   std::mt19937 random(1);
@@ -213,7 +206,7 @@ TEST_P(DenseKernels, AddBlocksAndTouchNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, DenseKernels, ::testing::ValuesIn(dense::usable_kernels()),
-                         [](const auto& test) { return std::string(test.param->name); });
+                         name_of_isa);
 
 }  // namespace
 }  // namespace boxplus

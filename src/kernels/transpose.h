@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From numbers that lie one element after the other to packs that hold one number of several elements, and
+// back.
+#pragma once
+
+#include "kernels/simd_pack.h"
+
+namespace boxplus::dense::BOXPLUS_ISA {
+
+/// Pack r, lane l ⇄ pack l, lane r.
+inline void transpose(Pack (&p)[kLanes]) {
+#if defined(__AVX512F__)
+  Pack pairs[8], quads[8];
+#pragma GCC unroll 4
+  for (int r = 0; r < 8; r += 2) {
+    pairs[r] = _mm512_unpacklo_pd(p[r], p[r + 1]);
+    pairs[r + 1] = _mm512_unpackhi_pd(p[r], p[r + 1]);
+  }
+  constexpr int kEven = 0x88, kOdd = 0xdd;  // the 128-bit parts 0 2 0 2, and 1 3 1 3
+#pragma GCC unroll 2
+  for (int odd = 0; odd < 2; ++odd) {
+    quads[odd] = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], kEven);
+    quads[odd + 2] = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], kOdd);
+    quads[odd + 4] = _mm512_shuffle_f64x2(pairs[odd + 4], pairs[odd + 6], kEven);
+    quads[odd + 6] = _mm512_shuffle_f64x2(pairs[odd + 4], pairs[odd + 6], kOdd);
+  }
+#pragma GCC unroll 4
+  for (int r = 0; r < 4; ++r) {
+    p[r] = _mm512_shuffle_f64x2(quads[r], quads[r + 4], kEven);
+    p[r + 4] = _mm512_shuffle_f64x2(quads[r], quads[r + 4], kOdd);
+  }
+#elif defined(__AVX2__)
+  const Pack low0 = _mm256_unpacklo_pd(p[0], p[1]), high0 = _mm256_unpackhi_pd(p[0], p[1]);
+  const Pack low1 = _mm256_unpacklo_pd(p[2], p[3]), high1 = _mm256_unpackhi_pd(p[2], p[3]);
+  p[0] = _mm256_permute2f128_pd(low0, low1, 0x20);
+  p[1] = _mm256_permute2f128_pd(high0, high1, 0x20);
+  p[2] = _mm256_permute2f128_pd(low0, low1, 0x31);
+  p[3] = _mm256_permute2f128_pd(high0, high1, 0x31);
+#else
+  for (int r = 0; r < kLanes; ++r) {
+    for (int l = r + 1; l < kLanes; ++l) {
+      double* a = reinterpret_cast<double*>(&p[r]) + l;
+      double* b = reinterpret_cast<double*>(&p[l]) + r;
+      const double t = *a;
+      *a = *b;
+      *b = t;
+    }
+  }
+#endif
+}
+
+/// packs[m] = number m of each element, for `count` numbers. Reads no other.
+inline void load_lanes(const double* const* elements, int count, Pack* packs) {
+  int m = 0;
+  for (; m + kLanes / 2 < count; m += kLanes) {
+    Pack rows[kLanes];
+    const int here = count - m < kLanes ? count - m : kLanes;
+    if (here == kLanes) {
+      for (int l = 0; l < kLanes; ++l) rows[l] = load(elements[l] + m);
+    } else {
+      const Lanes some(here);
+      for (int l = 0; l < kLanes; ++l) rows[l] = some.load(elements[l] + m);
+    }
+    transpose(rows);
+    for (int k = 0; k < here; ++k) packs[m + k] = rows[k];
+  }
+  for (; m < count; ++m) {
+    double lanes[kLanes];
+    for (int l = 0; l < kLanes; ++l) lanes[l] = elements[l][m];
+    packs[m] = load(lanes);
+  }
+}
+
+}  // namespace boxplus::dense::BOXPLUS_ISA

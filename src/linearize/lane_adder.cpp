@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linearize/lane_adder.h"
+
+#include "linearize/accumulate.h"
+
+namespace boxplus {
+namespace {
+
+static_assert(EdgeTile::kLanes == dense::kTileLanes);
+static_assert(Scatter::kNowhere == dense::kNoTarget && Scatter::kTransposed == dense::kTransposedTarget);
+
+/// Error of edge k of a tile.
+void copy_error(const EdgeTile& tile, std::size_t k, double* out) {
+  const auto rows = static_cast<std::size_t>(tile.rows);
+  constexpr std::size_t kLanes = EdgeTile::kLanes;
+  for (std::size_t r = 0; r < rows; ++r) {
+    out[r] =
+        tile.in_lanes ? tile.error[(k / kLanes * rows + r) * kLanes + k % kLanes] : tile.error[k * rows + r];
+  }
+}
+
+}  // namespace
+
+LaneAdder::LaneAdder(std::size_t values, std::size_t rows)
+    : jacobian_(values), error_(rows), omega_(rows * dense::kMostEdgeRows), omegas_(EdgeTile::kCapacity) {
+  weights_.reserve(EdgeTile::kCapacity);
+}
+
+bool LaneAdder::choose(int rows, std::span<const int> dims) {
+  add_edges_ = dims.size() == 2 ? dense::kernels().add_edges_for(rows, dims[0], dims[1]) : nullptr;
+  return add_edges_ != nullptr;
+}
+
+void LaneAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile) {
+  weights_.clear();
+  if (!pool.has_kernels()) return;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const RobustKernel* kernel = pool.kernel(edges[k]);
+    double error[dense::kMostEdgeRows];
+    if (kernel) copy_error(tile, k, error);
+    const auto e2 = [&] { return pool.information(edges[k], tile.rows).squared_norm(error); };
+    weights_.push_back(kernel ? edge_weight(kernel, e2(), false).first : 1);
+  }
+}
+
+void LaneAdder::add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
+                    std::span<const std::uint32_t* const> targets, double* values, double* gradient) {
+  weigh(pool, edges, tile);
+  const double *jacobian = tile.jacobian, *error = tile.error;
+  if (!tile.in_lanes) {
+    dense::kernels().to_lanes(jacobian, tile.rows * tile.cols, tile.count, jacobian_.data());
+    dense::kernels().to_lanes(error, tile.rows, tile.count, error_.data());
+    jacobian = jacobian_.data();
+    error = error_.data();
+  }
+  const InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
+  add_edges_({tile.count, jacobian, error, static_cast<dense::EdgeNumbers::Kind>(kind), omegas_.data(),
+              weights_.empty() ? nullptr : weights_.data(), targets.data(), values, gradient});
+}
+
+}  // namespace boxplus
