@@ -17,6 +17,8 @@ struct LinearFigures {
 struct LinearDuel {
   std::uint32_t scalars = 0;
   LinearFigures ours, cholmod;       ///< cholmod: of the settings that factorise fastest
+  double analyze_by_degree_s = 0;    ///< our analysis with minimum degree, as CHOLMOD's below
+  bool dissected = false;            ///< whether `ours` is ordered by nested dissection
   std::string cholmod_settings;      ///< their name
   double cholmod_amd_analyze_s = 0;  ///< cholmod_analyze() with AMD, in the form that then factorises faster
   double cholmod_block_amd_analyze_s = 0;  ///< the same with the order of the blocks given

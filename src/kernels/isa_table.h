@@ -5,6 +5,7 @@
 #include "kernels/kernel_table.h"
 #include "kernels/normal_kernels.h"
 #include "kernels/panel_kernels.h"
+#include "kernels/run_kernels.h"
 #include "kernels/vector_kernels.h"
 
 #define BOXPLUS_TEXT(word) #word
@@ -13,6 +14,7 @@
 namespace boxplus::dense::BOXPLUS_ISA {
 
 const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
+                         kNanosecondsPerFlop,
                          factor_panel,
                          set_to_minus_square,
                          subtract_square,
@@ -22,6 +24,9 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          divide_by,
                          solve_forward,
                          solve_backward,
+                         gather_runs,
+                         scatter_runs,
+                         extend_add,
                          normal_products<1>,
                          add_block,
                          add_edges_for,

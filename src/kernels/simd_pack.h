@@ -21,15 +21,19 @@ namespace boxplus::dense::BOXPLUS_ISA {
 #if defined(__AVX512F__)
 typedef double Pack __attribute__((vector_size(64)));
 inline constexpr int kPacks = 3, kStrip = 8;
+inline constexpr double kNanosecondsPerFlop = 0.025;
 #elif defined(__AVX2__)
 typedef double Pack __attribute__((vector_size(32)));
 inline constexpr int kPacks = 2, kStrip = 6;
+inline constexpr double kNanosecondsPerFlop = 0.03;
 #elif defined(__GNUC__)
 typedef double Pack __attribute__((vector_size(16)));
 inline constexpr int kPacks = 2, kStrip = 4;
+inline constexpr double kNanosecondsPerFlop = 0.08;
 #else
 using Pack = double;
 inline constexpr int kPacks = 2, kStrip = 4;
+inline constexpr double kNanosecondsPerFlop = 0.08;
 #endif
 
 inline constexpr int kLanes = static_cast<int>(sizeof(Pack) / sizeof(double));

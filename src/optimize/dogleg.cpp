@@ -50,6 +50,13 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
   }
 }
 
+/// dᵀHd of the Gauss-Newton step d. A direct solver has (H + λD) d = −g, which spares a product.
+double Dogleg::curvature_of_newton(System& system, const IterationRecord& record) const {
+  if (record.linear_iterations > 0) return system.curvature(newton_);
+  const double damped = norm(newton_);
+  return -dot(system.gradient(), newton_) - regularisation_ * damped * damped;
+}
+
 /// The minimum of the model along −D⁻¹g.
 void Dogleg::find_cauchy_step(System& system) {
   const auto gradient = system.gradient();
@@ -103,6 +110,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   const LinearStatus solved = solve_gauss_newton(system, record);
   if (solved != LinearStatus::kOk) return outcome_of(solved);
   newton_norm_ = norm(newton_);
+  const double newton_curvature = curvature_of_newton(system, record);
   bool have_cauchy = false;
   double largest_promise = 0, largest_step = 0;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
@@ -113,7 +121,9 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     record.control = radius_;
     blend();
     const double step_norm = norm(step_);
-    const double promise = model_decrease(system.gradient(), step_, system.curvature(step_));
+    const bool is_newton = newton_norm_ <= record.control;
+    const double curvature = is_newton ? newton_curvature : system.curvature(step_);
+    const double promise = model_decrease(system.gradient(), step_, curvature);
     largest_promise = std::max(largest_promise, promise);
     record.step_max = max_abs(step_);
     largest_step = std::max(largest_step, record.step_max);

@@ -20,6 +20,7 @@ class Dogleg final : public Algorithm {
 
  private:
   LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
+  double curvature_of_newton(System& system, const IterationRecord& record) const;
   void find_cauchy_step(System& system);
   void scale_from(const System& system);
   double norm(const std::vector<double>& step) const;

@@ -372,6 +372,22 @@ TEST(TheAutomaticSolver, SolvesAndStopsAsWhatItChose) {
   }
 }
 
+TEST(TheOrdering, ChangesNothingInTheSolution) {
+  const TestSystem system = random_system(400, 900, 6);
+  const AssembledSystem view(system.structure, system.values);
+  MatrixXd x[2];
+  for (const Ordering ordering : {Ordering::kMinimumDegree, Ordering::kNestedDissection}) {
+    const auto solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
+    solver->analyze(system.structure, {.ordering = ordering});
+    EXPECT_EQ(solver->statistics().ordering, ordering);
+    MatrixXd& solution = x[ordering == Ordering::kNestedDissection];
+    solution = MatrixXd::Ones(system.structure.scalars(), 1);
+    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
+    solver->solve(solution.data(), 1, solution.data());
+  }
+  EXPECT_LE((x[0] - x[1]).norm(), 1e-9 * x[0].norm());
+}
+
 /// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.
 TEST(ThePredictedSizeOfTheFactor, IsThatOfTheAnalysis) {
   for (const std::uint32_t side : {3u, 10u, 25u}) {

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-constexpr AmalgamationRule kNoMerging{.max_zero_fraction = -1};
+const AmalgamationRule kNoMerging{.max_zero_fraction = -1};
 
 std::vector<BlockCoordinate> complete_edges(std::uint32_t first, std::uint32_t end) {
   std::vector<BlockCoordinate> edges;

@@ -46,6 +46,13 @@ struct SolveResult {
   int iterations = 0;  ///< 0 for direct solvers
 };
 
+/// How direct solvers order the blocks.
+enum class Ordering : std::uint8_t {
+  kAutomatic,      ///< minimum degree, or nested dissection where it is predicted to save more than it costs
+  kMinimumDegree,  ///< approximate minimum degree
+  kNestedDissection,  ///< takes many times as long, and needs fewer operations for large fronts
+};
+
 struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
@@ -53,6 +60,7 @@ struct AnalyzeHints {
   std::span<const std::uint32_t> last = {};
   /// LinearSolverKind::kAutomatic: the most memory that a Cholesky factor may take; 0: half of the machine's.
   std::uint64_t max_factor_bytes = 0;
+  Ordering ordering = Ordering::kAutomatic;
 };
 
 /// Facts about the analysis, for reports.
@@ -63,6 +71,7 @@ struct LinearStatistics {
   std::uint32_t largest_front = 0;  ///< scalars
   /// LinearSolverKind::kAutomatic: not 0 where it chose pcg because a Cholesky factor would take this much.
   std::uint64_t refused_factor_bytes = 0;
+  Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, where there is one
 };
 
 /// Solves symmetric positive definite block systems of one structure.

@@ -18,13 +18,14 @@ void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints&
 
 std::uint64_t BlockCholesky::analyze_within(std::uint64_t limit, const BlockStructure& structure,
                                             const AnalyzeHints& hints) {
-  const FactorOutline outline = outline_factor(structure, hints.last, rule_);
+  const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering);
   const auto bytes = static_cast<std::uint64_t>(outline.partition.numbers * sizeof(double));
   if (bytes > limit) return bytes;
   structure_ = &structure;
   factorized_ = false;
   inverse_.clear();
   symbolic_ = complete_factor(structure, outline, rule_, hints.threads);
+  ordering_ = outline.ordering;
   allocate(hints.right_hand_sides);
   return bytes;
 }
@@ -166,6 +167,7 @@ LinearStatistics BlockCholesky::statistics() const {
     statistics.factor_nonzeros += columns * (columns + 1) / 2 + columns * front.below;
   }
   statistics.factor_flops = symbolic_.flops;
+  statistics.ordering = ordering_;
   statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());
   statistics.largest_front = symbolic_.largest_front;
   return statistics;

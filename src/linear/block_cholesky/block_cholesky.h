@@ -43,6 +43,7 @@ class BlockCholesky final : public LinearSolver {
   void store_solutions(int columns, double* x) const;
 
   AmalgamationRule rule_;
+  Ordering ordering_ = Ordering::kMinimumDegree;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   std::unique_ptr<double[]> arena_;  // panels, update matrices, minimum pivots, right-hand sides, work

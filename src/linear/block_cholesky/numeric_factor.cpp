@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "boxplus/base/parallel.h"
+#include "kernels/kernel_table.h"
 #include "linear/block_cholesky/parallel_front.h"
 
 namespace boxplus {
@@ -28,29 +29,6 @@ void copy_block(const BlockCopy& copy, const double* from, double* to, std::uint
   if (copy.rows == 6) return copy_columns<6>(from, to, leading, copy.columns);
   for (std::uint32_t j = 0; j < copy.columns; ++j, from += copy.rows, to += leading) {
     std::copy_n(from, copy.rows, to);
-  }
-}
-
-void add_run(const double* __restrict from, double* __restrict to, std::uint32_t length) {
-  for (std::uint32_t i = 0; i < length; ++i) to[i] += from[i];
-}
-
-/// Adds the columns of an update matrix that `columns` names, at and below the diagonal, into `to`.
-/// `all` are the runs of rows, of which `columns` is a part; destinations count from `origin` in both
-/// directions.
-void extend_add(const double* update, std::uint32_t below, std::span<const ScalarRun> columns,
-                std::span<const ScalarRun> all, double* to, std::uint32_t leading, std::uint32_t row_origin,
-                std::uint32_t column_origin) {
-  const ScalarRun* const end = all.data() + all.size();
-  for (const ScalarRun& column : columns) {
-    for (std::uint32_t j = 0; j < column.length; ++j) {
-      const double* from = update + std::size_t{column.source + j} * below;
-      double* target = to + std::size_t{column.destination + j - column_origin} * leading;
-      add_run(from + column.source + j, target + (column.destination + j - row_origin), column.length - j);
-      for (const ScalarRun* row = &column + 1; row != end; ++row) {
-        add_run(from + row->source, target + (row->destination - row_origin), row->length);
-      }
-    }
   }
 }
 
@@ -102,10 +80,13 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
   double* const update = factor.arena + front.update;
   double* const minimum_pivot = factor.minimum_pivot + first_scalar;
   load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
+  const auto& kernels = dense::kernels();
   for (const std::uint32_t c : symbolic.children_of(front)) {
     const Front& child = symbolic.fronts[c];
-    extend_add(factor.arena + child.update, child.below, symbolic.pivot_runs(child), symbolic.all_runs(child),
-               panel, front.leading, 0, 0);
+    const auto pivots = symbolic.pivot_runs(child), all = symbolic.all_runs(child);
+    kernels.extend_add({factor.arena + child.update, static_cast<int>(child.below), pivots.data(),
+                        pivots.data() + pivots.size(), all.data() + all.size(), panel,
+                        static_cast<int>(front.leading), 0, 0});
   }
   const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
   const int leading = static_cast<int>(front.leading);
@@ -119,8 +100,10 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
   for (const std::uint32_t c : symbolic.children_of(front)) {
     const Front& child = symbolic.fronts[c];
     const auto all = symbolic.all_runs(child);
-    extend_add(factor.arena + child.update, child.below, all.subspan(symbolic.pivot_runs(child).size()), all,
-               update, front.below, front.columns, front.columns);
+    const ScalarRun* const end = all.data() + all.size();
+    kernels.extend_add({factor.arena + child.update, static_cast<int>(child.below),
+                        all.data() + symbolic.pivot_runs(child).size(), end, end, update, below,
+                        front.columns, front.columns});
   }
   return {};
 }

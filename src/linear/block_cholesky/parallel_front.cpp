@@ -25,6 +25,9 @@ int part_begin(int rows, int columns, int part, int parts) {
 
 int factor_panel_with(int threads, const StopToken& stop, double* panel, int rows, int columns, int ld,
                       const double* minimum_pivot) {
+  const double flops = 1.0 * rows * columns * columns;
+  if (flops < (threads == 1 ? kBetweenStops : kWorthThreads))
+    return dense::factor_panel(panel, rows, columns, ld, minimum_pivot);
   for (int j = 0; j < columns; j += dense::kBlock) {
     if (j > 0 && stop.raised()) return kPanelStopped;
     const int width = std::min(dense::kBlock, columns - j), next = j + width;
@@ -46,6 +49,10 @@ int factor_panel_with(int threads, const StopToken& stop, double* panel, int row
 bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
                               int lda, int size, int k) {
   const double flops = 1.0 * size * size * k;
+  if (flops < (threads == 1 ? kBetweenStops : kWorthThreads)) {
+    dense::set_to_minus_square(c, ldc, a, lda, size, k, 0, size);
+    return true;
+  }
   const int parts = flops < kWorthThreads ? 1 : threads;
   const int strips = 1 + static_cast<int>(flops / kBetweenStops);
   for (int strip = 0, begin = 0; strip < strips; ++strip) {

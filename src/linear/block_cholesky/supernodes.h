@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "kernels/kernel_table.h"
 #include "linear/block_cholesky/elimination_tree.h"
 
 namespace boxplus {
@@ -18,12 +19,12 @@ struct SupernodePartition {
   double numbers = 0;  ///< of all panels and, on one thread, of the update matrices that live at one time
 };
 
-/// Limits of amalgamation. The defaults are for this library's own kernels.
+/// Limits of amalgamation. The defaults are for the kernels in use.
 struct AmalgamationRule {
-  double per_front = 200;          ///< ns of fixed work per front
-  double per_panel_entry = 0.4;    ///< ns to clear, fill and read back one entry of L
-  double per_update_entry = 0.6;   ///< ns to write one entry of an update matrix and add it into the parent
-  double per_flop = 0.12;          ///< ns
+  double per_front = 200;         ///< ns of fixed work per front
+  double per_panel_entry = 0.4;   ///< ns to clear, fill and read back one entry of L
+  double per_update_entry = 0.6;  ///< ns to write one entry of an update matrix and add it into the parent
+  double per_flop = dense::kernels().nanoseconds_per_flop;
   double max_zero_fraction = 0.3;  ///< hard cap: part of a front's entries of L that may be added zeros
 };
 

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "boxplus/linear/block_structure.h"
+#include "boxplus/linear/linear_solver.h"
+#include "kernels/kernel_table.h"
 #include "linear/block_cholesky/supernodes.h"
 #include "linear/block_cholesky/tree_schedule.h"
 
 namespace boxplus {
 
 /// A run of consecutive scalars and the place it goes to.
-struct ScalarRun {
-  std::uint32_t source, destination, length;
-};
+using ScalarRun = dense::Run;
 
 /// Where one block of A goes in the panel of its supernode (an offset from the panel's start).
 struct BlockCopy {
@@ -90,16 +90,18 @@ struct FactorOutline {
   std::vector<std::uint32_t> order;  // before the supernodes, whose partition permutes it once more
   SupernodePartition partition;
   double flops = 0;
+  Ordering ordering = Ordering::kMinimumDegree;  // that was taken
 };
 
-/// Orders the blocks (AMD) and forms the supernodes.
+/// Orders the blocks and forms the supernodes.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                             const AmalgamationRule& rule = {});
+                             const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree);
 /// Finds all indices and lays out the memory.
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
                                const AmalgamationRule& rule = {}, int threads = 1);
 /// Both.
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                                 const AmalgamationRule& rule = {}, int threads = 1);
+                                 const AmalgamationRule& rule = {}, int threads = 1,
+                                 Ordering ordering = Ordering::kMinimumDegree);
 
 }  // namespace boxplus

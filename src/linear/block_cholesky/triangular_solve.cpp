@@ -5,11 +5,12 @@
 #include <cstddef>
 
 #include "kernels/dense_kernels.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 namespace {
 
-/// The rows of x below the front's columns, one after the other.
+/// Several right-hand sides: the rows of x below the front's columns, one after the other.
 void gather(const SymbolicFactor& symbolic, const Front& front, std::size_t columns, const double* x,
             double* work) {
   for (const ScalarRun& run : symbolic.row_runs_of(front)) {
@@ -38,14 +39,37 @@ struct FrontView {
         pivots(x + symbolic.offset[front.first_block] * stride) {}
 };
 
+/// One right-hand side: the rows of a front, side by side in `work`.
+class FrontRows {
+ public:
+  FrontRows(const SymbolicFactor& symbolic, const Front& front)
+      : pivots_{0, symbolic.offset[front.first_block], front.columns},
+        below_(symbolic.row_runs_of(front)),
+        columns_(front.columns) {}
+  void gather(const double* x, double* work) const {
+    kernels_.gather_runs(&pivots_, 1, x, work);
+    kernels_.gather_runs(below_.data(), static_cast<int>(below_.size()), x, work + columns_);
+  }
+  void scatter_pivots(const double* work, double* x) const { kernels_.scatter_runs(&pivots_, 1, work, x); }
+  void scatter(const double* work, double* x) const {
+    scatter_pivots(work, x);
+    kernels_.scatter_runs(below_.data(), static_cast<int>(below_.size()), work + columns_, x);
+  }
+
+ private:
+  const dense::KernelTable& kernels_ = dense::kernels();
+  ScalarRun pivots_;
+  std::span<const ScalarRun> below_;
+  std::uint32_t columns_;
+};
+
 void solve_lower_one(const SymbolicFactor& symbolic, const double* panels, double* x, double* work) {
   for (const Front& front : symbolic.fronts) {
     const FrontView f(symbolic, front, panels, 1, x);
-    std::copy_n(f.pivots, f.columns, work);
-    gather(symbolic, front, 1, x, work + f.columns);
+    const FrontRows rows(symbolic, front);
+    rows.gather(x, work);
     dense::solve_forward(f.panel, f.columns + f.below, f.columns, f.leading, work);
-    std::copy_n(work, f.columns, f.pivots);
-    scatter(symbolic, front, 1, work + f.columns, x);
+    rows.scatter(work, x);
   }
 }
 
@@ -69,10 +93,10 @@ void solve_upper_from(const SymbolicFactor& symbolic, const double* panels, std:
   for (std::uint32_t s = last_front + 1; s-- > 0;) {
     const Front& front = symbolic.fronts[s];
     const FrontView f(symbolic, front, panels, 1, x);
-    std::copy_n(f.pivots, f.columns, work);
-    gather(symbolic, front, 1, x, work + f.columns);
+    const FrontRows rows(symbolic, front);
+    rows.gather(x, work);
     dense::solve_backward(f.panel, f.columns + f.below, f.columns, f.leading, work);
-    std::copy_n(work, f.columns, f.pivots);
+    rows.scatter_pivots(work, x);
   }
 }
 

@@ -2,17 +2,13 @@
 #include "linear/ordering/amd_ordering.h"
 
 #include <amd.h>
+#include <camd.h>
 
 #include <string>
 
 #include "boxplus/base/error.h"
 
 namespace boxplus {
-namespace {
-
-constexpr int kIsLast = -1;
-
-/// Number of each block among those that may be ordered freely, kIsLast for the others.
 std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last) {
   std::vector<int> number(structure.blocks(), 0);
   for (const std::uint32_t block : last) {
@@ -28,8 +24,6 @@ std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<c
   }
   return number;
 }
-
-}  // namespace
 
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
                                         std::span<const std::uint32_t> last) {
@@ -57,6 +51,25 @@ std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
   for (const int k : permutation) order.push_back(free_blocks[static_cast<std::size_t>(k)]);
   order.insert(order.end(), last.begin(), last.end());
   return order;
+}
+
+std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of) {
+  std::vector<int> start{0}, row;
+  for (std::uint32_t j = 0; j < structure.blocks(); ++j) {
+    for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k)
+      row.push_back(static_cast<int>(structure.row[k]));
+    start.push_back(static_cast<int>(row.size()));
+  }
+  std::vector<int> permutation(structure.blocks());
+  row.reserve(1);
+  if (structure.blocks() > 0) {
+    const int status = camd_order(static_cast<int>(structure.blocks()), start.data(), row.data(),
+                                  permutation.data(), nullptr, nullptr, rank_of.data());
+    if (status == CAMD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (status < CAMD_OK)
+      throw InvalidArgument("constrained_amd_ordering: expected sorted columns of distinct rows");
+  }
+  return {permutation.begin(), permutation.end()};
 }
 
 }  // namespace boxplus

@@ -19,4 +19,13 @@ namespace boxplus {
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
                                         std::span<const std::uint32_t> last = {});
 
+inline constexpr int kIsLast = -1;
+/// Number of each block among those that may be ordered freely, kIsLast for the others. Throws
+/// InvalidArgument where `last` repeats a block or names one that there is not.
+std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last);
+
+/// Constrained approximate minimum degree: blocks of a lower rank (0 … blocks − 1) before those of a higher
+/// one, and within a rank by degree, counting the neighbours of all ranks.
+std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of);
+
 }  // namespace boxplus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers that move in runs: between a front and the vector, and from a child's update matrix to its parent.
+#pragma once
+
+#include "kernels/kernel_table.h"
+#include "kernels/simd_pack.h"
+
+namespace boxplus::dense::BOXPLUS_ISA {
+
+/// For each part of [0, length): f(first, lanes), where lanes can load and store.
+template <class F>
+inline void for_packs(int length, F&& f) {
+  struct All {
+    Pack load(const double* from) const { return dense::BOXPLUS_ISA::load(from); }
+    void store(double* to, Pack pack) const { dense::BOXPLUS_ISA::store(to, pack); }
+  };
+  int i = 0;
+  for (; i + kLanes <= length; i += kLanes) f(i, All());
+  if (i < length) f(i, Lanes(length - i));
+}
+
+inline void copy_numbers(const double* from, double* to, int length) {
+  for_packs(length, [&](int i, const auto& lanes) { lanes.store(to + i, lanes.load(from + i)); });
+}
+
+inline void add_numbers(const double* from, double* to, int length) {
+  for_packs(length, [&](int i, const auto& lanes) {
+    lanes.store(to + i, lanes.load(to + i) + lanes.load(from + i));
+  });
+}
+
+/// rows × columns numbers. Short columns are taken side by side, so that their lanes are found once.
+inline void add_rectangle(const double* from, long from_stride, double* to, long to_stride, int rows,
+                          int columns) {
+  constexpr int kShort = 4 * kLanes;
+  if (rows > kShort) {
+    for (int j = 0; j < columns; ++j) add_numbers(from + j * from_stride, to + j * to_stride, rows);
+    return;
+  }
+  for_packs(rows, [&](int i, const auto& lanes) {
+    const double* source = from + i;
+    double* target = to + i;
+    for (int j = 0; j < columns; ++j, source += from_stride, target += to_stride)
+      lanes.store(target, lanes.load(target) + lanes.load(source));
+  });
+}
+
+inline void gather_runs(const Run* runs, int count, const double* x, double* work) {
+  for (const Run* run = runs; run != runs + count; ++run)
+    copy_numbers(x + run->destination, work + run->source, static_cast<int>(run->length));
+}
+
+inline void scatter_runs(const Run* runs, int count, const double* work, double* x) {
+  for (const Run* run = runs; run != runs + count; ++run)
+    copy_numbers(work + run->source, x + run->destination, static_cast<int>(run->length));
+}
+
+inline void extend_add(const ExtendAdd& task) {
+  const long below = task.below, leading = task.leading;
+  for (const Run* c = task.columns; c != task.columns_end; ++c) {
+    const int columns = static_cast<int>(c->length);
+    const double* from = task.update + c->source * below;
+    double* to = task.to + (c->destination - task.column_origin) * leading;
+    const double* diagonal = from + c->source;
+    double* target = to + (c->destination - task.row_origin);
+    for (int j = 0; j < columns; ++j)
+      add_numbers(diagonal + j * (below + 1), target + j * (leading + 1), columns - j);
+    for (const Run* r = c + 1; r != task.end; ++r) {
+      add_rectangle(from + r->source, below, to + (r->destination - task.row_origin), leading,
+                    static_cast<int>(r->length), columns);
+    }
+  }
+}
+
+}  // namespace boxplus::dense::BOXPLUS_ISA

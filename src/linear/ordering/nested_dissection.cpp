@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/ordering/nested_dissection.h"
+
+#include <algorithm>
+
+#include "linear/ordering/amd_ordering.h"
+#include "linear/ordering/vertex_separator.h"
+
+namespace boxplus {
+namespace {
+
+constexpr std::uint32_t kLeaf = 200;  // blocks
+constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
+
+/// The blocks that are not kept last, weighted by their sizes; `block_of` names them.
+WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uint32_t> last,
+                       std::vector<std::uint32_t>& block_of) {
+  const std::vector<int> vertex = number_free_blocks(structure, last);
+  for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
+    if (vertex[block] != kIsLast) block_of.push_back(block);
+  }
+  WeightedGraph graph;
+  std::vector<std::uint32_t> degree(block_of.size() + 1, 0);
+  const auto for_each_edge = [&](auto&& f) {
+    for (const std::uint32_t j : block_of) {
+      for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k) {
+        if (vertex[structure.row[k]] == kIsLast) continue;
+        const auto a = static_cast<std::uint32_t>(vertex[j]);
+        const auto b = static_cast<std::uint32_t>(vertex[structure.row[k]]);
+        f(a, b);
+        f(b, a);
+      }
+    }
+  };
+  for_each_edge([&](std::uint32_t a, std::uint32_t) { ++degree[a]; });
+  for (std::size_t v = 0; v < block_of.size(); ++v) graph.start.push_back(graph.start.back() + degree[v]);
+  graph.neighbour.resize(graph.start.back());
+  graph.edge_weight.assign(graph.start.back(), 1);
+  std::vector<std::uint32_t> next(graph.start.begin(), graph.start.end() - 1);
+  for_each_edge([&](std::uint32_t a, std::uint32_t b) { graph.neighbour[next[a]++] = b; });
+  for (const std::uint32_t block : block_of) graph.weight.push_back(structure.dim(block));
+  return graph;
+}
+
+/// The part of a graph on one side; its block names follow.
+WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side, Side wanted,
+                      const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of) {
+  std::vector<std::uint32_t> vertex(graph.vertices(), kAbsent);
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
+    if (side[v] == wanted) vertex[v] = count++;
+  }
+  WeightedGraph part;
+  for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
+    if (side[v] != wanted) continue;
+    for (const std::uint32_t u : graph.neighbours(v)) {
+      if (vertex[u] == kAbsent) continue;
+      part.neighbour.push_back(vertex[u]);
+      part.edge_weight.push_back(1);
+    }
+    part.start.push_back(static_cast<std::uint32_t>(part.neighbour.size()));
+    part.weight.push_back(graph.weight[v]);
+    part_block_of.push_back(block_of[v]);
+  }
+  return part;
+}
+
+/// Numbers the separators of a graph, each higher than those of its parts; the rest keeps rank 0. Returns the
+/// highest rank given.
+int rank_separators(const WeightedGraph& graph, const std::vector<std::uint32_t>& block_of, int rank,
+                    std::vector<int>& rank_of) {
+  if (graph.vertices() <= kLeaf) return rank;
+  const std::vector<Side> side = find_separator(graph);
+  const auto count = [&](Side wanted) { return std::count(side.begin(), side.end(), wanted); };
+  if (count(kLeft) == 0 || count(kRight) == 0) return rank;  // nothing parts it
+  for (const Side wanted : {kLeft, kRight}) {
+    std::vector<std::uint32_t> part_block_of;
+    const WeightedGraph part = part_of(graph, side, wanted, block_of, part_block_of);
+    rank = rank_separators(part, part_block_of, rank, rank_of);
+  }
+  ++rank;
+  for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
+    if (side[v] == kSeparator) rank_of[block_of[v]] = rank;
+  }
+  return rank;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
+                                             std::span<const std::uint32_t> last) {
+  std::vector<std::uint32_t> block_of;
+  const WeightedGraph graph = graph_of(structure, last, block_of);
+  std::vector<int> rank_of(structure.blocks(), 0);
+  int rank = rank_separators(graph, block_of, 0, rank_of);
+  for (const std::uint32_t block : last) rank_of[block] = ++rank;
+  return constrained_amd_ordering(structure, rank_of);
+}
+
+}  // namespace boxplus

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fill-reducing order of the blocks for large fronts.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "boxplus/linear/block_structure.h"
+
+namespace boxplus {
+
+/// Elimination order of the blocks by nested dissection (George 1973): separators last, those of the parts
+/// before that of the whole; parts below a few hundred blocks by approximate minimum degree. Takes several
+/// times as long as amd_ordering(), and needs fewer operations where the graph is neither small nor nearly
+/// planar. `last` as there.
+std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
+                                             std::span<const std::uint32_t> last = {});
+
+}  // namespace boxplus

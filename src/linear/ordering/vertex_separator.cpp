@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/ordering/vertex_separator.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <queue>
+
+namespace boxplus {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr std::uint32_t kCoarsest = 100;        // vertices
+constexpr double kLeastShrinkage = 0.95;        // coarser graphs must be smaller than this fraction
+constexpr double kLargestSide = 0.6;            // of the total weight
+constexpr double kImbalance = 0.5;              // what sides that differ cost, as a part of the separator
+constexpr std::uint32_t kTries = 3;             // coarsenings of which the best result is taken
+constexpr std::uint32_t kSeeds = 5;             // of the coarsest graph
+constexpr int kMostPasses = 3, kPatience = 60;  // of the refinement; moves without gain before one gives up
+
+Side other(Side side) {
+  return side == kLeft ? kRight : kLeft;
+}
+
+/// Numbers without a pattern, the same in every run (the finaliser of MurmurHash3, Appleby 2011).
+std::uint32_t scramble(std::uint32_t x) {
+  x = (x ^ (x >> 16)) * 0x85ebca6bu;
+  x = (x ^ (x >> 13)) * 0xc2b2ae35u;
+  return x ^ (x >> 16);
+}
+
+/// Each vertex' partner, or itself: the heaviest edge first, seen from the vertices of least degree. `salt`
+/// chooses among those that are alike.
+std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::uint32_t salt) {
+  struct Visit {
+    std::uint64_t rank;
+    std::uint32_t vertex;
+  };
+  const std::uint32_t n = graph.vertices();
+  const std::int64_t limit = 3 * graph.total() / (2 * kCoarsest) + 1;
+  std::vector<Visit> visits(n);
+  std::vector<std::uint32_t> luck(n), partner(n, kNone);
+  for (std::uint32_t v = 0; v < n; ++v) {
+    luck[v] = scramble(v ^ salt);
+    visits[v] = {std::uint64_t{graph.start[v + 1] - graph.start[v]} << 32 | luck[v], v};
+  }
+  std::sort(visits.begin(), visits.end(), [](const Visit& a, const Visit& b) { return a.rank < b.rank; });
+  for (const auto& [rank, v] : visits) {
+    if (partner[v] != kNone) continue;
+    std::uint32_t best = v;
+    std::int64_t heaviest = 0;
+    for (std::uint32_t k = graph.start[v]; k < graph.start[v + 1]; ++k) {
+      const std::uint32_t u = graph.neighbour[k];
+      const std::int64_t weight = graph.edge_weight[k];
+      if (partner[u] != kNone || graph.weight[u] + graph.weight[v] > limit) continue;
+      if (weight > heaviest || (weight == heaviest && luck[u] < luck[best])) best = u, heaviest = weight;
+    }
+    partner[v] = best;
+    partner[best] = v;
+  }
+  return partner;
+}
+
+/// Merges partners; `coarse_of` is the vertex of the result that each vertex goes into.
+WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32_t>& partner,
+                       std::vector<std::uint32_t>& coarse_of) {
+  const std::uint32_t n = graph.vertices();
+  coarse_of.assign(n, kNone);
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (coarse_of[v] == kNone) coarse_of[v] = coarse_of[partner[v]] = count++;
+  }
+  WeightedGraph coarse;
+  coarse.weight.assign(count, 0);
+  std::vector<std::uint32_t> place(count, kNone);  // of a neighbour, while its vertex is built
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // the partner came before
+    const std::uint32_t c = coarse_of[v], first = coarse.start.back();
+    const auto add = [&](std::uint32_t fine) {
+      coarse.weight[c] += graph.weight[fine];
+      for (std::uint32_t k = graph.start[fine]; k < graph.start[fine + 1]; ++k) {
+        const std::uint32_t u = coarse_of[graph.neighbour[k]];
+        if (u == c) continue;
+        if (place[u] == kNone || place[u] < first) {
+          place[u] = static_cast<std::uint32_t>(coarse.neighbour.size());
+          coarse.neighbour.push_back(u);
+          coarse.edge_weight.push_back(0);
+        }
+        coarse.edge_weight[place[u]] += graph.edge_weight[k];
+      }
+    };
+    add(v);
+    if (partner[v] != v) add(partner[v]);
+    coarse.start.push_back(static_cast<std::uint32_t>(coarse.neighbour.size()));
+  }
+  return coarse;
+}
+
+/// Moves vertices out of the separator while that makes it lighter, or may do so later.
+class Refiner {
+ public:
+  Refiner(const WeightedGraph& graph, std::vector<Side>& side)
+      : graph_(graph), side_(side), locked_(graph.vertices(), 0) {
+    for (std::uint32_t v = 0; v < graph.vertices(); ++v) weight_[side[v]] += graph.weight[v];
+    limit_ = static_cast<std::int64_t>(kLargestSide * static_cast<double>(graph.total()));
+  }
+
+  void run() {
+    for (int k = 0; k < kMostPasses && pass(); ++k) {
+    }
+  }
+  /// Less is better: the separator's weight, more where the sides differ; sides that are too heavy weigh more
+  /// than any separator.
+  double cost() const {
+    const auto left = static_cast<double>(weight_[kLeft]), right = static_cast<double>(weight_[kRight]);
+    const auto separator = static_cast<double>(weight_[kSeparator]);
+    const double excess = std::max(0.0, std::max(left, right) - static_cast<double>(limit_));
+    return separator * (1 + kImbalance * std::abs(left - right) / (left + right + separator)) + 4 * excess;
+  }
+
+ private:
+  struct Candidate {
+    std::int64_t gain;
+    std::uint32_t vertex;
+    bool operator<(const Candidate& b) const { return gain != b.gain ? gain < b.gain : vertex > b.vertex; }
+  };
+  struct Change {
+    std::uint32_t vertex;
+    Side before;
+  };
+
+  /// By how much the separator gets lighter where v leaves it: what it would pull in comes from the other
+  /// side.
+  std::int64_t gain(std::uint32_t v, Side to) const {
+    std::int64_t pulled = 0;
+    for (const std::uint32_t u : graph_.neighbours(v)) {
+      if (side_[u] == other(to)) pulled += graph_.weight[u];
+    }
+    return graph_.weight[v] - pulled;
+  }
+  void propose(std::uint32_t v) {
+    if (side_[v] != kSeparator || locked_[v]) return;
+    for (const Side to : {kLeft, kRight}) queue_[to].push({gain(v, to), v});
+  }
+  /// The best move to a side, or kNone.
+  std::uint32_t best(Side to) {
+    auto& queue = queue_[to];
+    while (!queue.empty()) {
+      const Candidate top = queue.top();
+      if (side_[top.vertex] == kSeparator && !locked_[top.vertex] && gain(top.vertex, to) == top.gain)
+        return top.vertex;
+      queue.pop();  // a newer one is in the queue, if any
+    }
+    return kNone;
+  }
+  void set_side(std::uint32_t v, Side side) {
+    changes_.push_back({v, side_[v]});
+    weight_[side_[v]] -= graph_.weight[v];
+    weight_[side] += graph_.weight[v];
+    side_[v] = side;
+  }
+  void move(std::uint32_t v, Side to) {
+    set_side(v, to);
+    locked_[v] = 1;
+    for (const std::uint32_t u : graph_.neighbours(v)) {
+      if (side_[u] == other(to)) {
+        set_side(u, kSeparator);
+        propose(u);
+        for (const std::uint32_t w : graph_.neighbours(u)) propose(w);
+      } else {
+        propose(u);
+      }
+    }
+  }
+  /// The side that the next vertex goes to; kSeparator where none can go.
+  Side choose() {
+    const std::uint32_t left = best(kLeft), right = best(kRight);
+    const auto fits = [&](std::uint32_t v, Side to) {
+      return v != kNone && weight_[to] + graph_.weight[v] <= limit_;
+    };
+    const Side lighter = weight_[kLeft] <= weight_[kRight] ? kLeft : kRight;
+    const bool fits_left = fits(left, kLeft), fits_right = fits(right, kRight);
+    if (fits_left && fits_right) {
+      const std::int64_t to_left = queue_[kLeft].top().gain, to_right = queue_[kRight].top().gain;
+      return to_left == to_right ? lighter : to_left > to_right ? kLeft : kRight;
+    }
+    if (fits_left) return kLeft;
+    if (fits_right) return kRight;
+    return (lighter == kLeft ? left : right) != kNone ? lighter : kSeparator;
+  }
+
+  /// One pass; true where the cost fell.
+  bool pass() {
+    std::fill(locked_.begin(), locked_.end(), 0);
+    for (auto& queue : queue_) queue = {};
+    for (std::uint32_t v = 0; v < graph_.vertices(); ++v) propose(v);
+    changes_.clear();
+    const double before = cost();
+    double lowest = before;
+    std::size_t kept = 0;
+    for (int since = 0; since < kPatience; ++since) {
+      const Side to = choose();
+      if (to == kSeparator) break;
+      const std::uint32_t v = queue_[to].top().vertex;
+      queue_[to].pop();
+      move(v, to);
+      if (const double now = cost(); now < lowest) lowest = now, kept = changes_.size(), since = -1;
+    }
+    while (changes_.size() > kept) {
+      const auto [v, side] = changes_.back();
+      changes_.pop_back();
+      weight_[side_[v]] -= graph_.weight[v];
+      weight_[side] += graph_.weight[v];
+      side_[v] = side;
+    }
+    return lowest < before;
+  }
+
+  const WeightedGraph& graph_;
+  std::vector<Side>& side_;
+  std::vector<std::uint8_t> locked_;
+  std::int64_t weight_[3] = {0, 0, 0}, limit_ = 0;
+  std::array<std::priority_queue<Candidate>, 2> queue_;
+  std::vector<Change> changes_;
+};
+
+/// Half of the weight, breadth first from `seed`; of the rest, what touches it is the separator.
+std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed) {
+  const std::uint32_t n = graph.vertices();
+  std::vector<Side> side(n, kRight);
+  std::vector<std::uint32_t> front;
+  std::vector<std::uint8_t> seen(n, 0);
+  const std::int64_t half = graph.total() / 2;
+  std::int64_t grown = 0;
+  std::uint32_t next_seed = seed;
+  for (std::size_t k = 0; grown < half; ++k) {
+    if (k == front.size()) {
+      while (seen[next_seed]) next_seed = (next_seed + 1) % n;
+      front.push_back(next_seed);
+      seen[next_seed] = 1;
+    }
+    const std::uint32_t v = front[k];
+    side[v] = kLeft;
+    grown += graph.weight[v];
+    for (const std::uint32_t u : graph.neighbours(v)) {
+      if (!seen[u]) seen[u] = 1, front.push_back(u);
+    }
+  }
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (side[v] != kRight) continue;
+    for (const std::uint32_t u : graph.neighbours(v)) {
+      if (side[u] == kLeft) {
+        side[v] = kSeparator;
+        break;
+      }
+    }
+  }
+  return side;
+}
+
+/// The labels, and what they cost.
+struct Parted {
+  std::vector<Side> side;
+  double cost;
+};
+
+Parted part_coarsest(const WeightedGraph& graph) {
+  Parted best{{}, 0};
+  const std::uint32_t n = graph.vertices();
+  for (std::uint32_t k = 0; k < kSeeds; ++k) {
+    std::vector<Side> side = grow_from(graph, static_cast<std::uint32_t>(std::uint64_t{k} * n / kSeeds));
+    Refiner refiner(graph, side);
+    refiner.run();
+    if (best.side.empty() || refiner.cost() < best.cost) best = {std::move(side), refiner.cost()};
+  }
+  return best;
+}
+
+/// Coarsens, parts, and refines on the way back.
+Parted part(const WeightedGraph& graph, std::uint32_t salt) {
+  if (graph.vertices() <= kCoarsest) return part_coarsest(graph);
+  std::vector<std::uint32_t> coarse_of;
+  const WeightedGraph coarse = contract(graph, heavy_edge_matching(graph, salt), coarse_of);
+  if (coarse.vertices() >= kLeastShrinkage * graph.vertices()) return part_coarsest(graph);
+  const std::vector<Side> parted = part(coarse, salt).side;
+  std::vector<Side> side(graph.vertices());
+  for (std::uint32_t v = 0; v < graph.vertices(); ++v) side[v] = parted[coarse_of[v]];
+  Refiner refiner(graph, side);
+  refiner.run();
+  return {std::move(side), refiner.cost()};
+}
+
+}  // namespace
+
+std::int64_t WeightedGraph::total() const {
+  return std::accumulate(weight.begin(), weight.end(), std::int64_t{0});
+}
+
+std::vector<Side> find_separator(const WeightedGraph& graph) {
+  if (graph.vertices() == 0) return {};
+  Parted best = part(graph, 0);
+  for (std::uint32_t salt = 1; salt < kTries; ++salt) {
+    Parted next = part(graph, scramble(salt));
+    if (next.cost < best.cost) best = std::move(next);
+  }
+  return std::move(best.side);
+}
+
+}  // namespace boxplus

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Few vertices that part a graph into two of about the same weight.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace boxplus {
+
+/// An undirected graph: vertex v has the neighbours neighbour[start[v]] … neighbour[start[v + 1] − 1], never
+/// itself, each once.
+struct WeightedGraph {
+  std::vector<std::uint32_t> start{0}, neighbour;
+  std::vector<std::int64_t> edge_weight;  // of each neighbour
+  std::vector<std::int64_t> weight;       // of each vertex
+
+  std::uint32_t vertices() const { return static_cast<std::uint32_t>(weight.size()); }
+  std::span<const std::uint32_t> neighbours(std::uint32_t v) const {
+    return std::span(neighbour).subspan(start[v], start[v + 1] - start[v]);
+  }
+  std::int64_t total() const;
+};
+
+/// Where a vertex lies: no edge joins the two sides.
+enum Side : std::uint8_t { kLeft, kRight, kSeparator };
+
+/// Multilevel vertex separator: the graph is coarsened by heavy-edge matching, the coarsest parted by growing
+/// one side, and the separator refined on every level on the way back (Karypis and Kumar, "A fast and high
+/// quality multilevel scheme for partitioning irregular graphs", 1998; the refinement after Fiduccia and
+/// Mattheyses 1982 and Ashcraft and Liu 1998). The same labels in every run. O(edges log vertices).
+std::vector<Side> find_separator(const WeightedGraph& graph);
+
+}  // namespace boxplus
