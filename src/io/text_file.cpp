@@ -56,7 +56,8 @@ std::string target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::filesystem::path target = path;
   std::error_code error;
-  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+  for (int i = 0; std::filesystem::is_symlink(target, error); ++i) {
+    if (i == kMostLinks) fail(path, "cannot be written", ELOOP);
     target = target.parent_path() / std::filesystem::read_symlink(target, error);
   }
   return target.string();

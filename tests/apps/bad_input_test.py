@@ -66,6 +66,20 @@ class BadInputTest(CommandCase):
         self.assert_refused(run("optimize", graph, "-o", self.path / "none" / "out.g2o"), "No such file or directory")
         self.assert_refused(run("convert", graph, "/dev/full"), "No space left on device")
 
+    def test_a_link_to_itself_is_refused_as_output(self):
+        loop = self.path / "loop.g2o"
+        loop.symlink_to(loop)
+        done = run("optimize", self.written("graph.g2o", GRAPH), "-o", loop)
+        self.assert_refused(done, "loop.g2o: cannot be written: Too many levels of symbolic links")
+        self.assertTrue(loop.is_symlink())
+
+    def test_a_hard_link_to_the_input_is_the_input(self):
+        graph = self.written("graph.g2o", GRAPH)
+        link = self.path / "link.json"
+        os.link(graph, link)
+        self.assert_refused(run("info", graph, "--json", link), "expected another file than the input")
+        self.assertEqual(link.read_text(encoding="utf-8"), GRAPH)
+
     def test_a_full_disk_leaves_the_old_file(self):
         # A limit on the size of files stands for the disk; the graph is larger.
         graph = self.written("graph.g2o", "".join(f"VERTEX_SE2 {i} 0.123456789 0 0\n" for i in range(5000)))
