@@ -60,6 +60,17 @@ class BadInputTest(CommandCase):
         self.assertEqual(done.stderr.count("skipped"), 2)
         self.assertEqual((self.path / "good.g2o").read_text(encoding="utf-8"), GRAPH)
 
+    def test_a_skipped_line_names_its_place_once(self):
+        path = self.written("bad.g2o", GRAPH + BAD_LINE)
+        complaint = f"boxplus: {path}:4:16: skipped: expected y (a finite number), got 'zero'\n"
+        self.assertEqual(run("info", path, "--lenient").stderr, complaint)
+
+    def test_a_file_of_bad_lines_only_names_the_first(self):
+        path = self.written("bad.g2o", "STRANGE 1\n" + 2 * BAD_LINE)
+        done = run("info", path, "--lenient")
+        self.assert_refused(done, "; 2 lines were skipped, the first at 2:16: expected y (a finite number), got 'zero'\n")
+        self.assertEqual((done.stderr.count("skipped"), done.stderr.count(str(path))), (1, 1))
+
     def test_outputs_that_cannot_be_written(self):
         graph = self.written("graph.g2o", GRAPH)
         self.assert_refused(run("optimize", graph, "-o", self.path), "Is a directory")

@@ -38,8 +38,10 @@ struct KeptLine {
 /// A graph, and what its file says beyond it.
 struct GraphFile {
   struct Note {
-    std::int64_t line = 0;
+    std::int64_t line = 0;  ///< 0: the file as a whole
     std::string text;
+    std::int64_t column = 0;  ///< 0: the line as a whole
+    bool skipped = false;     ///< the line was skipped (lenient reading): `text` tells what is wrong with it
   };
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
