@@ -489,6 +489,32 @@ TEST(Optimize, LeavesTheGraphUsableWhereAnErrorFunctionThrows) {
   EXPECT_TRUE(optimize(graph).converged());
 }
 
+TEST(Optimize, NamesAnEdgeWhereOnlyTheSumOverAllOverflows) {
+  Graph graph;
+  const auto x = graph.add_vertex(1e308, 7), y = graph.add_vertex(0.0, 8);
+  graph.add_edge([](const auto& value) { return value - 1e308 - 3; }, x);
+  graph.add_edge([](const auto& value) { return value - 1e154; }, y);
+  graph.add_edge([](const auto& a, const auto& b) { return 1.2e-154 * a + b; }, x, y);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part is that of the edge"));
+  EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+}
+
+TEST(Optimize, NamesTheEdgeByWhichTheLinearSystemOverflows) {
+  for (const auto algorithm :
+       {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kGaussNewton}) {
+    Graph graph;
+    const auto x = graph.add_vertex(1.0, 7), y = graph.add_vertex(2.0, 8);
+    graph.add_edge([](const auto& value) { return value - 3; }, x);
+    graph.add_edge([](const auto& a, const auto& b) { return 1e300 * (2 * a - b); }, x, y);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_EQ(report.reason, Reason::kNotFinite);
+    EXPECT_THAT(report.message, HasSubstr("the linear system overflows; the largest Jacobian"));
+    EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+  }
+}
+
 class NanWeight final : public RobustKernel {
  public:
   Rho operator()(double e2) const override { return {e2, std::nan(""), 0}; }
