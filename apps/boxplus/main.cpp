@@ -25,6 +25,10 @@ constexpr const char* kFooter =
     "  2  bad input or usage; no output file is touched\n"
     "  3  the numerics failed, or the memory did not suffice\n"
     "\n"
+    "Environment:\n"
+    "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. Without it, the\n"
+    "               latest that the processor has. The last digits of results may depend on them.\n"
+    "\n"
     "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
     "to the standard error.";
 
