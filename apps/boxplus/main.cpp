@@ -14,6 +14,7 @@
 #include "command_line/help_format.h"
 #include "command_line/message.h"
 #include "command_line/usage_error.h"
+#include "files/clean_end.h"
 
 namespace boxplus::app {
 namespace {
@@ -62,6 +63,7 @@ int run(int argc, char** argv) {
 }  // namespace boxplus::app
 
 int main(int argc, char** argv) {
+  boxplus::app::end_cleanly_on_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   try {
     const int code = boxplus::app::run(argc, argv);

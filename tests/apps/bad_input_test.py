@@ -7,7 +7,10 @@ The lines themselves: tests/io/malformed_test.cpp.
 
 import os
 import resource
+import signal
 import subprocess
+import sys
+import time
 import unittest
 
 from command_case import BOXPLUS, CommandCase, main, run
@@ -90,6 +93,27 @@ class BadInputTest(CommandCase):
         os.link(graph, link)
         self.assert_refused(run("info", graph, "--json", link), "expected another file than the input")
         self.assertEqual(link.read_text(encoding="utf-8"), GRAPH)
+
+    def is_half_written(self):
+        try:
+            return any(path.stat().st_size > 0 for path in self.path.glob("out.g2o.*"))
+        except FileNotFoundError:  # the one that shows whether the folder can be written to
+            return False
+
+    @unittest.skipIf(len(sys.argv) < 4, "needs the path of old_file_system")
+    def test_a_signal_during_writing_leaves_no_temporary_file(self):
+        graph = self.written("graph.g2o", GRAPH)
+        for words in (["convert", graph, self.output], ["optimize", graph, "-o", self.output]):
+            for each in (signal.SIGINT, signal.SIGTERM):
+                process = subprocess.Popen([BOXPLUS, *words], env={"LD_PRELOAD": sys.argv[3]}, stdout=subprocess.DEVNULL)
+                self.addCleanup(process.kill)
+                while not self.is_half_written():
+                    self.assertIsNone(process.poll())
+                while process.poll() is None:
+                    process.send_signal(each)
+                    time.sleep(0.05)
+                self.assertEqual(process.returncode, -each)
+                self.assert_untouched()
 
     def test_a_full_disk_leaves_the_old_file(self):
         # A limit on the size of files stands for the disk; the graph is larger.
