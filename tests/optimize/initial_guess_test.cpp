@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -448,6 +449,44 @@ TEST(InitialGuessOfMixedGraphs, HandlesThePlaneAndSpaceSideBySide) {
     EXPECT_TRUE(kGuesses[k](graph, make_plan(graph, {})).made);
     EXPECT_LT(graph.chi2(), 1e-18);
   });
+}
+
+/// Raises a flag when measurements were asked for so many times.
+struct Alarm {
+  std::size_t at = 0, asked = 0;
+  std::atomic<bool> raised = false;
+};
+
+struct AlarmingBetween : Between<Plane> {
+  Alarm* alarm;
+  AlarmingBetween(const SE2& measured, Alarm& a) : Between<Plane>{measured}, alarm(&a) {}
+  RelativeFrame relative_frame(const Pose<Plane>& a, const Pose<Plane>& b) const {
+    if (++alarm->asked == alarm->at) alarm->raised = true;
+    return Between<Plane>::relative_frame(a, b);
+  }
+};
+
+TEST(ChordalGuess, StopsAmongItsMeasurementsWithoutMovingAnything) {
+  constexpr std::size_t kMeasurements = 20000, kSoon = 5000;
+  Graph graph;
+  Alarm alarm;
+  std::vector<VertexHandle<Pose<Plane>>> poses{graph.add_vertex(Pose<Plane>{})};
+  for (std::size_t k = 0; k < kMeasurements; ++k) {
+    poses.push_back(graph.add_vertex(Pose<Plane>{Plane::motion(static_cast<double>(k))}));
+    graph.add_edge(AlarmingBetween(Plane::motion(1), alarm), poses[k], poses[k + 1]);
+  }
+  const Plan plan = make_plan(graph, {});
+  const double before = graph.chi2();
+  // They are asked for as they are found, for the joint problem, and for the positions.
+  for (const std::size_t at : {std::size_t{1}, kMeasurements + 1, 2 * kMeasurements + 1}) {
+    alarm.at = at;
+    alarm.asked = 0;
+    alarm.raised = false;
+    const GuessResult guess = guess_chordal(graph, plan, {.stop = StopToken(&alarm.raised)});
+    EXPECT_FALSE(guess.made);
+    EXPECT_LT(alarm.asked, at + kSoon);
+    EXPECT_EQ(graph.chi2(), before);
+  }
 }
 
 }  // namespace
