@@ -64,6 +64,11 @@ class Scene {
   GuessResult apply(std::size_t k, const PlanRequest& request = {}) {
     return kGuesses[k](graph, make_plan(graph, request));
   }
+  /// The k-th guess finds the truth.
+  void expect_truth_from(std::size_t k, const PlanRequest& request = {}) {
+    EXPECT_TRUE(apply(k, request).made);
+    EXPECT_LT(largest_error(), 1e-9);
+  }
   double error(PoseHandle pose) const {
     const auto d = frame_of<World>(graph.estimate(pose).motion), e = frame_of<World>(truth(pose));
     double sum = 0;
@@ -130,8 +135,7 @@ TYPED_TEST(InitialGuess, RecoversANoiseFreeGraphFromGarbageAroundAFixedPoseAwayF
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     scene.fix(add_loop(scene, 0.4)[2]);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -140,8 +144,7 @@ TYPED_TEST(InitialGuess, StartsFromPosePriors) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
     scene.graph.add_edge(Prior<TypeParam>{scene.truth(poses[3])}, poses[3]);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -152,8 +155,7 @@ TYPED_TEST(InitialGuess, KeepsTheHeldPoseOfEachComponentWhereItIs) {
       const auto first = add_loop(scene, seed)[0];
       scene.graph.set_estimate(first, Pose<TypeParam>{scene.truth(first)});
     }
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -164,8 +166,7 @@ TYPED_TEST(InitialGuess, KeepsThePoseOfLowestIdWhereNothingIsHeld) {
     scene.graph.set_estimate(first, Pose<TypeParam>{scene.truth(first)});
     PlanRequest request;
     request.gauge = GaugePolicy::kDamp;
-    EXPECT_TRUE(scene.apply(k, request).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k, request);
   });
 }
 
@@ -179,8 +180,7 @@ TYPED_TEST(InitialGuess, FoldsSensorOffsetsInThroughTheHook) {
         MountedBetween<TypeParam>{(scene.truth(a) * mount).inverse() * (scene.truth(b) * mount)}, a, b,
         parameter);
     scene.fix(a);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -195,8 +195,7 @@ TYPED_TEST(InitialGuess, NeverMovesAParameterThatIsCalibrated) {
         MountedBetween<TypeParam>{(scene.truth(a) * mount).inverse() * (scene.truth(b) * mount)}, a, b,
         parameter);
     scene.fix(a);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
     EXPECT_EQ(frame_of<TypeParam>(scene.graph.estimate(parameter).motion).rotation,
               frame_of<TypeParam>(mount).rotation);
   });
@@ -267,8 +266,7 @@ TYPED_TEST(InitialGuess, IgnoresDisabledAndWeightlessEdges) {
     const auto disabled = scene.graph.add_edge(wrong, 1e6, poses[0], poses[1]);
     scene.graph.set_enabled(disabled, false);
     scene.graph.add_edge(wrong, 0.0, poses[1], poses[2]);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -278,8 +276,7 @@ TYPED_TEST(InitialGuess, MovesAComponentOntoMeasuredPositions) {
     for (const auto& pose : add_loop(scene)) {
       scene.graph.add_edge(PositionPrior<TypeParam>{scene.truth(pose).translation()}, pose);
     }
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -296,8 +293,7 @@ TYPED_TEST(InitialGuess, MovesAComponentOntoPointsOfKnownPosition) {
         scene.fix(point);
       }
     }
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -311,8 +307,7 @@ TYPED_TEST(InitialGuess, FollowsPointsThatAreMeasuredFromPoints) {
     scene.see(b, q);
     scene.graph.add_edge(Offset<TypeParam>{scene.truth(q) - scene.truth(p)}, p, q);
     scene.graph.add_edge(Offset<TypeParam>{scene.truth(r) - scene.truth(q)}, q, r);
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -336,8 +331,7 @@ TYPED_TEST(InitialGuess, DoesNotDependOnTheEstimatesOfActiveVerticesEvenWhereThe
     Frame frame = frame_of<TypeParam>(scene.truth(poses[1]));
     frame.translation.fill(std::numeric_limits<double>::quiet_NaN());
     scene.graph.set_estimate(poses[1], Pose<TypeParam>{TypeParam::from(frame)});
-    EXPECT_TRUE(scene.apply(k).made);
-    EXPECT_LT(scene.largest_error(), 1e-9);
+    scene.expect_truth_from(k);
   });
 }
 
@@ -391,8 +385,7 @@ TYPED_TEST(InitialGuess, OdometryFollowsConsecutiveIdsAndBridgesGaps) {
   EXPECT_TRUE(scene.apply(0).made);
   EXPECT_LT(scene.error(b), 1e-9);
   scene.graph.set_enabled(scene.graph.all_edges().back(), false);
-  EXPECT_TRUE(scene.apply(0).made);
-  EXPECT_LT(scene.largest_error(), 1e-9);
+  scene.expect_truth_from(0);
 }
 
 TYPED_TEST(InitialGuess, OdometryDoesNotUseLoopClosures) {
@@ -400,8 +393,7 @@ TYPED_TEST(InitialGuess, OdometryDoesNotUseLoopClosures) {
   const auto poses = add_loop(scene);
   scene.fix(poses[0]);
   scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1e6, poses[0], poses[4]);
-  EXPECT_TRUE(scene.apply(0).made);
-  EXPECT_LT(scene.largest_error(), 1e-9);
+  scene.expect_truth_from(0);
 }
 
 TYPED_TEST(InitialGuess, SpanningTreePrefersTwoCertainEdgesToAnUncertainOne) {
@@ -411,8 +403,7 @@ TYPED_TEST(InitialGuess, SpanningTreePrefersTwoCertainEdgesToAnUncertainOne) {
   scene.join(a, b, 10.0);
   scene.join(b, c, 10.0);
   scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1.0, a, c);
-  EXPECT_TRUE(scene.apply(1).made);
-  EXPECT_LT(scene.largest_error(), 1e-9);
+  scene.expect_truth_from(1);
 }
 
 TYPED_TEST(InitialGuess, SpanningTreeKeepsAPoseThatIsJoinedThroughLandmarksOnly) {
@@ -424,8 +415,7 @@ TYPED_TEST(InitialGuess, SpanningTreeKeepsAPoseThatIsJoinedThroughLandmarksOnly)
   scene.see(b, p);
   scene.see(b, q);
   scene.graph.set_estimate(b, Pose<TypeParam>{scene.truth(b)});
-  EXPECT_TRUE(scene.apply(1).made);
-  EXPECT_LT(scene.largest_error(), 1e-9);
+  scene.expect_truth_from(1);
 }
 
 TEST(InitialGuessOfPoses, ReplacesEstimatesThatAreNotFinite) {
