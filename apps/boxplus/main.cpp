@@ -14,6 +14,7 @@
 #include "command_line/help_format.h"
 #include "command_line/message.h"
 #include "command_line/usage_error.h"
+#include "files/clean_end.h"
 
 namespace boxplus::app {
 namespace {
@@ -24,6 +25,10 @@ constexpr const char* kFooter =
     "  1  optimize stopped before it converged; the best estimate is kept\n"
     "  2  bad input or usage; no output file is touched\n"
     "  3  the numerics failed, or the memory did not suffice\n"
+    "\n"
+    "Environment:\n"
+    "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. Without it, the\n"
+    "               latest that the processor has. The last digits of results may depend on them.\n"
     "\n"
     "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
     "to the standard error.";
@@ -58,6 +63,7 @@ int run(int argc, char** argv) {
 }  // namespace boxplus::app
 
 int main(int argc, char** argv) {
+  boxplus::app::end_cleanly_on_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   try {
     const int code = boxplus::app::run(argc, argv);

@@ -36,6 +36,13 @@ struct UnknownWord {
   std::int64_t count = 0, first_line = 0;
 };
 
+/// What an error says after its place, "file:line:column: ".
+std::string without_place(const InputError& error, std::string_view file) {
+  const std::string place = fmt::format("{}:{}:{}: ", file, error.line(), error.column());
+  const std::string_view text = error.what();
+  return std::string(text.starts_with(place) ? text.substr(place.size()) : text);
+}
+
 /// Builds a GraphFile: the workers take the lines apart, block by block, and one of them, who is always the
 /// same, puts the blocks before into the graph. Elements thus come into the graph in the order of the file,
 /// but for edges that stand before their vertices.
@@ -148,7 +155,7 @@ class GraphReader {
     } catch (const InputError& error) {
       if (!lenient_) throw;
       ++file_.skipped;
-      file_.notes.push_back({number, std::string("skipped: ") + error.what()});
+      file_.notes.push_back({number, without_place(error, name_), error.column(), true});
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
+#include "io/temporary_name.h"
 
 namespace boxplus {
 namespace {
@@ -56,7 +57,8 @@ std::string target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::filesystem::path target = path;
   std::error_code error;
-  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+  for (int i = 0; std::filesystem::is_symlink(target, error); ++i) {
+    if (i == kMostLinks) fail(path, "cannot be written", ELOOP);
     target = target.parent_path() / std::filesystem::read_symlink(target, error);
   }
   return target.string();
@@ -70,7 +72,7 @@ void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<v
 }
 
 /// A file beside `target` that takes its place. Until then it has no name where the file system can do so:
-/// whatever ends the process, nothing is left behind.
+/// whatever ends the process, nothing is left behind. Elsewhere remove_temporary_files() knows its name.
 class Replacement {
  public:
   Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {
@@ -80,26 +82,20 @@ class Replacement {
     if (!file_.is_open()) file_ = make_named();
     if (!file_.is_open()) fail(path_, "cannot be written", errno);
   }
-  ~Replacement() {
-    if (!name_.empty()) ::unlink(name_.c_str());
-  }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
-
   const FileDescriptor& file() const { return file_; }
   void take_place() {
     if (::fchmod(file_.value(), permissions_for(target_)) != 0 || !has_name() ||
         ::rename(name_.c_str(), target_.c_str()) != 0) {
       fail(path_, "cannot be written", errno);
     }
-    name_.clear();
+    name_.release();
   }
 
  private:
   FileDescriptor make_named() {
-    name_ = target_ + ".XXXXXX";
-    FileDescriptor file(::mkstemp(name_.data()));
-    if (!file.is_open()) name_.clear();
+    std::string name = target_ + ".XXXXXX";
+    FileDescriptor file(::mkstemp(name.data()));
+    if (file.is_open()) name_.assign(std::move(name));
     return file;
   }
 
@@ -110,7 +106,7 @@ class Replacement {
     for (unsigned i = 0;; ++i) {
       std::string name = fmt::format("{}.{}.{}", target_, ::getpid(), i);
       if (::linkat(AT_FDCWD, source.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        name_ = std::move(name);
+        name_.assign(std::move(name));
         return true;
       }
       if (errno != EEXIST) return false;
@@ -118,7 +114,7 @@ class Replacement {
   }
 
   const std::string &path_, &target_;
-  std::string name_;
+  TemporaryName name_;
   FileDescriptor file_;
 };
 

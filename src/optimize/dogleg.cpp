@@ -95,6 +95,24 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
+/// step ← the longest within the radius; returns what the model promises of it.
+double Dogleg::find_step(System& system) {
+  if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
+  blend();
+  const double curvature = newton_norm_ <= radius_ ? newton_curvature_ : system.curvature(step_);
+  return model_decrease(system.gradient(), step_, curvature);
+}
+
+/// A radius that leaves nothing of a step for chi2 to show tells nothing: it is widened first.
+double Dogleg::find_first_step(System& system, double chi2) {
+  double promise = find_step(system);
+  while (newton_norm_ > radius_ && promise <= kNegligible * chi2) {
+    radius_ = promise > 0 ? std::min(newton_norm_, radius_ * (kNoticeable * chi2 / promise)) : newton_norm_;
+    promise = find_step(system);
+  }
+  return promise;
+}
+
 void Dogleg::update_radius(double gain, double step_norm) {
   if (!(gain >= 0.25)) {
     radius_ = std::min(radius_, step_norm) * (gain > -1 ? 0.5 : 0.25);
@@ -110,36 +128,27 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   const LinearStatus solved = solve_gauss_newton(system, record);
   if (solved != LinearStatus::kOk) return outcome_of(solved);
   newton_norm_ = norm(newton_);
-  const double newton_curvature = curvature_of_newton(system, record);
-  bool have_cauchy = false;
-  double largest_promise = 0, largest_step = 0;
+  newton_curvature_ = curvature_of_newton(system, record);
+  have_cauchy_ = false;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
-    if (newton_norm_ > radius_ && !have_cauchy) {
-      find_cauchy_step(system);
-      have_cauchy = true;
-    }
+    const double promise = record.tries == 1 ? find_first_step(system, chi2) : find_step(system);
+    const bool cut_short = newton_norm_ > radius_;
     record.control = radius_;
-    blend();
-    const double step_norm = norm(step_);
-    const bool is_newton = newton_norm_ <= record.control;
-    const double curvature = is_newton ? newton_curvature : system.curvature(step_);
-    const double promise = model_decrease(system.gradient(), step_, curvature);
-    largest_promise = std::max(largest_promise, promise);
     record.step_max = max_abs(step_);
-    largest_step = std::max(largest_step, record.step_max);
     record.chi2 = system.try_step(step_);
     record.chi2_decrease = chi2 - record.chi2;
     const double gain = record.chi2_decrease / promise;
-    update_radius(gain, step_norm);
+    update_radius(gain, norm(step_));
     if (record.chi2_decrease > 0 && gain > 0) {
       system.accept();
-      return IterationOutcome::kAccepted;
+      return cut_short ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
     }
     system.reject();
     record.chi2 = chi2;
     if (promise <= kRounding * chi2) break;  // smaller steps promise even less
   }
-  return outcome_without_decrease(largest_promise, largest_step, chi2);
+  const double newton_promise = model_decrease(system.gradient(), newton_, system.curvature(newton_));
+  return outcome_without_decrease(newton_promise, max_abs(newton_), chi2);
 }
 
 }  // namespace boxplus

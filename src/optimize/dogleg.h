@@ -22,6 +22,8 @@ class Dogleg final : public Algorithm {
   LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
   double curvature_of_newton(System& system, const IterationRecord& record) const;
   void find_cauchy_step(System& system);
+  double find_step(System& system);
+  double find_first_step(System& system, double chi2);
   void scale_from(const System& system);
   double norm(const std::vector<double>& step) const;
   void blend();
@@ -31,7 +33,8 @@ class Dogleg final : public Algorithm {
   double radius_ = kUnbounded;
   double regularisation_ = 0;  // relative to the diagonal
   int regularised_steps_ = 0;
-  double newton_norm_ = 0, cauchy_norm_ = 0;
+  double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;
+  bool have_cauchy_ = false;
   std::vector<double> scale_, newton_, cauchy_, step_;
 };
 

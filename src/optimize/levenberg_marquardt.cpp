@@ -21,10 +21,14 @@ void LevenbergMarquardt::reset(const Options& options, std::size_t scalars) {
   step_.resize(scalars);
 }
 
+double LevenbergMarquardt::default_damping(const System& system) const {
+  const double unit = scale_ == DampingScale::kIdentity ? std::max(max_abs(system.diagonal()), 1e-300) : 1;
+  return kInitialDamping * unit;
+}
+
 void LevenbergMarquardt::start_damping(const System& system) {
   started_ = true;
-  const double unit = scale_ == DampingScale::kIdentity ? std::max(max_abs(system.diagonal()), 1e-300) : 1;
-  lambda_ = user_lambda_ > 0 ? user_lambda_ : kInitialDamping * unit;
+  lambda_ = user_lambda_ > 0 ? std::min(user_lambda_, kMaxLambda) : default_damping(system);
 }
 
 void LevenbergMarquardt::raise_damping() {
@@ -32,38 +36,72 @@ void LevenbergMarquardt::raise_damping() {
   growth_ *= 2;
 }
 
+/// The step of H + λD. Damping cuts it short where it takes more than half of the curvature along it:
+/// δᵀ(H + λD)δ = −gᵀδ.
+LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, IterationRecord& record) {
+  const StepResult solved = system.solve({lambda, scale_}, step_);
+  record.linear_iterations += solved.linear_iterations;
+  if (solved.status != LinearStatus::kOk) return solved.status;
+  const double curvature = system.curvature(step_);
+  promise_ = model_decrease(system.gradient(), step_, curvature);
+  cut_short_ = curvature < -dot(system.gradient(), step_) / 2;
+  return LinearStatus::kOk;
+}
+
+/// Damping that leaves nothing of a step for chi2 to show tells nothing: it is lowered first.
+LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, IterationRecord& record) {
+  for (;;) {
+    const LinearStatus status = find_step(system, lambda_, record);
+    const bool too_short = cut_short_ && promise_ <= kNegligible * chi2 && lambda_ > kMinLambda;
+    if (status != LinearStatus::kOk || !too_short) return status;
+    lambda_ = std::max(kMinLambda, lambda_ * (promise_ / (kNoticeable * chi2)));
+  }
+}
+
+/// Moves by the step, and damps less the better the model was; false, without a move, where chi2 does not
+/// fall.
+bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
+  record.step_max = max_abs(step_);
+  record.chi2 = system.try_step(step_);
+  record.chi2_decrease = chi2 - record.chi2;
+  const double gain = record.chi2_decrease / promise_;
+  if (!(record.chi2_decrease > 0 && gain > 0)) {
+    system.reject();
+    record.chi2 = chi2;
+    return false;
+  }
+  system.accept();
+  const double cubed = 1 - std::pow(2 * gain - 1, 3);
+  lambda_ = std::max(kMinLambda, lambda_ * std::max(1.0 / 3, cubed));
+  growth_ = 2;
+  return true;
+}
+
 IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, IterationRecord& record) {
   if (!system.linearize()) return IterationOutcome::kNotFinite;
   if (!started_) start_damping(system);
   record.gradient_max = max_abs(system.gradient());
   double largest_promise = 0, largest_step = 0;
+  bool largest_cut_short = false;
   LinearStatus last = LinearStatus::kOk;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
+    last = record.tries == 1 ? find_first_step(system, chi2, record) : find_step(system, lambda_, record);
     record.control = lambda_;
-    const StepResult solved = system.solve({lambda_, scale_}, step_);
-    last = solved.status;
-    record.linear_iterations += solved.linear_iterations;
     if (last == LinearStatus::kStopped) return IterationOutcome::kStopped;
     if (last == LinearStatus::kOk) {
-      const double promise = model_decrease(system.gradient(), step_, system.curvature(step_));
-      largest_promise = std::max(largest_promise, promise);
-      record.step_max = max_abs(step_);
+      if (take_step(system, chi2, record))
+        return cut_short_ ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
+      if (record.step_max >= largest_step) largest_cut_short = cut_short_;
+      largest_promise = std::max(largest_promise, promise_);
       largest_step = std::max(largest_step, record.step_max);
-      record.chi2 = system.try_step(step_);
-      record.chi2_decrease = chi2 - record.chi2;
-      const double gain = record.chi2_decrease / promise;
-      if (record.chi2_decrease > 0 && gain > 0) {
-        system.accept();
-        const double cubed = 1 - std::pow(2 * gain - 1, 3);
-        lambda_ = std::max(kMinLambda, lambda_ * std::max(1.0 / 3, cubed));
-        growth_ = 2;
-        return IterationOutcome::kAccepted;
-      }
-      system.reject();
-      record.chi2 = chi2;
-      if (promise <= kRounding * chi2) break;  // smaller steps promise even less
+      if (promise_ <= kRounding * chi2) break;  // smaller steps promise even less
     }
     raise_damping();
+  }
+  if (last == LinearStatus::kOk && largest_cut_short) {
+    last = find_step(system, default_damping(system), record);
+    largest_promise = promise_;
+    largest_step = max_abs(step_);
   }
   if (last != LinearStatus::kOk) return outcome_of(last);
   return outcome_without_decrease(largest_promise, largest_step, chi2);

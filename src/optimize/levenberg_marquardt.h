@@ -16,14 +16,20 @@ class LevenbergMarquardt final : public Algorithm {
   IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override;
 
  private:
+  double default_damping(const System& system) const;
   void start_damping(const System& system);
   void raise_damping();
+  LinearStatus find_step(System& system, double lambda, IterationRecord& record);
+  LinearStatus find_first_step(System& system, double chi2, IterationRecord& record);
+  bool take_step(System& system, double chi2, IterationRecord& record);
 
   DampingScale scale_ = DampingScale::kDiagonal;
   double user_lambda_ = 0;
   double lambda_ = 0, growth_ = 2;
   bool started_ = false;
   std::vector<double> step_;
+  double promise_ = 0;      // of the step
+  bool cut_short_ = false;  // the step is, by damping
 };
 
 }  // namespace boxplus

@@ -36,8 +36,9 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
 }
 
 std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
-                                  double largest_step) {
+                                  double largest_step, bool cut_short) {
   if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
+  if (cut_short) return std::nullopt;
   if (record.step_max <= options.step_tolerance * largest_step) return Reason::kStepTolerance;
   if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
   return std::nullopt;
@@ -55,14 +56,16 @@ RunResult minimize(System& system, Algorithm& algorithm, const RunContext& conte
     record.iteration = static_cast<int>(context.records.size());
     record.chi2 = chi2;
     const IterationOutcome outcome = algorithm.iterate(system, chi2, record);
-    if (outcome != IterationOutcome::kAccepted) return ended(outcome, context.stop, chi2, iteration);
+    const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
+    if (outcome != IterationOutcome::kAccepted && !cut_short)
+      return ended(outcome, context.stop, chi2, iteration);
     record.time_s = context.clock.seconds();
     context.records.push_back(record);
     const double before = chi2;
     chi2 = record.chi2;
     largest_step = std::max(largest_step, record.step_max);
     const bool wanted = context.go_on(record);
-    if (const auto reason = convergence(context.options, record, before, largest_step)) {
+    if (const auto reason = convergence(context.options, record, before, largest_step, cut_short)) {
       return {Status::kConverged, *reason, chi2, iteration + 1};
     }
     if (!wanted) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "optimize/gauge_release.h"
+#include "optimize/non_finite.h"
 #include "optimize/run.h"
 #include "optimize/starts.h"
 
@@ -45,21 +46,6 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
-/// Appends to the message which edge is to blame.
-void name_non_finite_edge(Run& run) {
-  const auto error = run.system().linearizer().find_non_finite_error();
-  const auto edge =
-      error ? error : run.system().linearizer().find_non_finite_jacobian(run.system().linearize_options());
-  if (!edge) return;
-  run.report().message += error ? ": the error (or its robust kernel) of"
-                                : ": a Jacobian (or the weight of the robust kernel) of";
-  run.report().message +=
-      " the edge " + std::string(run.graph().edge_pools()[edge->pool]->type_name()) + " between vertices";
-  for (const VertexRef& vertex : run.graph().vertices(*edge))
-    run.report().message += " " + std::to_string(run.graph().id(vertex));
-  run.report().message += " is NaN or infinite";
-}
-
 void finish(Run& run, const RunResult& result) {
   run.report().status = result.status;
   run.report().reason = result.reason;
@@ -72,7 +58,7 @@ void finish(Run& run, const RunResult& result) {
                             std::string(run.graph().vertex_pools()[vertex.pool]->type_name()) +
                             "); nothing measures it in some direction";
   } else if (result.reason == Reason::kNotFinite) {
-    name_non_finite_edge(run);
+    run.report().message += ": " + describe_non_finite(run);
   }
   run.report().time.total_s = run.seconds();
 }

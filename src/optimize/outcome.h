@@ -17,12 +17,18 @@ inline IterationOutcome outcome_of(LinearStatus status) {
   }
 }
 
-/// The outcome when no trial step lowered chi2: at a minimum where the best of them promised no more than
-/// rounding, or where the largest was no more than rounding (chi2 itself is rounding there).
-inline IterationOutcome outcome_without_decrease(double largest_promise, double largest_step, double chi2) {
-  constexpr double kPromise = 1e-9, kStep = 1e-9;
-  return largest_promise <= kPromise * chi2 || largest_step <= kStep ? IterationOutcome::kNoFurtherDecrease
-                                                                     : IterationOutcome::kNoStepFound;
+/// A step that promises to lower chi2 by a smaller fraction may fail to, by rounding alone.
+inline constexpr double kNegligible = 1e-9;
+/// The fraction of chi2 that a step is made to promise which damping or radius had left with a negligible
+/// one.
+inline constexpr double kNoticeable = 1e-6;
+
+/// The outcome when no trial step lowered chi2: at a minimum where the step that nothing cuts short promises
+/// no more than rounding, or is no larger than rounding (chi2 itself is rounding there).
+inline IterationOutcome outcome_without_decrease(double promise, double step_max, double chi2) {
+  constexpr double kStep = 1e-9;
+  return promise <= kNegligible * chi2 || step_max <= kStep ? IterationOutcome::kNoFurtherDecrease
+                                                            : IterationOutcome::kNoStepFound;
 }
 
 }  // namespace boxplus

@@ -115,9 +115,11 @@ class LandmarkCells {
 template <class Found>
 void furnish(const StreetNetwork& network, const Street& street, RandomNumbers& random, Found&& found) {
   constexpr double kKerb = 3.5, kFacade = 6, kCorner = 6, kLamppostSpacing = 10;
-  double side = 1;
-  for (double at = kCorner; at <= street.steps - kCorner; at += kLamppostSpacing / 2, side = -side) {
-    found(network.beside(street, at, side * kKerb));
+  const int lampposts =
+      static_cast<int>(std::floor((street.steps - 2 * kCorner) / (kLamppostSpacing / 2))) + 1;
+  for (int k = 0; k < lampposts; ++k) {
+    const double side = k % 2 == 0 ? 1 : -1;
+    found(network.beside(street, kCorner + k * (kLamppostSpacing / 2), side * kKerb));
   }
   for (double facade : {kFacade, -kFacade}) {
     double begin = kCorner + random.uniform(0, 3);

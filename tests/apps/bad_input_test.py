@@ -7,7 +7,10 @@ The lines themselves: tests/io/malformed_test.cpp.
 
 import os
 import resource
+import signal
 import subprocess
+import sys
+import time
 import unittest
 
 from command_case import BOXPLUS, CommandCase, main, run
@@ -60,11 +63,57 @@ class BadInputTest(CommandCase):
         self.assertEqual(done.stderr.count("skipped"), 2)
         self.assertEqual((self.path / "good.g2o").read_text(encoding="utf-8"), GRAPH)
 
+    def test_a_skipped_line_names_its_place_once(self):
+        path = self.written("bad.g2o", GRAPH + BAD_LINE)
+        complaint = f"boxplus: {path}:4:16: skipped: expected y (a finite number), got 'zero'\n"
+        self.assertEqual(run("info", path, "--lenient").stderr, complaint)
+
+    def test_a_file_of_bad_lines_only_names_the_first(self):
+        path = self.written("bad.g2o", "STRANGE 1\n" + 2 * BAD_LINE)
+        done = run("info", path, "--lenient")
+        self.assert_refused(done, "; 2 lines were skipped, the first at 2:16: expected y (a finite number), got 'zero'\n")
+        self.assertEqual((done.stderr.count("skipped"), done.stderr.count(str(path))), (1, 1))
+
     def test_outputs_that_cannot_be_written(self):
         graph = self.written("graph.g2o", GRAPH)
         self.assert_refused(run("optimize", graph, "-o", self.path), "Is a directory")
         self.assert_refused(run("optimize", graph, "-o", self.path / "none" / "out.g2o"), "No such file or directory")
         self.assert_refused(run("convert", graph, "/dev/full"), "No space left on device")
+
+    def test_a_link_to_itself_is_refused_as_output(self):
+        loop = self.path / "loop.g2o"
+        loop.symlink_to(loop)
+        done = run("optimize", self.written("graph.g2o", GRAPH), "-o", loop)
+        self.assert_refused(done, "loop.g2o: cannot be written: Too many levels of symbolic links")
+        self.assertTrue(loop.is_symlink())
+
+    def test_a_hard_link_to_the_input_is_the_input(self):
+        graph = self.written("graph.g2o", GRAPH)
+        link = self.path / "link.json"
+        os.link(graph, link)
+        self.assert_refused(run("info", graph, "--json", link), "expected another file than the input")
+        self.assertEqual(link.read_text(encoding="utf-8"), GRAPH)
+
+    def is_half_written(self):
+        try:
+            return any(path.stat().st_size > 0 for path in self.path.glob("out.g2o.*"))
+        except FileNotFoundError:  # the one that shows whether the folder can be written to
+            return False
+
+    @unittest.skipIf(len(sys.argv) < 4, "needs the path of old_file_system")
+    def test_a_signal_during_writing_leaves_no_temporary_file(self):
+        graph = self.written("graph.g2o", GRAPH)
+        for words in (["convert", graph, self.output], ["optimize", graph, "-o", self.output]):
+            for each in (signal.SIGINT, signal.SIGTERM):
+                process = subprocess.Popen([BOXPLUS, *words], env={"LD_PRELOAD": sys.argv[3]}, stdout=subprocess.DEVNULL)
+                self.addCleanup(process.kill)
+                while not self.is_half_written():
+                    self.assertIsNone(process.poll())
+                while process.poll() is None:
+                    process.send_signal(each)
+                    time.sleep(0.05)
+                self.assertEqual(process.returncode, -each)
+                self.assert_untouched()
 
     def test_a_full_disk_leaves_the_old_file(self):
         # A limit on the size of files stands for the disk; the graph is larger.

@@ -19,6 +19,7 @@ class CommandTest(CommandCase):
             self.assertIn("Usage: boxplus", done.stdout)
             self.assertEqual([line for line in done.stdout.splitlines() if len(line) > 100], [])
         self.assertIn("Exit codes", run("--help").stdout)
+        self.assertIn("BOXPLUS_ISA", run("--help").stdout)
         self.assertEqual(run("help", "optimize").stdout, run("optimize", "--help").stdout)
 
     def test_the_document_of_the_command_line_is_what_it_says(self):

@@ -4,9 +4,7 @@
 
 import json
 import os
-import pathlib
 import pty
-import re
 import signal
 import subprocess
 import time
@@ -18,12 +16,6 @@ def estimates(text):
     """The vertex lines of a graph by id."""
     lines = (line.split() for line in text.splitlines())
     return {int(words[1]): words[2:] for words in lines if words[0].startswith("VERTEX")}
-
-
-def catches(process, number):
-    """Whether the process has a handler for that signal."""
-    status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
-    return int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16) >> (number - 1) & 1
 
 
 class OptimizeTest(CommandCase):
@@ -245,11 +237,9 @@ class OptimizeTest(CommandCase):
     def test_a_second_interrupt_ends_at_once(self):
         os.mkfifo(self.path / "pipe")  # nobody reads it: after the first interrupt, boxplus waits to write
         process = self.start_endless(self.path / "pipe")
-        process.send_signal(signal.SIGINT)
-        while catches(process, signal.SIGINT):
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=300)
+        while process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            time.sleep(0.1)
         self.assertEqual(process.returncode, -signal.SIGINT)
 
 

@@ -279,9 +279,9 @@ TEST(Graph, HandlesSurviveMoves) {
 }
 
 struct CountedCache final : Graph::Cache {
-  explicit CountedCache(int& count) : count_(count) { ++count_; }
-  ~CountedCache() override { --count_; }
-  int& count_;
+  explicit CountedCache(int& counter) : count(counter) { ++count; }
+  ~CountedCache() override { --count; }
+  int& count;
 };
 
 TEST(Graph, AMovedGraphLeavesItsCacheBehindBecauseTheCacheMayPointAtTheGraph) {

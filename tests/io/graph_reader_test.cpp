@@ -192,7 +192,11 @@ TEST(GraphReader, SkipsAndCountsBadLinesWhereAskedTo) {
       parse_graph(std::string(kTwoPoses) + "VERTEX_SE2 2 x 0 0\nEDGE_SE2 0 1 1\nFIX 0\n", "g", lenient);
   EXPECT_EQ(file.skipped, 2);
   EXPECT_EQ(file.graph.vertex_count(), 2u);
-  EXPECT_THAT(file.notes, SizeIs(2));
+  ASSERT_THAT(file.notes, SizeIs(2));
+  EXPECT_TRUE(file.notes[0].skipped);
+  EXPECT_EQ(file.notes[0].line, 3);
+  EXPECT_EQ(file.notes[0].column, 14);
+  EXPECT_EQ(file.notes[0].text, "expected x (a finite number), got 'x'");
 }
 
 TEST(GraphReader, SaysWhichFileCannotBeOpened) {

@@ -141,6 +141,19 @@ TEST(Gauge, IsNotReleasedOnceTheFlagIsUp) {
   EXPECT_EQ(report.iterations, 1);
 }
 
+TEST(Gauge, IsNotReleasedWhereDampingOrRadiusCutEveryStepShort) {
+  for (const Options& options :
+       {Options{.algorithm = AlgorithmKind::kLevenbergMarquardt, .max_iterations = 3, .initial_lambda = 1e15},
+        Options{.algorithm = AlgorithmKind::kDogleg, .max_iterations = 3, .initial_radius = 1e-15}}) {
+    Graph graph;
+    add_noisy_circle(graph, 20);
+    const Report report = optimize(graph, options);
+    EXPECT_EQ(report.status, Status::kNotConverged) << report;
+    EXPECT_THAT(report.gauge.held, ElementsAre(0));
+    EXPECT_THAT(report.gauge.released, IsEmpty());
+  }
+}
+
 TEST(Gauge, StaysHeldWhereTheDataFitPerfectly) {
   // chi2 is then rounding noise, and so is the gradient of the held vertex.
   for (const auto algorithm :

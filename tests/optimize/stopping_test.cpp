@@ -407,6 +407,57 @@ TEST(Optimize, DoesNotCallItConvergedWhereNoStepDoesWhatItPromised) {
   }
 }
 
+TEST(Optimize, IsNotConvergedWhereDampingOrRadiusCutEveryStepShort) {
+  for (const double tightness : {1e6, 1e10, 1e14, 1e30, 1e300}) {
+    const Options damped{.algorithm = AlgorithmKind::kLevenbergMarquardt,
+                         .max_iterations = 3,
+                         .cost_tolerance = 1e-3,
+                         .initial_lambda = tightness};
+    const Options bounded{.algorithm = AlgorithmKind::kDogleg,
+                          .max_iterations = 3,
+                          .cost_tolerance = 1e-3,
+                          .initial_radius = 1 / tightness};
+    for (const Options& options : {damped, bounded}) {
+      Graph graph;
+      add_noisy_grid(graph, 3);
+      const Report report = optimize(graph, options);
+      EXPECT_EQ(report.status, Status::kNotConverged) << report;
+      EXPECT_EQ(report.reason, Reason::kMaxIterations);
+    }
+  }
+}
+
+TEST(Optimize, GetsAwayFromADampingOrARadiusThatPermitsNoStep) {
+  Graph reference;
+  add_noisy_grid(reference, 3);
+  const double chi2 = optimize(reference).chi2_final;
+  for (const DampingScale scale : {DampingScale::kIdentity, DampingScale::kDiagonal}) {
+    const Options damped{
+        .algorithm = AlgorithmKind::kLevenbergMarquardt, .damping = scale, .initial_lambda = 1e300};
+    const Options bounded{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300};
+    for (const Options& options : {damped, bounded}) {
+      Graph graph;
+      add_noisy_grid(graph, 3);
+      const Report report = optimize(graph, options);
+      EXPECT_TRUE(report.converged()) << report;
+      EXPECT_NEAR(report.chi2_final, chi2, 1e-8 * chi2);
+    }
+  }
+}
+
+TEST(Optimize, IsConvergedAtAMinimumHoweverDampedOrBounded) {
+  for (const Options& options :
+       {Options{.algorithm = AlgorithmKind::kLevenbergMarquardt, .initial_lambda = 1e300},
+        Options{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300}}) {
+    Graph graph;
+    add_noisy_grid(graph, 3);
+    optimize(graph);
+    const Report report = optimize(graph, options);
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_LT(report.iterations, 3);
+  }
+}
+
 TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kGaussNewton}) {
     Graph graph;
@@ -436,6 +487,32 @@ TEST(Optimize, LeavesTheGraphUsableWhereAnErrorFunctionThrows) {
   EXPECT_THROW(optimize(graph), std::runtime_error) << "not InvalidArgument";
   throws = false;
   EXPECT_TRUE(optimize(graph).converged());
+}
+
+TEST(Optimize, NamesAnEdgeWhereOnlyTheSumOverAllOverflows) {
+  Graph graph;
+  const auto x = graph.add_vertex(1e308, 7), y = graph.add_vertex(0.0, 8);
+  graph.add_edge([](const auto& value) { return value - 1e308 - 3; }, x);
+  graph.add_edge([](const auto& value) { return value - 1e154; }, y);
+  graph.add_edge([](const auto& a, const auto& b) { return 1.2e-154 * a + b; }, x, y);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part is that of the edge"));
+  EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+}
+
+TEST(Optimize, NamesTheEdgeByWhichTheLinearSystemOverflows) {
+  for (const auto algorithm :
+       {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kGaussNewton}) {
+    Graph graph;
+    const auto x = graph.add_vertex(1.0, 7), y = graph.add_vertex(2.0, 8);
+    graph.add_edge([](const auto& value) { return value - 3; }, x);
+    graph.add_edge([](const auto& a, const auto& b) { return 1e300 * (2 * a - b); }, x, y);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_EQ(report.reason, Reason::kNotFinite);
+    EXPECT_THAT(report.message, HasSubstr("the linear system overflows; the largest Jacobian"));
+    EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+  }
 }
 
 class NanWeight final : public RobustKernel {

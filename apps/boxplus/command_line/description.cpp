@@ -47,7 +47,7 @@ OptionDescription describe(const CLI::Option& option) {
 std::string usage_of(const CLI::App& app, const CommandDescription& command) {
   std::string usage = command.name;
   for (const CLI::App* parent = app.get_parent(); parent; parent = parent->get_parent())
-    usage = parent->get_name() + " " + usage;
+    usage.insert(0, parent->get_name() + " ");
   if (!command.commands.empty()) usage += " COMMAND";
   usage += command.commands.empty() ? " [OPTIONS]" : " …";
   for (const OptionDescription& option : command.options) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -50,9 +51,11 @@ void require_graph(const GraphFile& file, const std::string& path) {
     message += fmt::format("; its first line is '{}{}'", escaped(line.substr(0, kShown)),
                            line.size() > kShown ? "…" : "");
   }
-  if (file.skipped > 0)
-    message += fmt::format("; {} line{} skipped, the first is {}", file.skipped,
-                           file.skipped == 1 ? " was" : "s were", file.notes.front().text);
+  const auto first =
+      std::find_if(file.notes.begin(), file.notes.end(), [](const auto& note) { return note.skipped; });
+  if (first != file.notes.end())
+    message += fmt::format("; {} line{} skipped, the first at {}:{}: {}", file.skipped,
+                           file.skipped == 1 ? " was" : "s were", first->line, first->column, first->text);
   throw InputError(input_name(path), file.lines + 1, 1, message);
 }
 
@@ -141,13 +144,11 @@ void print_notes(const GraphFile& file, const std::string& path) {
   const std::string name = input_name(path);
   for (std::size_t k = 0; k < std::min(kShown, file.notes.size()); ++k) {
     const GraphFile::Note& note = file.notes[k];
-    if (note.text.find(name + ":") != std::string::npos) {  // it tells its place itself
-      print_message(note.text);
-    } else if (note.line > 0) {
-      print_message(fmt::format("{}:{}: {}", name, note.line, note.text));
-    } else {
-      print_message(fmt::format("{}: {}", name, note.text));
+    std::string place = name;
+    for (const std::int64_t number : {note.line, note.column}) {
+      if (number > 0) place += fmt::format(":{}", number);
     }
+    print_message(fmt::format("{}: {}{}", place, note.skipped ? "skipped: " : "", note.text));
   }
   if (file.notes.size() > kShown)
     print_message(fmt::format("{}: … and {} more such notes", name, file.notes.size() - kShown));

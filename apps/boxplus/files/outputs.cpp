@@ -18,7 +18,7 @@ bool is_stdout(const Output& output) {
   return output.path == kStandardStream || output.path == "/dev/stdout";
 }
 
-/// Whatever way the path is spelt.
+/// Whatever way the path is spelt; empty where it leads nowhere.
 std::filesystem::path place_of(const std::string& path) {
   std::error_code none;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
@@ -29,7 +29,9 @@ bool are_same(const Output& a, const Output& b) {
   if (is_stdout(a) || is_stdout(b)) return is_stdout(a) && is_stdout(b);
   std::error_code none;
   if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null takes any number
-  return place_of(a.path) == place_of(b.path);
+  if (std::filesystem::equivalent(a.path, b.path, none)) return true;  // hard links too
+  const std::filesystem::path place = place_of(a.path);
+  return !place.empty() && place == place_of(b.path);
 }
 
 }  // namespace

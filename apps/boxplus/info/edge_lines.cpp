@@ -22,7 +22,7 @@ bool begins_edge(std::string_view line, const ReadOptions& reading) {
 std::set<std::int64_t> skipped_lines(const GraphFile& file) {
   std::set<std::int64_t> lines;
   for (const GraphFile::Note& note : file.notes) {
-    if (note.text.starts_with("skipped:")) lines.insert(note.line);
+    if (note.skipped) lines.insert(note.line);
   }
   return lines;
 }

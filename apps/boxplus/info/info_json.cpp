@@ -84,7 +84,10 @@ Json extent_json(const GraphFacts& facts) {
 
 Json notes_json(const GraphFile& file) {
   Json result = Json::array();
-  for (const GraphFile::Note& note : file.notes) result.push_back({{"line", note.line}, {"text", note.text}});
+  for (const GraphFile::Note& note : file.notes) {
+    result.push_back(
+        {{"line", note.line}, {"column", note.column}, {"skipped", note.skipped}, {"text", note.text}});
+  }
   return result;
 }
 

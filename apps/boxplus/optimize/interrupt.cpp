@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/interrupt.h"
 
+#include "files/clean_end.h"
+
 namespace boxplus::app {
 namespace {
 
@@ -10,8 +12,8 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 /// Only async-signal-safe calls in here.
 extern "C" void raise_flag(int /*signal*/) {
   interrupted.store(true);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, end_cleanly);
+  std::signal(SIGTERM, end_cleanly);
 }
 
 void install(int signal, struct sigaction& old) {

@@ -7,8 +7,9 @@
 
 namespace boxplus::app {
 
-/// While one exists, the first SIGINT or SIGTERM raises flag(), and the second ends the process as usual. A
-/// signal that the process was told to ignore (nohup, background jobs) stays ignored. One at a time.
+/// While one exists, the first SIGINT or SIGTERM raises flag(), and the second ends the process
+/// (end_cleanly). A signal that the process was told to ignore (nohup, background jobs) stays ignored. One at
+/// a time.
 class Interrupt {
  public:
   Interrupt();

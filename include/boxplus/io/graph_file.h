@@ -38,8 +38,10 @@ struct KeptLine {
 /// A graph, and what its file says beyond it.
 struct GraphFile {
   struct Note {
-    std::int64_t line = 0;
+    std::int64_t line = 0;  ///< 0: the file as a whole
     std::string text;
+    std::int64_t column = 0;  ///< 0: the line as a whole
+    bool skipped = false;     ///< the line was skipped (lenient reading): `text` tells what is wrong with it
   };
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
@@ -73,5 +75,9 @@ void write_file(const std::string& path, std::string_view text);
 /// Throws the FileError that write_file() would throw for this path, as far as can be told without writing:
 /// called before long work, so that it is not in vain.
 void require_writable(const std::string& path);
+/// Removes what these functions have written so far of files that are not finished. Only for handlers of
+/// signals that end the process, which may call it at any time: such files have no name, and vanish by
+/// themselves, where the file system can do so.
+void remove_temporary_files() noexcept;
 
 }  // namespace boxplus

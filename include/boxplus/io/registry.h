@@ -87,7 +87,7 @@ inline constexpr bool kIsParameter = !std::is_same_v<V, Strip<V>>;
 template <class V>
 Tag::Argument argument() {
   using T = edge::ElementOf<Strip<V>>;
-  constexpr auto create = [](Graph& graph, Id id) -> VertexRef {
+  const auto create = [](Graph& graph, Id id) -> VertexRef {
     T value{};
     if constexpr (requires { value.setZero(); }) value.setZero();
     return graph.add_vertex(std::move(value), id);

@@ -12,6 +12,8 @@ namespace boxplus {
 
 enum class IterationOutcome : std::uint8_t {
   kAccepted,           ///< moved to lower chi2 (Gauss-Newton: moved)
+  kAcceptedShort,      ///< the same by a step that damping or a trust radius cut short: that it is small, or
+                       ///< lowers chi2 by little, is no sign of a minimum
   kNoFurtherDecrease,  ///< no step lowers chi2, and none is expected to by more than rounding
   kNoStepFound,        ///< no step lowers chi2 although one is expected to
   kNotPositiveDefinite,

@@ -33,7 +33,7 @@ enum class Reason : std::uint8_t {
   kCallback,
   kNoStepFound,          ///< every damped step raised chi2
   kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
-  kNotFinite,            ///< an error or a Jacobian is NaN or Inf; `message` names the edge
+  kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
   kGaugeFreedom          ///< GaugePolicy::kError and a component that nothing holds
 };
 std::string_view to_string(Reason reason);

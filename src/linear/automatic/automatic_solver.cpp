@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Half of the machine's memory: the rest holds the graph, H and other programs.
+/// Half of the memory: the rest holds the graph, H and other programs.
 std::uint64_t default_limit() {
   const std::uint64_t memory = physical_memory();
   return memory > 0 ? memory / 2 : std::numeric_limits<std::uint64_t>::max();

@@ -3,12 +3,57 @@
 
 #include <unistd.h>
 
-namespace boxplus {
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
 
-std::uint64_t physical_memory() {
+namespace boxplus {
+namespace {
+
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   if (pages <= 0 || page <= 0) return 0;
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+}
+
+/// The least limit of a control group ("/a/b") and of those above it. Groups that cannot be seen, as those
+/// outside of a container from within, and the word "max" limit nothing.
+std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string group, const char* file) {
+  std::uint64_t least = kUnlimited;
+  for (;;) {
+    std::uint64_t limit = 0;
+    if (std::ifstream(mount.string() + group + "/" + file) >> limit) least = std::min(least, limit);
+    if (group.empty()) return least;
+    group.resize(std::min(group.rfind('/'), group.size() - 1));
+  }
+}
+
+/// Lines of /proc/self/cgroup are NUMBER:CONTROLLERS:GROUP; without controllers they are of version 2.
+std::uint64_t limit_of_groups(const std::filesystem::path& root) {
+  const std::filesystem::path mount = root / "sys/fs/cgroup";
+  std::uint64_t least = kUnlimited;
+  std::ifstream lines(root / "proc/self/cgroup");
+  for (std::string number, controllers, group; std::getline(lines, number, ':') &&
+                                               std::getline(lines, controllers, ':') &&
+                                               std::getline(lines, group);) {
+    if (controllers.empty()) {
+      least = std::min(least, limit_of_group(mount, group, "memory.max"));
+    } else if (("," + controllers + ",").find(",memory,") != std::string::npos) {
+      least = std::min(least, limit_of_group(mount / "memory", group, "memory.limit_in_bytes"));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+std::uint64_t physical_memory(const std::filesystem::path& root) {
+  const std::uint64_t machine = memory_of_machine(), limit = limit_of_groups(root);
+  if (machine == 0) return limit == kUnlimited ? 0 : limit;
+  return std::min(machine, limit);
 }
 
 }  // namespace boxplus

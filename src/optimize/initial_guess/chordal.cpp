@@ -63,6 +63,8 @@ class Chordal {
   void add_position_term(const Measurement& m, SeparableLeastSquares& system) const;
   std::uint32_t block(Node node) const { return node == FrameGraph::kWorld ? kConstant : block_[node]; }
   Frame frame(Node node) const;
+  template <class F>
+  LinearStatus for_each(std::size_t count, F&& work) const;
 
   const FrameGraph& frames_;
   const GuessLimits& limits_;
@@ -92,6 +94,16 @@ Chordal::Chordal(const FrameGraph& frames, const Components& components, int d, 
 Frame Chordal::frame(Node node) const {
   if (node == FrameGraph::kWorld) return world_frame(d_);
   return block_[node] == kConstant ? frames_.frame(node) : found_[block_[node]];
+}
+
+/// Calls work(0), work(1), …, unless it is to stop.
+template <class F>
+LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
+  for (std::size_t k = 0; k < count; ++k) {
+    if (k % kBetweenStops == 0 && limits_.stop.raised()) return LinearStatus::kStopped;
+    work(k);
+  }
+  return LinearStatus::kOk;
 }
 
 LinearStatus Chordal::solve() {
@@ -127,15 +139,15 @@ LinearStatus Chordal::solve_joint() {
   std::vector<std::uint32_t> dims;
   for (Node node : unknowns_) dims.push_back(frames_.pose(node) ? static_cast<std::uint32_t>(d_) + 1 : 1);
   SeparableLeastSquares system = make_system(std::move(dims));
-  for (const Measurement* m : measurements_) add_joint_term(*m, system);
-  const LinearStatus status = solve_or_anchor(system, false);
+  LinearStatus status =
+      for_each(measurements_.size(), [&](std::size_t k) { add_joint_term(*measurements_[k], system); });
+  if (status == LinearStatus::kOk) status = solve_or_anchor(system, false);
   if (status != LinearStatus::kOk) return status;
-  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) {
-    if (!frames_.pose(unknowns_[k])) continue;
-    const SmallMatrix relaxed = system.block(k).topRows(d_).transpose();
+  return for_each(unknowns_.size(), [&](std::size_t k) {
+    if (!frames_.pose(unknowns_[k])) return;
+    const SmallMatrix relaxed = system.block(static_cast<std::uint32_t>(k)).topRows(d_).transpose();
     if (const auto rotation = nearest_rotation(relaxed)) set_rotation(found_[k], *rotation);
-  }
-  return status;
+  });
 }
 
 /// ‖ A X_to − B X_from ‖²_W, where what is known of the two goes to the right-hand side.
@@ -162,8 +174,9 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
 /// a factor of 2 to 3000. The matrix is a part of the joint one, hence positive definite as well.
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
-  for (const Measurement* m : measurements_) add_position_term(*m, system);
-  const LinearStatus status = solve_or_anchor(system, true);
+  LinearStatus status =
+      for_each(measurements_.size(), [&](std::size_t k) { add_position_term(*measurements_[k], system); });
+  if (status == LinearStatus::kOk) status = solve_or_anchor(system, true);
   if (status != LinearStatus::kOk) return status;
   for (std::uint32_t k = 0; k < unknowns_.size(); ++k)
     set_translation(found_[k], system.block(k).transpose());
@@ -199,9 +212,11 @@ std::string_view why_not_solved(LinearStatus status) {
 }  // namespace
 
 GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
-  FrameGraph frames(graph, plan);
+  FrameGraph frames(graph, plan, limits.stop);
+  if (limits.stop.raised()) return {false, kStopped};
   if (frames.measurements().empty()) return {false, kNothingMeasured};
   const Components components(frames);
+  if (limits.stop.raised()) return {false, kStopped};
   Chordal plane(frames, components, 2, limits), space(frames, components, 3, limits);
   for (Chordal* part : {&plane, &space}) {
     const LinearStatus status = part->solve();

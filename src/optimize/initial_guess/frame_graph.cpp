@@ -19,14 +19,12 @@ double mean_information(const InformationView& information, int first, int count
 
 }  // namespace
 
-FrameGraph::FrameGraph(Graph& graph, const Plan& plan) : graph_(&graph), first_{0} {
+FrameGraph::FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop) : graph_(&graph), first_{0} {
   for (const auto& pool : graph.vertex_pools()) first_.push_back(first_.back() + pool->slots());
   flags_.assign(nodes(), 0);
   mark_movable(plan);
   measurements_.reserve(plan.edge_count);
-  for (const EdgeList& list : plan.edges) {
-    for (std::uint32_t edge : list.edges) read_edge(list.pool, edge);
-  }
+  read_edges(plan, stop);
   list_touching();
 }
 
@@ -34,6 +32,15 @@ void FrameGraph::mark_movable(const Plan& plan) {
   for (const VertexRef& vertex : plan.block_vertex) {
     if (!graph_->vertex_pools()[vertex.pool]->parameter(vertex.slot)) {
       flags_[node(vertex.pool, vertex.slot)] |= kMovable;
+    }
+  }
+}
+
+void FrameGraph::read_edges(const Plan& plan, const StopToken& stop) {
+  for (const EdgeList& list : plan.edges) {
+    for (std::size_t k = 0; k < list.edges.size(); ++k) {
+      if (k % kBetweenStops == 0 && stop.raised()) return;
+      read_edge(list.pool, list.edges[k]);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linearize/plan.h"
 
@@ -13,6 +14,9 @@ namespace boxplus::guess {
 
 /// Index of a vertex among the slots of all pools: flat arrays instead of maps.
 using Node = std::uint32_t;
+
+/// Elements that a loop goes through before it asks again whether it is to stop: less than 0.1 s.
+inline constexpr std::size_t kBetweenStops = 4096;
 
 /// A relative measurement T_to ≈ T_from · motion; a point stands for a frame with the axes of the world. The
 /// motion itself is asked of the edge again when it is needed.
@@ -30,7 +34,8 @@ class FrameGraph {
  public:
   static constexpr Node kWorld = 0xFFFFFFFFu;
 
-  FrameGraph(Graph& graph, const Plan& plan);
+  /// Where `stop` is raised meanwhile, edges are missing.
+  FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop = {});
 
   std::span<const Measurement> measurements() const { return measurements_; }
   Frame motion(const Measurement& measurement) const;
@@ -56,6 +61,7 @@ class FrameGraph {
 
   Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
   void mark_movable(const Plan& plan);
+  void read_edges(const Plan& plan, const StopToken& stop);
   void read_edge(std::uint32_t pool, std::uint32_t edge);
   bool look_at(Node node, int dimension);
   void list_touching();

@@ -50,6 +50,7 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
 LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   constexpr double kTolerance = 1e-4;  // of an iterative solver: more brings no better start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
+  if (limits.stop.raised()) return LinearStatus::kStopped;
   const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
   AnalyzeHints hints;
   hints.right_hand_sides = columns_;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "files/clean_end.h"
+
+#include <csignal>
+
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus::app {
+
+void end_cleanly_on_signals() {
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(each, end_cleanly) == SIG_IGN) std::signal(each, SIG_IGN);
+  }
+}
+
+/// Only async-signal-safe calls in here.
+extern "C" void end_cleanly(int signal) {
+  remove_temporary_files();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+}  // namespace boxplus::app

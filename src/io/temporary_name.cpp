@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/temporary_name.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <climits>
+#include <cstring>
+#include <utility>
+
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus {
+namespace {
+
+/// A copy that a signal handler can read whatever the process is doing: static, and never freed.
+struct Slot {
+  enum State : char { kFree, kChanging, kHolds };
+  std::atomic<State> state{kFree};
+  std::array<char, PATH_MAX> name{};
+};
+static_assert(std::atomic<Slot::State>::is_always_lock_free, "signal handlers must not wait for locks");
+
+constexpr int kSlots = 8;  // files that are written at the same time; more are not removed by handlers
+std::array<Slot, kSlots> slots;
+
+/// The slot that holds `name` from now on, or -1.
+int find_slot(const std::string& name) {
+  if (name.size() >= PATH_MAX) return -1;
+  for (int k = 0; k < kSlots; ++k) {
+    Slot& slot = slots[static_cast<std::size_t>(k)];
+    Slot::State expected = Slot::kFree;
+    if (!slot.state.compare_exchange_strong(expected, Slot::kChanging)) continue;
+    std::memcpy(slot.name.data(), name.c_str(), name.size() + 1);
+    slot.state = Slot::kHolds;
+    return k;
+  }
+  return -1;
+}
+
+}  // namespace
+
+TemporaryName::~TemporaryName() {
+  if (!name_.empty()) ::unlink(name_.c_str());
+  release();
+}
+
+void TemporaryName::assign(std::string name) {
+  name_ = std::move(name);
+  slot_ = find_slot(name_);
+}
+
+void TemporaryName::release() {
+  if (slot_ >= 0) slots[static_cast<std::size_t>(slot_)].state = Slot::kFree;
+  slot_ = -1;
+  name_.clear();
+}
+
+void remove_temporary_files() noexcept {
+  for (const Slot& slot : slots) {
+    if (slot.state == Slot::kHolds) ::unlink(slot.name.data());
+  }
+}
+
+}  // namespace boxplus

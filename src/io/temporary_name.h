@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace boxplus {
+
+/// The name of a file, if any, that shall outlive neither this object nor, where a handler calls
+/// remove_temporary_files(), a signal that ends the process.
+class TemporaryName {
+ public:
+  TemporaryName() = default;
+  ~TemporaryName();
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+
+  /// Takes over a file that was just made.
+  void assign(std::string name);
+  /// The file has moved, and may stay.
+  void release();
+
+  bool empty() const { return name_.empty(); }
+  const char* c_str() const { return name_.c_str(); }
+
+ private:
+  std::string name_;
+  int slot_ = -1;
+};
+
+}  // namespace boxplus

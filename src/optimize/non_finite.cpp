@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/non_finite.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "boxplus/base/function_ref.h"
+
+namespace boxplus {
+namespace {
+
+std::string name_of(Run& run, const EdgeRef& edge) {
+  std::string text = "the edge " + std::string(run.graph().edge_pools()[edge.pool]->type_name());
+  text += " between vertices";
+  for (const VertexRef& vertex : run.graph().vertices(edge))
+    text += " " + std::to_string(run.graph().id(vertex));
+  return text;
+}
+
+/// The active edge of the largest `size`, where what is not finite is the largest.
+EdgeRef largest_edge(Run& run, FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
+  double largest = -1;
+  EdgeRef result;
+  for (const EdgeList& list : run.system().plan().edges) {
+    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
+    for (const std::uint32_t edge : list.edges) {
+      if (!pool.enabled(edge)) continue;
+      double value = size(pool, edge);
+      if (!std::isfinite(value)) value = std::numeric_limits<double>::infinity();
+      if (value <= largest) continue;
+      largest = value;
+      result = {list.pool, edge, pool.generation(edge)};
+    }
+  }
+  return result;
+}
+
+/// The trace of JᵀΩJ.
+double curvature_of(const EdgePool& pool, std::uint32_t edge, bool numeric) {
+  const EdgeShape shape = pool.shape(edge);
+  std::vector<double> error(static_cast<std::size_t>(shape.rows));
+  std::vector<double> jacobian(static_cast<std::size_t>(shape.rows * shape.cols));
+  EdgeTile tile;
+  tile.error = error.data();
+  tile.jacobian = jacobian.data();
+  pool.linearize(std::span(&edge, 1), tile, numeric);
+  double trace = 0;
+  for (int k = 0; k < shape.cols; ++k)
+    trace += pool.information(edge, shape.rows).squared_norm(tile.jacobian + k * shape.rows);
+  return trace;
+}
+
+}  // namespace
+
+std::string describe_non_finite(Run& run) {
+  const Linearizer& linearizer = run.system().linearizer();
+  const LinearizeOptions& options = run.system().linearize_options();
+  if (const auto edge = linearizer.find_non_finite_error())
+    return "the error (or its robust kernel) of " + name_of(run, *edge) + " is NaN or infinite";
+  if (const auto edge = linearizer.find_non_finite_jacobian(options))
+    return "a Jacobian (or the weight of the robust kernel) of " + name_of(run, *edge) +
+           " is NaN or infinite";
+  if (!std::isfinite(run.system().chi2())) {
+    const auto chi2 = [](const EdgePool& pool, std::uint32_t edge) {
+      double value = 0;
+      pool.chi2(std::span(&edge, 1), &value);
+      return value;
+    };
+    return "chi2 overflows; the largest part is that of " + name_of(run, largest_edge(run, chi2));
+  }
+  const auto curvature = [&](const EdgePool& pool, std::uint32_t edge) {
+    return curvature_of(pool, edge, options.numeric_jacobians);
+  };
+  return "the linear system overflows; the largest Jacobian is that of " +
+         name_of(run, largest_edge(run, curvature));
+}
+
+}  // namespace boxplus

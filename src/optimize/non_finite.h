@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "optimize/run.h"
+
+namespace boxplus {
+
+/// What is not finite about the problem at the current estimates, and the edge that is to blame, after chi2
+/// was evaluated there: "the error (or its robust kernel) of the edge …".
+std::string describe_non_finite(Run& run);
+
+}  // namespace boxplus
