@@ -77,6 +77,7 @@ Results measure_all(const Arguments& arguments) {
   fmt::print(stderr, "torus of 10 000 poses\n");
   Simulation torus = simulate(World::kTorus, {.poses = 10000});
   results.torus_of_10000 = run_thread_duel(torus.graph);
+  results.scale = run_scale(arguments.programs);
   return results;
 }
 

@@ -99,6 +99,28 @@ std::string thread_goal(const Results& results) {
   return line_of({"two threads, against one", 1.25, 1.25}, ratios);
 }
 
+/// The goals that are bounds, not ratios to a peer.
+std::string scale_goals(const Results& results) {
+  const auto streets = [&](int poses) -> const ScaleFigures* {
+    for (const ScaleResult& result : results.scale) {
+      if (result.world == "streets" && result.poses == poses) return &result.figures;
+    }
+    return nullptr;
+  };
+  const ScaleFigures *small = streets(10'000), *large = streets(1'000'000);
+  if (small == nullptr || large == nullptr) return "";
+  const double growth = large->iteration_s / large->vertices / (small->iteration_s / small->vertices);
+  const auto line = [](const char* what, const char* wanted, const std::string& measured, bool met) {
+    return fmt::format("| {} | {} | {} | – | {} |\n", what, wanted, measured, met ? "met" : "**not met**");
+  };
+  return line("streets of 1M poses: seconds per iteration", "at most 6",
+              fmt::format("{:.2f}", large->iteration_s), large->iteration_s <= 6) +
+         line("the same: peak memory, load to write, GiB", "at most 10",
+              fmt::format("{:.1f}", large->peak_mib / 1024), large->peak_mib <= 10 * 1024) +
+         line("the same: time per pose and iteration, of that at 10k", "below 2",
+              fmt::format("{:.2f}", growth), growth < 2);
+}
+
 }  // namespace
 
 std::string goals_of(const Results& results) {
@@ -110,7 +132,7 @@ std::string goals_of(const Results& results) {
          ".\nFiles where the peer did not arrive are left out of a line, and named in it; where only the "
          "peer did, 0 counts.\n\n"
          "| what | wanted | mean | least | |\n|---|--:|--:|--:|---|\n" +
-         linear_goals(results) + solve_goals(results) + thread_goal(results);
+         linear_goals(results) + solve_goals(results) + thread_goal(results) + scale_goals(results);
 }
 
 }  // namespace boxplus::bench

@@ -9,6 +9,7 @@
 
 #include "datasets/datasets.h"
 #include "datasets/linear_duel.h"
+#include "datasets/scale.h"
 #include "datasets/solve_duel.h"
 #include "datasets/thread_duel.h"
 #include "datasets/whole_duel.h"
@@ -30,6 +31,7 @@ struct Results {
   double dgemm_rate = 0;  ///< GFLOP/s
   std::vector<DatasetResults> datasets = {};
   ThreadDuel torus_of_10000 = {};
+  std::vector<ScaleResult> scale = {};
 };
 
 /// The tables, without the goals.

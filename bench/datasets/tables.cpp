@@ -201,12 +201,36 @@ std::string thread_table(const Results& results) {
   return out + line_of(torus);
 }
 
+std::string scale_table(const Results& results) {
+  std::string out =
+      "## Scale\n\nSimulated worlds in processes of their own, one thread, five iterations from odometry. "
+      "The "
+      "solver is what\n"
+      "LinearSolverKind::kAutomatic chose: Cholesky, unless its factor is predicted not to fit into half of "
+      "the "
+      "memory,\n"
+      "or to take several times as long as a rough solution by pcg.\n\n";
+  out += head_of({"world", "poses", "edges", "load s", "plan s", "iteration s", "µs per pose", "write s",
+                  "all s", "peak MiB", "solver", "predicted: factorise s", "pcg s"});
+  for (const ScaleResult& result : results.scale) {
+    const ScaleFigures& f = result.figures;
+    out += line_of({result.world, std::to_string(f.vertices), std::to_string(f.edges),
+                    fmt::format("{:.2f}", f.load_s), fmt::format("{:.2f}", f.plan_s),
+                    fmt::format("{:.3f}", f.iteration_s),
+                    fmt::format("{:.2f}", 1e6 * f.iteration_s / f.vertices), fmt::format("{:.2f}", f.write_s),
+                    fmt::format("{:.1f}", f.total_s), fmt::format("{:.0f}", f.peak_mib),
+                    f.factor_gb > 0 ? fmt::format("{} (factor: {:.1f} GB)", f.solver, f.factor_gb) : f.solver,
+                    fmt::format("{:.2g}", f.predicted_factor_s), fmt::format("{:.2g}", f.predicted_pcg_s)});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string tables_of(const Results& results) {
   std::string out;
   for (const auto& table : {linear_tables(results), iteration_table(results), arrival_table(results),
-                            whole_table(results), thread_table(results)}) {
+                            whole_table(results), thread_table(results), scale_table(results)}) {
     out += "\n" + table;
   }
   return out;

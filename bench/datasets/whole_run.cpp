@@ -11,15 +11,6 @@
 namespace boxplus::bench {
 namespace {
 
-/// Of this process since it was executed, unlike ru_maxrss, which remembers the process before.
-double peak_mib() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
-  }
-  throw std::runtime_error("/proc/self/status: expected a line VmHWM");
-}
-
 std::string quoted(const std::string& word) {
   std::string out = "'";
   for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
@@ -28,21 +19,35 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
+double peak_mib() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  }
+  throw std::runtime_error("/proc/self/status: expected a line VmHWM");
+}
+
 void print_whole_run(double seconds, double chi2) {
   fmt::print("{:.9g} {:.17g} {:.9g}\n", seconds, chi2, peak_mib());
 }
 
-WholeRun run_process(const std::vector<std::string>& words) {
+std::string output_of(const std::vector<std::string>& words) {
   std::string command;
   for (const std::string& word : words) command += quoted(word) + " ";
   std::FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  WholeRun run;
-  const int read = std::fscanf(pipe, "%lf %lf %lf", &run.seconds, &run.chi2, &run.peak_mib);
+  std::string line;
+  for (int c = std::fgetc(pipe); c != EOF && c != '\n'; c = std::fgetc(pipe)) line += static_cast<char>(c);
   const int status = pclose(pipe);
-  if (read != 3 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("failed: " + command);
-  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error("failed: " + command);
+  return line;
+}
+
+WholeRun run_process(const std::vector<std::string>& words) {
+  WholeRun run;
+  const std::string line = output_of(words);
+  if (std::sscanf(line.c_str(), "%lf %lf %lf", &run.seconds, &run.chi2, &run.peak_mib) != 3)
+    throw std::runtime_error(words.front() + ": cannot read '" + line + "'");
   return run;
 }
 

@@ -13,6 +13,13 @@ struct WholeRun {
   double peak_mib = 0;  ///< the most memory that the process held
 };
 
+/// The most memory that this process held since it was executed; ru_maxrss remembers the process before.
+double peak_mib();
+
+/// Runs a command line of words and returns the first line that it prints. Throws std::runtime_error where
+/// the process fails.
+std::string output_of(const std::vector<std::string>& words);
+
 /// What the measured processes print: the line that run_process() reads.
 void print_whole_run(double seconds, double chi2);
 

@@ -33,10 +33,18 @@ std::string bytes_text(std::uint64_t bytes) {
   return fmt::format("{:.{}f} {}", value, value < 9.95 ? 1 : 0, kUnits[unit]);
 }
 
+/// Seconds to about two digits, without an exponent: 0.31, 2.5, 254.
+std::string two_digits(double seconds) {
+  return fmt::format("{:.{}f}", seconds, seconds < 0.995 ? 2 : seconds < 9.95 ? 1 : 0);
+}
+
 std::string solver_text(const Report& report) {
   std::string text(report.linear_solver);
-  const std::uint64_t refused = report.linear.refused_factor_bytes;
-  return refused == 0 ? text : text + " (since the factor would take " + bytes_text(refused) + ")";
+  const LinearStatistics& linear = report.linear;
+  if (linear.refused_factor_bytes == 0) return text;
+  return text + fmt::format(" (since the factor would take {} and {} s each time, a rough solution {} s)",
+                            bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),
+                            two_digits(linear.pcg_seconds));
 }
 
 /// The first and the last rows of a long table.

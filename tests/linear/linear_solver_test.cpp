@@ -354,6 +354,20 @@ TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
   EXPECT_EQ(solver->name(), "pcg");
 }
 
+TEST(TheAutomaticSolver, IsPcgWhereAFactorisationIsPredictedToTakeFarLonger) {
+  const BlockStructure structure = cube(30, 6);
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
+  solver->analyze(structure,
+                  {.max_factor_bytes = std::uint64_t{1} << 60, .ordering = Ordering::kMinimumDegree});
+  EXPECT_EQ(solver->name(), "pcg");
+  const LinearStatistics statistics = solver->statistics();
+  EXPECT_GT(statistics.factor_seconds, 4 * statistics.pcg_seconds);
+  EXPECT_GT(statistics.refused_factor_bytes, 0u);
+  solver->analyze(cube(10, 6), {});
+  EXPECT_EQ(solver->name(), "block_cholesky");
+  EXPECT_GT(solver->statistics().factor_seconds, 0);
+}
+
 TEST(TheAutomaticSolver, SolvesAndStopsAsWhatItChose) {
   TestSystem system = random_system(20, 20, 1);
   const AssembledSystem view = system.view();

@@ -61,6 +61,24 @@ inline std::vector<BlockCoordinate> chain_edges(std::uint32_t blocks) {
   return edges;
 }
 
+/// A cube of side³ blocks, each joined with its six neighbours.
+inline BlockStructure cube(std::uint32_t side, std::uint32_t dim) {
+  std::vector<BlockCoordinate> edges;
+  const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return (x * side + y) * side + z;
+  };
+  for (std::uint32_t x = 0; x < side; ++x) {
+    for (std::uint32_t y = 0; y < side; ++y) {
+      for (std::uint32_t z = 0; z < side; ++z) {
+        if (x > 0) edges.push_back({at(x, y, z), at(x - 1, y, z)});
+        if (y > 0) edges.push_back({at(x, y, z), at(x, y - 1, z)});
+        if (z > 0) edges.push_back({at(x, y, z), at(x, y, z - 1)});
+      }
+    }
+  }
+  return make_block_structure(std::vector<std::uint32_t>(side * side * side, dim), edges);
+}
+
 inline std::vector<BlockCoordinate> grid_edges(std::uint32_t height, std::uint32_t width) {
   std::vector<BlockCoordinate> edges;
   for (std::uint32_t i = 0; i < height; ++i) {

@@ -367,12 +367,15 @@ TEST(Report, TellsInTwoDigitsWhatTheFactorWouldTake) {
   const auto text_for = [](std::uint64_t bytes) {
     Report report;
     report.linear.refused_factor_bytes = bytes;
+    report.linear.factor_seconds = 254;
+    report.linear.pcg_seconds = 0.31;
     return to_string(report);
   };
-  EXPECT_THAT(text_for(40), HasSubstr("take 0.0 kB)"));
-  EXPECT_THAT(text_for(999'600), HasSubstr("take 1.0 MB)"));
-  EXPECT_THAT(text_for(61'400'000'000), HasSubstr("take 61 GB)"));
-  EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB)"));
+  EXPECT_THAT(text_for(40), HasSubstr("take 0.0 kB and"));
+  EXPECT_THAT(text_for(999'600), HasSubstr("take 1.0 MB and"));
+  EXPECT_THAT(text_for(61'400'000'000),
+              HasSubstr("take 61 GB and 254 s each time, a rough solution 0.31 s)"));
+  EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB and"));
 }
 
 TEST(Report, ReadsAsATable) {

@@ -73,6 +73,8 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"refused_factor_bytes", unless_zero(report.linear.refused_factor_bytes)},
+                     {"predicted_factor_s", report.linear.factor_seconds},
+                     {"predicted_pcg_s", report.linear.pcg_seconds},
                      {"threads", report.threads},
                      {"workers", report.workers},
                      {"vertices", report.vertices},

@@ -69,7 +69,11 @@ struct LinearStatistics {
   double factor_flops = 0;            ///< useful floating-point operations of one factorisation
   std::uint32_t supernodes = 0;
   std::uint32_t largest_front = 0;  ///< scalars
-  /// LinearSolverKind::kAutomatic: not 0 where it chose pcg because a Cholesky factor would take this much.
+  double factor_seconds = 0;        ///< predicted for one factorisation on one thread
+  /// LinearSolverKind::kAutomatic: predicted for one rough solution by pcg on one thread.
+  double pcg_seconds = 0;
+  /// LinearSolverKind::kAutomatic: not 0 where it chose pcg, since a Cholesky factor would take this much
+  /// memory, or far more time than pcg.
   std::uint64_t refused_factor_bytes = 0;
   Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, where there is one
 };
@@ -119,7 +123,7 @@ class LinearSolver {
 enum class LinearSolverKind { kAutomatic, kBlockCholesky, kPcg, kDense, kEigenSparse };
 
 /// kAutomatic gives the block Cholesky, or pcg where AnalyzeHints::max_factor_bytes is too little for its
-/// factor.
+/// factor, or where a factorisation is predicted to take several times as long as a rough solution by pcg.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind);
 std::string_view to_string(LinearSolverKind kind);
 

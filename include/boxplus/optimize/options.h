@@ -93,7 +93,7 @@ struct Options {
   bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
 
   /// LinearSolverKind::kAutomatic takes pcg where a Cholesky factor would take more memory than this; 0: than
-  /// half of the machine's.
+  /// half of the machine's. (It also does where a factorisation would take far longer.)
   std::uint64_t max_factor_bytes = 0;
   int threads = 0;  ///< at most; 0: one per hardware thread. Results do not depend on it.
   int level = 0;    ///< edges of this level take part; negative: all

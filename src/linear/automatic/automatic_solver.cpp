@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/automatic/automatic_solver.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,6 +16,18 @@ std::uint64_t default_limit() {
   return memory > 0 ? memory / 2 : std::numeric_limits<std::uint64_t>::max();
 }
 
+/// Seconds of a rough solution by pcg. Its iterations grow with the diameter of the graph, for which the cube
+/// root of its size stands: that of three dimensions, where factors grow out of bounds. Each reads H twice.
+double pcg_seconds(const BlockStructure& structure) {
+  constexpr double kIterations = 15, kSecondsPerByte = 2e-10;
+  const double bytes = static_cast<double>(structure.nonzero_values()) * sizeof(double);
+  return kIterations * std::cbrt(structure.blocks()) * 2 * bytes * kSecondsPerByte;
+}
+
+/// A factor is worth this many times the rough solution by pcg: it is exact, whatever the condition of H.
+constexpr double kWorth = 4;
+constexpr double kShort = 1;  // seconds that are not worth a thought
+
 }  // namespace
 
 void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
@@ -22,9 +35,14 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
   auto fresh = std::make_unique<BlockCholesky>();
   BlockCholesky& cholesky = *fresh;
   chosen_ = std::move(fresh);  // gives back the memory of the last analysis first
-  const std::uint64_t bytes = cholesky.analyze_within(limit, structure, hints);
-  refused_factor_bytes_ = bytes > limit ? bytes : 0;
-  if (refused_factor_bytes_ == 0) return;
+  pcg_seconds_ = pcg_seconds(structure);
+  bool accepted = false;
+  const auto accepts = [&](const BlockCholesky::Forecast& forecast) {
+    return accepted = forecast.bytes <= limit && forecast.seconds <= kWorth * pcg_seconds_ + kShort;
+  };
+  factor_ = cholesky.analyze_if(accepts, structure, hints);
+  refused_ = !accepted;
+  if (accepted) return;
   chosen_ = std::make_unique<Pcg>();
   chosen_->analyze(structure, hints);
 }
@@ -47,7 +65,9 @@ bool AutomaticSolver::selected_inverse(std::span<const BlockCoordinate> blocks, 
 
 LinearStatistics AutomaticSolver::statistics() const {
   LinearStatistics statistics = chosen_->statistics();
-  statistics.refused_factor_bytes = refused_factor_bytes_;
+  statistics.factor_seconds = factor_.seconds;
+  statistics.pcg_seconds = pcg_seconds_;
+  statistics.refused_factor_bytes = refused_ ? factor_.bytes : 0;
   return statistics;
 }
 

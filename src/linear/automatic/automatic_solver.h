@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The direct solver where its factor fits into memory, the iterative one where not.
+// The direct solver where its factor fits into memory and is made in good time, the iterative one where not.
 #pragma once
 
 #include "linear/block_cholesky/block_cholesky.h"
@@ -7,8 +7,8 @@
 
 namespace boxplus {
 
-/// analyze() decides, from the size that the analysis predicts for the factor and before any memory is taken
-/// for it. From then on this is the chosen solver, by its name, and the statistics tell what decided.
+/// analyze() decides, from what the analysis predicts for the factor and before any memory is taken for it.
+/// From then on this is the chosen solver, by its name, and the statistics tell what decided.
 class AutomaticSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return chosen_->name(); }
@@ -23,7 +23,9 @@ class AutomaticSolver final : public LinearSolver {
 
  private:
   std::unique_ptr<LinearSolver> chosen_ = std::make_unique<BlockCholesky>();
-  std::uint64_t refused_factor_bytes_ = 0;
+  BlockCholesky::Forecast factor_;
+  double pcg_seconds_ = 0;
+  bool refused_ = false;
 };
 
 }  // namespace boxplus

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/triangular_solve.h"
@@ -13,21 +12,23 @@
 namespace boxplus {
 
 void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
-  analyze_within(std::numeric_limits<std::uint64_t>::max(), structure, hints);
+  analyze_if([](const Forecast&) { return true; }, structure, hints);
 }
 
-std::uint64_t BlockCholesky::analyze_within(std::uint64_t limit, const BlockStructure& structure,
-                                            const AnalyzeHints& hints) {
-  const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering);
-  const auto bytes = static_cast<std::uint64_t>(outline.partition.numbers * sizeof(double));
-  if (bytes > limit) return bytes;
+BlockCholesky::Forecast BlockCholesky::forecast_of(const FactorOutline& outline) {
+  return {static_cast<std::uint64_t>(outline.partition.numbers * sizeof(double)),
+          outline.partition.nanoseconds * 1e-9};
+}
+
+void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure& structure,
+                             const AnalyzeHints& hints) {
   structure_ = &structure;
   factorized_ = false;
   inverse_.clear();
   symbolic_ = complete_factor(structure, outline, rule_, hints.threads);
   ordering_ = outline.ordering;
+  forecast_seconds_ = forecast_of(outline).seconds;
   allocate(hints.right_hand_sides);
-  return bytes;
 }
 
 void BlockCholesky::allocate(int right_hand_sides) {
@@ -168,6 +169,7 @@ LinearStatistics BlockCholesky::statistics() const {
   }
   statistics.factor_flops = symbolic_.flops;
   statistics.ordering = ordering_;
+  statistics.factor_seconds = forecast_seconds_;
   statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());
   statistics.largest_front = symbolic_.largest_front;
   return statistics;

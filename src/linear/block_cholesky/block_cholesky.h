@@ -25,16 +25,27 @@ class BlockCholesky final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          std::span<const std::uint32_t> changed_columns) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
-  /// analyze(), where the factor is predicted to take at most `limit` bytes; else nothing. Returns the
-  /// prediction.
-  std::uint64_t analyze_within(std::uint64_t limit, const BlockStructure& structure,
-                               const AnalyzeHints& hints);
+  /// What the factor is predicted to take.
+  struct Forecast {
+    std::uint64_t bytes = 0;
+    double seconds = 0;  // for one factorisation on one thread
+  };
+  /// analyze(), where `accepts` does the prediction; else nothing but the prediction.
+  template <class Accepts>
+  Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints) {
+    const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering);
+    const Forecast forecast = forecast_of(outline);
+    if (accepts(forecast)) complete(outline, structure, hints);
+    return forecast;
+  }
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
   LinearStatistics statistics() const override;
 
   const SymbolicFactor& symbolic() const { return symbolic_; }
 
  private:
+  static Forecast forecast_of(const FactorOutline& outline);
+  void complete(const FactorOutline& outline, const BlockStructure& structure, const AnalyzeHints& hints);
   void allocate(int right_hand_sides);
   std::uint32_t find_lost_pivot();
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
@@ -44,6 +55,7 @@ class BlockCholesky final : public LinearSolver {
 
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
+  double forecast_seconds_ = 0;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   std::unique_ptr<double[]> arena_;  // panels, update matrices, minimum pivots, right-hand sides, work

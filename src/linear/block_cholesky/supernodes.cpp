@@ -136,6 +136,8 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   partition.order.reserve(parent.size());
   const std::vector<std::uint32_t> sequence = postorder(top_parent, kept_tops);
   partition.numbers = count_numbers(nodes, tops, top_parent, sequence);
+  for (const std::uint32_t top : tops)
+    partition.nanoseconds += predicted_time(rule, nodes[top].columns, nodes[top].below);
   for (const std::uint32_t top : sequence) {
     for (const std::uint32_t s : members[top]) {
       for (std::uint32_t j = fundamental[s].first_column; j <= fundamental[s].last_column; ++j) {

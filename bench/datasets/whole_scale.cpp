@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// whole_scale FILE OUTPUT: load, five iterations from the file's estimates, write, on one thread; prints
+// ScaleFigures.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/optimize.h"
+#include "datasets/whole_run.h"
+#include "optimize/stopwatch.h"
+
+using namespace boxplus;
+
+namespace {
+
+/// Median time between the ends of iterations.
+double median_iteration(const Report& report) {
+  std::vector<double> seconds;
+  for (std::size_t k = 1; k < report.records.size(); ++k)
+    seconds.push_back(report.records[k].time_s - report.records[k - 1].time_s);
+  if (seconds.empty()) throw InvalidArgument("expected two iterations at least");
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+}  // namespace
+
+int main(int count, char** words) try {
+  const Stopwatch clock;
+  if (count != 3) throw InvalidArgument("expected FILE OUTPUT");
+  ReadOptions reading;
+  reading.threads = 1;
+  GraphFile file = read_graph(words[1], reading);
+  const double load_s = clock.seconds();
+  const Report report = optimize(file.graph, {.max_iterations = 5, .threads = 1});
+  const Stopwatch write_clock;
+  write_graph(words[2], file);
+  const double write_s = write_clock.seconds();
+  fmt::print("{} {} {} {} {} {} {} {} {} {} {} {}\n", report.vertices, report.edges, load_s,
+             report.time.plan_s, write_s, clock.seconds(), median_iteration(report), bench::peak_mib(),
+             report.linear.factor_seconds, report.linear.pcg_seconds,
+             static_cast<double>(report.linear.refused_factor_bytes) * 1e-9, report.linear_solver);
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "whole_scale: {}\n", error.what());
+  return 1;
+}
