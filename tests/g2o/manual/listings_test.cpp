@@ -50,7 +50,8 @@ constexpr double kRange = 4;
 /// Adds the world with noisy measurements and the estimates that odometry alone gives.
 void add_graph(const World& world, double noise, g2o::SparseOptimizer& optimizer) {
   std::mt19937 random(7);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> standard(0, 1);
+  const auto normal = [&](std::mt19937& generator) { return noise * standard(generator); };
   SE2 estimate;
   for (size_t i = 0; i < world.poses.size(); ++i) {
     auto* v = new VertexSE2;
