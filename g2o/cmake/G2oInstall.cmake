@@ -3,6 +3,7 @@ include(CMakePackageConfigHelpers)
 set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
 get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
 
+install(TARGETS g2o_headers EXPORT g2o)
 foreach(name IN LISTS G2O_LIBRARY_NAMES)
   install(TARGETS g2o_${name} EXPORT g2o)
 endforeach()
