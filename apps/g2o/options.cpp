@@ -43,6 +43,7 @@ Options read_options(int argc, char** argv) {
              "print the properties of the algorithm");
   args.param("solverProperties", o.solver_properties, "",
              "set properties, such as initialLambda=0.0001,maxTrialsAfterFailure=2");
+  args.param("gnudump", o.gnuplot, "", "write files for gnuplot whose names begin so");
   args.param("robustKernel", o.robust_kernel, "", "use this robust kernel for all edges");
   args.param("robustKernelWidth", o.robust_kernel_width, -1., "the width of the robust kernel");
   args.param("nonSequential", o.non_sequential, false,

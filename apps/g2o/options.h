@@ -25,7 +25,7 @@ struct Options {
   bool compute_marginals = false;
   int gauge_id = -1;
   std::vector<int> gauge_list;
-  std::string output, solver, statistics, summary;
+  std::string output, gnuplot, solver, statistics, summary;
   std::vector<std::string> solver_libraries, type_libraries;
   bool list_types = false, list_solvers = false, list_kernels = false;
   std::string rename_types;

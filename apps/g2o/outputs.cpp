@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <set>
 #include <string>
 
 #include "g2o/core/factory.h"
+#include "g2o/core/hyper_graph_action.h"
 
 namespace g2o_tool {
 namespace {
@@ -40,11 +43,46 @@ bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& option
   return out.good();
 }
 
+/// Writes the elements that `wanted` chooses, with the action "writeGnuplot" of their types.
+template <class Elements, class Wanted>
+bool write_gnuplot(const Elements& elements, const std::string& path, Wanted&& wanted) {
+  auto* action = g2o::HyperGraphActionLibrary::instance()->actionByName("writeGnuplot");
+  std::ofstream out(path);
+  g2o::WriteGnuplotAction::Parameters parameters;
+  parameters.os = &out;
+  for (auto* element : elements)
+    if (action != nullptr && wanted(*element)) (*action)(element, &parameters);
+  return out.good();
+}
+
+bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& prefix) {
+  const int largest = optimizer.maxDimension();
+  const auto is_landmark = [&](const g2o::HyperGraph::Vertex* v) {
+    return static_cast<const g2o::OptimizableGraph::Vertex*>(v)->dimension() < largest;
+  };
+  const auto sees_landmark = [&](const g2o::HyperGraph::Edge& e) {
+    return std::any_of(e.vertices().begin(), e.vertices().end(), is_landmark);
+  };
+  const auto all = [](const auto&) { return true; };
+  const auto& vertices = optimizer.activeVertices();
+  const auto& edges = optimizer.activeEdges();
+  return write_gnuplot(vertices, prefix + "_vertices", all) && write_gnuplot(edges, prefix + "_edges", all) &&
+         write_gnuplot(edges, prefix + "_landmarks_edges", sees_landmark) &&
+         write_gnuplot(edges, prefix + "_odom_edges", [&](const g2o::HyperGraph::Edge& e) {
+           return !sees_landmark(e) && e.vertices().size() == 2 &&
+                  std::abs(e.vertex(0)->id() - e.vertex(1)->id()) == 1;
+         });
+}
+
 }  // namespace
 
 bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
   if (!options.statistics.empty() && !write_statistics(optimizer, options.statistics)) {
     std::cerr << "g2o: " << options.statistics << " cannot be written\n";
+    return false;
+  }
+  if (!options.gnuplot.empty() && !write_gnuplot(optimizer, options.gnuplot)) {
+    std::cerr << "g2o: files for gnuplot cannot be written: " << options.gnuplot << '\n';
     return false;
   }
   if (!options.summary.empty() && !append_summary(optimizer, options, run)) {

@@ -63,4 +63,10 @@ if ((lines < 2 || lines > 20)) || ! grep -q "chi2= " stats.txt || (($(wc -l < su
   echo "expected a few lines of statistics, and a summary" >&2
   exit 1
 fi
+expect 0 "final chi2" -gnudump plot square.g2o
+if (($(wc -l < plot_vertices) != 5 || $(wc -l < plot_edges) != 18 || $(wc -l < plot_landmarks_edges) != 6 ||
+     $(wc -l < plot_odom_edges) != 9)); then
+  echo "expected 5 vertices, 6 edges, 2 of them to landmarks and 3 of odometry for gnuplot" >&2
+  exit 1
+fi
 sed 's/VERTEX_XY/POINT/' square.g2o | "$tool" -renameTypes POINT=VERTEX_XY - 2> err.txt && grep -q "final chi2" err.txt
