@@ -17,7 +17,7 @@
 namespace g2o {
 namespace {
 
-/// Reads one file into a graph, line by line. Edges that stand before their vertices wait until the end.
+/// Reads one file into a graph, line by line. Lines that stand before what they refer to wait until the end.
 class Loader {
  public:
   Loader(OptimizableGraph& graph, const std::map<std::string, std::string>& renames)
@@ -50,7 +50,7 @@ class Loader {
     fields.imbue(std::locale::classic());
     std::string word;
     if (!(fields >> word) || word[0] == '#') return;
-    if (word == "FIX") return fix(fields);
+    if (word == "FIX") return fix(fields, may_wait ? &line : nullptr);
     if (const auto renamed = renames_.find(word); renamed != renames_.end()) word = renamed->second;
     std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(word));
     if (element == nullptr) {
@@ -71,10 +71,13 @@ class Loader {
     }
   }
 
-  void fix(std::istream& fields) {
+  void fix(std::istream& fields, const std::string* line_to_wait) {
     for (int id = 0; fields >> id;) {
       if (OptimizableGraph::Vertex* v = graph_.vertex(id)) {
         v->setFixed(true);
+      } else if (line_to_wait != nullptr) {
+        pending_.emplace_back(number_, *line_to_wait);
+        return;
       } else {
         complain("FIX: there is no vertex {}", id);
       }
@@ -140,6 +143,12 @@ class Loader {
       e->setVertex(i, v);
     }
     if (!e->read(fields) || fields.fail()) return complain("{}: expected more numbers", word);
+    const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
+    const std::vector<int>& parameters = e->parameterIds();
+    if (line_to_wait != nullptr && std::any_of(parameters.begin(), parameters.end(), is_missing)) {
+      pending_.emplace_back(number_, *line_to_wait);
+      return;
+    }
     if (!graph_.addEdge(e)) return complain("{}: the edge does not fit the graph", word);
     static_cast<void>(element.release());
     last_ = e;

@@ -19,6 +19,20 @@ OptimizableGraph::Vertex* as_vertex(HyperGraph::Vertex* v) {
   return static_cast<OptimizableGraph::Vertex*>(v);
 }
 
+/// Where this thread collects statistics stays as it was, however optimize() ends.
+class StatisticsScope {
+ public:
+  StatisticsScope() : before_(G2OBatchStatistics::globalStats()) {
+    G2OBatchStatistics::setGlobalStats(nullptr);
+  }
+  ~StatisticsScope() { G2OBatchStatistics::setGlobalStats(before_); }
+  StatisticsScope(const StatisticsScope&) = delete;
+  StatisticsScope& operator=(const StatisticsScope&) = delete;
+
+ private:
+  G2OBatchStatistics* before_;
+};
+
 bool takes_part(const OptimizableGraph::Edge& edge, int level) {
   return (level < 0 || edge.level() == level) && edge.numUndefinedVertices() == 0 && !edge.allVerticesFixed();
 }
@@ -29,9 +43,7 @@ SparseOptimizer::SparseOptimizer() {
   _graphActions.resize(AT_NUM_ELEMENTS);
 }
 
-SparseOptimizer::~SparseOptimizer() {
-  G2OBatchStatistics::setGlobalStats(nullptr);
-}
+SparseOptimizer::~SparseOptimizer() = default;
 
 bool SparseOptimizer::buildIndexMapping(SparseOptimizer::VertexContainer& vlist) {
   _ivMap.clear();
@@ -203,6 +215,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     return -1;
   }
   _batchStatistics.clear();
+  const StatisticsScope scope;
   OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;
   double total = 0;
   int done = 0;
@@ -233,7 +246,6 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     if (_verbose) writeVerboseLine(done, seconds, total);
     postIteration(done);
   }
-  G2OBatchStatistics::setGlobalStats(nullptr);
   return result == OptimizationAlgorithm::Fail ? 0 : done;
 }
 
