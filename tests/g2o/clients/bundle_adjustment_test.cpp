@@ -15,6 +15,7 @@
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/solvers/linear_solver_eigen.h"
+#include "g2o/solvers/structure_only/structure_only_solver.h"
 
 namespace {
 
@@ -203,6 +204,26 @@ TEST_F(BundleAdjustment, WithoutMarginalisationTheSameIsFound) {
   optimizer.initializeOptimization(0);
   optimizer.optimize(10);
   EXPECT_LT(worst_position(scene), 0.01);
+}
+
+TEST_F(BundleAdjustment, PointsAloneAreMovedWhileTheCamerasStay) {
+  const Scene scene = make_scene();
+  add(scene, true);
+  const Eigen::Isometry3d camera = static_cast<VertexPose*>(optimizer.vertex(4))->estimate();
+  optimizer.initializeOptimization();
+  optimizer.computeActiveErrors();
+  const double before = optimizer.activeRobustChi2();
+  g2o::StructureOnlySolver<3> solver;
+  g2o::OptimizableGraph::VertexContainer points;
+  for (auto* v : optimizer.activeVertices())
+    if (v->dimension() == 3) points.push_back(v);
+  solver.calc(points, 10);
+  optimizer.computeActiveErrors();
+  EXPECT_LT(optimizer.activeRobustChi2(), 0.9 * before);
+  EXPECT_EQ(static_cast<VertexPose*>(optimizer.vertex(4))->estimate().matrix(), camera.matrix());
+  EXPECT_FALSE(optimizer.vertex(4)->fixed());
+  optimizer.setAlgorithm(std::make_unique<g2o::StructureOnlySolver<3>>());
+  EXPECT_EQ(optimizer.optimize(3), 3);
 }
 
 TEST_F(BundleAdjustment, TheStopFlagOfAnotherThreadEndsIt) {

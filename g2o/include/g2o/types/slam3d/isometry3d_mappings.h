@@ -6,6 +6,7 @@
 
 #include "g2o/core/eigen_types.h"
 #include "g2o/types/slam3d/g2o_types_slam3d_api.h"
+#include "g2o/types/slam3d/se3quat.h"
 
 namespace g2o {
 namespace internal {
@@ -48,6 +49,9 @@ G2O_TYPES_SLAM3D_API Vector7 toVectorQT(const Isometry3& t);
 G2O_TYPES_SLAM3D_API Isometry3 fromVectorMQT(const Vector6& v);
 G2O_TYPES_SLAM3D_API Isometry3 fromVectorET(const Vector6& v);
 G2O_TYPES_SLAM3D_API Isometry3 fromVectorQT(const Vector7& v);
+
+G2O_TYPES_SLAM3D_API SE3Quat toSE3Quat(const Isometry3& t);
+G2O_TYPES_SLAM3D_API Isometry3 fromSE3Quat(const SE3Quat& t);
 
 }  // namespace internal
 }  // namespace g2o

@@ -11,5 +11,6 @@
 #include "g2o/types/slam3d/edge_xyz_prior.h"
 #include "g2o/types/slam3d/isometry3d_mappings.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
+#include "g2o/types/slam3d/se3quat.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 #include "g2o/types/slam3d/vertex_se3.h"
