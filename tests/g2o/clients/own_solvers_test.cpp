@@ -48,13 +48,15 @@ class OwnSolver : public g2o::Solver {
     return true;
   }
   bool buildStructure(bool = false) override {
-    int size = 0;
-    for (auto* v : optimizer()->indexMapping()) {
-      v->setColInHessian(size);
-      size += v->dimension();
+    const auto& vertices = optimizer()->indexMapping();
+    diagonal_.assign(vertices.size(), Eigen::Matrix3d::Zero());
+    for (auto* v : optimizer()->activeVertices()) v->mapHessianMemory(nullptr);
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      vertices[i]->mapHessianMemory(diagonal_[i].data());
+      vertices[i]->setColInHessian(static_cast<int>(3 * i));
     }
-    resizeVector(static_cast<size_t>(size));
-    H_.resize(size, size);
+    resizeVector(3 * vertices.size());
+    H_.resize(static_cast<Eigen::Index>(vectorSize()), static_cast<Eigen::Index>(vectorSize()));
     return true;
   }
   bool updateStructure(const std::vector<g2o::HyperGraph::Vertex*>&,
@@ -63,9 +65,13 @@ class OwnSolver : public g2o::Solver {
   }
   bool buildSystem() override {
     H_.setZero();
-    Eigen::Map<Eigen::VectorXd> b(_b, H_.rows());
-    b.setZero();
-    for (auto* e : optimizer()->activeEdges()) add(*e, b);
+    for (Eigen::Matrix3d& block : diagonal_) block.setZero();
+    for (auto* v : optimizer()->indexMapping()) v->clearQuadraticForm();
+    for (auto* e : optimizer()->activeEdges()) add(*e);
+    for (auto* v : optimizer()->indexMapping()) {
+      H_.block<3, 3>(v->colInHessian(), v->colInHessian()) = Eigen::Map<Eigen::Matrix3d>(v->hessianData());
+      v->copyB(_b + v->colInHessian());
+    }
     return true;
   }
   bool solve() override {
@@ -90,30 +96,21 @@ class OwnSolver : public g2o::Solver {
   bool saveHessian(const std::string&) const override { return false; }
 
  private:
-  /// The edge adds to blocks of its own, which are then put into H.
-  void add(g2o::OptimizableGraph::Edge& e, Eigen::Map<Eigen::VectorXd>& b) {
-    auto vertex = [&](size_t i) { return static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(i)); };
-    std::vector<std::vector<double>> diagonal(2, std::vector<double>(9)), pair(1, std::vector<double>(9));
-    for (size_t i = 0; i < 2; ++i) {
-      vertex(i)->mapHessianMemory(diagonal[i].data());
-      vertex(i)->clearQuadraticForm();
-    }
-    e.mapHessianMemory(pair[0].data(), 0, 1, false);
+  /// The block of two poses is added up in memory that lasts as long as this call.
+  void add(g2o::OptimizableGraph::Edge& e) {
+    const auto* a = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(0));
+    const auto* b = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(1));
+    Eigen::Matrix3d pair = Eigen::Matrix3d::Zero();
+    e.mapHessianMemory(pair.data(), 0, 1, false);
     e.linearizeOplus(optimizer()->jacobianWorkspace());
     e.constructQuadraticForm();
-    for (size_t i = 0; i < 2; ++i) {
-      if (vertex(i)->hessianIndex() < 0) continue;
-      const int at = vertex(i)->colInHessian();
-      H_.block<3, 3>(at, at) += Eigen::Map<Eigen::Matrix3d>(diagonal[i].data());
-      for (int k = 0; k < 3; ++k) b[at + k] += vertex(i)->b(k);
-    }
-    if (vertex(0)->hessianIndex() < 0 || vertex(1)->hessianIndex() < 0) return;
-    const int r = vertex(0)->colInHessian(), c = vertex(1)->colInHessian();
-    const Eigen::Map<Eigen::Matrix3d> block(pair[0].data());
-    H_.block<3, 3>(r, c) += block;
-    H_.block<3, 3>(c, r) += block.transpose();
+    e.mapHessianMemory(nullptr, 0, 1, false);
+    if (a->hessianIndex() < 0 || b->hessianIndex() < 0) return;
+    H_.block<3, 3>(a->colInHessian(), b->colInHessian()) += pair;
+    H_.block<3, 3>(b->colInHessian(), a->colInHessian()) += pair.transpose();
   }
 
+  std::vector<Eigen::Matrix3d> diagonal_;
   Eigen::MatrixXd H_;
   double lambda_ = 0;
 };
