@@ -19,6 +19,7 @@ CLEAN = {
     "src/graph/detail.h": "",
     "src/graph/graph.cpp": '#include "boxplus/graph/graph.h"\n\n#include "graph/detail.h"\n#include "detail.h"\n',
     "apps/boxplus/main.cpp": '#include "boxplus/boxplus.h"\n',
+    "g2o/include/g2o/core/solver.h": '#include "g2o/core/factory.h"\n',
     "tests/graph/graph_test.cpp": '#include "boxplus/testing/check_edge.h"\n#include "graph/detail.h"\n',
 }
 
@@ -75,6 +76,12 @@ class CheckIncludes(unittest.TestCase):
         self.assert_caught(
             {"src/surprise/surprise.cpp": ""},
             "src/surprise/surprise.cpp:1: folder 'surprise' has no row in the table of scripts/check_includes.py")
+
+    def test_the_g2o_face_including_the_engine_is_caught(self):
+        self.assert_caught(
+            {"g2o/include/g2o/core/solver.h": '#include "boxplus/graph/graph.h"\n'},
+            "g2o/include/g2o/core/solver.h:1: the g2o face must not include boxplus (boxplus/graph/graph.h)",
+        )
 
 
 if __name__ == "__main__":

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <limits>
+
+namespace g2o_tool {
+namespace {
+
+/// Takes every "-name value" out of the arguments: CommandArgs knows parameters that are given once.
+std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name) {
+  std::vector<std::string> values;
+  for (size_t i = 0; i + 1 < arguments.size();) {
+    if (arguments[i] != "-" + name && arguments[i] != "--" + name) {
+      ++i;
+      continue;
+    }
+    values.push_back(arguments[i + 1]);
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i),
+                    arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+  }
+  return values;
+}
+
+}  // namespace
+
+Options read_options(int argc, char** argv) {
+  Options o;
+  std::string library;
+  g2o::CommandArgs args;
+  args.setBanner("g2o: optimises a graph of a .g2o file.");
+  args.param("i", o.iterations, 5, "perform n iterations; if negative, stop on the gain");
+  args.param("gain", o.gain, 1e-6, "the gain to stop at, with a negative -i");
+  args.param("ig", o.gain_iterations, std::numeric_limits<int>::max(),
+             "at most n iterations, with a negative -i");
+  args.param("v", o.verbose, false, "print a line per iteration");
+  args.param("guess", o.guess, false, "start from an initial guess along a spanning tree");
+  args.param("guessOdometry", o.guess_odometry, false, "start from an initial guess along the odometry");
+  args.param("inc", o.incremental, false, "add the vertices by and by");
+  args.param("update", o.update_every, 10, "optimise after every n vertices, with -inc");
+  args.param("marginalize", o.marginalize, false,
+             "eliminate all vertices of less than the largest dimension");
+  args.param("printSolverProperties", o.print_solver_properties, false,
+             "print the properties of the algorithm");
+  args.param("solverProperties", o.solver_properties, "",
+             "set properties, such as initialLambda=0.0001,maxTrialsAfterFailure=2");
+  args.param("gnudump", o.gnuplot, "", "write files for gnuplot whose names begin so");
+  args.param("robustKernel", o.robust_kernel, "", "use this robust kernel for all edges");
+  args.param("robustKernelWidth", o.robust_kernel_width, -1., "the width of the robust kernel");
+  args.param("nonSequential", o.non_sequential, false,
+             "use the robust kernel only for edges that do not join consecutive vertices");
+  args.param("computeMarginals", o.compute_marginals, false, "print the covariances of the vertices");
+  args.param("gaugeId", o.gauge_id, -1, "fix this vertex");
+  args.param("gaugeList", o.gauge_list, std::vector<int>(), "fix these vertices: 1,2,3");
+  args.param("o", o.output, "", "write the optimised graph to this file; - is the standard output");
+  args.param("solver", o.solver, "gn_var", "the algorithm; see -listSolvers");
+  args.param("solverlib", library, "", "load this library of algorithms; may be given several times");
+  args.param("typeslib", library, "", "load this library of types; may be given several times");
+  args.param("stats", o.statistics, "", "write statistics of every iteration to this file");
+  args.param("summary", o.summary, "", "append a line about this run to this file");
+  args.param("listTypes", o.list_types, false, "list the types of files");
+  args.param("listSolvers", o.list_solvers, false, "list the algorithms");
+  args.param("listRobustKernels", o.list_kernels, false, "list the robust kernels");
+  args.param("renameTypes", o.rename_types, "", "read the types A and C as B and D: A=B,C=D");
+  args.paramLeftOver("graph-input", o.input, "", "the file; - is the standard input", true);
+  std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  o.solver_libraries = take_repeated(arguments, "solverlib");
+  o.type_libraries = take_repeated(arguments, "typeslib");
+  args.parseArgs(arguments);
+  return o;
+}
+
+}  // namespace g2o_tool

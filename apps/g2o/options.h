@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "g2o/stuff/command_args.h"
+
+namespace g2o_tool {
+
+/// What the command line says.
+struct Options {
+  int iterations = 5;
+  double gain = 1e-6;
+  int gain_iterations = 0;
+  bool verbose = false, guess = false, guess_odometry = false;
+  bool incremental = false;
+  int update_every = 10;
+  bool marginalize = false;
+  bool print_solver_properties = false;
+  std::string solver_properties;
+  std::string robust_kernel;
+  double robust_kernel_width = -1;
+  bool non_sequential = false;
+  bool compute_marginals = false;
+  int gauge_id = -1;
+  std::vector<int> gauge_list;
+  std::string output, gnuplot, solver, statistics, summary;
+  std::vector<std::string> solver_libraries, type_libraries;
+  bool list_types = false, list_solvers = false, list_kernels = false;
+  std::string rename_types;
+  std::string input;
+};
+
+/// Reads the command line; ends the program with the help, where that was asked for, or where it cannot be
+/// understood.
+Options read_options(int argc, char** argv);
+
+}  // namespace g2o_tool

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outputs.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+
+#include "g2o/core/factory.h"
+#include "g2o/core/hyper_graph_action.h"
+
+namespace g2o_tool {
+namespace {
+
+bool write_statistics(const g2o::SparseOptimizer& optimizer, const std::string& path) {
+  std::ofstream out(path);
+  for (const g2o::G2OBatchStatistics& statistics : optimizer.batchStatistics()) out << statistics << '\n';
+  return out.good();
+}
+
+bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
+  const bool is_new = !std::ifstream(options.summary).good();
+  std::ofstream out(options.summary, std::ios::app);
+  size_t landmarks = 0;
+  std::set<std::string> edge_types;
+  const int largest = optimizer.maxDimension();
+  for (const auto& [id, v] : optimizer.vertices())
+    landmarks += static_cast<const g2o::OptimizableGraph::Vertex*>(v)->dimension() < largest;
+  for (const g2o::HyperGraph::Edge* e : optimizer.edges())
+    edge_types.insert(g2o::Factory::instance()->tag(e));
+  std::string types;
+  for (const std::string& type : edge_types) types += (types.empty() ? "" : " ") + type;
+  if (is_new)
+    out << "filename, n_vertices, n_edges, n_poses, n_landmarks, edge_types, load_chi, init_chi, final_chi, "
+           "solver, "
+           "robustKernel, maxIterations, realIterations\n";
+  out << options.input << ", " << optimizer.vertices().size() << ", " << optimizer.edges().size() << ", "
+      << optimizer.vertices().size() - landmarks << ", " << landmarks << ", " << types << ", "
+      << run.chi2_loaded << ", " << run.chi2_initial << ", " << run.chi2_final << ", " << options.solver
+      << ", " << options.robust_kernel << ", " << options.iterations << ", " << run.iterations << '\n';
+  return out.good();
+}
+
+/// Writes the elements that `wanted` chooses, with the action "writeGnuplot" of their types.
+template <class Elements, class Wanted>
+bool write_gnuplot(const Elements& elements, const std::string& path, Wanted&& wanted) {
+  auto* action = g2o::HyperGraphActionLibrary::instance()->actionByName("writeGnuplot");
+  std::ofstream out(path);
+  g2o::WriteGnuplotAction::Parameters parameters;
+  parameters.os = &out;
+  for (auto* element : elements)
+    if (action != nullptr && wanted(*element)) (*action)(element, &parameters);
+  return out.good();
+}
+
+bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& prefix) {
+  const int largest = optimizer.maxDimension();
+  const auto is_landmark = [&](const g2o::HyperGraph::Vertex* v) {
+    return static_cast<const g2o::OptimizableGraph::Vertex*>(v)->dimension() < largest;
+  };
+  const auto sees_landmark = [&](const g2o::HyperGraph::Edge& e) {
+    return std::any_of(e.vertices().begin(), e.vertices().end(), is_landmark);
+  };
+  const auto all = [](const auto&) { return true; };
+  const auto& vertices = optimizer.activeVertices();
+  const auto& edges = optimizer.activeEdges();
+  return write_gnuplot(vertices, prefix + "_vertices", all) && write_gnuplot(edges, prefix + "_edges", all) &&
+         write_gnuplot(edges, prefix + "_landmarks_edges", sees_landmark) &&
+         write_gnuplot(edges, prefix + "_odom_edges", [&](const g2o::HyperGraph::Edge& e) {
+           return !sees_landmark(e) && e.vertices().size() == 2 &&
+                  std::abs(e.vertex(0)->id() - e.vertex(1)->id()) == 1;
+         });
+}
+
+}  // namespace
+
+bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
+  if (!options.statistics.empty() && !write_statistics(optimizer, options.statistics)) {
+    std::cerr << "g2o: " << options.statistics << " cannot be written\n";
+    return false;
+  }
+  if (!options.gnuplot.empty() && !write_gnuplot(optimizer, options.gnuplot)) {
+    std::cerr << "g2o: files for gnuplot cannot be written: " << options.gnuplot << '\n';
+    return false;
+  }
+  if (!options.summary.empty() && !append_summary(optimizer, options, run)) {
+    std::cerr << "g2o: " << options.summary << " cannot be written\n";
+    return false;
+  }
+  if (options.output == "-") return optimizer.save(std::cout);
+  return options.output.empty() || optimizer.save(options.output);
+}
+
+void print_marginals(g2o::SparseOptimizer& optimizer) {
+  std::vector<std::pair<int, int>> indices;
+  const auto count = static_cast<int>(optimizer.indexMapping().size());
+  for (int i = 0; i < count; ++i) {
+    indices.emplace_back(i, i);
+    if (i + 1 < count) indices.emplace_back(i, i + 1);
+  }
+  g2o::SparseBlockMatrix<g2o::MatrixX> covariance;
+  if (!optimizer.computeMarginals(covariance, indices)) {
+    std::cerr << "g2o: the covariances cannot be computed\n";
+    return;
+  }
+  for (const auto& [i, j] : indices) {
+    const auto& mapping = optimizer.indexMapping();
+    std::cerr << "Vertices " << mapping[static_cast<size_t>(i)]->id() << " "
+              << mapping[static_cast<size_t>(j)]->id() << '\n'
+              << *covariance.block(i, j) << '\n';
+  }
+}
+
+}  // namespace g2o_tool

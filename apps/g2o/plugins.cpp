@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace g2o_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Loaded libraries stay until the end of the process: what they registered is theirs.
+void load(const std::string& path) {
+  if (dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
+    std::cerr << "g2o: " << path << " cannot be loaded: " << dlerror() << '\n';
+}
+
+/// The folders of the first variable that is set, separated by colons.
+std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
+  for (const char* variable : variables) {
+    const char* value = std::getenv(variable);
+    if (value == nullptr) continue;
+    std::vector<std::string> result;
+    std::istringstream in(value);
+    for (std::string folder; std::getline(in, folder, ':');)
+      if (!folder.empty()) result.push_back(folder);
+    return result;
+  }
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path folder = (error ? fs::path(program) : self).parent_path();
+  return {folder.string(), (folder / ".." / "lib").string()};
+}
+
+void load_matching(const std::vector<std::string>& named, const std::vector<std::string>& in_folders,
+                   const std::string& pattern) {
+  for (const std::string& path : named) load(path);
+  for (const std::string& folder : in_folders) {
+    std::error_code error;
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const std::string name = entry.path().filename().string();
+      if (name.find(pattern) != std::string::npos && entry.path().extension() == ".so")
+        found.push_back(entry.path().string());
+    }
+    std::sort(found.begin(), found.end());
+    for (const std::string& path : found) load(path);
+  }
+}
+
+}  // namespace
+
+void load_type_libraries(const std::vector<std::string>& named, const char* program) {
+  load_matching(named, folders({"G2O_TYPES_DIR"}, program), "_types_");
+}
+
+void load_solver_libraries(const std::vector<std::string>& named, const char* program) {
+  load_matching(named, folders({"G2O_SOLVER_DIR", "G2O_SOLVERS_DIR"}, program), "_solver_");
+}
+
+}  // namespace g2o_tool

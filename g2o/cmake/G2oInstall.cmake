@@ -1,0 +1,18 @@
+# What `cmake --install` puts where, and the package that find_package(g2o) finds.
+include(CMakePackageConfigHelpers)
+set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
+get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
+
+install(TARGETS g2o_headers EXPORT g2o)
+foreach(name IN LISTS G2O_LIBRARY_NAMES)
+  install(TARGETS g2o_${name} EXPORT g2o)
+endforeach()
+install(DIRECTORY include/g2o DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT g2o FILE g2oTargets.cmake NAMESPACE g2o:: DESTINATION ${g2o_package_dir})
+configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_DESTINATION ${g2o_package_dir}
+                              PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+# The version that clients ask for is that of the interface.
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake VERSION 1.0.0
+                                 COMPATIBILITY AnyNewerVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/g2oConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake
+        DESTINATION ${g2o_package_dir})

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_fixed_sized_edge.h"
+
+namespace g2o {
+
+/// An edge between two vertices.
+template <int D, typename E, typename VertexXi, typename VertexXj>
+class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
+ public:
+  using Base = BaseFixedSizedEdge<D, E, VertexXi, VertexXj>;
+  using VertexXiType = VertexXi;
+  using VertexXjType = VertexXj;
+  static constexpr int Di = VertexXiType::Dimension;
+  static constexpr int Dj = VertexXjType::Dimension;
+  static constexpr int Dimension = Base::Dimension;
+  using Measurement = typename Base::Measurement;
+  using ErrorVector = typename Base::ErrorVector;
+  using InformationType = typename Base::InformationType;
+  using JacobianXiOplusType = typename Base::template JacobianType<D, VertexXi::Dimension>;
+  using JacobianXjOplusType = typename Base::template JacobianType<D, VertexXj::Dimension>;
+  using HessianBlockType = typename Base::template HessianBlockType<Di, Dj>;
+  using HessianBlockTransposedType = typename Base::template HessianBlockType<Dj, Di>;
+
+  BaseBinaryEdge()
+      : _hessianRowMajor(Base::_hessianRowMajor[0]),
+        _jacobianOplusXi(std::get<0>(_jacobianOplus)),
+        _jacobianOplusXj(std::get<1>(_jacobianOplus)) {}
+
+  const JacobianXiOplusType& jacobianOplusXi() const { return _jacobianOplusXi; }
+  const JacobianXjOplusType& jacobianOplusXj() const { return _jacobianOplusXj; }
+
+ protected:
+  using Base::_error;
+  using Base::_information;
+  using Base::_jacobianOplus;
+  using Base::_measurement;
+  using Base::_vertices;
+
+  bool& _hessianRowMajor;
+  JacobianXiOplusType& _jacobianOplusXi;
+  JacobianXjOplusType& _jacobianOplusXj;
+};
+
+}  // namespace g2o

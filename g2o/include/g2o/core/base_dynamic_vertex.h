@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+
+/// A vertex whose number of dimensions is chosen, and may change, at run time.
+template <typename T>
+class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
+ public:
+  /// Changes the number of dimensions; the estimate follows through setDimensionImpl(). The next optimisation
+  /// must be initialised anew.
+  bool setDimension(int newDimension) {
+    if (newDimension < 0) return false;
+    const int before = this->_dimension;
+    this->_dimension = newDimension;
+    if (!setDimensionImpl(newDimension)) {
+      this->_dimension = before;
+      G2O_ERROR("setDimension: the vertex refuses {} dimensions", newDimension);
+      return false;
+    }
+    this->_b.setZero(newDimension);
+    this->mapHessianMemory(nullptr);
+    if (this->graph() != nullptr && newDimension > before) {
+      for (HyperGraph::Edge* e : this->edges()) this->graph()->jacobianWorkspace().updateSize(e);
+      this->graph()->jacobianWorkspace().allocate();
+    }
+    return true;
+  }
+
+ protected:
+  /// Gives the estimate the new size; false where that is impossible.
+  virtual bool setDimensionImpl(int newDimension) = 0;
+};
+
+}  // namespace g2o

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <istream>
+#include <ostream>
+
+#include "g2o/core/optimizable_graph.h"
+#include "g2o/core/robust_kernel.h"
+
+namespace g2o {
+namespace internal {
+
+/// The number of rows that are known to the compiler, as run-time number.
+template <int D>
+struct BaseEdgeTraits {
+  static constexpr int Dimension = D;
+};
+
+/// jacobian ← ∂e/∂v through ⊞ by central differences (the g2o document, eq. 34), column by column.
+G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
+                                  double* jacobian);
+
+}  // namespace internal
+
+/// An edge with a measurement of type E and an error of D rows (Eigen::Dynamic: chosen at run time).
+template <int D, typename E>
+class BaseEdge : public OptimizableGraph::Edge {
+ public:
+  static constexpr int Dimension = internal::BaseEdgeTraits<D>::Dimension;
+  using Measurement = E;
+  using ErrorVector = Eigen::Matrix<double, D, 1, Eigen::ColMajor>;
+  using InformationType = Eigen::Matrix<double, D, D, Eigen::ColMajor>;
+
+  BaseEdge() {
+    _dimension = D;
+    if constexpr (D > 0) {
+      _error.setZero();
+      _information.setIdentity();
+    }
+  }
+  BaseEdge(const BaseEdge&) = delete;
+  BaseEdge& operator=(const BaseEdge&) = delete;
+
+  double chi2() const override { return _error.dot(information() * _error); }
+  const double* errorData() const override { return _error.data(); }
+  double* errorData() override { return _error.data(); }
+  const ErrorVector& error() const { return _error; }
+  ErrorVector& error() { return _error; }
+
+  const InformationType& information() const { return _information; }
+  InformationType& information() { return _information; }
+  template <typename Derived>
+  void setInformation(const Eigen::MatrixBase<Derived>& information) {
+    _information = information;
+  }
+  const double* informationData() const override { return _information.data(); }
+  double* informationData() override { return _information.data(); }
+
+  const Measurement& measurement() const { return _measurement; }
+  virtual void setMeasurement(const Measurement& m) { _measurement = m; }
+
+  virtual int rank() const { return _dimension; }
+
+  /// Only for D = Eigen::Dynamic.
+  void setDimension(int dimension) {
+    static_assert(D == Eigen::Dynamic, "setDimension() is for edges whose number of rows is Eigen::Dynamic");
+    _dimension = dimension;
+    _information.setIdentity(dimension, dimension);
+    _error.setZero(dimension);
+  }
+
+  void initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) override {}
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+
+ protected:
+  Measurement _measurement;
+  InformationType _information;
+  ErrorVector _error;
+
+  /// ρ′Ω. A ρ′ < 0 (which DCS has) would make the Hessian indefinite; it counts as 0.
+  InformationType robustInformation(const Vector3& rho) const { return std::max(0.0, rho[1]) * _information; }
+
+  /// Reads and writes the upper triangle of Ω, row by row.
+  bool readInformationMatrix(std::istream& is) {
+    for (int i = 0; i < information().rows(); ++i) {
+      for (int j = i; j < information().cols(); ++j) {
+        is >> information()(i, j);
+        information()(j, i) = information()(i, j);
+      }
+    }
+    return !is.fail();
+  }
+  bool writeInformationMatrix(std::ostream& os) const {
+    for (int i = 0; i < information().rows(); ++i) {
+      for (int j = i; j < information().cols(); ++j) os << information()(i, j) << " ";
+    }
+    return os.good();
+  }
+  bool readParamIds(std::istream& is) {
+    for (size_t i = 0; i < numParameters(); ++i) {
+      int id = 0;
+      if (!(is >> id)) return false;
+      setParameterId(static_cast<int>(i), id);
+    }
+    return true;
+  }
+  bool writeParamIds(std::ostream& os) const {
+    for (int id : _parameterIds) os << id << " ";
+    return os.good();
+  }
+};
+
+}  // namespace g2o

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An edge over a number of vertices that the compiler knows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "g2o/core/base_edge.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+namespace internal {
+
+/// Positions i < j of a pair of vertices, numbered (0,1) (0,2) (1,2) (0,3) …
+constexpr int pair_to_index(int i, int j) {
+  return j * (j - 1) / 2 + i;
+}
+constexpr int pair_first(int k) {
+  int j = 1;
+  while (j * (j + 1) / 2 <= k) ++j;
+  return k - j * (j - 1) / 2;
+}
+constexpr int pair_second(int k) {
+  int j = 1;
+  while (j * (j + 1) / 2 <= k) ++j;
+  return j;
+}
+
+/// Rows × Cols numbers, column by column; a single row is the same either way.
+template <int Rows, int Cols>
+using JacobianMatrix =
+    Eigen::Matrix<double, Rows, Cols, (Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor>;
+
+}  // namespace internal
+
+/// What is left to implement: computeError, read and write; and linearizeOplus, if analytic Jacobians are to
+/// be used.
+template <int D, typename E, typename... VertexTypes>
+class BaseFixedSizedEdge : public BaseEdge<D, E> {
+ public:
+  template <int VertexN>
+  using VertexXnType = std::tuple_element_t<VertexN, std::tuple<VertexTypes...>>;
+  static constexpr std::size_t _nr_of_vertices = sizeof...(VertexTypes);
+  static constexpr std::size_t _nr_of_vertex_pairs = _nr_of_vertices * (_nr_of_vertices - 1) / 2;
+
+  template <int EdgeDimension, int VertexDimension>
+  using JacobianType = Eigen::Map<internal::JacobianMatrix<EdgeDimension, VertexDimension>>;
+  template <int DN, int DM>
+  using HessianBlockType = Eigen::Map<internal::JacobianMatrix<DN, DM>>;
+
+  static constexpr int Dimension = BaseEdge<D, E>::Dimension;
+  using Measurement = typename BaseEdge<D, E>::Measurement;
+  using ErrorVector = typename BaseEdge<D, E>::ErrorVector;
+  using InformationType = typename BaseEdge<D, E>::InformationType;
+
+  BaseFixedSizedEdge()
+      : _hessianRowMajor{},
+        _jacobianOplus(emptyMap<JacobianType<D, VertexTypes::Dimension>>()...),
+        _hessianTuple(emptyPairs<false>(std::make_index_sequence<_nr_of_vertex_pairs>())),
+        _hessianTupleTransposed(emptyPairs<true>(std::make_index_sequence<_nr_of_vertex_pairs>())) {
+    this->_vertices.resize(_nr_of_vertices, nullptr);
+  }
+
+  template <int VertexN>
+  const VertexXnType<VertexN>* vertexXn() const {
+    return static_cast<const VertexXnType<VertexN>*>(this->_vertices[VertexN]);
+  }
+  template <int VertexN>
+  VertexXnType<VertexN>* vertexXn() {
+    return static_cast<VertexXnType<VertexN>*>(this->_vertices[VertexN]);
+  }
+  /// The dimensions of a vertex, also where they are chosen at run time.
+  template <int VertexN>
+  int vertexDimension() const {
+    constexpr int kDimension = VertexXnType<VertexN>::Dimension;
+    if constexpr (kDimension >= 0) {
+      return kDimension;
+    } else {
+      return vertexXn<VertexN>()->dimension();
+    }
+  }
+  template <int VertexN>
+  auto& jacobianOplusXn() {
+    return std::get<VertexN>(_jacobianOplus);
+  }
+  template <int VertexN>
+  const auto& jacobianOplusXn() const {
+    return std::get<VertexN>(_jacobianOplus);
+  }
+
+  void resize(size_t size) override {
+    if (size != _nr_of_vertices) {
+      G2O_ERROR("resize: the edge has {} vertices, and keeps them; {} were asked for", _nr_of_vertices, size);
+      return;
+    }
+    BaseEdge<D, E>::resize(size);
+  }
+
+  bool verticesFit() const override { return verticesFit(std::index_sequence_for<VertexTypes...>()); }
+  bool allVerticesFixed() const override {
+    return allVerticesFixed(std::index_sequence_for<VertexTypes...>());
+  }
+
+  /// Lets the Jacobians lie in the workspace, and fills them by linearizeOplus().
+  void linearizeOplus(JacobianWorkspace& jacobianWorkspace) override {
+    mapJacobians(jacobianWorkspace, std::index_sequence_for<VertexTypes...>());
+    linearizeOplus();
+  }
+  /// Fills the Jacobians of the vertices that are not fixed; by default numerically.
+  virtual void linearizeOplus() { linearizeNumerically(std::index_sequence_for<VertexTypes...>()); }
+
+  void constructQuadraticForm() override {
+    if (this->robustKernel() != nullptr) {
+      Vector3 rho;
+      this->robustKernel()->robustify(this->chi2(), rho);
+      const InformationType omega = this->robustInformation(rho);
+      const ErrorVector weightedError = omega * -this->_error;
+      constructBlocks(omega, weightedError, std::index_sequence_for<VertexTypes...>());
+    } else {
+      const ErrorVector weightedError = this->_information * -this->_error;
+      constructBlocks(this->_information, weightedError, std::index_sequence_for<VertexTypes...>());
+    }
+  }
+
+  void mapHessianMemory(double* d, int i, int j, bool rowMajor) override {
+    if (i < 0 || i >= j || j >= static_cast<int>(_nr_of_vertices)) return;
+    mapPair(d, internal::pair_to_index(i, j), rowMajor, std::make_index_sequence<_nr_of_vertex_pairs>());
+  }
+
+  OptimizableGraph::Vertex* createVertex(int i) override {
+    return createVertex(i, std::index_sequence_for<VertexTypes...>());
+  }
+
+ protected:
+  using BaseEdge<D, E>::_measurement;
+  using BaseEdge<D, E>::_information;
+  using BaseEdge<D, E>::_error;
+  using BaseEdge<D, E>::_vertices;
+  using BaseEdge<D, E>::_dimension;
+
+  template <int K, bool Transposed>
+  using PairBlock = HessianBlockType<
+      VertexXnType<Transposed ? internal::pair_second(K) : internal::pair_first(K)>::Dimension,
+      VertexXnType<Transposed ? internal::pair_first(K) : internal::pair_second(K)>::Dimension>;
+  template <bool Transposed, std::size_t... K>
+  static std::tuple<PairBlock<K, Transposed>...> pairTuple(std::index_sequence<K...>);
+  template <bool Transposed>
+  using PairTuple = decltype(pairTuple<Transposed>(
+      std::make_index_sequence<sizeof...(VertexTypes) * (sizeof...(VertexTypes) - 1) / 2>()));
+
+  std::array<bool, (_nr_of_vertex_pairs > 0 ? _nr_of_vertex_pairs : 1)> _hessianRowMajor;
+  std::tuple<JacobianType<D, VertexTypes::Dimension>...> _jacobianOplus;
+  PairTuple<false> _hessianTuple;
+  PairTuple<true> _hessianTupleTransposed;
+
+ private:
+  template <class Map>
+  static Map emptyMap() {
+    return Map(nullptr, std::max<int>(Map::RowsAtCompileTime, 0), std::max<int>(Map::ColsAtCompileTime, 0));
+  }
+  template <bool Transposed, std::size_t... K>
+  static PairTuple<Transposed> emptyPairs(std::index_sequence<K...>) {
+    return PairTuple<Transposed>(emptyMap<PairBlock<K, Transposed>>()...);
+  }
+
+  template <std::size_t... N>
+  bool verticesFit(std::index_sequence<N...>) const {
+    return ((dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) && ...);
+  }
+  template <std::size_t... N>
+  bool allVerticesFixed(std::index_sequence<N...>) const {
+    return (vertexXn<N>()->fixed() && ...);
+  }
+
+  template <std::size_t... N>
+  void mapJacobians(JacobianWorkspace& workspace, std::index_sequence<N...>) {
+    (mapJacobian<N>(workspace.workspaceForVertex(N)), ...);
+  }
+  template <int N>
+  void mapJacobian(double* d) {
+    using Map = JacobianType<D, VertexXnType<N>::Dimension>;
+    new (&std::get<N>(_jacobianOplus)) Map(d, this->_dimension, vertexDimension<N>());
+  }
+
+  template <std::size_t... N>
+  void linearizeNumerically(std::index_sequence<N...>) {
+    (linearizeNumerically<N>(), ...);
+  }
+  template <int N>
+  void linearizeNumerically() {
+    if (vertexXn<N>()->fixed()) return;
+    internal::numericJacobian(*this, *vertexXn<N>(), std::get<N>(_jacobianOplus).data());
+  }
+
+  template <std::size_t... N>
+  void constructBlocks(const InformationType& omega, const ErrorVector& weightedError,
+                       std::index_sequence<N...>) {
+    (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+  }
+  /// Adds what vertex N shares with itself and with those after it.
+  template <int N, std::size_t... M>
+  void constructColumn(const InformationType& omega, const ErrorVector& weightedError,
+                       std::index_sequence<M...>) {
+    VertexXnType<N>* from = vertexXn<N>();
+    if (from->fixed() || from->A().data() == nullptr) return;
+    constexpr int kDimension = VertexXnType<N>::Dimension;
+    const auto& J = std::get<N>(_jacobianOplus);
+    const Eigen::Matrix<double, kDimension, D,
+                        (kDimension == 1 && D != 1) ? Eigen::RowMajor : Eigen::ColMajor>
+        JtOmega = J.transpose() * omega;
+    from->b().noalias() += J.transpose() * weightedError;
+    from->A().noalias() += JtOmega * J;
+    (constructPair<N, N + 1 + static_cast<int>(M)>(JtOmega), ...);
+  }
+  template <int N, int M, class Product>
+  void constructPair(const Product& JtOmega) {
+    constexpr int K = internal::pair_to_index(N, M);
+    if (vertexXn<M>()->fixed()) return;
+    const auto& J = std::get<M>(_jacobianOplus);
+    if (_hessianRowMajor[K]) {
+      auto& block = std::get<K>(_hessianTupleTransposed);
+      if (block.data() != nullptr) block.noalias() += J.transpose() * JtOmega.transpose();
+    } else {
+      auto& block = std::get<K>(_hessianTuple);
+      if (block.data() != nullptr) block.noalias() += JtOmega * J;
+    }
+  }
+
+  template <std::size_t... K>
+  void mapPair([[maybe_unused]] double* d, [[maybe_unused]] int index, [[maybe_unused]] bool rowMajor,
+               std::index_sequence<K...>) {
+    (mapPair<K>(d, index, rowMajor), ...);
+  }
+  template <int K>
+  void mapPair(double* d, int index, bool rowMajor) {
+    if (index != K) return;
+    const int first = vertexDimension<internal::pair_first(K)>();
+    const int second = vertexDimension<internal::pair_second(K)>();
+    _hessianRowMajor[K] = rowMajor;
+    if (rowMajor) {
+      new (&std::get<K>(_hessianTupleTransposed)) PairBlock<K, true>(d, second, first);
+    } else {
+      new (&std::get<K>(_hessianTuple)) PairBlock<K, false>(d, first, second);
+    }
+  }
+
+  template <std::size_t... N>
+  OptimizableGraph::Vertex* createVertex(int i, std::index_sequence<N...>) {
+    OptimizableGraph::Vertex* made = nullptr;
+    ((i == static_cast<int>(N) ? void(made = newVertex<VertexXnType<N>>()) : void()), ...);
+    return made;
+  }
+  template <class V>
+  static OptimizableGraph::Vertex* newVertex() {
+    if constexpr (std::is_default_constructible_v<V>) {
+      return new V();
+    } else {
+      return nullptr;
+    }
+  }
+};
+
+}  // namespace g2o

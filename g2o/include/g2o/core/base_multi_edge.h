@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_variable_sized_edge.h"
+
+namespace g2o {
+
+/// The g2o document's name of BaseVariableSizedEdge.
+template <int D, typename E>
+class BaseMultiEdge : public BaseVariableSizedEdge<D, E> {};
+
+}  // namespace g2o

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <stack>
+#include <vector>
+
+#include "g2o/core/creators.h"
+#include "g2o/core/optimizable_graph.h"
+
+namespace g2o {
+
+/// A vertex with an estimate of type T that moves in D dimensions (Eigen::Dynamic: chosen at run time, see
+/// BaseDynamicVertex). What is left to implement: oplusImpl, setToOriginImpl, read and write.
+template <int D, typename T>
+class BaseVertex : public OptimizableGraph::Vertex {
+ public:
+  using EstimateType = T;
+  using BackupStackType = std::stack<EstimateType, std::vector<EstimateType>>;
+  static constexpr int Dimension = D;
+  /// The block of the Hessian, in memory of the solver.
+  using HessianBlockType = Eigen::Map<Eigen::Matrix<double, D, D, Eigen::ColMajor>>;
+  using BVector = Eigen::Matrix<double, D, 1, Eigen::ColMajor>;
+
+  BaseVertex() : _hessian(nullptr, std::max(D, 0), std::max(D, 0)) {
+    _dimension = D;
+    if (D > 0) _b = BVector::Zero(D);
+  }
+  BaseVertex(const BaseVertex&) = delete;
+  BaseVertex& operator=(const BaseVertex&) = delete;
+
+  const double& hessian(int i, int j) const override { return _hessian(i, j); }
+  double& hessian(int i, int j) override { return _hessian(i, j); }
+  double hessianDeterminant() const override { return _hessian.determinant(); }
+  double* hessianData() override { return _hessian.data(); }
+
+  void mapHessianMemory(double* d) override {
+    const int dim = d == nullptr && D == Eigen::Dynamic ? 0 : dimension();
+    new (&_hessian) HessianBlockType(d, dim, dim);
+  }
+
+  int copyB(double* b_) const override {
+    std::copy_n(_b.data(), dimension(), b_);
+    return dimension();
+  }
+  const double& b(int i) const override { return _b(i); }
+  double& b(int i) override { return _b(i); }
+  double* bData() override { return _b.data(); }
+  void clearQuadraticForm() override { _b.setZero(); }
+
+  double solveDirect(double lambda = 0) override {
+    MatrixX damped = _hessian;
+    damped.diagonal().array() += lambda;
+    const double determinant = damped.determinant();
+    if (std::isnan(determinant) || determinant < std::numeric_limits<double>::epsilon()) return determinant;
+    const VectorX step = damped.llt().solve(_b);
+    oplus(step.data());
+    return determinant;
+  }
+
+  BVector& b() { return _b; }
+  const BVector& b() const { return _b; }
+  HessianBlockType& A() { return _hessian; }
+  const HessianBlockType& A() const { return _hessian; }
+
+  void push() override { _backup.push(_estimate); }
+  void pop() override {
+    if (_backup.empty()) return;
+    _estimate = _backup.top();
+    _backup.pop();
+    updateCache();
+  }
+  void discardTop() override {
+    if (!_backup.empty()) _backup.pop();
+  }
+  int stackSize() const override { return static_cast<int>(_backup.size()); }
+
+  const EstimateType& estimate() const { return _estimate; }
+  void setEstimate(const EstimateType& et) {
+    _estimate = et;
+    updateCache();
+  }
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+
+ protected:
+  HessianBlockType _hessian;
+  BVector _b;
+  EstimateType _estimate;
+  BackupStackType _backup;
+};
+
+}  // namespace g2o

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <vector>
+
+#include "g2o/core/g2o_core_api.h"
+
+namespace g2o {
+
+/// What one iteration did, and how long it took (seconds).
+struct G2O_CORE_API G2OBatchStatistics {
+  G2OBatchStatistics();
+
+  int iteration = -1;
+  int numVertices = 0;
+  int numEdges = 0;
+  double chi2 = -1;
+
+  double timeResiduals = 0;
+  double timeLinearize = 0;
+  double timeQuadraticForm = 0;
+  int levenbergIterations = 0;
+  double timeSchurComplement = 0;
+  double timeSymbolicDecomposition = 0;
+  double timeNumericDecomposition = 0;
+  double timeLinearSolution = 0;
+  double timeLinearSolver = 0;
+  int iterationsLinearSolver = 0;
+  double timeUpdate = 0;
+  double timeIteration = 0;
+  double timeMarginals = 0;
+
+  size_t hessianDimension = 0;
+  size_t hessianPoseDimension = 0;
+  size_t hessianLandmarkDimension = 0;
+  size_t choleskyNNZ = 0;
+
+  /// Where the current thread's optimiser collects; nullptr where it does not.
+  static G2OBatchStatistics* globalStats();
+  static void setGlobalStats(G2OBatchStatistics* b);
+};
+
+using BatchStatisticsContainer = std::vector<G2OBatchStatistics>;
+
+G2O_CORE_API std::ostream& operator<<(std::ostream&, const G2OBatchStatistics&);
+
+}  // namespace g2o

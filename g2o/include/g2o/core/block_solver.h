@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Solver of the library: a block Hessian, the Schur complement, and a LinearSolver for what is left.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/block_solver_engine.h"
+#include "g2o/core/linear_solver.h"
+#include "g2o/core/solver.h"
+
+namespace g2o {
+
+/// The dimensions of poses and of landmarks, which are eliminated where they are marginalised.
+template <int _PoseDim, int _LandmarkDim>
+struct BlockSolverTraits {
+  static constexpr int PoseDim = _PoseDim;
+  static constexpr int LandmarkDim = _LandmarkDim;
+  using PoseMatrixType = Eigen::Matrix<double, PoseDim, PoseDim, Eigen::ColMajor>;
+  using LandmarkMatrixType = Eigen::Matrix<double, LandmarkDim, LandmarkDim, Eigen::ColMajor>;
+  using PoseLandmarkMatrixType = Eigen::Matrix<double, PoseDim, LandmarkDim, Eigen::ColMajor>;
+  using PoseVectorType = Eigen::Matrix<double, PoseDim, 1, Eigen::ColMajor>;
+  using LandmarkVectorType = Eigen::Matrix<double, LandmarkDim, 1, Eigen::ColMajor>;
+
+  using PoseHessianType = SparseBlockMatrix<PoseMatrixType>;
+  using LandmarkHessianType = SparseBlockMatrix<LandmarkMatrixType>;
+  using PoseLandmarkHessianType = SparseBlockMatrix<PoseLandmarkMatrixType>;
+  using LinearSolverType = LinearSolver<PoseMatrixType>;
+};
+
+/// Dimensions that are known at run time.
+template <>
+struct BlockSolverTraits<Eigen::Dynamic, Eigen::Dynamic> {
+  static constexpr int PoseDim = Eigen::Dynamic;
+  static constexpr int LandmarkDim = Eigen::Dynamic;
+  using PoseMatrixType = MatrixX;
+  using LandmarkMatrixType = MatrixX;
+  using PoseLandmarkMatrixType = MatrixX;
+  using PoseVectorType = VectorX;
+  using LandmarkVectorType = VectorX;
+
+  using PoseHessianType = SparseBlockMatrix<PoseMatrixType>;
+  using LandmarkHessianType = SparseBlockMatrix<LandmarkMatrixType>;
+  using PoseLandmarkHessianType = SparseBlockMatrix<PoseLandmarkMatrixType>;
+  using LinearSolverType = LinearSolver<PoseMatrixType>;
+};
+
+class G2O_CORE_API BlockSolverBase : public Solver {
+ public:
+  ~BlockSolverBase() override;
+  /// dest ← H src.
+  virtual void multiplyHessian(double* dest, const double* src) const = 0;
+};
+
+/// H lies in the engine's memory whatever the traits; they say what LinearSolver fits, and which dimension
+/// marginalised vertices must have. Owns the linear solver.
+template <typename Traits>
+class BlockSolver : public BlockSolverBase {
+ public:
+  static constexpr int PoseDim = Traits::PoseDim;
+  static constexpr int LandmarkDim = Traits::LandmarkDim;
+  using PoseMatrixType = typename Traits::PoseMatrixType;
+  using LandmarkMatrixType = typename Traits::LandmarkMatrixType;
+  using PoseLandmarkMatrixType = typename Traits::PoseLandmarkMatrixType;
+  using PoseVectorType = typename Traits::PoseVectorType;
+  using LandmarkVectorType = typename Traits::LandmarkVectorType;
+  using PoseHessianType = typename Traits::PoseHessianType;
+  using LandmarkHessianType = typename Traits::LandmarkHessianType;
+  using PoseLandmarkHessianType = typename Traits::PoseLandmarkHessianType;
+  using LinearSolverType = typename Traits::LinearSolverType;
+
+  explicit BlockSolver(std::unique_ptr<LinearSolverType> linearSolver)
+      : _linearSolver(std::move(linearSolver)) {}
+  /// As clients of old write it.
+  explicit BlockSolver(LinearSolverType* linearSolver) : _linearSolver(linearSolver) {}
+
+  bool init(SparseOptimizer* optimizer, bool online = false) override {
+    this->_optimizer = optimizer;
+    lambda_ = 0;
+    return online || (_linearSolver != nullptr && _linearSolver->init());
+  }
+  bool buildStructure(bool zeroBlocks = false) override;
+  /// Lays everything out anew: what is not new costs little beside a factorisation.
+  bool updateStructure(const std::vector<HyperGraph::Vertex*>&, const HyperGraph::EdgeSet&) override {
+    return buildStructure();
+  }
+  bool buildSystem() override {
+    if (!engine_.hasStructure()) return false;
+    engine_.buildSystem(*this->_optimizer, this->_b);
+    return true;
+  }
+  bool solve() override;
+  bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                        const std::vector<std::pair<int, int>>& blockIndices) override {
+    return engine_.hasStructure() && engine_.inverse(blockIndices, spinv);
+  }
+  bool setLambda(double lambda, bool = false) override {
+    lambda_ = lambda;
+    return true;
+  }
+  void restoreDiagonal() override { lambda_ = 0; }
+  bool supportsSchur() override { return true; }
+  bool schur() override { return _doSchur; }
+  void setSchur(bool s) override { _doSchur = s; }
+
+  LinearSolver<PoseMatrixType>& linearSolver() const { return *_linearSolver; }
+
+  void setWriteDebug(bool writeDebug) override { _linearSolver->setWriteDebug(writeDebug); }
+  bool writeDebug() const override { return _linearSolver->writeDebug(); }
+  bool saveHessian(const std::string& fileName) const override { return engine_.save(fileName); }
+  void multiplyHessian(double* dest, const double* src) const override { engine_.multiply(dest, src); }
+
+ protected:
+  std::unique_ptr<LinearSolverType> _linearSolver;
+  bool _doSchur = true;
+
+ private:
+  bool solveByLinearSolver();
+
+  internal::BlockSolverEngine engine_;
+  double lambda_ = 0;
+};
+
+/// Blocks of P × P for poses and L × L for landmarks.
+template <int p, int l>
+using BlockSolverPL = BlockSolver<BlockSolverTraits<p, l>>;
+using BlockSolverX = BlockSolverPL<Eigen::Dynamic, Eigen::Dynamic>;
+using BlockSolver_6_3 = BlockSolverPL<6, 3>;
+using BlockSolver_7_3 = BlockSolverPL<7, 3>;
+using BlockSolver_3_2 = BlockSolverPL<3, 2>;
+
+}  // namespace g2o
+
+#include "g2o/core/block_solver.hpp"

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/block_solver.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+
+template <typename Traits>
+bool BlockSolver<Traits>::buildStructure(bool) {
+  for (const OptimizableGraph::Vertex* v : this->_optimizer->indexMapping()) {
+    const bool fits =
+        LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
+    if (!fits) {
+      G2O_ERROR(
+          "vertex {}: expected a marginalised vertex of {} dimensions, as the block solver is for, it has {}",
+          v->id(), LandmarkDim, v->dimension());
+      return false;
+    }
+  }
+  if (!engine_.buildStructure(*this->_optimizer, _doSchur, _linearSolver->engine())) return false;
+  this->resizeVector(engine_.scalars());
+  return true;
+}
+
+template <typename Traits>
+bool BlockSolver<Traits>::solve() {
+  if (!engine_.hasStructure()) return false;
+  const internal::EngineSettings settings = _linearSolver->engine();
+  if (settings.solver == internal::EngineSolver::kNone) return solveByLinearSolver();
+  return engine_.solve(lambda_, this->_b, this->_x, settings);
+}
+
+template <typename Traits>
+bool BlockSolver<Traits>::solveByLinearSolver() {
+  if (!engine_.reduce(lambda_, this->_b)) return false;
+  const std::vector<int>& dims = engine_.reducedDims();
+  std::vector<int> ends;
+  int end = 0;
+  for (int dim : dims) {
+    if (PoseDim != Eigen::Dynamic && dim != PoseDim) {
+      G2O_ERROR("expected vertices of {} dimensions, as the linear solver is for, one has {}", PoseDim, dim);
+      return false;
+    }
+    ends.push_back(end += dim);
+  }
+  const int n = static_cast<int>(ends.size());
+  PoseHessianType A(ends.data(), ends.data(), n, n);
+  for (const internal::EngineBlock& block : engine_.reducedBlocks()) {
+    const int rows = dims[static_cast<size_t>(block.row)], cols = dims[static_cast<size_t>(block.column)];
+    *A.block(block.column, block.row, true) = Eigen::Map<const MatrixX>(block.values, rows, cols).transpose();
+  }
+  if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) return false;
+  engine_.backSubstitute(this->_b, this->_x);
+  return true;
+}
+
+}  // namespace g2o

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Hessian of an optimiser's active vertices and edges in the engine's memory.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/linear_engine.h"
+
+namespace g2o {
+
+class SparseOptimizer;
+
+namespace internal {
+
+/// H of the engine: its blocks are mapped into vertices and edges (mapHessianMemory), so that
+/// constructQuadraticForm() adds to them where they lie. λ is an argument of solve() and never written into
+/// H.
+///
+/// Vectors are in the order of Hessian indices: marginalised vertices last.
+class G2O_CORE_API BlockSolverEngine {
+ public:
+  BlockSolverEngine();
+  BlockSolverEngine(const BlockSolverEngine&) = delete;
+  BlockSolverEngine& operator=(const BlockSolverEngine&) = delete;
+  ~BlockSolverEngine();
+
+  /// False, with a message, where two marginalised vertices share an edge.
+  bool buildStructure(SparseOptimizer& optimizer, bool schur, const EngineSettings& settings);
+  bool hasStructure() const;
+  size_t scalars() const;
+  /// Linearises the active edges and fills H and b.
+  void buildSystem(SparseOptimizer& optimizer, double* b);
+  /// x ← (H + λI)⁻¹ b; false where that is not positive definite or not finite.
+  bool solve(double lambda, const double* b, double* x, const EngineSettings& settings);
+  /// dest ← H src.
+  void multiply(double* dest, const double* src) const;
+  /// Blocks of H⁻¹ by Hessian index.
+  bool inverse(const std::vector<std::pair<int, int>>& blockIndices, SparseBlockMatrix<MatrixX>& spinv);
+  bool save(const std::string& fileName) const;
+
+  /// For a linear solver that is not the engine's: the system that is left after the elimination, and back.
+  /// blocks(): the lower triangle.
+  bool reduce(double lambda, const double* b);
+  const std::vector<int>& reducedDims() const;
+  const std::vector<EngineBlock>& reducedBlocks() const;
+  double* reducedRightHandSide();
+  double* reducedSolution();
+  void backSubstitute(const double* b, double* x);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <typeinfo>
+
+#include "g2o/core/hyper_graph.h"
+
+namespace g2o {
+
+/// Makes elements of one type.
+class G2O_CORE_API AbstractHyperGraphElementCreator {
+ public:
+  AbstractHyperGraphElementCreator();
+  virtual ~AbstractHyperGraphElementCreator();
+  /// A new element, which is the caller's.
+  virtual HyperGraph::HyperGraphElement* construct() = 0;
+  /// typeid(T).name().
+  virtual const std::string& name() const = 0;
+};
+
+template <typename T>
+class HyperGraphElementCreator : public AbstractHyperGraphElementCreator {
+ public:
+  HyperGraphElementCreator() : _name(typeid(T).name()) {}
+  HyperGraph::HyperGraphElement* construct() override { return new T; }
+  const std::string& name() const override { return _name; }
+
+ protected:
+  std::string _name;
+};
+
+}  // namespace g2o

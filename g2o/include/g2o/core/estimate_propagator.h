@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates made from those of other vertices, along the cheapest edges.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <set>
+#include <unordered_map>
+
+#include "g2o/core/sparse_optimizer.h"
+
+namespace g2o {
+
+/// What it costs to estimate a vertex from others through an edge; std::numeric_limits<double>::max() where
+/// that is not possible. By default what the edge itself says, for active edges.
+class G2O_CORE_API EstimatePropagatorCost {
+ public:
+  explicit EstimatePropagatorCost(SparseOptimizer* graph);
+  virtual ~EstimatePropagatorCost();
+  virtual double operator()(OptimizableGraph::Edge* edge, const OptimizableGraph::VertexSet& from,
+                            OptimizableGraph::Vertex* to_) const;
+  virtual const char* name() const { return "spanning tree"; }
+
+ protected:
+  SparseOptimizer* _graph;
+};
+
+/// Only along edges between consecutive ids.
+class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCost {
+ public:
+  explicit EstimatePropagatorCostOdometry(SparseOptimizer* graph);
+  double operator()(OptimizableGraph::Edge* edge, const OptimizableGraph::VertexSet& from_,
+                    OptimizableGraph::Vertex* to_) const override;
+  const char* name() const override { return "odometry"; }
+};
+
+/// Dijkstra's algorithm over hyper-edges.
+class G2O_CORE_API EstimatePropagator {
+ public:
+  /// What is done with a vertex that was reached; by default Edge::initialEstimate(), unless it is fixed.
+  struct G2O_CORE_API PropagateAction {
+    virtual ~PropagateAction();
+    virtual void operator()(OptimizableGraph::Edge* e, const OptimizableGraph::VertexSet& from,
+                            OptimizableGraph::Vertex* to) const {
+      if (!to->fixed()) e->initialEstimate(from, to);
+    }
+  };
+  using PropagateCost = EstimatePropagatorCost;
+
+  /// How a vertex was reached.
+  class G2O_CORE_API AdjacencyMapEntry {
+   public:
+    friend class EstimatePropagator;
+    OptimizableGraph::Vertex* child() const { return _child; }
+    const OptimizableGraph::VertexSet& parent() const { return _parent; }
+    OptimizableGraph::Edge* edge() const { return _edge; }
+    double distance() const { return _distance; }
+    int frontierLevel() const { return _frontierLevel; }
+
+   protected:
+    OptimizableGraph::Vertex* _child = nullptr;
+    OptimizableGraph::VertexSet _parent;
+    OptimizableGraph::Edge* _edge = nullptr;
+    double _distance = std::numeric_limits<double>::max();
+    int _frontierLevel = -1;
+  };
+  using AdjacencyMap = std::unordered_map<OptimizableGraph::Vertex*, AdjacencyMapEntry>;
+
+  explicit EstimatePropagator(OptimizableGraph* g);
+
+  OptimizableGraph::VertexSet& visited() { return _visited; }
+  AdjacencyMap& adjacencyMap() { return _adjacencyMap; }
+  OptimizableGraph* graph() { return _graph; }
+
+  void propagate(OptimizableGraph::Vertex* v, const PropagateCost& cost,
+                 const PropagateAction& action = PropagateAction(),
+                 double maxDistance = std::numeric_limits<double>::max(),
+                 double maxEdgeCost = std::numeric_limits<double>::max());
+  void propagate(OptimizableGraph::VertexSet& vset, const PropagateCost& cost,
+                 const PropagateAction& action = PropagateAction(),
+                 double maxDistance = std::numeric_limits<double>::max(),
+                 double maxEdgeCost = std::numeric_limits<double>::max());
+
+ protected:
+  AdjacencyMap _adjacencyMap;
+  OptimizableGraph::VertexSet _visited;
+  OptimizableGraph* _graph;
+};
+
+}  // namespace g2o

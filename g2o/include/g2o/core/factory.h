@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The types of files: words, and what they stand for.
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "g2o/core/creators.h"
+#include "g2o/core/g2o_core_api.h"
+#include "g2o/core/hyper_graph.h"
+#include "g2o/stuff/logger.h"
+#include "g2o/stuff/misc.h"
+
+namespace g2o {
+
+/// One word per type. Registering a word again, or a type under a second word, is refused with a message.
+class G2O_CORE_API Factory {
+ public:
+  static Factory* instance();
+  static void destroy();
+
+  void registerType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
+  /// As clients of old write it; takes ownership.
+  void registerType(const std::string& tag, AbstractHyperGraphElementCreator* c);
+  void unregisterType(const std::string& tag);
+  /// A new element, which is the caller's; nullptr where the word is unknown, or stands for an element of a
+  /// kind that `elemsToConstruct` does not have.
+  HyperGraph::HyperGraphElement* construct(const std::string& tag) const;
+  HyperGraph::HyperGraphElement* construct(const std::string& tag,
+                                           const HyperGraph::GraphElemBitset& elemsToConstruct) const;
+  /// `elementType` receives the HyperGraph::HyperGraphElementType, or −1.
+  bool knowsTag(const std::string& tag, int* elementType = nullptr) const;
+  /// The word of an element; empty where its type is not registered.
+  const std::string& tag(const HyperGraph::HyperGraphElement* v) const;
+  void fillKnownTypes(std::vector<std::string>& types) const;
+  void printRegisteredTypes(std::ostream& os, bool comment = false) const;
+
+ protected:
+  struct CreatorInformation {
+    std::shared_ptr<AbstractHyperGraphElementCreator> creator;
+    int elementTypeBit = -1;
+  };
+  using CreatorMap = std::map<std::string, std::unique_ptr<CreatorInformation>>;
+  using TagLookup = std::map<std::string, std::string>;
+
+  Factory();
+  ~Factory();
+
+  CreatorMap _creator;   ///< by word
+  TagLookup _tagLookup;  ///< from typeid(T).name() to the word
+};
+
+template <typename T>
+class RegisterTypeProxy {
+ public:
+  explicit RegisterTypeProxy(const std::string& name) : _name(name) {
+    Factory::instance()->registerType(_name, std::make_shared<HyperGraphElementCreator<T>>());
+  }
+  ~RegisterTypeProxy() { Factory::instance()->unregisterType(_name); }
+  RegisterTypeProxy(const RegisterTypeProxy&) = delete;
+  RegisterTypeProxy& operator=(const RegisterTypeProxy&) = delete;
+
+ private:
+  std::string _name;
+};
+
+namespace internal {
+
+constexpr bool isWord(const char* text) {
+  if (*text == '\0') return false;
+  for (; *text != '\0'; ++text) {
+    if (*text == ' ' || (*text >= '\t' && *text <= '\r')) return false;
+  }
+  return true;
+}
+
+}  // namespace internal
+}  // namespace g2o
+
+#define G2O_FACTORY_EXPORT G2O_API_EXPORT
+
+/// Registers a type for files: G2O_REGISTER_TYPE_NAME("VERTEX_SE2", VertexSE2), or, where the word is one to
+/// the preprocessor, G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2).
+#define G2O_REGISTER_TYPE_NAME(name, classname)                                                   \
+  static_assert(g2o::internal::isWord(name), "a type is registered under a word without blanks"); \
+  extern "C" void G2O_FACTORY_EXPORT g2o_type_##classname(void) {}                                \
+  static g2o::RegisterTypeProxy<classname> g_type_proxy_##classname(name);
+#define G2O_REGISTER_TYPE(name, classname) G2O_REGISTER_TYPE_NAME(#name, classname)
+
+#define G2O_USE_TYPE_BY_CLASS_NAME(classname) \
+  extern "C" void g2o_type_##classname(void); \
+  static g2o::ForceLinker proxy_##classname(g2o_type_##classname);
+
+/// Names the types of a library, so that programs can ask for them to be linked.
+#define G2O_REGISTER_TYPE_GROUP(type_group_name) \
+  extern "C" void G2O_FACTORY_EXPORT g2o_type_group_##type_group_name(void) {}
+
+#define G2O_USE_TYPE_GROUP(type_group_name)               \
+  extern "C" void g2o_type_group_##type_group_name(void); \
+  static g2o::ForceLinker g2o_force_type_link_##type_group_name(g2o_type_group_##type_group_name);

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shortest paths.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "g2o/core/hyper_graph.h"
+
+namespace g2o {
+
+struct G2O_CORE_API HyperDijkstra {
+  /// What it costs to go from one vertex of an edge to another; std::numeric_limits<double>::max(): no way.
+  struct G2O_CORE_API CostFunction {
+    virtual double operator()(HyperGraph::Edge* e, HyperGraph::Vertex* from, HyperGraph::Vertex* to) = 0;
+    virtual ~CostFunction();
+  };
+
+  /// What is done at each vertex of a tree.
+  struct G2O_CORE_API TreeAction {
+    virtual ~TreeAction();
+    virtual double perform(HyperGraph::Vertex* v, HyperGraph::Vertex* vParent, HyperGraph::Edge* e);
+    virtual double perform(HyperGraph::Vertex* v, HyperGraph::Vertex* vParent, HyperGraph::Edge* e,
+                           double distance);
+  };
+
+  /// How a vertex was reached.
+  class G2O_CORE_API AdjacencyMapEntry {
+   public:
+    friend struct HyperDijkstra;
+    AdjacencyMapEntry(HyperGraph::Vertex* child = nullptr, HyperGraph::Vertex* parent = nullptr,
+                      HyperGraph::Edge* edge = nullptr, double distance = std::numeric_limits<double>::max());
+    HyperGraph::Vertex* child() const { return _child; }
+    HyperGraph::Vertex* parent() const { return _parent; }
+    HyperGraph::Edge* edge() const { return _edge; }
+    double distance() const { return _distance; }
+    HyperGraph::VertexSet& children() { return _children; }
+    const HyperGraph::VertexSet& children() const { return _children; }
+
+   protected:
+    HyperGraph::Vertex* _child;
+    HyperGraph::Vertex* _parent;
+    HyperGraph::Edge* _edge;
+    double _distance;
+    HyperGraph::VertexSet _children;
+  };
+  using AdjacencyMap = std::map<HyperGraph::Vertex*, AdjacencyMapEntry>;
+
+  explicit HyperDijkstra(HyperGraph* g);
+
+  HyperGraph::VertexSet& visited() { return _visited; }
+  AdjacencyMap& adjacencyMap() { return _adjacencyMap; }
+  HyperGraph* graph() { return _graph; }
+
+  /// The paths from one vertex, or from the nearest of several, to all that are at most maxDistance away. A
+  /// path replaces another where it is shorter by more than comparisonConditioner.
+  /// directed: edges are only gone from their first vertex.
+  void shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunction* cost,
+                     double maxDistance = std::numeric_limits<double>::max(),
+                     double comparisonConditioner = 1e-3, bool directed = false,
+                     double maxEdgeCost = std::numeric_limits<double>::max());
+  void shortestPaths(HyperGraph::VertexSet& vset, HyperDijkstra::CostFunction* cost,
+                     double maxDistance = std::numeric_limits<double>::max(),
+                     double comparisonConditioner = 1e-3, bool directed = false,
+                     double maxEdgeCost = std::numeric_limits<double>::max());
+
+  /// Fills children() from parent().
+  static void computeTree(AdjacencyMap& amap);
+  /// Calls the action from the roots to the leaves; with the distance, where useDistance.
+  static void visitAdjacencyMap(AdjacencyMap& amap, TreeAction* action, bool useDistance = false);
+  /// connected: what can be reached from v within startingSet.
+  static void connectedSubset(HyperGraph::VertexSet& connected, HyperGraph::VertexSet& visited,
+                              HyperGraph::VertexSet& startingSet, HyperGraph* g, HyperGraph::Vertex* v,
+                              HyperDijkstra::CostFunction* cost, double distance,
+                              double comparisonConditioner,
+                              double maxEdgeCost = std::numeric_limits<double>::max());
+
+ protected:
+  void reset();
+
+  AdjacencyMap _adjacencyMap;
+  HyperGraph::VertexSet _visited;
+  HyperGraph* _graph;
+};
+
+/// Every edge costs 1.
+struct G2O_CORE_API UniformCostFunction : public HyperDijkstra::CostFunction {
+  double operator()(HyperGraph::Edge* edge, HyperGraph::Vertex* from, HyperGraph::Vertex* to) override;
+};
+
+}  // namespace g2o

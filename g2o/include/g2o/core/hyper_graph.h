@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A directed hyper-graph: vertices by integer id, edges by pointer.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <iosfwd>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "g2o/core/g2o_core_api.h"
+
+namespace g2o {
+
+/// Owns its vertices and edges: what was added is deleted by remove…(), clear() and the destructor. What was
+/// refused (add…() returned false) stays the caller's.
+class G2O_CORE_API HyperGraph {
+ public:
+  enum HyperGraphElementType {
+    HGET_VERTEX,
+    HGET_EDGE,
+    HGET_PARAMETER,
+    HGET_CACHE,
+    HGET_DATA,
+    HGET_NUM_ELEMS
+  };
+
+  static constexpr int UnassignedId = -1;
+  static constexpr int InvalidId = -2;
+
+  using GraphElemBitset = std::bitset<HGET_NUM_ELEMS>;
+
+  class Data;
+  class DataContainer;
+  class Vertex;
+  class Edge;
+
+  struct G2O_CORE_API HyperGraphElement {
+    HyperGraphElement() = default;
+    HyperGraphElement(const HyperGraphElement&) = default;
+    HyperGraphElement& operator=(const HyperGraphElement&) = default;
+    virtual ~HyperGraphElement();
+    virtual HyperGraphElementType elementType() const = 0;
+  };
+
+  using EdgeSet = std::set<Edge*>;
+  using VertexSet = std::set<Vertex*>;
+  using VertexIDMap = std::unordered_map<int, Vertex*>;
+  using VertexContainer = std::vector<Vertex*>;
+  using EdgeContainer = std::vector<Edge*>;
+
+  /// Whatever a user hangs on an element: a list, linked by next().
+  class G2O_CORE_API Data : public HyperGraphElement {
+    friend struct OptimizableGraph;
+
+   public:
+    Data();
+    ~Data() override;
+    virtual bool read(std::istream& is) = 0;
+    virtual bool write(std::ostream& os) const = 0;
+    HyperGraphElementType elementType() const override { return HGET_DATA; }
+    const Data* next() const { return _next; }
+    Data* next() { return _next; }
+    void setNext(Data* next) { _next = next; }
+    DataContainer* dataContainer() { return _dataContainer; }
+    const DataContainer* dataContainer() const { return _dataContainer; }
+    void setDataContainer(DataContainer* container) { _dataContainer = container; }
+
+   protected:
+    Data* _next = nullptr;
+    DataContainer* _dataContainer = nullptr;
+  };
+
+  /// What can hold user data; owns it.
+  class G2O_CORE_API DataContainer {
+   public:
+    DataContainer() = default;
+    DataContainer(const DataContainer&) = delete;
+    DataContainer& operator=(const DataContainer&) = delete;
+    virtual ~DataContainer();
+    const Data* userData() const { return _userData; }
+    Data* userData() { return _userData; }
+    void setUserData(Data* data) { _userData = data; }
+    /// Puts `data` in front of the list.
+    void addUserData(Data* data) {
+      if (data == nullptr) return;
+      data->setNext(_userData);
+      data->setDataContainer(this);
+      _userData = data;
+    }
+
+   protected:
+    Data* _userData = nullptr;
+  };
+
+  class G2O_CORE_API Vertex : public HyperGraphElement, public DataContainer {
+   public:
+    explicit Vertex(int id = InvalidId);
+    ~Vertex() override;
+    int id() const { return _id; }
+    /// Only for vertices that are in no graph; see HyperGraph::changeId().
+    virtual void setId(int newId) { _id = newId; }
+    const EdgeSet& edges() const { return _edges; }
+    EdgeSet& edges() { return _edges; }
+    HyperGraphElementType elementType() const override { return HGET_VERTEX; }
+
+   protected:
+    int _id;
+    EdgeSet _edges;
+  };
+
+  class G2O_CORE_API Edge : public HyperGraphElement, public DataContainer {
+   public:
+    explicit Edge(int id = InvalidId);
+    ~Edge() override;
+    virtual void resize(size_t size);
+    const VertexContainer& vertices() const { return _vertices; }
+    VertexContainer& vertices() { return _vertices; }
+    const Vertex* vertex(size_t i) const { return _vertices[i]; }
+    Vertex* vertex(size_t i) { return _vertices[i]; }
+    /// Only for edges that are in no graph; see HyperGraph::setEdgeVertex().
+    void setVertex(size_t i, Vertex* v) { _vertices[i] = v; }
+    int id() const { return _id; }
+    void setId(int id) { _id = id; }
+    HyperGraphElementType elementType() const override { return HGET_EDGE; }
+    int numUndefinedVertices() const;
+
+   protected:
+    VertexContainer _vertices;
+    int _id;
+  };
+
+  HyperGraph();
+  HyperGraph(const HyperGraph&) = delete;
+  HyperGraph& operator=(const HyperGraph&) = delete;
+  virtual ~HyperGraph();
+
+  /// The vertex with that id, or nullptr.
+  Vertex* vertex(int id);
+  const Vertex* vertex(int id) const;
+
+  /// Removes an element and deletes it; false where it is not in the graph. `detach` keeps the edges of a
+  /// vertex, with nothing in its place.
+  virtual bool removeVertex(Vertex* v, bool detach = false);
+  virtual bool removeEdge(Edge* e);
+  /// Deletes all vertices and edges.
+  virtual void clear();
+
+  const VertexIDMap& vertices() const { return _vertices; }
+  VertexIDMap& vertices() { return _vertices; }
+  const EdgeSet& edges() const { return _edges; }
+  EdgeSet& edges() { return _edges; }
+
+  /// False where the vertex' id is taken.
+  virtual bool addVertex(Vertex* v);
+  /// False where the edge is in the graph, misses a vertex, or has one twice.
+  virtual bool addEdge(Edge* e);
+  /// Lets position `pos` of an edge be `v`, which may be nullptr.
+  virtual bool setEdgeVertex(Edge* e, int pos, Vertex* v);
+  /// Hands the edges of `small` to `big`; edges between the two are removed. `erase` removes `small`.
+  virtual bool mergeVertices(Vertex* big, Vertex* small, bool erase);
+  /// Puts nothing in the place of `v` in all its edges.
+  virtual bool detachVertex(Vertex* v);
+  /// False where `newId` is taken.
+  virtual bool changeId(Vertex* v, int newId);
+
+ protected:
+  VertexIDMap _vertices;
+  EdgeSet _edges;
+};
+
+}  // namespace g2o

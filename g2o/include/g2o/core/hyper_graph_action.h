@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Functions over a graph, called before and after iterations; and functions over its elements, found by name
+// and type.
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <typeinfo>
+
+#include "g2o/core/hyper_graph.h"
+#include "g2o/stuff/property.h"
+
+namespace g2o {
+
+/// Called with a graph; returns itself where it succeeded, else nullptr.
+class G2O_CORE_API HyperGraphAction {
+ public:
+  class G2O_CORE_API Parameters {
+   public:
+    virtual ~Parameters();
+  };
+  class G2O_CORE_API ParametersIteration : public Parameters {
+   public:
+    explicit ParametersIteration(int iter);
+    ~ParametersIteration() override;
+    int iteration;
+  };
+
+  virtual ~HyperGraphAction();
+  virtual HyperGraphAction* operator()(const HyperGraph* graph, Parameters* parameters = nullptr);
+};
+
+/// What an action called name() does to elements of one type. Returns itself where it did something, else
+/// nullptr.
+class G2O_CORE_API HyperGraphElementAction {
+ public:
+  struct G2O_CORE_API Parameters {
+    virtual ~Parameters();
+  };
+  using HyperGraphElementActionPtr = std::shared_ptr<HyperGraphElementAction>;
+  /// By typeid(T).name().
+  using ActionMap = std::map<std::string, HyperGraphElementActionPtr>;
+
+  explicit HyperGraphElementAction(const std::string& typeName_ = "");
+  virtual ~HyperGraphElementAction();
+  virtual HyperGraphElementAction* operator()(HyperGraph::HyperGraphElement* element, Parameters* parameters);
+  virtual HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
+                                              Parameters* parameters);
+
+  const std::string& typeName() const { return _typeName; }
+  const std::string& name() const { return _name; }
+  void setTypeName(const std::string& typeName_);
+
+ protected:
+  std::string _typeName;
+  std::string _name;
+};
+
+using HyperGraphElementActionPtr = HyperGraphElementAction::HyperGraphElementActionPtr;
+
+/// The actions of one name for elements of several types.
+class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementAction {
+ public:
+  explicit HyperGraphElementActionCollection(const std::string& name_);
+  HyperGraphElementAction* operator()(HyperGraph::HyperGraphElement* element,
+                                      Parameters* parameters) override;
+  HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
+                                      Parameters* parameters) override;
+  ActionMap& actionMap() { return _actionMap; }
+  /// False where the name is another.
+  bool registerAction(const HyperGraphElementActionPtr& action);
+  bool unregisterAction(const HyperGraphElementActionPtr& action);
+
+ protected:
+  ActionMap _actionMap;
+};
+
+/// All registered actions.
+class G2O_CORE_API HyperGraphActionLibrary {
+ public:
+  static HyperGraphActionLibrary* instance();
+  static void destroy();
+
+  /// The collection of that name, or nullptr.
+  HyperGraphElementAction* actionByName(const std::string& name);
+  bool registerAction(const HyperGraphElementActionPtr& action);
+  bool unregisterAction(const HyperGraphElementActionPtr& action);
+  HyperGraphElementAction::ActionMap& actionMap() { return _actionMap; }
+
+ protected:
+  HyperGraphActionLibrary();
+  ~HyperGraphActionLibrary();
+  HyperGraphElementAction::ActionMap _actionMap;
+};
+
+/// Calls an action on all elements, or on those whose typeid name is typeName.
+G2O_CORE_API void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
+                              HyperGraphElementAction::Parameters* parameters = nullptr,
+                              const std::string& typeName = "");
+
+template <typename T>
+class RegisterActionProxy {
+ public:
+  RegisterActionProxy() : _action(std::make_shared<T>()) {
+    HyperGraphActionLibrary::instance()->registerAction(_action);
+  }
+  ~RegisterActionProxy() { HyperGraphActionLibrary::instance()->unregisterAction(_action); }
+  RegisterActionProxy(const RegisterActionProxy&) = delete;
+  RegisterActionProxy& operator=(const RegisterActionProxy&) = delete;
+
+ private:
+  HyperGraphElementActionPtr _action;
+};
+
+/// Writes elements as text for gnuplot: the action "writeGnuplot".
+class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
+ public:
+  struct G2O_CORE_API Parameters : public HyperGraphElementAction::Parameters {
+    std::ostream* os = nullptr;
+  };
+  explicit WriteGnuplotAction(const std::string& typeName_);
+};
+
+}  // namespace g2o
+
+/// Registers an action class, which has a default constructor.
+#define G2O_REGISTER_ACTION(classname) static g2o::RegisterActionProxy<classname> g_action_proxy_##classname;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/g2o_core_api.h"
+#include "g2o/core/hyper_graph.h"
+
+namespace g2o {
+
+struct OptimizableGraph;
+
+/// The memory into which edges write their Jacobians, one part per vertex of an edge. The next edge
+/// overwrites it.
+class G2O_CORE_API JacobianWorkspace {
+ public:
+  using WorkspaceVector = std::vector<VectorX>;
+
+  JacobianWorkspace();
+  ~JacobianWorkspace();
+
+  /// Makes the memory that updateSize() asked for.
+  bool allocate();
+  /// Room for an edge, for all edges of a graph, or for `numVertices` Jacobians of `dimension` numbers each.
+  /// `reset` forgets earlier demands.
+  void updateSize(const HyperGraph::Edge* e, bool reset = false);
+  void updateSize(const OptimizableGraph& graph, bool reset = false);
+  void updateSize(int numVertices, int dimension, bool reset = false);
+  void setZero();
+
+  double* workspaceForVertex(int vertexIndex) { return _workspace[static_cast<size_t>(vertexIndex)].data(); }
+
+ protected:
+  WorkspaceVector _workspace;
+  int _maxNumVertices = -1;
+  int _maxDimension = -1;
+};
+
+}  // namespace g2o

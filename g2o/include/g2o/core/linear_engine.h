@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine's linear solvers over a SparseBlockMatrix: what the LinearSolver classes of the library are made
+// of.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/sparse_block_matrix.h"
+
+namespace g2o {
+namespace internal {
+
+enum class EngineSolver { kNone, kCholesky, kDense, kPcg };
+
+struct EngineSettings {
+  EngineSolver solver = EngineSolver::kNone;
+  double tolerance = 1e-10;  ///< kPcg: relative to the right-hand side
+  int maxIterations = 0;     ///< kPcg; 0: of the engine's choice
+};
+
+/// A block of a symmetric matrix, row ≥ column: rows × cols numbers, column by column.
+struct EngineBlock {
+  int row, column;
+  const double* values;
+};
+
+/// Factorises and solves; keeps the analysis while the structure stays.
+class G2O_CORE_API LinearEngine {
+ public:
+  explicit LinearEngine(const EngineSettings& settings);
+  LinearEngine(const LinearEngine&) = delete;
+  LinearEngine& operator=(const LinearEngine&) = delete;
+  ~LinearEngine();
+
+  /// Forgets the structure.
+  void reset();
+  void setSettings(const EngineSettings& settings);
+  /// `blocks`: the lower triangle, sorted by column and row, with every diagonal block.
+  bool factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks);
+  /// May be called after factorize(); b and x may be the same.
+  bool solve(const double* b, double* x);
+  /// Calls `take` with the blocks of the inverse, in the order asked for; row ≥ column.
+  bool inverse(const std::vector<std::pair<int, int>>& blocks,
+               const std::function<void(size_t, const double*)>& take);
+  int iterations() const;
+
+  /// The same for the upper triangle of blocks of A.
+  template <class MatrixType>
+  bool factorize(const SparseBlockMatrix<MatrixType>& A) {
+    using Block = typename SparseBlockMatrix<MatrixType>::SparseMatrixBlock;
+    const auto n = static_cast<int>(A.rowBlockIndices().size());
+    std::vector<int> dims(static_cast<size_t>(n));
+    for (int i = 0; i < n; ++i) dims[static_cast<size_t>(i)] = A.rowsOfBlock(i);
+    transposed_.clear();
+    std::vector<std::vector<std::pair<int, const Block*>>> columns(static_cast<size_t>(n));
+    for (int c = 0; c < n; ++c) {
+      for (const auto& entry : A.blockCols()[static_cast<size_t>(c)]) {
+        if (entry.first <= c) columns[static_cast<size_t>(entry.first)].emplace_back(c, entry.second);
+      }
+    }
+    size_t total = 0;
+    for (const auto& column : columns)
+      for (const auto& entry : column) total += static_cast<size_t>(entry.second->size());
+    transposed_.resize(total);
+    std::vector<EngineBlock> blocks;
+    double* out = transposed_.data();
+    for (int c = 0; c < n; ++c) {
+      for (const auto& [row, block] : columns[static_cast<size_t>(c)]) {
+        Eigen::Map<MatrixX>(out, block->cols(), block->rows()) = block->transpose();
+        blocks.push_back({row, c, out});
+        out += block->size();
+      }
+    }
+    return factorize(dims, blocks);
+  }
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+  std::vector<double> transposed_;
+};
+
+/// spinv ← the blocks (i, j) of the inverse of what `engine` factorised, mirrored where i < j.
+G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
+                              const std::vector<std::pair<int, int>>& blockIndices,
+                              SparseBlockMatrix<MatrixX>& spinv);
+
+}  // namespace internal
+}  // namespace g2o

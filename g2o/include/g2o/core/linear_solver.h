@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The seam between a BlockSolver and whatever solves its sparse systems.
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/linear_engine.h"
+#include "g2o/core/sparse_block_matrix.h"
+
+namespace g2o {
+
+/// Solves A x = b for a symmetric positive definite A, of which the upper triangle of blocks is there.
+template <typename MatrixType>
+class LinearSolver {
+ public:
+  LinearSolver() = default;
+  LinearSolver(const LinearSolver&) = delete;
+  LinearSolver& operator=(const LinearSolver&) = delete;
+  virtual ~LinearSolver() = default;
+
+  /// Called before the first system of a new structure.
+  virtual bool init() = 0;
+  virtual bool solve(const SparseBlockMatrix<MatrixType>& A, double* x, double* b) = 0;
+
+  /// The diagonal blocks of A⁻¹; `blocks` is allocated where it is null (see deallocateBlocks).
+  virtual bool solveBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) {
+    (void)blocks;
+    (void)A;
+    return false;
+  }
+  /// The blocks (i, j) of A⁻¹.
+  virtual bool solvePattern(SparseBlockMatrix<MatrixX>& spinv,
+                            const std::vector<std::pair<int, int>>& blockIndices,
+                            const SparseBlockMatrix<MatrixType>& A) {
+    (void)spinv;
+    (void)blockIndices;
+    (void)A;
+    return false;
+  }
+
+  virtual bool writeDebug() const { return false; }
+  virtual void setWriteDebug(bool) {}
+
+  static void allocateBlocks(const SparseBlockMatrix<MatrixType>& A, double**& blocks) {
+    const size_t n = A.rowBlockIndices().size();
+    blocks = new double*[n];
+    for (size_t i = 0; i < n; ++i) {
+      const auto dim = static_cast<size_t>(A.rowsOfBlock(static_cast<int>(i)));
+      blocks[i] = new double[dim * dim];
+    }
+  }
+  static void deallocateBlocks(const SparseBlockMatrix<MatrixType>& A, double**& blocks) {
+    for (size_t i = 0; i < A.rowBlockIndices().size(); ++i) delete[] blocks[i];
+    delete[] blocks;
+    blocks = nullptr;
+  }
+
+  /// The permutation of scalars that a permutation of blocks means.
+  template <typename BlockDerived, typename ScalarDerived>
+  static void blockToScalarPermutation(const SparseBlockMatrix<MatrixType>& A,
+                                       const Eigen::MatrixBase<BlockDerived>& p,
+                                       const Eigen::MatrixBase<ScalarDerived>& scalar) {
+    auto& out = const_cast<Eigen::MatrixBase<ScalarDerived>&>(scalar);
+    Eigen::Index at = 0;
+    for (Eigen::Index i = 0; i < p.size(); ++i) {
+      for (int j = 0; j < A.colsOfBlock(p(i)); ++j) out(at++) = A.colBaseOfBlock(p(i)) + j;
+    }
+  }
+
+  /// How the engine solves in the place of this solver, so that a BlockSolver need not make a
+  /// SparseBlockMatrix. By default not at all.
+  virtual internal::EngineSettings engine() const { return {}; }
+};
+
+/// A solver over compressed columns.
+template <typename MatrixType>
+class LinearSolverCCS : public LinearSolver<MatrixType> {
+ public:
+  bool blockOrdering() const { return _blockOrdering; }
+  /// Whether the ordering is of blocks or of scalars.
+  void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
+  bool writeDebug() const override { return _writeDebug; }
+  void setWriteDebug(bool b) override { _writeDebug = b; }
+
+ protected:
+  bool _blockOrdering = true;
+  bool _writeDebug = true;
+};
+
+}  // namespace g2o

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "g2o/core/g2o_core_api.h"
+
+namespace g2o {
+
+/// The pattern of a sparse matrix in compressed columns: the rows of column c are Aii[Ap[c]] … Aii[Ap[c +
+/// 1]).
+class G2O_CORE_API MatrixStructure {
+ public:
+  MatrixStructure();
+  ~MatrixStructure();
+  MatrixStructure(const MatrixStructure&) = delete;
+  MatrixStructure& operator=(const MatrixStructure&) = delete;
+
+  /// Makes room for n_ columns with nz entries.
+  void alloc(int n_, int nz);
+  void free();
+  /// Writes the pattern as a table of rows and columns, from 1.
+  bool write(const char* filename) const;
+  int nzMax() const { return maxNz; }
+
+  int n = 0;          ///< columns
+  int m = 0;          ///< rows
+  int* Ap = nullptr;  ///< n + 1 numbers
+  int* Aii = nullptr;
+
+ protected:
+  std::vector<int> columns_, rows_;
+  int maxN = 0;
+  int maxNz = 0;
+};
+
+}  // namespace g2o

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A hyper-graph as an optimisation problem: vertices with an estimate, edges with an error.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <list>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <typeinfo>
+#include <vector>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/hyper_graph.h"
+#include "g2o/core/hyper_graph_action.h"
+#include "g2o/core/jacobian_workspace.h"
+#include "g2o/core/openmp_mutex.h"
+#include "g2o/core/parameter.h"
+#include "g2o/core/parameter_container.h"
+#include "g2o/stuff/macros.h"
+
+namespace g2o {
+
+class Cache;
+class CacheContainer;
+class RobustKernel;
+struct OptimizationAlgorithmProperty;
+
+struct G2O_CORE_API OptimizableGraph : public HyperGraph {
+  enum ActionType {
+    AT_PREITERATION,
+    AT_POSTITERATION,
+    AT_NUM_ELEMENTS,  // keep as last elements
+  };
+
+  using HyperGraphActionSet = std::set<HyperGraphAction*>;
+
+  class Vertex;
+  class Edge;
+
+  /// Orders vertices by id.
+  struct VertexIDCompare {
+    bool operator()(const Vertex* v1, const Vertex* v2) const { return v1->id() < v2->id(); }
+  };
+
+  /// Orders edges by when they were added.
+  struct EdgeIDCompare {
+    bool operator()(const Edge* e1, const Edge* e2) const { return e1->internalId() < e2->internalId(); }
+    bool operator()(const HyperGraph::Edge* e1, const HyperGraph::Edge* e2) const {
+      return operator()(static_cast<const Edge*>(e1), static_cast<const Edge*>(e2));
+    }
+  };
+
+  using VertexContainer = std::vector<Vertex*>;
+  using EdgeContainer = std::vector<Edge*>;
+
+  /// A variable on a manifold. BaseVertex implements all but oplusImpl, setToOriginImpl, read and write.
+  class G2O_CORE_API Vertex : public HyperGraph::Vertex {
+    friend struct OptimizableGraph;
+
+   public:
+    Vertex();
+    ~Vertex() override;
+
+    void setToOrigin() {
+      setToOriginImpl();
+      updateCache();
+    }
+
+    /// The (i, j) entry of the vertex' block of the Hessian, its determinant and memory.
+    virtual const double& hessian(int i, int j) const = 0;
+    virtual double& hessian(int i, int j) = 0;
+    virtual double hessianDeterminant() const = 0;
+    virtual double* hessianData() = 0;
+    /// Lets the block lie at `d`, column by column.
+    virtual void mapHessianMemory(double* d) = 0;
+    /// Copies b = −Jᵀ Ω e to `b_` and returns the number of entries.
+    virtual int copyB(double* b_) const = 0;
+    virtual const double& b(int i) const = 0;
+    virtual double& b(int i) = 0;
+    virtual double* bData() = 0;
+    virtual void clearQuadraticForm() = 0;
+    /// Moves this vertex alone: (A + λ I) x = b; returns the determinant of the matrix.
+    virtual double solveDirect(double lambda = 0) = 0;
+
+    /// The estimate as an array of estimateDimension() numbers. False where the type does not offer it.
+    bool setEstimateData(const double* estimate);
+    bool setEstimateData(const std::vector<double>& estimate) {
+      const int dim = estimateDimension();
+      return dim != -1 && static_cast<int>(estimate.size()) == dim && setEstimateData(estimate.data());
+    }
+    template <typename Derived>
+    bool setEstimateData(const Eigen::MatrixBase<Derived>& estimate) {
+      const VectorX copy = estimate;
+      const int dim = estimateDimension();
+      return dim != -1 && static_cast<int>(copy.size()) == dim && setEstimateData(copy.data());
+    }
+    virtual bool getEstimateData(double* estimate) const;
+    virtual bool getEstimateData(std::vector<double>& estimate) const {
+      const int dim = estimateDimension();
+      if (dim < 0) return false;
+      estimate.resize(static_cast<size_t>(dim));
+      return getEstimateData(estimate.data());
+    }
+    template <typename Derived>
+    bool getEstimateData(Eigen::MatrixBase<Derived>& estimate) const {
+      const int dim = estimateDimension();
+      if (dim != estimate.size()) return false;
+      VectorX copy(dim);
+      if (!getEstimateData(copy.data())) return false;
+      estimate = copy;
+      return true;
+    }
+    virtual int estimateDimension() const;
+
+    /// The same with minimalEstimateDimension() numbers.
+    bool setMinimalEstimateData(const double* estimate);
+    bool setMinimalEstimateData(const std::vector<double>& estimate) {
+      const int dim = minimalEstimateDimension();
+      return dim != -1 && static_cast<int>(estimate.size()) == dim && setMinimalEstimateData(estimate.data());
+    }
+    template <typename Derived>
+    bool setMinimalEstimateData(const Eigen::MatrixBase<Derived>& estimate) {
+      const VectorX copy = estimate;
+      const int dim = minimalEstimateDimension();
+      return dim != -1 && static_cast<int>(copy.size()) == dim && setMinimalEstimateData(copy.data());
+    }
+    virtual bool getMinimalEstimateData(double* estimate) const;
+    virtual bool getMinimalEstimateData(std::vector<double>& estimate) const {
+      const int dim = minimalEstimateDimension();
+      if (dim < 0) return false;
+      estimate.resize(static_cast<size_t>(dim));
+      return getMinimalEstimateData(estimate.data());
+    }
+    template <typename Derived>
+    bool getMinimalEstimateData(Eigen::MatrixBase<Derived>& estimate) const {
+      const int dim = minimalEstimateDimension();
+      if (dim != estimate.size()) return false;
+      VectorX copy(dim);
+      if (!getMinimalEstimateData(copy.data())) return false;
+      estimate = copy;
+      return true;
+    }
+    virtual int minimalEstimateDimension() const;
+
+    /// Saves, restores and forgets the estimate.
+    virtual void push() = 0;
+    virtual void pop() = 0;
+    virtual void discardTop() = 0;
+    virtual int stackSize() const = 0;
+
+    /// x ← x ⊞ v.
+    void oplus(const double* v) {
+      oplusImpl(v);
+      updateCache();
+    }
+
+    /// The block of this vertex in the Hessian of the last initializeOptimization(); −1 where it has none.
+    int hessianIndex() const { return _hessianIndex; }
+    int G2O_ATTRIBUTE_DEPRECATED(tempIndex() const) { return hessianIndex(); }
+    void setHessianIndex(int ti) { _hessianIndex = ti; }
+    void G2O_ATTRIBUTE_DEPRECATED(setTempIndex(int ti)) { setHessianIndex(ti); }
+
+    /// A fixed vertex keeps its estimate.
+    bool fixed() const { return _fixed; }
+    void setFixed(bool fixed) { _fixed = fixed; }
+    /// A marginalised vertex is eliminated by the Schur complement.
+    bool marginalized() const { return _marginalized; }
+    void setMarginalized(bool marginalized) { _marginalized = marginalized; }
+
+    int dimension() const { return _dimension; }
+    void setId(int id) override { _id = id; }
+    void setColInHessian(int c) { _colInHessian = c; }
+    int colInHessian() const { return _colInHessian; }
+
+    const OptimizableGraph* graph() const { return _graph; }
+    OptimizableGraph* graph() { return _graph; }
+
+    void lockQuadraticForm() { _quadraticFormMutex.lock(); }
+    void unlockQuadraticForm() { _quadraticFormMutex.unlock(); }
+
+    virtual bool read(std::istream& is) = 0;
+    virtual bool write(std::ostream& os) const = 0;
+    virtual void updateCache();
+    CacheContainer* cacheContainer();
+
+   protected:
+    OptimizableGraph* _graph = nullptr;
+    int _hessianIndex = -1;
+    bool _fixed = false;
+    bool _marginalized = false;
+    int _dimension = -1;
+    int _colInHessian = -1;
+    OpenMPMutex _quadraticFormMutex;
+    std::unique_ptr<CacheContainer> _cacheContainer;
+
+    /// ⊞: override one of the two.
+    virtual void oplusImpl(const double* v);
+    virtual void oplusImpl(double* v);
+    virtual void setToOriginImpl() = 0;
+    virtual bool setEstimateDataImpl(const double*) { return false; }
+    virtual bool setMinimalEstimateDataImpl(const double*) { return false; }
+  };
+
+  /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement all but computeError, read and write.
+  class G2O_CORE_API Edge : public HyperGraph::Edge {
+    friend struct OptimizableGraph;
+
+   public:
+    Edge();
+    ~Edge() override;
+
+    virtual bool allVerticesFixed() const = 0;
+    virtual void computeError() = 0;
+    virtual const double* errorData() const = 0;
+    virtual double* errorData() = 0;
+    virtual const double* informationData() const = 0;
+    virtual double* informationData() = 0;
+    /// eᵀΩe of the last computeError(), before the kernel.
+    virtual double chi2() const = 0;
+
+    /// The measurement as an array of measurementDimension() numbers.
+    virtual bool setMeasurementData(const double* m);
+    virtual bool getMeasurementData(double* m) const;
+    virtual int measurementDimension() const;
+    /// Takes the measurement that the current estimates would give.
+    virtual bool setMeasurementFromState();
+
+    RobustKernel* robustKernel() const { return _robustKernel; }
+    /// Takes ownership; the kernel that was there is deleted.
+    void setRobustKernel(RobustKernel* ptr);
+
+    /// Adds JᵀΩJ to the mapped blocks of the Hessian and −JᵀΩe to the b of the vertices.
+    virtual void constructQuadraticForm() = 0;
+    /// Lets the block of the vertices at positions i < j lie at `d`: that of (i, j) column by column, or of
+    /// (j, i) where `rowMajor`.
+    virtual void mapHessianMemory(double* d, int i, int j, bool rowMajor) = 0;
+    /// Writes the Jacobians into the workspace.
+    virtual void linearizeOplus(JacobianWorkspace& jacobianWorkspace) = 0;
+
+    /// Sets the estimate of `to` from those of `from`.
+    virtual void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) = 0;
+    /// The cost of initialEstimate(); ≤ 0 where it is not possible.
+    virtual double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                           OptimizableGraph::Vertex* to) {
+      (void)from;
+      (void)to;
+      return -1.;
+    }
+
+    /// Only the edges of one level take part in an optimisation.
+    int level() const { return _level; }
+    void setLevel(int l) { _level = l; }
+    /// Rows of the error.
+    int dimension() const { return _dimension; }
+
+    G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createFrom()) { return createVertex(0); }
+    G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createTo()) { return createVertex(1); }
+    /// A new vertex of the type at position i.
+    virtual Vertex* createVertex(int) { return nullptr; }
+
+    virtual bool read(std::istream& is) = 0;
+    virtual bool write(std::ostream& os) const = 0;
+
+    /// Whether the vertices are of the types that the edge was made for.
+    virtual bool verticesFit() const { return true; }
+
+    /// When the edge was added.
+    long long internalId() const { return _internalId; }
+    OptimizableGraph* graph();
+    const OptimizableGraph* graph() const;
+
+    bool setParameterId(int argNum, int paramId);
+    const Parameter* parameter(int argNo) const { return *_parameters.at(static_cast<size_t>(argNo)); }
+    size_t numParameters() const { return _parameters.size(); }
+    void resizeParameters(size_t newSize);
+    const std::vector<int>& parameterIds() const { return _parameterIds; }
+
+   protected:
+    int _dimension = -1;
+    int _level = 0;
+    RobustKernel* _robustKernel = nullptr;
+    long long _internalId = -1;
+    std::vector<int> _cacheIds;
+
+    /// Lets `p` be the parameter `argNo` of this edge, from addEdge() on.
+    template <typename ParameterType>
+    bool installParameter(ParameterType*& p, size_t argNo, int paramId = -1) {
+      if (argNo >= _parameters.size()) return false;
+      _parameterIds[argNo] = paramId;
+      _parameters[argNo] = reinterpret_cast<Parameter**>(&p);
+      _parameterTypes[argNo] = typeid(ParameterType).name();
+      _parameterSetters[argNo] = &assignParameter<ParameterType>;
+      return true;
+    }
+
+    template <typename CacheType>
+    void resolveCache(CacheType*& cache, OptimizableGraph::Vertex*, const std::string& type,
+                      const ParameterVector& parameters);
+
+    bool resolveParameters();
+    virtual bool resolveCaches();
+
+    std::vector<std::string> _parameterTypes;
+    std::vector<Parameter**> _parameters;
+    std::vector<int> _parameterIds;
+
+   private:
+    using ParameterSetter = bool (*)(Parameter** slot, Parameter* parameter);
+    template <typename ParameterType>
+    static bool assignParameter(Parameter** slot, Parameter* parameter) {
+      auto* typed = dynamic_cast<ParameterType*>(parameter);
+      if (typed == nullptr) return false;
+      *reinterpret_cast<ParameterType**>(slot) = typed;
+      return true;
+    }
+    std::vector<ParameterSetter> _parameterSetters;
+  };
+
+  OptimizableGraph();
+  ~OptimizableGraph() override;
+
+  Vertex* vertex(int id) { return static_cast<Vertex*>(HyperGraph::vertex(id)); }
+  const Vertex* vertex(int id) const { return static_cast<const Vertex*>(HyperGraph::vertex(id)); }
+
+  /// False where the vertex' id is taken, or it is in another graph. `userData` is attached to it.
+  bool addVertex(HyperGraph::Vertex* v) override;
+  virtual bool addVertex(HyperGraph::Vertex* v, Data* userData);
+  bool addVertex(OptimizableGraph::Vertex* v, Data* userData);
+  bool addVertex(OptimizableGraph::Vertex* v) { return addVertex(v, nullptr); }
+
+  /// False where the edge misses a vertex or a parameter, has a vertex twice, or one of the wrong type.
+  bool addEdge(HyperGraph::Edge* e) override;
+  bool addEdge(OptimizableGraph::Edge* e);
+
+  bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
+
+  /// Σ ρ-free eᵀΩe over all edges, of the errors as last computed.
+  double chi2() const;
+  int maxDimension() const;
+  /// The dimensions of the vertices.
+  std::set<int> dimensions() const;
+
+  virtual int optimize(int iterations, bool online = false);
+  virtual void preIteration(int);
+  virtual void postIteration(int);
+  /// Actions stay the caller's.
+  bool addPreIterationAction(HyperGraphAction* action);
+  bool addPostIterationAction(HyperGraphAction* action);
+  bool removePreIterationAction(HyperGraphAction* action);
+  bool removePostIterationAction(HyperGraphAction* action);
+
+  /// Saves, restores and forgets the estimates of all vertices, or of some.
+  virtual void push();
+  virtual void pop();
+  virtual void discardTop();
+  virtual void push(HyperGraph::VertexSet& vset);
+  virtual void pop(HyperGraph::VertexSet& vset);
+  virtual void discardTop(HyperGraph::VertexSet& vset);
+  virtual void setFixed(HyperGraph::VertexSet& vset, bool fixed);
+
+  /// Reads a .g2o file with the types of the Factory. False where it cannot be opened or a line cannot be
+  /// read; the log sink is told which, and the other lines are read all the same.
+  virtual bool load(std::istream& is);
+  bool load(const char* filename);
+  bool load(const std::string& filename) { return load(filename.c_str()); }
+  /// Writes parameters, vertices and edges of a level.
+  virtual bool save(std::ostream& os, int level = 0) const;
+  bool save(const char* filename, int level = 0) const;
+  bool save(const std::string& filename, int level = 0) const { return save(filename.c_str(), level); }
+  bool saveSubset(std::ostream& os, HyperGraph::VertexSet& vset, int level = 0);
+  bool saveSubset(std::ostream& os, HyperGraph::EdgeSet& eset);
+  bool saveVertex(std::ostream& os, Vertex* v) const;
+  bool saveParameter(std::ostream& os, Parameter* v) const;
+  bool saveEdge(std::ostream& os, Edge* e) const;
+  bool saveUserData(std::ostream& os, HyperGraph::Data* v) const;
+
+  /// "A=B,C=D": the word A of a file stands for B of the factory. An empty string forgets all.
+  void setRenamedTypesFromString(const std::string& types);
+
+  /// Whether an algorithm fits vertices of these dimensions (by default those of the graph).
+  bool isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
+                        const std::set<int>& vertDims = std::set<int>()) const;
+
+  /// Deletes the parameters and, since edges use them, all else.
+  virtual void clearParameters();
+  bool addParameter(Parameter* p) { return _parameters.addParameter(p); }
+  Parameter* parameter(int id) { return _parameters.getParameter(id); }
+  ParameterContainer& parameters() { return _parameters; }
+  const ParameterContainer& parameters() const { return _parameters; }
+
+  /// Whether the Ω of all edges are symmetric and positive semi-definite; the log sink is told which is not.
+  bool verifyInformationMatrices(bool verbose = false) const;
+
+  JacobianWorkspace& jacobianWorkspace() { return _jacobianWorkspace; }
+  const JacobianWorkspace& jacobianWorkspace() const { return _jacobianWorkspace; }
+  void recomputeJacobianWorkspaceSize();
+
+  /// There is nothing left to do.
+  static bool initMultiThreading();
+
+  void forEachVertex(const std::function<void(OptimizableGraph::Vertex*)>& fn);
+  void forEachVertex(HyperGraph::VertexSet& vset, const std::function<void(OptimizableGraph::Vertex*)>& fn);
+
+ protected:
+  std::map<std::string, std::string> _renamedTypesLookup;
+  long long _nextEdgeId = 0;
+  std::vector<HyperGraphActionSet> _graphActions;
+  ParameterContainer _parameters{true};
+  JacobianWorkspace _jacobianWorkspace;
+};
+
+}  // namespace g2o
+
+#include "g2o/core/cache.h"

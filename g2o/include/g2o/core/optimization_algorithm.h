@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/hyper_graph.h"
+#include "g2o/core/sparse_block_matrix.h"
+#include "g2o/stuff/property.h"
+
+namespace g2o {
+
+class SparseOptimizer;
+
+/// One step of a nonlinear method.
+class G2O_CORE_API OptimizationAlgorithm {
+ public:
+  enum SolverResult { Terminate = 2, OK = 1, Fail = -1 };
+
+  OptimizationAlgorithm();
+  OptimizationAlgorithm(const OptimizationAlgorithm&) = delete;
+  OptimizationAlgorithm& operator=(const OptimizationAlgorithm&) = delete;
+  virtual ~OptimizationAlgorithm();
+
+  /// Called once before the iterations.
+  virtual bool init(bool online = false) = 0;
+  virtual SolverResult solve(int iteration, bool online = false) = 0;
+  virtual bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                                const std::vector<std::pair<int, int>>& blockIndices) = 0;
+  virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
+                               const HyperGraph::EdgeSet& edges) = 0;
+  /// What the line of a verbose iteration says about this method.
+  virtual void printVerbose(std::ostream& os) const { (void)os; }
+
+  const SparseOptimizer* optimizer() const { return _optimizer; }
+  SparseOptimizer* optimizer() { return _optimizer; }
+  void setOptimizer(SparseOptimizer* optimizer) { _optimizer = optimizer; }
+
+  const PropertyMap& properties() const { return _properties; }
+  /// "name=value,name=value".
+  bool updatePropertiesFromString(const std::string& propString);
+  void printProperties(std::ostream& os) const;
+
+ protected:
+  SparseOptimizer* _optimizer = nullptr;
+  PropertyMap _properties;
+};
+
+}  // namespace g2o

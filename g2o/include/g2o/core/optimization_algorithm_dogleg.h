@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_with_hessian.h"
+
+namespace g2o {
+
+/// Powell's dogleg.
+class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWithHessian {
+ public:
+  enum { STEP_UNDEFINED, STEP_SD, STEP_GN, STEP_DL };
+
+  explicit OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase> solver);
+  /// As clients of old write it; takes ownership.
+  explicit OptimizationAlgorithmDogleg(BlockSolverBase* solver);
+  ~OptimizationAlgorithmDogleg() override;
+
+  SolverResult solve(int iteration, bool online = false) override;
+  void printVerbose(std::ostream& os) const override;
+
+  int lastStep() const { return _lastStep; }
+  double trustRegion() const { return _delta; }
+  static const char* stepType2Str(int stepType);
+
+ protected:
+  std::shared_ptr<Property<int>> _maxTrialsAfterFailure;
+  std::shared_ptr<Property<double>> _userDeltaInit;
+  std::shared_ptr<Property<double>> _initialLambda;
+  std::shared_ptr<Property<double>> _lamdbaFactor;
+
+  VectorX _hsd;        ///< steepest descent step
+  VectorX _hdl;        ///< dogleg step
+  VectorX _auxVector;  ///< scratch
+  double _currentLambda = 0;
+  double _delta = 1e4;  ///< trust region
+  bool _wasPDInAllIterations = true;
+  int _lastStep = STEP_UNDEFINED;
+  int _lastNumTries = 0;
+
+ private:
+  bool solveGaussNewton();
+  void findSteepestDescent();
+  void blend(const VectorX& gaussNewton);
+
+  BlockSolverBase& block_solver_;
+};
+
+}  // namespace g2o

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Algorithms by name: "gn_var", "lm_fix6_3", …
+#pragma once
+
+#include <iosfwd>
+#include <list>
+#include <memory>
+#include <string>
+
+#include "g2o/core/optimization_algorithm.h"
+#include "g2o/core/optimization_algorithm_property.h"
+#include "g2o/stuff/misc.h"
+
+namespace g2o {
+
+class G2O_CORE_API AbstractOptimizationAlgorithmCreator {
+ public:
+  explicit AbstractOptimizationAlgorithmCreator(const OptimizationAlgorithmProperty& p);
+  virtual ~AbstractOptimizationAlgorithmCreator();
+  /// A new algorithm, which is the caller's.
+  virtual OptimizationAlgorithm* construct() = 0;
+  const OptimizationAlgorithmProperty& property() const { return _property; }
+
+ protected:
+  OptimizationAlgorithmProperty _property;
+};
+
+class G2O_CORE_API OptimizationAlgorithmFactory {
+ public:
+  using CreatorList = std::list<std::shared_ptr<AbstractOptimizationAlgorithmCreator>>;
+
+  static OptimizationAlgorithmFactory* instance();
+  static void destroy();
+
+  /// A creator of a name that is there replaces the one before.
+  void registerSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
+  void registerSolver(AbstractOptimizationAlgorithmCreator* c);
+  void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
+  /// A new algorithm, which is the caller's, and what it is for; nullptr where the name is unknown.
+  OptimizationAlgorithm* construct(const std::string& tag,
+                                   OptimizationAlgorithmProperty& solverProperty) const;
+  void listSolvers(std::ostream& os) const;
+  const CreatorList& creatorList() const { return _creator; }
+
+ protected:
+  OptimizationAlgorithmFactory();
+  ~OptimizationAlgorithmFactory();
+  CreatorList::const_iterator findSolver(const std::string& name) const;
+  CreatorList::iterator findSolver(const std::string& name);
+
+  CreatorList _creator;
+};
+
+class RegisterOptimizationAlgorithmProxy {
+ public:
+  explicit RegisterOptimizationAlgorithmProxy(AbstractOptimizationAlgorithmCreator* c) : _creator(c) {
+    OptimizationAlgorithmFactory::instance()->registerSolver(_creator);
+  }
+  ~RegisterOptimizationAlgorithmProxy() {
+    OptimizationAlgorithmFactory::instance()->unregisterSolver(_creator);
+  }
+  RegisterOptimizationAlgorithmProxy(const RegisterOptimizationAlgorithmProxy&) = delete;
+  RegisterOptimizationAlgorithmProxy& operator=(const RegisterOptimizationAlgorithmProxy&) = delete;
+
+ private:
+  std::shared_ptr<AbstractOptimizationAlgorithmCreator> _creator;
+};
+
+}  // namespace g2o
+
+#define G2O_OAF_EXPORT G2O_API_EXPORT
+
+/// Names the algorithms of a library, so that programs can ask for them to be linked.
+#define G2O_REGISTER_OPTIMIZATION_LIBRARY(libraryname) \
+  extern "C" void G2O_OAF_EXPORT g2o_optimization_library_##libraryname(void) {}
+
+#define G2O_USE_OPTIMIZATION_LIBRARY(libraryname)                                 \
+  extern "C" void g2o_optimization_library_##libraryname(void);                   \
+  static g2o::ForceLinker g2o_force_optimization_algorithm_library_##libraryname( \
+      g2o_optimization_library_##libraryname);
+
+/// Registers an algorithm: G2O_REGISTER_OPTIMIZATION_ALGORITHM(gn_mine, new MyCreator(property)).
+#define G2O_REGISTER_OPTIMIZATION_ALGORITHM(optimizername, instance)                 \
+  extern "C" void G2O_OAF_EXPORT g2o_optimization_algorithm_##optimizername(void) {} \
+  static g2o::RegisterOptimizationAlgorithmProxy g_optimization_algorithm_proxy_##optimizername(instance);
+
+#define G2O_USE_OPTIMIZATION_ALGORITHM(optimizername)                            \
+  extern "C" void g2o_optimization_algorithm_##optimizername(void);              \
+  static g2o::ForceLinker g2o_force_optimization_algorithm_link_##optimizername( \
+      g2o_optimization_algorithm_##optimizername);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "g2o/core/optimization_algorithm_with_hessian.h"
+
+namespace g2o {
+
+/// Takes every Gauss-Newton step. Where there is none, since H is not positive definite, the estimates stay,
+/// and the result is Fail.
+class G2O_CORE_API OptimizationAlgorithmGaussNewton : public OptimizationAlgorithmWithHessian {
+ public:
+  explicit OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver> solver);
+  /// As clients of old write it; takes ownership.
+  explicit OptimizationAlgorithmGaussNewton(Solver* solver);
+  ~OptimizationAlgorithmGaussNewton() override;
+
+  SolverResult solve(int iteration, bool online = false) override;
+  void printVerbose(std::ostream& os) const override;
+};
+
+}  // namespace g2o

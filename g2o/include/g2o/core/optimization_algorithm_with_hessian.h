@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/optimization_algorithm.h"
+#include "g2o/core/solver.h"
+
+namespace g2o {
+
+/// A method that works with a Solver, which it owns.
+class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
+ public:
+  explicit OptimizationAlgorithmWithHessian(Solver& solver);
+  ~OptimizationAlgorithmWithHessian() override;
+
+  bool init(bool online = false) override;
+  bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                        const std::vector<std::pair<int, int>>& blockIndices) override;
+  virtual bool buildLinearStructure();
+  virtual void updateLinearSystem();
+  bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
+                       const HyperGraph::EdgeSet& edges) override;
+
+  Solver& solver() { return _solver; }
+  virtual void setWriteDebug(bool writeDebug);
+  virtual bool writeDebug() const { return _writeDebug->value(); }
+
+ protected:
+  Solver& _solver;
+  std::shared_ptr<Property<bool>> _writeDebug;
+
+  /// Takes the solver over; the derived classes were given it.
+  void ownSolver(std::unique_ptr<Solver> solver) { owned_solver_ = std::move(solver); }
+  /// Errors, linearisation and, in the first iteration, structure.
+  bool linearize(int iteration, bool online);
+  /// Solves and times it.
+  bool solveSystem();
+
+ private:
+  std::unique_ptr<Solver> owned_solver_;
+};
+
+}  // namespace g2o

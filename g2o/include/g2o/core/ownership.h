@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace g2o {
+
+/// Deletes what a container owns by a raw pointer; nothing where clients were built to own it themselves.
+template <typename T>
+void release(T* object) {
+#ifdef G2O_NO_IMPLICIT_OWNERSHIP_OF_OBJECTS
+  (void)object;
+#else
+  delete object;
+#endif
+}
+
+}  // namespace g2o

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/g2o_core_api.h"
+
+namespace g2o {
+
+/// An edge counts ρ(eᵀΩe) instead of eᵀΩe.
+class G2O_CORE_API RobustKernel {
+ public:
+  RobustKernel();
+  explicit RobustKernel(double delta);
+  virtual ~RobustKernel();
+  /// rho ← ρ, ρ′, ρ″ at the squared error.
+  virtual void robustify(double squaredError, Vector3& rho) const = 0;
+  virtual void setDelta(double delta);
+  double delta() const { return _delta; }
+
+ protected:
+  double _delta = 1;
+};
+
+using RobustKernelPtr = std::shared_ptr<RobustKernel>;
+
+}  // namespace g2o

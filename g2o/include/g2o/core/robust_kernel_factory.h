@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "g2o/core/robust_kernel.h"
+#include "g2o/stuff/misc.h"
+
+namespace g2o {
+
+class AbstractRobustKernelCreator {
+ public:
+  virtual ~AbstractRobustKernelCreator() = default;
+  virtual RobustKernel* construct() = 0;
+  using Ptr = std::shared_ptr<AbstractRobustKernelCreator>;
+};
+
+template <typename T>
+class RobustKernelCreator : public AbstractRobustKernelCreator {
+ public:
+  RobustKernel* construct() override { return new T; }
+};
+
+/// Robust kernels by name: "Huber", "Cauchy", …
+class G2O_CORE_API RobustKernelFactory {
+ public:
+  static RobustKernelFactory* instance();
+  static void destroy();
+
+  void registerRobustKernel(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
+  /// As clients of old write it; takes ownership.
+  void registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c);
+  void unregisterType(const std::string& tag);
+  /// A new kernel, which is the caller's, or nullptr where the name is unknown.
+  RobustKernel* construct(const std::string& tag) const;
+  AbstractRobustKernelCreator::Ptr creator(const std::string& tag) const;
+  void fillKnownKernels(std::vector<std::string>& types) const;
+
+ protected:
+  using CreatorMap = std::map<std::string, AbstractRobustKernelCreator::Ptr>;
+  RobustKernelFactory();
+  ~RobustKernelFactory();
+  CreatorMap _creator;
+};
+
+template <typename T>
+class RegisterRobustKernelProxy {
+ public:
+  explicit RegisterRobustKernelProxy(const std::string& name) : _name(name) {
+    RobustKernelFactory::instance()->registerRobustKernel(
+        _name, AbstractRobustKernelCreator::Ptr(new RobustKernelCreator<T>()));
+  }
+  ~RegisterRobustKernelProxy() { RobustKernelFactory::instance()->unregisterType(_name); }
+
+ private:
+  std::string _name;
+};
+
+}  // namespace g2o
+
+#define G2O_REGISTER_ROBUST_KERNEL(name, classname)                     \
+  extern "C" void g2o_robust_kernel_##classname(void);                  \
+  extern "C" G2O_API_EXPORT void g2o_robust_kernel_##classname(void) {} \
+  static g2o::RegisterRobustKernelProxy<classname> g_robust_kernel_proxy_##classname(#name);
+
+#define G2O_USE_ROBUST_KERNEL(classname)               \
+  extern "C" void g2o_robust_kernel_##classname(void); \
+  static g2o::ForceLinker g2o_force_robust_kernel_link_##classname(g2o_robust_kernel_##classname);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The seam between algorithms and whatever builds and solves their linear systems.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/g2o_core_api.h"
+#include "g2o/core/hyper_graph.h"
+#include "g2o/core/sparse_block_matrix.h"
+#include "g2o/stuff/macros.h"
+
+namespace g2o {
+
+class SparseOptimizer;
+
+/// Solves (H + λI) x = b with H = Σ JᵀΩJ and b = −Σ JᵀΩe over the active edges of an optimiser.
+///
+/// Called as: init() and buildStructure() once per structure; then in each iteration buildSystem(), and any
+/// number of times setLambda(), solve(), restoreDiagonal().
+class G2O_CORE_API Solver {
+ public:
+  Solver();
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver();
+
+  virtual bool init(SparseOptimizer* optimizer, bool online = false) = 0;
+  /// Lays out H for the active vertices and edges.
+  virtual bool buildStructure(bool zeroBlocks = false) = 0;
+  /// The same where vertices and edges were added.
+  virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
+                               const HyperGraph::EdgeSet& edges) = 0;
+  /// Linearises the active edges, whose errors are computed, and fills H and b.
+  virtual bool buildSystem() = 0;
+  virtual bool solve() = 0;
+  /// The blocks (i, j) of H⁻¹, by Hessian index.
+  virtual bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                                const std::vector<std::pair<int, int>>& blockIndices) = 0;
+  /// Adds λ to the diagonal of H; `backup`: so that restoreDiagonal() can take it back.
+  virtual bool setLambda(double lambda, bool backup = false) = 0;
+  virtual void restoreDiagonal() = 0;
+
+  double* x() { return _x; }
+  const double* x() const { return _x; }
+  double* b() { return _b; }
+  const double* b() const { return _b; }
+  size_t vectorSize() const { return _xSize; }
+
+  SparseOptimizer* optimizer() const { return _optimizer; }
+  void setOptimizer(SparseOptimizer* optimizer) { _optimizer = optimizer; }
+
+  bool levenberg() const { return _isLevenberg; }
+  void setLevenberg(bool levenberg);
+
+  virtual bool supportsSchur() { return false; }
+  /// Whether marginalised vertices are eliminated first.
+  virtual bool schur() = 0;
+  virtual void setSchur(bool s) = 0;
+
+  size_t additionalVectorSpace() const { return _additionalVectorSpace; }
+  void setAdditionalVectorSpace(size_t s) { _additionalVectorSpace = s; }
+
+  virtual void setWriteDebug(bool) = 0;
+  virtual bool writeDebug() const = 0;
+  /// Writes H for Octave.
+  virtual bool saveHessian(const std::string& fileName) const = 0;
+
+  // The names of the g2o document.
+  G2O_ATTRIBUTE_DEPRECATED(bool initializeStructure()) { return buildStructure(); }
+  G2O_ATTRIBUTE_DEPRECATED(bool updateLevenbergSystem(double lambda)) { return setLambda(lambda, true); }
+  G2O_ATTRIBUTE_DEPRECATED(void recoverSystem(double)) { restoreDiagonal(); }
+
+ protected:
+  SparseOptimizer* _optimizer = nullptr;
+  double* _x = nullptr;
+  double* _b = nullptr;
+  size_t _xSize = 0, _maxXSize = 0;
+  bool _isLevenberg = false;
+  size_t _additionalVectorSpace = 0;
+
+  /// Gives x and b `sx` entries.
+  void resizeVector(size_t sx);
+
+ private:
+  std::vector<double> x_memory_, b_memory_;
+};
+
+}  // namespace g2o

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sparse matrix of dense blocks.
+#pragma once
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/matrix_structure.h"
+
+namespace g2o {
+
+/// Column c of blocks is a map from the row of blocks to the block. Row r spans the scalars
+/// [rowBaseOfBlock(r), rowBaseOfBlock(r) + rowsOfBlock(r)), and likewise for columns.
+template <class MatrixType = MatrixX>
+class SparseBlockMatrix {
+ public:
+  using SparseMatrixBlock = MatrixType;
+  using IntBlockMap = std::map<int, SparseMatrixBlock*>;
+
+  /// rbi[r] (cbi[c]): one past the last scalar of row r (column c) of blocks. `hasStorage`: whether the
+  /// blocks are deleted with the matrix.
+  SparseBlockMatrix(const int* rbi, const int* cbi, int rb, int cb, bool hasStorage = true)
+      : _rowBlockIndices(rbi, rbi + rb),
+        _colBlockIndices(cbi, cbi + cb),
+        _blockCols(static_cast<size_t>(cb)),
+        _hasStorage(hasStorage) {}
+  SparseBlockMatrix() : _hasStorage(true) {}
+  SparseBlockMatrix(const SparseBlockMatrix&) = delete;
+  SparseBlockMatrix& operator=(const SparseBlockMatrix&) = delete;
+  SparseBlockMatrix(SparseBlockMatrix&& other) noexcept : _hasStorage(true) { swap(other); }
+  SparseBlockMatrix& operator=(SparseBlockMatrix&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~SparseBlockMatrix() {
+    if (_hasStorage) clear(true);
+  }
+
+  int cols() const { return _colBlockIndices.empty() ? 0 : _colBlockIndices.back(); }
+  int rows() const { return _rowBlockIndices.empty() ? 0 : _rowBlockIndices.back(); }
+
+  /// Sets all blocks to zero, or removes them.
+  void clear(bool dealloc = false) {
+    for (IntBlockMap& column : _blockCols) {
+      for (auto& entry : column) {
+        if (!dealloc) {
+          entry.second->setZero();
+        } else if (_hasStorage) {
+          delete entry.second;
+        }
+      }
+      if (dealloc) column.clear();
+    }
+  }
+
+  /// The block at (r, c). Where there is none: a new one of zeros, or nullptr without `alloc`.
+  SparseMatrixBlock* block(int r, int c, bool alloc = false) {
+    IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
+    const auto found = column.find(r);
+    if (found != column.end()) return found->second;
+    if (!alloc) return nullptr;
+    auto* made = new SparseMatrixBlock(rowsOfBlock(r), colsOfBlock(c));
+    made->setZero();
+    column.emplace(r, made);
+    return made;
+  }
+  const SparseMatrixBlock* block(int r, int c) const {
+    const IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
+    const auto found = column.find(r);
+    return found == column.end() ? nullptr : found->second;
+  }
+
+  int rowsOfBlock(int r) const { return size(_rowBlockIndices, r); }
+  int colsOfBlock(int c) const { return size(_colBlockIndices, c); }
+  int rowBaseOfBlock(int r) const { return r > 0 ? _rowBlockIndices[static_cast<size_t>(r - 1)] : 0; }
+  int colBaseOfBlock(int c) const { return c > 0 ? _colBlockIndices[static_cast<size_t>(c - 1)] : 0; }
+
+  /// The number of scalars in blocks.
+  size_t nonZeros() const {
+    size_t count = 0;
+    for_each([&](int, int, const SparseMatrixBlock& b) { count += static_cast<size_t>(b.size()); });
+    return count;
+  }
+  size_t nonZeroBlocks() const {
+    size_t count = 0;
+    for (const IntBlockMap& column : _blockCols) count += column.size();
+    return count;
+  }
+
+  /// A copy, which is the caller's.
+  SparseBlockMatrix* clone() const {
+    auto* copy = new SparseBlockMatrix(_rowBlockIndices.data(), _colBlockIndices.data(),
+                                       static_cast<int>(_rowBlockIndices.size()),
+                                       static_cast<int>(_colBlockIndices.size()));
+    for_each([&](int r, int c, const SparseMatrixBlock& b) { *copy->block(r, c, true) = b; });
+    return copy;
+  }
+  /// Rows [rmin, rmax) and columns [cmin, cmax) of blocks; with `alloc` as copies, else sharing the blocks.
+  /// The caller's.
+  SparseBlockMatrix* slice(int rmin, int rmax, int cmin, int cmax, bool alloc = true) const {
+    std::vector<int> rowEnds, colEnds;
+    for (int r = rmin; r < rmax; ++r)
+      rowEnds.push_back(rowBaseOfBlock(r) + rowsOfBlock(r) - rowBaseOfBlock(rmin));
+    for (int c = cmin; c < cmax; ++c)
+      colEnds.push_back(colBaseOfBlock(c) + colsOfBlock(c) - colBaseOfBlock(cmin));
+    auto* part = new SparseBlockMatrix(rowEnds.data(), colEnds.data(), rmax - rmin, cmax - cmin, alloc);
+    for (int c = cmin; c < cmax; ++c) {
+      const IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
+      for (auto it = column.lower_bound(rmin); it != column.end() && it->first < rmax; ++it) {
+        SparseMatrixBlock* b = alloc ? new SparseMatrixBlock(*it->second) : it->second;
+        part->_blockCols[static_cast<size_t>(c - cmin)].emplace(it->first - rmin, b);
+      }
+    }
+    return part;
+  }
+
+  /// dest ← thisᵀ; false where dest has other block sizes. A dest without storage of blocks is given them.
+  template <class MatrixTransposedType>
+  bool transpose(SparseBlockMatrix<MatrixTransposedType>& dest) const {
+    if (dest.rowBlockIndices() != _colBlockIndices || dest.colBlockIndices() != _rowBlockIndices)
+      return false;
+    for_each([&](int r, int c, const SparseMatrixBlock& b) { *dest.block(c, r, true) = b.transpose(); });
+    return true;
+  }
+  bool transpose(SparseBlockMatrix*& dest) const {
+    if (dest == nullptr) dest = transposed().release();
+    return transpose(*dest);
+  }
+  std::unique_ptr<SparseBlockMatrix> transposed() const {
+    auto result = std::make_unique<SparseBlockMatrix>(_colBlockIndices.data(), _rowBlockIndices.data(),
+                                                      static_cast<int>(_colBlockIndices.size()),
+                                                      static_cast<int>(_rowBlockIndices.size()));
+    transpose(*result);
+    return result;
+  }
+
+  /// dest ← dest + this; false where the block sizes differ.
+  bool add(SparseBlockMatrix& dest) const {
+    if (dest._rowBlockIndices != _rowBlockIndices || dest._colBlockIndices != _colBlockIndices) return false;
+    for_each([&](int r, int c, const SparseMatrixBlock& b) { *dest.block(r, c, true) += b; });
+    return true;
+  }
+  bool add(SparseBlockMatrix*& dest) const {
+    if (dest == nullptr) {
+      dest = clone();
+      return true;
+    }
+    return add(*dest);
+  }
+  std::unique_ptr<SparseBlockMatrix> added() const { return std::unique_ptr<SparseBlockMatrix>(clone()); }
+
+  /// dest ← dest + this · M; false where the block sizes do not fit.
+  template <class MatrixResultType, class MatrixFactorType>
+  bool multiply(SparseBlockMatrix<MatrixResultType>*& dest,
+                const SparseBlockMatrix<MatrixFactorType>* M) const {
+    if (M == nullptr || _colBlockIndices != M->rowBlockIndices()) return false;
+    if (dest == nullptr) {
+      dest = new SparseBlockMatrix<MatrixResultType>(_rowBlockIndices.data(), M->colBlockIndices().data(),
+                                                     static_cast<int>(_rowBlockIndices.size()),
+                                                     static_cast<int>(M->colBlockIndices().size()));
+    }
+    if (dest->rowBlockIndices() != _rowBlockIndices || dest->colBlockIndices() != M->colBlockIndices())
+      return false;
+    for (size_t c = 0; c < M->blockCols().size(); ++c) {
+      for (const auto& right : M->blockCols()[c]) {
+        for (const auto& left : _blockCols[static_cast<size_t>(right.first)]) {
+          *dest->block(left.first, static_cast<int>(c), true) += *left.second * *right.second;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// dest ← dest + this · src. A null dest is allocated with new[].
+  void multiply(double*& dest, const double* src) const {
+    allocate(dest, rows());
+    for_each([&](int r, int c, const SparseMatrixBlock& b) {
+      Eigen::Map<VectorX>(dest + rowBaseOfBlock(r), b.rows()) +=
+          b * Eigen::Map<const VectorX>(src + colBaseOfBlock(c), b.cols());
+    });
+  }
+  /// The same for a symmetric matrix of which only the upper triangle of blocks is there.
+  void multiplySymmetricUpperTriangle(double*& dest, const double* src) const {
+    allocate(dest, rows());
+    for_each([&](int r, int c, const SparseMatrixBlock& b) {
+      if (r > c) return;
+      Eigen::Map<VectorX>(dest + rowBaseOfBlock(r), b.rows()) +=
+          b * Eigen::Map<const VectorX>(src + colBaseOfBlock(c), b.cols());
+      if (r == c) return;
+      Eigen::Map<VectorX>(dest + colBaseOfBlock(c), b.cols()) +=
+          b.transpose() * Eigen::Map<const VectorX>(src + rowBaseOfBlock(r), b.rows());
+    });
+  }
+  /// dest ← dest + thisᵀ · src.
+  void rightMultiply(double*& dest, const double* src) const {
+    allocate(dest, cols());
+    for_each([&](int r, int c, const SparseMatrixBlock& b) {
+      Eigen::Map<VectorX>(dest + colBaseOfBlock(c), b.cols()) +=
+          b.transpose() * Eigen::Map<const VectorX>(src + rowBaseOfBlock(r), b.rows());
+    });
+  }
+  void scale(double a) {
+    for (IntBlockMap& column : _blockCols) {
+      for (auto& entry : column) *entry.second *= a;
+    }
+  }
+
+  /// dest ← P this Pᵀ for a symmetric matrix: block i becomes block pinv[i]. With `onlyUpper` only the upper
+  /// triangle of blocks is there, before and after. False where a block would change its size.
+  bool symmPermutation(SparseBlockMatrix*& dest, const int* pinv, bool onlyUpper = false) const {
+    const size_t n = _rowBlockIndices.size();
+    std::vector<int> ends(n);
+    for (size_t i = 0; i < n; ++i) ends[static_cast<size_t>(pinv[i])] = rowsOfBlock(static_cast<int>(i));
+    for (size_t i = 1; i < n; ++i) ends[i] += ends[i - 1];
+    if (dest == nullptr) {
+      dest = new SparseBlockMatrix(ends.data(), ends.data(), static_cast<int>(n), static_cast<int>(n));
+    }
+    if (dest->_rowBlockIndices != ends || dest->_colBlockIndices != ends) return false;
+    dest->clear();
+    for_each([&](int r, int c, const SparseMatrixBlock& b) {
+      const int pr = pinv[r], pc = pinv[c];
+      if (onlyUpper && pr > pc) {
+        *dest->block(pc, pr, true) = b.transpose();
+      } else {
+        *dest->block(pr, pc, true) = b;
+      }
+    });
+    return true;
+  }
+
+  /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
+  /// diagonal.
+  int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
+    int count = 0;
+    visitScalars(
+        upperTriangle, [&](int column) { Cp[column] = count; },
+        [&](int row, double value) {
+          Ci[count] = row;
+          Cx[count++] = value;
+        });
+    Cp[cols()] = count;
+    return count;
+  }
+  /// Only the values, in the same order.
+  int fillCCS(double* Cx, bool upperTriangle = false) const {
+    int count = 0;
+    visitScalars(
+        upperTriangle, [](int) {}, [&](int, double value) { Cx[count++] = value; });
+    return count;
+  }
+  /// The pattern of the upper triangle of blocks.
+  void fillBlockStructure(MatrixStructure& ms) const {
+    int count = 0;
+    for (size_t c = 0; c < _blockCols.size(); ++c)
+      for (const auto& entry : _blockCols[c]) count += entry.first <= static_cast<int>(c);
+    ms.alloc(static_cast<int>(_colBlockIndices.size()), count);
+    ms.m = static_cast<int>(_rowBlockIndices.size());
+    fillBlockStructure(ms.Ap, ms.Aii);
+  }
+  int fillBlockStructure(int* Cp, int* Ci) const {
+    int count = 0;
+    for (size_t c = 0; c < _blockCols.size(); ++c) {
+      Cp[c] = count;
+      for (const auto& entry : _blockCols[c]) {
+        if (entry.first <= static_cast<int>(c)) Ci[count++] = entry.first;
+      }
+    }
+    Cp[_blockCols.size()] = count;
+    return count;
+  }
+
+  /// Writes the matrix as a sparse one for Octave. `upperTriangle`: the lower triangle is its mirror image.
+  bool writeOctave(const char* filename, bool upperTriangle = true) const {
+    std::ofstream out(filename);
+    if (!out) return false;
+    std::map<std::pair<int, int>, double> entries;  // (column, row)
+    for_each([&](int r, int c, const SparseMatrixBlock& b) {
+      for (int i = 0; i < b.rows(); ++i) {
+        for (int j = 0; j < b.cols(); ++j) {
+          const int row = rowBaseOfBlock(r) + i, column = colBaseOfBlock(c) + j;
+          entries[{column, row}] = b(i, j);
+          if (upperTriangle && r != c) entries[{row, column}] = b(i, j);
+        }
+      }
+    });
+    out << "# name: matrix\n# type: sparse matrix\n# nnz: " << entries.size() << "\n# rows: " << rows()
+        << "\n# columns: " << cols() << "\n"
+        << std::setprecision(17);
+    for (const auto& [at, value] : entries)
+      out << at.second + 1 << " " << at.first + 1 << " " << value << "\n";
+    return out.good();
+  }
+
+  const std::vector<IntBlockMap>& blockCols() const { return _blockCols; }
+  std::vector<IntBlockMap>& blockCols() { return _blockCols; }
+  const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
+  std::vector<int>& rowBlockIndices() { return _rowBlockIndices; }
+  const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
+  std::vector<int>& colBlockIndices() { return _colBlockIndices; }
+
+ protected:
+  std::vector<int> _rowBlockIndices;
+  std::vector<int> _colBlockIndices;
+  std::vector<IntBlockMap> _blockCols;
+  bool _hasStorage;
+
+ private:
+  static int size(const std::vector<int>& ends, int i) {
+    const auto at = static_cast<size_t>(i);
+    return at > 0 ? ends[at] - ends[at - 1] : ends[at];
+  }
+  static void allocate(double*& dest, int count) {
+    if (dest == nullptr) dest = new double[static_cast<size_t>(count)]();
+  }
+  void swap(SparseBlockMatrix& other) noexcept {
+    _rowBlockIndices.swap(other._rowBlockIndices);
+    _colBlockIndices.swap(other._colBlockIndices);
+    _blockCols.swap(other._blockCols);
+    std::swap(_hasStorage, other._hasStorage);
+  }
+  template <class F>
+  void for_each(F&& f) const {
+    for (size_t c = 0; c < _blockCols.size(); ++c) {
+      for (const auto& entry : _blockCols[c]) f(entry.first, static_cast<int>(c), *entry.second);
+    }
+  }
+  template <class Column, class Value>
+  void visitScalars(bool upperTriangle, Column&& begin, Value&& visit) const {
+    for (size_t c = 0; c < _blockCols.size(); ++c) {
+      const int base = colBaseOfBlock(static_cast<int>(c));
+      for (int j = 0; j < colsOfBlock(static_cast<int>(c)); ++j) {
+        begin(base + j);
+        for (const auto& entry : _blockCols[c]) {
+          const int row = rowBaseOfBlock(entry.first);
+          for (int i = 0; i < entry.second->rows(); ++i) {
+            if (upperTriangle && row + i > base + j) break;
+            visit(row + i, (*entry.second)(i, j));
+          }
+        }
+      }
+    }
+  }
+};
+
+template <class MatrixType>
+std::ostream& operator<<(std::ostream& os, const SparseBlockMatrix<MatrixType>& m) {
+  os << "RBI: " << m.rowBlockIndices().size();
+  for (int end : m.rowBlockIndices()) os << " " << end;
+  os << "\nCBI: " << m.colBlockIndices().size();
+  for (int end : m.colBlockIndices()) os << " " << end;
+  os << "\n";
+  for (size_t c = 0; c < m.blockCols().size(); ++c) {
+    for (const auto& entry : m.blockCols()[c])
+      os << "BLOCK: " << entry.first << " " << c << "\n" << *entry.second << "\n";
+  }
+  return os;
+}
+
+using SparseBlockMatrixX = SparseBlockMatrix<MatrixX>;
+using SparseBlockMatrixXd = SparseBlockMatrix<MatrixX>;
+using SparseBlockMatrixXD = SparseBlockMatrix<MatrixX>;
+
+}  // namespace g2o

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "g2o/core/hyper_graph_action.h"
+
+namespace g2o {
+
+class SparseOptimizer;
+
+/// A post-iteration action that ends optimize() once chi2 falls by less than a fraction of itself, or after
+/// so many iterations.
+class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
+ public:
+  SparseOptimizerTerminateAction();
+  HyperGraphAction* operator()(const HyperGraph* graph, Parameters* parameters = nullptr) override;
+
+  double gainThreshold() const { return _gainThreshold; }
+  void setGainThreshold(double gainThreshold);
+  int maxIterations() const { return _maxIterations; }
+  void setMaxIterations(int maxit);
+
+ protected:
+  double _gainThreshold = 1e-6;
+  double _lastChi = 0;
+  bool _auxTerminateFlag = false;
+  int _maxIterations = std::numeric_limits<int>::max();
+
+  void setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop);
+};
+
+}  // namespace g2o

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "g2o/solvers/engine_linear_solver.h"
+
+namespace g2o {
+
+/// Cholesky of the matrix as a dense one: for small problems.
+template <typename MatrixType>
+class LinearSolverDense : public internal::EngineLinearSolver<MatrixType> {
+ public:
+  LinearSolverDense() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kDense) {}
+  /// Not in the place of a derived class, which may solve otherwise.
+  internal::EngineSettings engine() const override {
+    return typeid(*this) == typeid(LinearSolverDense) ? this->settings_ : internal::EngineSettings();
+  }
+};
+
+}  // namespace g2o

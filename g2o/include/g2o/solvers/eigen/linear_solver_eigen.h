@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "g2o/solvers/engine_linear_solver.h"
+
+namespace g2o {
+
+/// Sparse Cholesky: the engine's.
+template <typename MatrixType>
+class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
+ public:
+  LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
+  /// Not in the place of a derived class, which may solve otherwise.
+  internal::EngineSettings engine() const override {
+    return typeid(*this) == typeid(LinearSolverEigen) ? this->settings_ : internal::EngineSettings();
+  }
+  bool solveBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) override {
+    return this->inverseBlocks(blocks, A);
+  }
+  bool solvePattern(SparseBlockMatrix<MatrixX>& spinv, const std::vector<std::pair<int, int>>& blockIndices,
+                    const SparseBlockMatrix<MatrixType>& A) override {
+    return this->inversePattern(spinv, blockIndices, A);
+  }
+};
+
+}  // namespace g2o

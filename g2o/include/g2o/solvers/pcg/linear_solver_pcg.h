@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "g2o/solvers/engine_linear_solver.h"
+
+namespace g2o {
+
+/// Preconditioned conjugate gradients.
+template <typename MatrixType>
+class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
+ public:
+  LinearSolverPCG() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kPcg) {
+    this->settings_.tolerance = _tolerance;
+  }
+  /// Not in the place of a derived class, which may solve otherwise.
+  internal::EngineSettings engine() const override {
+    return typeid(*this) == typeid(LinearSolverPCG) ? this->settings_ : internal::EngineSettings();
+  }
+  /// The residual at which to stop, relative to that of x = 0.
+  double tolerance() const { return _tolerance; }
+  void setTolerance(double tolerance) {
+    _tolerance = tolerance;
+    this->settings_.tolerance = tolerance;
+  }
+  /// Negative: as many as needed.
+  int maxIterations() const { return _maxIter; }
+  void setMaxIterations(int maxIter) {
+    _maxIter = maxIter;
+    this->settings_.maxIterations = maxIter > 0 ? maxIter : 0;
+  }
+  bool absoluteTolerance() const { return _absoluteTolerance; }
+  void setAbsoluteTolerance(bool absoluteTolerance) { _absoluteTolerance = absoluteTolerance; }
+  bool verbose() const { return _verbose; }
+  void setVerbose(bool verbose) { _verbose = verbose; }
+
+ protected:
+  double _tolerance = 1e-6;
+  bool _verbose = false;
+  bool _absoluteTolerance = true;
+  int _maxIter = -1;
+};
+
+}  // namespace g2o

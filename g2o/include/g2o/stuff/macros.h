@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#define DEG2RAD(x) ((x)*0.01745329251994329575)
+#define RAD2DEG(x) ((x)*57.29577951308232087721)
+
+#if defined(__GNUC__) || defined(__clang__)
+#define G2O_ATTRIBUTE_CONSTRUCTOR(func)                \
+  static void func(void) __attribute__((constructor)); \
+  static void func(void)
+#define G2O_ATTRIBUTE_UNUSED __attribute__((unused))
+#define G2O_ATTRIBUTE_FORMAT12 __attribute__((format(printf, 1, 2)))
+#define G2O_ATTRIBUTE_FORMAT23 __attribute__((format(printf, 2, 3)))
+#define G2O_ATTRIBUTE_WARNING(func) func __attribute__((warning))
+#define G2O_ATTRIBUTE_DEPRECATED(func) func __attribute__((deprecated))
+#else
+#define G2O_ATTRIBUTE_CONSTRUCTOR(func) static void func(void)
+#define G2O_ATTRIBUTE_UNUSED
+#define G2O_ATTRIBUTE_FORMAT12
+#define G2O_ATTRIBUTE_FORMAT23
+#define G2O_ATTRIBUTE_WARNING(func) func
+#define G2O_ATTRIBUTE_DEPRECATED(func) func
+#endif
+
+#define g2o_isnan(x) std::isnan(x)
+#define g2o_isinf(x) std::isinf(x)
+#define g2o_isfinite(x) std::isfinite(x)
+
+#ifndef __PRETTY_FUNCTION__
+#if !defined(__GNUC__) && !defined(__clang__)
+#define __PRETTY_FUNCTION__ __FUNCTION__
+#endif
+#endif

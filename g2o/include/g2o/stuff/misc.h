@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small functions that clients use: angles, signs, wrapping.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace g2o {
+
+constexpr double cst(long double v) {
+  return static_cast<double>(v);
+}
+
+inline constexpr double const_pi() {
+  return 3.14159265358979323846;
+}
+
+template <typename T, typename... Args>
+std::unique_ptr<T> make_unique(Args&&... args) {
+  return std::unique_ptr<T>(new T(std::forward<Args>(args)...));
+}
+
+template <typename T>
+inline T square(T x) {
+  return x * x;
+}
+
+template <typename T>
+inline T hypot(T x, T y) {
+  return static_cast<T>(std::sqrt(x * x + y * y));
+}
+
+template <typename T>
+inline T hypot_sqr(T x, T y) {
+  return x * x + y * y;
+}
+
+inline double deg2rad(double degree) {
+  return degree * (const_pi() / 180);
+}
+
+inline double rad2deg(double rad) {
+  return rad * (180 / const_pi());
+}
+
+/// The angle in (−π, π]; an angle in that range is kept bit for bit.
+inline double normalize_theta(double theta) {
+  if (theta > -const_pi() && theta <= const_pi()) return theta;
+  const double turns = std::ceil((theta - const_pi()) / (2 * const_pi()));
+  const double wrapped = theta - turns * 2 * const_pi();
+  if (wrapped > const_pi()) return wrapped - 2 * const_pi();
+  return wrapped <= -const_pi() ? wrapped + 2 * const_pi() : wrapped;
+}
+
+inline double inverse_theta(double theta) {
+  return normalize_theta(theta + const_pi());
+}
+
+/// The direction halfway between two directions.
+inline double average_angle(double theta1, double theta2) {
+  const double x = std::cos(theta1) + std::cos(theta2);
+  const double y = std::sin(theta1) + std::sin(theta2);
+  return x == 0 && y == 0 ? 0 : std::atan2(y, x);
+}
+
+/// −1, 0 or 1.
+template <typename T>
+inline int sign(T x) {
+  return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
+template <typename T>
+inline T clamp(T lower, T x, T upper) {
+  return x < lower ? lower : x > upper ? upper : x;
+}
+
+/// x moved by multiples of the interval's length into [lower, upper).
+template <typename T>
+inline T wrap(T lower, T x, T upper) {
+  const T length = upper - lower;
+  x = static_cast<T>(lower + std::fmod(x - lower, length));
+  return x < lower ? x + length : x;
+}
+
+/// Whether an array holds a NaN.
+template <typename T>
+inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
+  for (int i = 0; i < size; ++i) {
+    if (!std::isnan(array[i])) continue;
+    if (nan_index != nullptr) *nan_index = i;
+    return true;
+  }
+  return false;
+}
+
+/// Names a class whose use forces a library with its registration to be linked.
+struct ForceLinker {
+  explicit ForceLinker(void (*function)(void)) { (function)(); }
+};
+
+}  // namespace g2o

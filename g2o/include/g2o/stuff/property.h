@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Named values that can be set from text.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+#include "g2o/stuff/g2o_stuff_api.h"
+
+namespace g2o {
+
+class G2O_STUFF_API BaseProperty {
+ public:
+  explicit BaseProperty(const std::string& name);
+  virtual ~BaseProperty();
+  const std::string& name() const { return _name; }
+  virtual std::string toString() const = 0;
+  /// False, and the value stays, where the text is none.
+  virtual bool fromString(const std::string& s) = 0;
+
+ protected:
+  std::string _name;
+};
+
+template <typename T>
+class Property : public BaseProperty {
+ public:
+  using ValueType = T;
+  explicit Property(const std::string& name) : BaseProperty(name) {}
+  Property(const std::string& name, const T& v) : BaseProperty(name), _value(v) {}
+  void setValue(const T& v) { _value = v; }
+  const T& value() const { return _value; }
+  std::string toString() const override {
+    std::ostringstream out;
+    out << _value;
+    return out.str();
+  }
+  bool fromString(const std::string& s) override {
+    std::istringstream in(s);
+    T value;
+    if (!(in >> value)) return false;
+    _value = value;
+    return true;
+  }
+
+ protected:
+  T _value{};
+};
+
+/// Properties by name; owns them.
+class G2O_STUFF_API PropertyMap : protected std::map<std::string, std::shared_ptr<BaseProperty>> {
+ public:
+  using BaseClass = std::map<std::string, std::shared_ptr<BaseProperty>>;
+  using PropertyMapIterator = BaseClass::iterator;
+  using PropertyMapConstIterator = BaseClass::const_iterator;
+
+  ~PropertyMap();
+  bool addProperty(const std::shared_ptr<BaseProperty>& p);
+  bool eraseProperty(const std::string& name);
+
+  /// The property of that name and type, or nullptr.
+  template <typename P>
+  std::shared_ptr<P> getProperty(const std::string& name) {
+    const auto found = find(name);
+    return found == end() ? nullptr : std::dynamic_pointer_cast<P>(found->second);
+  }
+  template <typename P>
+  std::shared_ptr<const P> getProperty(const std::string& name) const {
+    const auto found = find(name);
+    return found == end() ? nullptr : std::dynamic_pointer_cast<const P>(found->second);
+  }
+  /// The property of that name, which is made where there is none; nullptr where there is one of another
+  /// type.
+  template <typename P>
+  std::shared_ptr<P> makeProperty(const std::string& name, const typename P::ValueType& v) {
+    const auto found = find(name);
+    if (found != end()) return std::dynamic_pointer_cast<P>(found->second);
+    auto made = std::make_shared<P>(name, v);
+    emplace(name, made);
+    return made;
+  }
+
+  /// Sets the property `name` from text; false where there is none, or the text does not fit.
+  bool updatePropertyFromString(const std::string& name, const std::string& value);
+  /// "name=value,name=value".
+  bool updateMapFromString(const std::string& values);
+  void writeToCSV(std::ostream& os) const;
+
+  using BaseClass::begin;
+  using BaseClass::const_iterator;
+  using BaseClass::empty;
+  using BaseClass::end;
+  using BaseClass::iterator;
+  using BaseClass::size;
+};
+
+using IntProperty = Property<int>;
+using BoolProperty = Property<bool>;
+using FloatProperty = Property<float>;
+using DoubleProperty = Property<double>;
+using StringProperty = Property<std::string>;
+
+}  // namespace g2o

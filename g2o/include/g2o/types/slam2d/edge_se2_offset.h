@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/slam2d/parameter_se2_offset.h"
+#include "g2o/types/slam2d/se2.h"
+#include "g2o/types/slam2d/vertex_se2.h"
+
+namespace g2o {
+
+/// The motion from a sensor on one pose to one on another. Error: vec(z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂)).
+/// EDGE_SE2_OFFSET.
+class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE2Offset();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+  void setMeasurement(const SE2& m) override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 3; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+  using BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2>::linearizeOplus;
+
+ protected:
+  SE2 _inverseMeasurement;
+  std::array<ParameterSE2Offset*, 2> _offsets{};
+};
+
+}  // namespace g2o

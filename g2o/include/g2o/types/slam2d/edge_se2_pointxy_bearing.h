@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/slam2d/vertex_point_xy.h"
+#include "g2o/types/slam2d/vertex_se2.h"
+
+namespace g2o {
+
+/// The direction z (radians) of a point in the frame of a pose. Error: wrap(z − atan2(x⁻¹ l)).
+/// EDGE_BEARING_SE2_XY.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearing
+    : public BaseBinaryEdge<1, double, VertexSE2, VertexPointXY> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE2PointXYBearing();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 1; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+  using BaseBinaryEdge<1, double, VertexSE2, VertexPointXY>::linearizeOplus;
+};
+
+}  // namespace g2o

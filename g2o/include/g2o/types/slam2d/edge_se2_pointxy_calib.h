@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/types/slam2d/vertex_point_xy.h"
+#include "g2o/types/slam2d/vertex_se2.h"
+
+namespace g2o {
+
+/// A point z in the frame of a sensor whose pose c on the robot is a vertex. Error: (x c)⁻¹ l − z.
+/// EDGE_SE2_XY_CALIB.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYCalib
+    : public BaseFixedSizedEdge<2, Vector2, VertexSE2, VertexPointXY, VertexSE2> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE2PointXYCalib();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 2; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+  using BaseFixedSizedEdge<2, Vector2, VertexSE2, VertexPointXY, VertexSE2>::linearizeOplus;
+};
+
+}  // namespace g2o

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_unary_edge.h"
+#include "g2o/types/slam2d/vertex_se2.h"
+
+namespace g2o {
+
+/// The position z of a pose in the world. Error: t(x) − z. EDGE_PRIOR_SE2_XY.
+class G2O_TYPES_SLAM2D_API EdgeSE2XYPrior : public BaseUnaryEdge<2, Vector2, VertexSE2> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE2XYPrior();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 2; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+  using BaseUnaryEdge<2, Vector2, VertexSE2>::linearizeOplus;
+};
+
+}  // namespace g2o

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/slam2d/g2o_types_slam2d_api.h"
+
+namespace g2o {
+
+/// A point of the plane. VERTEX_XY.
+class G2O_TYPES_SLAM2D_API VertexPointXY : public BaseVertex<2, Vector2> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexPointXY();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 2; }
+  bool getMinimalEstimateData(double* est) const override { return getEstimateData(est); }
+  int minimalEstimateDimension() const override { return 2; }
+  using BaseVertex<2, Vector2>::getEstimateData;
+  using BaseVertex<2, Vector2>::getMinimalEstimateData;
+
+ protected:
+  void setToOriginImpl() override { _estimate.setZero(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<2, Vector2>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
+};
+
+}  // namespace g2o

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/slam2d/se2.h"
+
+namespace g2o {
+
+/// A pose of the plane. ⊞ adds (Δx, Δy, Δθ) in the world frame. VERTEX_SE2.
+class G2O_TYPES_SLAM2D_API VertexSE2 : public BaseVertex<3, SE2> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSE2();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 3; }
+  bool getMinimalEstimateData(double* est) const override { return getEstimateData(est); }
+  int minimalEstimateDimension() const override { return 3; }
+  using BaseVertex<3, SE2>::getEstimateData;
+  using BaseVertex<3, SE2>::getMinimalEstimateData;
+
+ protected:
+  void setToOriginImpl() override { _estimate = SE2(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<3, SE2>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
+};
+
+}  // namespace g2o

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/slam3d/vertex_se3.h"
+
+namespace g2o {
+
+/// The motion from one pose to another, z. Error: (t, q_v) of z⁻¹ x₁⁻¹ x₂, the quaternion with w ≥ 0.
+/// EDGE_SE3:QUAT.
+class G2O_TYPES_SLAM3D_API EdgeSE3 : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+  void setMeasurement(const Isometry3& m) override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 7; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+
+ protected:
+  Isometry3 _inverseMeasurement;
+
+ private:
+  internal::RotationMemory rotation_;
+};
+
+}  // namespace g2o

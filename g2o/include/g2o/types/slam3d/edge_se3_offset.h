@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/slam3d/parameter_se3_offset.h"
+#include "g2o/types/slam3d/vertex_se3.h"
+
+namespace g2o {
+
+/// The motion from a sensor on one pose to one on another. Error: (t, q_v) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂).
+/// EDGE_SE3_OFFSET.
+class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3Offset();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+  void setMeasurement(const Isometry3& m) override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 7; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+
+ protected:
+  Isometry3 _inverseMeasurement;
+  ParameterSE3Offset* _offsetFrom = nullptr;
+  ParameterSE3Offset* _offsetTo = nullptr;
+
+ private:
+  internal::RotationMemory rotation_;
+};
+
+}  // namespace g2o

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rigid motions as vectors.
+#pragma once
+
+#include <Eigen/SVD>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/types/slam3d/g2o_types_slam3d_api.h"
+#include "g2o/types/slam3d/se3quat.h"
+
+namespace g2o {
+namespace internal {
+
+/// The rotation of a motion.
+inline Isometry3::ConstLinearPart extractRotation(const Isometry3& A) {
+  return A.linear();
+}
+
+/// The nearest rotation, by the singular value decomposition; the same to first order, without it.
+template <typename Derived>
+void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
+  const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix3 D = Matrix3::Identity();
+  D(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  const_cast<Eigen::MatrixBase<Derived>&>(R) = svd.matrixU() * D * svd.matrixV().transpose();
+}
+template <typename Derived>
+void approximateNearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
+  Matrix3 E = R.transpose() * R;
+  E.diagonal().array() -= 1;
+  const_cast<Eigen::MatrixBase<Derived>&>(R) -= 0.5 * R * E;
+}
+
+/// The unit quaternion with w ≥ 0.
+G2O_TYPES_SLAM3D_API Quaternion normalized(const Quaternion& q);
+G2O_TYPES_SLAM3D_API Quaternion& normalize(Quaternion& q);
+
+/// Roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll).
+G2O_TYPES_SLAM3D_API Vector3 toEuler(const Matrix3& R);
+G2O_TYPES_SLAM3D_API Matrix3 fromEuler(const Vector3& v);
+/// The vector part of the unit quaternion with w ≥ 0.
+G2O_TYPES_SLAM3D_API Vector3 toCompactQuaternion(const Matrix3& R);
+G2O_TYPES_SLAM3D_API Matrix3 fromCompactQuaternion(const Vector3& v);
+
+/// Translation and: compact quaternion (MQT), Euler angles (ET), quaternion x y z w (QT).
+G2O_TYPES_SLAM3D_API Vector6 toVectorMQT(const Isometry3& t);
+G2O_TYPES_SLAM3D_API Vector6 toVectorET(const Isometry3& t);
+G2O_TYPES_SLAM3D_API Vector7 toVectorQT(const Isometry3& t);
+G2O_TYPES_SLAM3D_API Isometry3 fromVectorMQT(const Vector6& v);
+G2O_TYPES_SLAM3D_API Isometry3 fromVectorET(const Vector6& v);
+G2O_TYPES_SLAM3D_API Isometry3 fromVectorQT(const Vector7& v);
+
+G2O_TYPES_SLAM3D_API SE3Quat toSE3Quat(const Isometry3& t);
+G2O_TYPES_SLAM3D_API Isometry3 fromSE3Quat(const SE3Quat& t);
+
+}  // namespace internal
+}  // namespace g2o

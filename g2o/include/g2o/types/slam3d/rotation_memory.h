@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/types/slam3d/g2o_types_slam3d_api.h"
+
+namespace g2o {
+namespace internal {
+
+/// The quaternion of a rotation matrix, kept while the matrix stays. So a pose that was read from rounded
+/// digits stays the one that its file means: the quaternion keeps the norm that the digits give it.
+class G2O_TYPES_SLAM3D_API RotationMemory {
+ public:
+  using Coefficients = std::array<double, 4>;  ///< x y z w
+  /// Sets R to the rotation of q, and keeps q.
+  void set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::OuterStride<>> R);
+  const Coefficients& get(const Isometry3& pose) const;
+
+ private:
+  mutable Eigen::Matrix<double, 3, 3, Eigen::DontAlign> rotation_ =
+      Eigen::Matrix<double, 3, 3, Eigen::DontAlign>::Zero();
+  mutable Coefficients quaternion_{{0, 0, 0, 1}};
+};
+
+}  // namespace internal
+}  // namespace g2o

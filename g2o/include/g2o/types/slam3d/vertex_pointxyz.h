@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/slam3d/g2o_types_slam3d_api.h"
+
+namespace g2o {
+
+/// A point in space. VERTEX_TRACKXYZ.
+class G2O_TYPES_SLAM3D_API VertexPointXYZ : public BaseVertex<3, Vector3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexPointXYZ();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 3; }
+  bool getMinimalEstimateData(double* est) const override { return getEstimateData(est); }
+  int minimalEstimateDimension() const override { return 3; }
+  using BaseVertex<3, Vector3>::getEstimateData;
+  using BaseVertex<3, Vector3>::getMinimalEstimateData;
+
+ protected:
+  void setToOriginImpl() override { _estimate.setZero(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<3, Vector3>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
+};
+
+}  // namespace g2o

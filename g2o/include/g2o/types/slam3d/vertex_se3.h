@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/slam3d/isometry3d_mappings.h"
+#include "g2o/types/slam3d/rotation_memory.h"
+
+namespace g2o {
+
+/// A pose in space. ⊞ is the motion (Δt, q_v) on the right, q_v the vector part of a quaternion.
+/// VERTEX_SE3:QUAT.
+class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSE3();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  void push() override;
+  void pop() override;
+  void discardTop() override;
+
+  /// x y z qx qy qz qw; minimal: x y z qx qy qz.
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 7; }
+  bool getMinimalEstimateData(double* est) const override;
+  int minimalEstimateDimension() const override { return 6; }
+  using BaseVertex<6, Isometry3>::getEstimateData;
+  using BaseVertex<6, Isometry3>::getMinimalEstimateData;
+
+  /// The quaternion of the estimate; see internal::RotationMemory.
+  const internal::RotationMemory::Coefficients& quaternion() const { return rotation_.get(_estimate); }
+
+ protected:
+  void setToOriginImpl() override { _estimate.setIdentity(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<6, Isometry3>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override;
+
+ private:
+  internal::RotationMemory rotation_;
+  std::vector<internal::RotationMemory> rotation_backup_;
+};
+
+}  // namespace g2o

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/block_solver_engine.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+
+#include "boxplus/base/parallel.h"
+#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linearize/schur.h"
+#include "core/engine_solver.h"
+#include "g2o/core/batch_stats.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/stuff/logger.h"
+#include "g2o/stuff/timeutil.h"
+
+namespace g2o {
+namespace internal {
+
+using boxplus::BlockStructure;
+using boxplus::LinearStatus;
+
+struct BlockSolverEngine::State {
+  std::vector<OptimizableGraph::Vertex*> vertices;  // by Hessian index
+  std::uint32_t kept = 0, eliminated = 0;           // blocks
+  BlockStructure structure;                         // of H, the eliminated blocks first
+  std::vector<double> values;
+  std::unique_ptr<boxplus::Schur> schur;
+  std::unique_ptr<boxplus::BlockSystem> full, reduced;
+  std::unique_ptr<boxplus::LinearSolver> solver;
+  EngineSettings settings;
+  std::vector<double> engine_b, engine_x, reduced_b, reduced_x;
+  std::vector<int> reduced_dims;
+  std::vector<EngineBlock> reduced_blocks;
+  std::vector<double> damped_diagonal;
+  bool ready = false;  // schur and solver are made for the structure
+
+  std::uint32_t block_of(int hessian_index) const {
+    const auto h = static_cast<std::uint32_t>(hessian_index);
+    return h < kept ? eliminated + h : h - kept;
+  }
+  std::uint32_t eliminated_scalars() const { return structure.offset[eliminated]; }
+
+  /// From the order of Hessian indices to that of the engine, and back: two ranges change places.
+  void to_engine(const double* in, double* out) const {
+    const std::uint32_t first = structure.scalars() - eliminated_scalars();
+    std::copy_n(in, first, out + eliminated_scalars());
+    std::copy_n(in + first, eliminated_scalars(), out);
+  }
+  void from_engine(const double* in, double* out) const {
+    const std::uint32_t first = structure.scalars() - eliminated_scalars();
+    std::copy_n(in + eliminated_scalars(), first, out);
+    std::copy_n(in, eliminated_scalars(), out + first);
+  }
+
+  bool lay_out(const SparseOptimizer& optimizer, bool use_schur);
+  void map_vertices(const SparseOptimizer& optimizer);
+  void map_edges(const SparseOptimizer& optimizer);
+  void map_pair(OptimizableGraph::Edge& edge, int i, int j);
+  void make_schur(bool explicit_values);
+  void make_solver(const EngineSettings& new_settings);
+  bool factorize(double lambda);
+  bool complain(const boxplus::FactorResult& result, std::uint32_t first_block) const;
+};
+
+BlockSolverEngine::BlockSolverEngine() = default;
+BlockSolverEngine::~BlockSolverEngine() = default;
+
+namespace {
+
+const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, size_t i) {
+  return static_cast<const OptimizableGraph::Vertex*>(edge.vertex(i));
+}
+
+}  // namespace
+
+/// Numbers the blocks and finds the pattern of H. False where an edge joins two eliminated vertices.
+bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool use_schur) {
+  vertices = optimizer.indexMapping();
+  const auto marginalised =
+      std::count_if(vertices.begin(), vertices.end(), [](const auto* v) { return v->marginalized(); });
+  const bool eliminate = use_schur && marginalised > 0 && static_cast<size_t>(marginalised) < vertices.size();
+  const std::uint32_t eliminated_before = eliminated;
+  eliminated = eliminate ? static_cast<std::uint32_t>(marginalised) : 0;
+  kept = static_cast<std::uint32_t>(vertices.size()) - eliminated;
+  std::vector<std::uint32_t> dims(vertices.size());
+  for (size_t h = 0; h < vertices.size(); ++h)
+    dims[block_of(static_cast<int>(h))] = static_cast<std::uint32_t>(vertices[h]->dimension());
+  std::vector<boxplus::BlockCoordinate> pairs;
+  for (const OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
+    for (size_t j = 1; j < edge->vertices().size(); ++j) {
+      if (vertex_at(*edge, j)->hessianIndex() < 0) continue;
+      const std::uint32_t b = block_of(vertex_at(*edge, j)->hessianIndex());
+      for (size_t i = 0; i < j; ++i) {
+        if (vertex_at(*edge, i)->hessianIndex() < 0) continue;
+        const std::uint32_t a = block_of(vertex_at(*edge, i)->hessianIndex());
+        if (a < eliminated && b < eliminated) {
+          G2O_ERROR("vertices {} and {} are both marginalised, but an edge joins them", edge->vertex(i)->id(),
+                    edge->vertex(j)->id());
+          return false;
+        }
+        pairs.push_back({std::max(a, b), std::min(a, b)});
+      }
+    }
+  }
+  BlockStructure made = boxplus::make_block_structure(dims, pairs);
+  if (full && made == structure && eliminated == eliminated_before) return true;
+  structure = std::move(made);
+  values.assign(structure.nonzero_values(), 0.0);
+  full = std::make_unique<boxplus::AssembledSystem>(structure, values);
+  ready = false;
+  engine_b.resize(structure.scalars());
+  engine_x.resize(structure.scalars());
+  return true;
+}
+
+/// Lets the diagonal blocks be those of H. Vertices that have none get no memory.
+void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
+  for (OptimizableGraph::Vertex* v : optimizer.activeVertices()) {
+    if (v->hessianIndex() < 0) v->mapHessianMemory(nullptr);
+  }
+  for (OptimizableGraph::Vertex* v : vertices) {
+    const std::uint32_t block = block_of(v->hessianIndex());
+    v->mapHessianMemory(values.data() + structure.value_start[structure.column_start[block]]);
+    const std::uint32_t column = structure.offset[block];
+    const std::uint32_t first = structure.scalars() - eliminated_scalars();
+    v->setColInHessian(static_cast<int>(block < eliminated ? first + column : column - eliminated_scalars()));
+  }
+}
+
+/// The block at (row, column) is that of positions (i, j) where i has the larger number, else that of (j, i).
+void BlockSolverEngine::State::map_pair(OptimizableGraph::Edge& edge, int i, int j) {
+  const int index_i = vertex_at(edge, static_cast<size_t>(i))->hessianIndex();
+  const int index_j = vertex_at(edge, static_cast<size_t>(j))->hessianIndex();
+  if (index_i < 0 || index_j < 0) {
+    edge.mapHessianMemory(nullptr, i, j, false);
+    return;
+  }
+  const std::uint32_t a = block_of(index_i), b = block_of(index_j);
+  const std::uint32_t k = structure.find(std::max(a, b), std::min(a, b));
+  edge.mapHessianMemory(values.data() + structure.value_start[k], i, j, a < b);
+}
+
+void BlockSolverEngine::State::map_edges(const SparseOptimizer& optimizer) {
+  for (OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
+    const int arity = static_cast<int>(edge->vertices().size());
+    for (int j = 1; j < arity; ++j)
+      for (int i = 0; i < j; ++i) map_pair(*edge, i, j);
+  }
+}
+
+void BlockSolverEngine::State::make_schur(bool explicit_values) {
+  schur = std::make_unique<boxplus::Schur>(structure, eliminated, explicit_values);
+  const BlockStructure& left = schur->reduced_structure();
+  reduced_b.resize(left.scalars());
+  reduced_x.resize(left.scalars());
+  if (explicit_values) {
+    reduced = std::make_unique<boxplus::AssembledSystem>(left, schur->reduced_values());
+  } else {
+    reduced = std::make_unique<boxplus::ImplicitSchur>(*schur);
+  }
+}
+
+void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
+  const bool same_kind = new_settings.solver == settings.solver;
+  settings = new_settings;
+  if (same_kind && ready) return;
+  ready = true;
+  const EngineSolver kind = settings.solver;
+  schur.reset();
+  solver = kind == EngineSolver::kNone ? nullptr : boxplus::make_linear_solver(engine_kind(kind));
+  if (eliminated > 0)
+    make_schur(solver == nullptr || solver->needs() != boxplus::LinearSolver::Needs::kOperator);
+  if (solver == nullptr) return;
+  const ScopeTime time(G2OBatchStatistics::globalStats() == nullptr
+                           ? nullptr
+                           : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
+  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints());
+}
+
+bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
+                                       const EngineSettings& settings) {
+  if (!state_) state_ = std::make_unique<State>();
+  if (!state_->lay_out(optimizer, schur)) {
+    state_.reset();
+    return false;
+  }
+  state_->map_vertices(optimizer);
+  state_->map_edges(optimizer);
+  state_->make_solver(settings);
+  return true;
+}
+
+bool BlockSolverEngine::hasStructure() const {
+  return state_ != nullptr;
+}
+
+size_t BlockSolverEngine::scalars() const {
+  return state_ ? state_->structure.scalars() : 0;
+}
+
+void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
+  State& s = *state_;
+  std::fill(s.values.begin(), s.values.end(), 0.0);
+  for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
+  JacobianWorkspace& workspace = optimizer.jacobianWorkspace();
+  for (OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
+    edge->linearizeOplus(workspace);
+    edge->constructQuadraticForm();
+  }
+  for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
+}
+
+/// Says which vertex H is not positive definite for.
+bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result,
+                                        std::uint32_t first_block) const {
+  const char* what =
+      result.status == LinearStatus::kNotPositiveDefinite ? "is not positive definite" : "is not finite";
+  if (result.failed_block == BlockStructure::kAbsent) {
+    G2O_WARN("the linear system {}", what);
+    return false;
+  }
+  const std::uint32_t block = first_block + result.failed_block;
+  const std::uint32_t h = block < eliminated ? kept + block : block - eliminated;
+  G2O_WARN("the linear system {} (at vertex {})", what, vertices[h]->id());
+  return false;
+}
+
+bool BlockSolverEngine::State::factorize(double lambda) {
+  const boxplus::Damping damping{lambda, nullptr};
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  if (schur) {
+    const ScopeTime time(statistics ? &statistics->timeSchurComplement : nullptr);
+    const boxplus::FactorResult result = schur->eliminate(values, damping);
+    if (result.status != LinearStatus::kOk) return complain(result, 0);
+  }
+  if (solver == nullptr) return true;
+  const ScopeTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
+  const boxplus::FactorResult result = schur ? solver->factorize(*reduced, schur->reduced_damping(damping))
+                                             : solver->factorize(*full, damping);
+  if (statistics) statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
+  return result.status == LinearStatus::kOk || complain(result, eliminated);
+}
+
+bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const EngineSettings& settings) {
+  State& s = *state_;
+  s.make_solver(settings);
+  if (!s.factorize(lambda)) return false;
+  const boxplus::SolveControl control = solve_control(settings);
+  s.to_engine(b, s.engine_b.data());
+  boxplus::SolveResult result;
+  if (s.schur) {
+    s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
+    result = s.solver->solve(s.reduced_b.data(), 1, s.reduced_x.data(), control);
+    s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
+  } else {
+    result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data(), control);
+  }
+  if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
+    statistics->iterationsLinearSolver = result.iterations;
+  if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged) return false;
+  s.from_engine(s.engine_x.data(), x);
+  return true;
+}
+
+void BlockSolverEngine::multiply(double* dest, const double* src) const {
+  State& s = *state_;
+  std::vector<double> in(s.structure.scalars()), out(in.size());
+  s.to_engine(src, in.data());
+  s.full->multiply(in.data(), out.data());
+  s.from_engine(out.data(), dest);
+}
+
+bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockIndices,
+                                SparseBlockMatrix<MatrixX>& spinv) {
+  const State& s = *state_;
+  const auto n = static_cast<int>(s.vertices.size());
+  std::vector<boxplus::BlockCoordinate> wanted;
+  size_t size = 0;
+  for (const auto& [i, j] : blockIndices) {
+    if (i < 0 || j < 0 || i >= n || j >= n) {
+      G2O_ERROR("computeMarginals: expected Hessian indices from 0 to {}, got ({}, {})", n - 1, i, j);
+      return false;
+    }
+    const std::uint32_t a = s.block_of(i), b = s.block_of(j);
+    wanted.push_back({std::max(a, b), std::min(a, b)});
+    size += static_cast<size_t>(s.structure.dim(a)) * s.structure.dim(b);
+  }
+  const auto solver = boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky);
+  solver->analyze(s.structure, analyze_hints());
+  const boxplus::FactorResult factor = solver->factorize(*s.full, {});
+  if (factor.status != LinearStatus::kOk) return s.complain(factor, 0);
+  std::vector<double> out(size);
+  if (!solver->selected_inverse(wanted, out.data())) return false;
+  std::vector<int> ends;
+  int end = 0;
+  for (const OptimizableGraph::Vertex* v : s.vertices) ends.push_back(end += v->dimension());
+  spinv = SparseBlockMatrix<MatrixX>(ends.data(), ends.data(), n, n);
+  const double* values = out.data();
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    const auto [i, j] = blockIndices[k];
+    const auto rows = s.structure.dim(wanted[k].row), cols = s.structure.dim(wanted[k].column);
+    const Eigen::Map<const MatrixX> block(values, rows, cols);
+    MatrixX& target = *spinv.block(i, j, true);
+    if (s.block_of(i) == wanted[k].row) {
+      target = block;
+    } else {
+      target = block.transpose();
+    }
+    values += block.size();
+  }
+  return true;
+}
+
+bool BlockSolverEngine::save(const std::string& fileName) const {
+  if (!state_) return false;
+  const State& s = *state_;
+  std::vector<int> ends;
+  int end = 0;
+  for (const OptimizableGraph::Vertex* v : s.vertices) ends.push_back(end += v->dimension());
+  const auto n = static_cast<int>(ends.size());
+  SparseBlockMatrix<MatrixX> H(ends.data(), ends.data(), n, n);
+  const auto index_of = [&](std::uint32_t block) {
+    return static_cast<int>(block < s.eliminated ? s.kept + block : block - s.eliminated);
+  };
+  for (std::uint32_t c = 0; c < s.structure.blocks(); ++c) {
+    for (std::uint32_t k = s.structure.column_start[c]; k < s.structure.column_start[c + 1]; ++k) {
+      const std::uint32_t r = s.structure.row[k];
+      const Eigen::Map<const MatrixX> block(s.values.data() + s.structure.value_start[k], s.structure.dim(r),
+                                            s.structure.dim(c));
+      const int i = index_of(r), j = index_of(c);
+      if (i <= j) {
+        *H.block(i, j, true) = block;
+      } else {
+        *H.block(j, i, true) = block.transpose();
+      }
+    }
+  }
+  return H.writeOctave(fileName.c_str(), true);
+}
+
+bool BlockSolverEngine::reduce(double lambda, const double* b) {
+  State& s = *state_;
+  s.make_solver({});
+  if (!s.factorize(lambda)) return false;
+  s.to_engine(b, s.engine_b.data());
+  const BlockStructure& left = s.schur ? s.schur->reduced_structure() : s.structure;
+  const double* values = s.schur ? s.schur->reduced_values().data() : s.values.data();
+  s.reduced_b.resize(left.scalars());
+  s.reduced_x.assign(left.scalars(), 0.0);
+  if (s.schur) {
+    s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
+  } else {
+    s.reduced_b = s.engine_b;
+  }
+  s.reduced_dims.clear();
+  s.reduced_blocks.clear();
+  s.damped_diagonal.clear();
+  size_t diagonal = 0;
+  for (std::uint32_t c = 0; c < left.blocks(); ++c) {
+    s.reduced_dims.push_back(static_cast<int>(left.dim(c)));
+    diagonal += static_cast<size_t>(left.dim(c)) * left.dim(c);
+  }
+  s.damped_diagonal.resize(diagonal);
+  double* out = s.damped_diagonal.data();
+  for (std::uint32_t c = 0; c < left.blocks(); ++c) {
+    for (std::uint32_t k = left.column_start[c]; k < left.column_start[c + 1]; ++k) {
+      const double* block = values + left.value_start[k];
+      if (left.row[k] == c) {
+        const auto dim = static_cast<Eigen::Index>(left.dim(c));
+        Eigen::Map<MatrixX> damped(out, dim, dim);
+        damped = Eigen::Map<const MatrixX>(block, dim, dim);
+        damped.diagonal().array() += lambda;
+        block = out;
+        out += damped.size();
+      }
+      s.reduced_blocks.push_back({static_cast<int>(left.row[k]), static_cast<int>(c), block});
+    }
+  }
+  return true;
+}
+
+const std::vector<int>& BlockSolverEngine::reducedDims() const {
+  return state_->reduced_dims;
+}
+
+const std::vector<EngineBlock>& BlockSolverEngine::reducedBlocks() const {
+  return state_->reduced_blocks;
+}
+
+double* BlockSolverEngine::reducedRightHandSide() {
+  return state_->reduced_b.data();
+}
+
+double* BlockSolverEngine::reducedSolution() {
+  return state_->reduced_x.data();
+}
+
+void BlockSolverEngine::backSubstitute(const double* b, double* x) {
+  State& s = *state_;
+  s.to_engine(b, s.engine_b.data());
+  if (s.schur) {
+    s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
+  } else {
+    s.engine_x = s.reduced_x;
+  }
+  s.from_engine(s.engine_x.data(), x);
+}
+
+}  // namespace internal
+}  // namespace g2o

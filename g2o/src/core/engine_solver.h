@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine's linear solvers by the names of the face.
+#pragma once
+
+#include "boxplus/base/parallel.h"
+#include "boxplus/linear/linear_solver.h"
+#include "g2o/core/linear_engine.h"
+
+namespace g2o {
+namespace internal {
+
+inline boxplus::LinearSolverKind engine_kind(EngineSolver solver) {
+  switch (solver) {
+    case EngineSolver::kDense:
+      return boxplus::LinearSolverKind::kDense;
+    case EngineSolver::kPcg:
+      return boxplus::LinearSolverKind::kPcg;
+    default:
+      return boxplus::LinearSolverKind::kBlockCholesky;
+  }
+}
+
+inline boxplus::AnalyzeHints analyze_hints() {
+  boxplus::AnalyzeHints hints;
+  hints.threads = boxplus::hardware_threads();
+  return hints;
+}
+
+inline boxplus::SolveControl solve_control(const EngineSettings& settings) {
+  return {settings.tolerance, settings.maxIterations};
+}
+
+}  // namespace internal
+}  // namespace g2o

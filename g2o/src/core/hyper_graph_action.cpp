@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/hyper_graph_action.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace g2o {
+
+HyperGraphAction::Parameters::~Parameters() = default;
+HyperGraphAction::ParametersIteration::ParametersIteration(int iter) : iteration(iter) {}
+HyperGraphAction::ParametersIteration::~ParametersIteration() = default;
+HyperGraphAction::~HyperGraphAction() = default;
+
+HyperGraphAction* HyperGraphAction::operator()(const HyperGraph*, Parameters*) {
+  return nullptr;
+}
+
+HyperGraphElementAction::Parameters::~Parameters() = default;
+HyperGraphElementAction::HyperGraphElementAction(const std::string& typeName_) : _typeName(typeName_) {}
+HyperGraphElementAction::~HyperGraphElementAction() = default;
+
+HyperGraphElementAction* HyperGraphElementAction::operator()(HyperGraph::HyperGraphElement*, Parameters*) {
+  return nullptr;
+}
+
+HyperGraphElementAction* HyperGraphElementAction::operator()(const HyperGraph::HyperGraphElement*,
+                                                             Parameters*) {
+  return nullptr;
+}
+
+void HyperGraphElementAction::setTypeName(const std::string& typeName_) {
+  _typeName = typeName_;
+}
+
+HyperGraphElementActionCollection::HyperGraphElementActionCollection(const std::string& name_) {
+  _name = name_;
+}
+
+HyperGraphElementAction* HyperGraphElementActionCollection::operator()(HyperGraph::HyperGraphElement* element,
+                                                                       Parameters* parameters) {
+  const auto found = _actionMap.find(typeid(*element).name());
+  return found == _actionMap.end() ? nullptr : (*found->second)(element, parameters);
+}
+
+HyperGraphElementAction* HyperGraphElementActionCollection::operator()(
+    const HyperGraph::HyperGraphElement* element, Parameters* parameters) {
+  const auto found = _actionMap.find(typeid(*element).name());
+  return found == _actionMap.end() ? nullptr : (*found->second)(element, parameters);
+}
+
+bool HyperGraphElementActionCollection::registerAction(const HyperGraphElementActionPtr& action) {
+  if (action->name() != name()) return false;
+  _actionMap[action->typeName()] = action;
+  return true;
+}
+
+bool HyperGraphElementActionCollection::unregisterAction(const HyperGraphElementActionPtr& action) {
+  const auto found = _actionMap.find(action->typeName());
+  if (found == _actionMap.end() || found->second != action) return false;
+  _actionMap.erase(found);
+  return true;
+}
+
+namespace {
+
+HyperGraphActionLibrary*& library_slot() {
+  static HyperGraphActionLibrary* slot = nullptr;
+  return slot;
+}
+
+}  // namespace
+
+HyperGraphActionLibrary::HyperGraphActionLibrary() = default;
+HyperGraphActionLibrary::~HyperGraphActionLibrary() = default;
+
+HyperGraphActionLibrary* HyperGraphActionLibrary::instance() {
+  if (library_slot() == nullptr) library_slot() = new HyperGraphActionLibrary;
+  return library_slot();
+}
+
+void HyperGraphActionLibrary::destroy() {
+  delete library_slot();
+  library_slot() = nullptr;
+}
+
+HyperGraphElementAction* HyperGraphActionLibrary::actionByName(const std::string& name) {
+  const auto found = _actionMap.find(name);
+  return found == _actionMap.end() ? nullptr : found->second.get();
+}
+
+bool HyperGraphActionLibrary::registerAction(const HyperGraphElementActionPtr& action) {
+  HyperGraphElementActionPtr& collection = _actionMap[action->name()];
+  if (collection == nullptr) collection = std::make_shared<HyperGraphElementActionCollection>(action->name());
+  return std::static_pointer_cast<HyperGraphElementActionCollection>(collection)->registerAction(action);
+}
+
+bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr& action) {
+  const auto found = _actionMap.find(action->name());
+  return found != _actionMap.end() &&
+         std::static_pointer_cast<HyperGraphElementActionCollection>(found->second)->unregisterAction(action);
+}
+
+// In the order of ids, so that what is written does not depend on addresses.
+void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
+                 HyperGraphElementAction::Parameters* parameters, const std::string& typeName) {
+  std::vector<HyperGraph::Vertex*> vertices;
+  for (const auto& [id, v] : graph->vertices()) vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end(), [](const auto* a, const auto* b) { return a->id() < b->id(); });
+  for (HyperGraph::Vertex* v : vertices) {
+    if (typeName.empty() || typeid(*v).name() == typeName) (*action)(v, parameters);
+  }
+  for (HyperGraph::Edge* e : graph->edges()) {
+    if (typeName.empty() || typeid(*e).name() == typeName) (*action)(e, parameters);
+  }
+}
+
+WriteGnuplotAction::WriteGnuplotAction(const std::string& typeName_) : HyperGraphElementAction(typeName_) {
+  _name = "writeGnuplot";
+}
+
+}  // namespace g2o

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/linear_engine.h"
+
+#include <algorithm>
+
+#include "core/engine_solver.h"
+
+namespace g2o {
+namespace internal {
+
+struct LinearEngine::State {
+  EngineSettings settings;
+  boxplus::BlockStructure structure;
+  std::vector<double> values;
+  std::unique_ptr<boxplus::LinearSolver> solver;  // analysed for the structure
+  int iterations = 0;
+};
+
+LinearEngine::LinearEngine(const EngineSettings& settings) : state_(std::make_unique<State>()) {
+  state_->settings = settings;
+}
+
+LinearEngine::~LinearEngine() = default;
+
+void LinearEngine::reset() {
+  state_->solver.reset();
+}
+
+void LinearEngine::setSettings(const EngineSettings& settings) {
+  if (settings.solver == EngineSolver::kNone) return;
+  if (settings.solver != state_->settings.solver) reset();
+  state_->settings = settings;
+}
+
+bool LinearEngine::factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks) {
+  State& s = *state_;
+  std::vector<boxplus::BlockCoordinate> pairs;
+  for (const EngineBlock& block : blocks) {
+    if (block.row == block.column) continue;
+    pairs.push_back({static_cast<std::uint32_t>(block.row), static_cast<std::uint32_t>(block.column)});
+  }
+  const std::vector<std::uint32_t> sizes(dims.begin(), dims.end());
+  boxplus::BlockStructure made = boxplus::make_block_structure(sizes, pairs);
+  if (!(made == s.structure)) s.solver.reset();
+  if (!s.solver) {
+    s.structure = std::move(made);
+    s.solver = boxplus::make_linear_solver(engine_kind(s.settings.solver));
+    s.solver->analyze(s.structure, analyze_hints());
+  }
+  s.values.assign(s.structure.nonzero_values(), 0.0);
+  for (const EngineBlock& block : blocks) {
+    const std::uint32_t k =
+        s.structure.find(static_cast<std::uint32_t>(block.row), static_cast<std::uint32_t>(block.column));
+    std::copy_n(block.values, s.structure.value_start[k + 1] - s.structure.value_start[k],
+                s.values.begin() + s.structure.value_start[k]);
+  }
+  const boxplus::AssembledSystem system(s.structure, s.values);
+  return s.solver->factorize(system, {}).status == boxplus::LinearStatus::kOk;
+}
+
+bool LinearEngine::solve(const double* b, double* x) {
+  const boxplus::SolveResult result = state_->solver->solve(b, 1, x, solve_control(state_->settings));
+  state_->iterations = result.iterations;
+  return result.status == boxplus::LinearStatus::kOk || result.status == boxplus::LinearStatus::kNotConverged;
+}
+
+bool LinearEngine::inverse(const std::vector<std::pair<int, int>>& blocks,
+                           const std::function<void(size_t, const double*)>& take) {
+  const State& s = *state_;
+  std::vector<boxplus::BlockCoordinate> wanted;
+  size_t size = 0;
+  for (const auto& [row, column] : blocks) {
+    wanted.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)});
+    size += static_cast<size_t>(s.structure.dim(wanted.back().row)) * s.structure.dim(wanted.back().column);
+  }
+  std::vector<double> out(size);
+  if (!s.solver->selected_inverse(wanted, out.data())) return false;
+  const double* values = out.data();
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    take(k, values);
+    values += static_cast<size_t>(s.structure.dim(wanted[k].row)) * s.structure.dim(wanted[k].column);
+  }
+  return true;
+}
+
+int LinearEngine::iterations() const {
+  return state_->iterations;
+}
+
+bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
+                 const std::vector<std::pair<int, int>>& blockIndices, SparseBlockMatrix<MatrixX>& spinv) {
+  const auto n = static_cast<int>(dims.size());
+  std::vector<int> ends;
+  int end = 0;
+  for (int dim : dims) ends.push_back(end += dim);
+  std::vector<std::pair<int, int>> lower;
+  for (const auto& [i, j] : blockIndices) {
+    if (i < 0 || j < 0 || i >= n || j >= n) return false;
+    lower.emplace_back(std::max(i, j), std::min(i, j));
+  }
+  spinv = SparseBlockMatrix<MatrixX>(ends.data(), ends.data(), n, n);
+  return engine.inverse(lower, [&](size_t k, const double* values) {
+    const Eigen::Map<const MatrixX> block(values, dims[static_cast<size_t>(lower[k].first)],
+                                          dims[static_cast<size_t>(lower[k].second)]);
+    MatrixX& target = *spinv.block(blockIndices[k].first, blockIndices[k].second, true);
+    if (blockIndices[k] == lower[k]) {
+      target = block;
+    } else {
+      target = block.transpose();
+    }
+  });
+}
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/optimizable_graph.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "g2o/core/cache.h"
+#include "g2o/core/optimization_algorithm_property.h"
+#include "g2o/core/ownership.h"
+#include "g2o/core/robust_kernel.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+namespace {
+
+OptimizableGraph::Vertex* as_vertex(HyperGraph::Vertex* v) {
+  return static_cast<OptimizableGraph::Vertex*>(v);
+}
+
+}  // namespace
+
+OptimizableGraph::Vertex::Vertex() = default;
+OptimizableGraph::Vertex::~Vertex() = default;
+
+void OptimizableGraph::Vertex::oplusImpl(const double* v) {
+  oplusImpl(const_cast<double*>(v));
+}
+
+void OptimizableGraph::Vertex::oplusImpl(double*) {
+  G2O_ERROR("vertex {}: its type overrides neither oplusImpl(const double*) nor oplusImpl(double*)", id());
+}
+
+CacheContainer* OptimizableGraph::Vertex::cacheContainer() {
+  if (_cacheContainer == nullptr) _cacheContainer = std::make_unique<CacheContainer>(this);
+  return _cacheContainer.get();
+}
+
+void OptimizableGraph::Vertex::updateCache() {
+  if (_cacheContainer == nullptr) return;
+  _cacheContainer->setUpdateNeeded();
+  _cacheContainer->update();
+}
+
+bool OptimizableGraph::Vertex::setEstimateData(const double* estimate) {
+  const bool ok = setEstimateDataImpl(estimate);
+  updateCache();
+  return ok;
+}
+
+bool OptimizableGraph::Vertex::getEstimateData(double*) const {
+  return false;
+}
+
+int OptimizableGraph::Vertex::estimateDimension() const {
+  return -1;
+}
+
+bool OptimizableGraph::Vertex::setMinimalEstimateData(const double* estimate) {
+  const bool ok = setMinimalEstimateDataImpl(estimate);
+  updateCache();
+  return ok;
+}
+
+bool OptimizableGraph::Vertex::getMinimalEstimateData(double*) const {
+  return false;
+}
+
+int OptimizableGraph::Vertex::minimalEstimateDimension() const {
+  return -1;
+}
+
+OptimizableGraph::Edge::Edge() = default;
+
+OptimizableGraph::Edge::~Edge() {
+  release(_robustKernel);
+}
+
+OptimizableGraph* OptimizableGraph::Edge::graph() {
+  if (_vertices.empty() || _vertices[0] == nullptr) return nullptr;
+  return as_vertex(_vertices[0])->graph();
+}
+
+const OptimizableGraph* OptimizableGraph::Edge::graph() const {
+  return const_cast<Edge*>(this)->graph();
+}
+
+bool OptimizableGraph::Edge::setParameterId(int argNum, int paramId) {
+  if (argNum < 0 || static_cast<size_t>(argNum) >= _parameters.size() || paramId < 0) return false;
+  _parameterIds[static_cast<size_t>(argNum)] = paramId;
+  return true;
+}
+
+void OptimizableGraph::Edge::resizeParameters(size_t newSize) {
+  _parameters.resize(newSize, nullptr);
+  _parameterIds.resize(newSize, -1);
+  _parameterTypes.resize(newSize, typeid(void*).name());
+  _parameterSetters.resize(newSize, nullptr);
+}
+
+bool OptimizableGraph::Edge::resolveParameters() {
+  for (size_t i = 0; i < _parameters.size(); ++i) {
+    Parameter* p = graph() == nullptr ? nullptr : graph()->parameter(_parameterIds[i]);
+    if (p == nullptr || _parameterSetters[i] == nullptr) {
+      G2O_ERROR("addEdge: there is no parameter {}, which the edge needs", _parameterIds[i]);
+      return false;
+    }
+    if (!_parameterSetters[i](_parameters[i], p)) {
+      G2O_ERROR("addEdge: the parameter {} is not of the type that the edge needs", _parameterIds[i]);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool OptimizableGraph::Edge::resolveCaches() {
+  return true;
+}
+
+void OptimizableGraph::Edge::setRobustKernel(RobustKernel* ptr) {
+  if (_robustKernel == ptr) return;
+  release(_robustKernel);
+  _robustKernel = ptr;
+}
+
+bool OptimizableGraph::Edge::setMeasurementData(const double*) {
+  return false;
+}
+
+bool OptimizableGraph::Edge::getMeasurementData(double*) const {
+  return false;
+}
+
+int OptimizableGraph::Edge::measurementDimension() const {
+  return -1;
+}
+
+bool OptimizableGraph::Edge::setMeasurementFromState() {
+  return false;
+}
+
+OptimizableGraph::OptimizableGraph() {
+  _graphActions.resize(AT_NUM_ELEMENTS);
+}
+
+// The elements go before the parameters that they use.
+OptimizableGraph::~OptimizableGraph() {
+  HyperGraph::clear();
+  _parameters.clear();
+}
+
+bool OptimizableGraph::addVertex(OptimizableGraph::Vertex* v, Data* userData) {
+  if (v == nullptr) return false;
+  if (v->graph() != nullptr && v->graph() != this) {
+    G2O_ERROR("addVertex: vertex {} is in another graph", v->id());
+    return false;
+  }
+  if (!HyperGraph::addVertex(v)) {
+    G2O_WARN("addVertex: the id {} is taken", v->id());
+    return false;
+  }
+  if (userData != nullptr) v->addUserData(userData);
+  v->_graph = this;
+  return true;
+}
+
+bool OptimizableGraph::addVertex(HyperGraph::Vertex* v, Data* userData) {
+  auto* vertex = dynamic_cast<OptimizableGraph::Vertex*>(v);
+  if (vertex == nullptr) {
+    G2O_ERROR("addVertex: expected an OptimizableGraph::Vertex");
+    return false;
+  }
+  return addVertex(vertex, userData);
+}
+
+bool OptimizableGraph::addVertex(HyperGraph::Vertex* v) {
+  return addVertex(v, nullptr);
+}
+
+bool OptimizableGraph::addEdge(HyperGraph::Edge* e) {
+  auto* edge = dynamic_cast<OptimizableGraph::Edge*>(e);
+  if (edge == nullptr) {
+    G2O_ERROR("addEdge: expected an OptimizableGraph::Edge");
+    return false;
+  }
+  return addEdge(edge);
+}
+
+bool OptimizableGraph::addEdge(OptimizableGraph::Edge* e) {
+  if (e == nullptr || _edges.count(e) > 0 || e->numUndefinedVertices() > 0) return HyperGraph::addEdge(e);
+  for (const HyperGraph::Vertex* v : e->vertices()) {
+    if (vertex(v->id()) == v) continue;
+    G2O_ERROR("addEdge: vertex {} is not in the graph", v->id());
+    return false;
+  }
+  if (!e->verticesFit()) {
+    G2O_ERROR("addEdge: the edge was made for vertices of other types");
+    return false;
+  }
+  if (!e->resolveParameters() || !HyperGraph::addEdge(e)) return false;
+  if (!e->resolveCaches()) {
+    G2O_ERROR("addEdge: the caches of the edge cannot be made");
+    _edges.erase(e);
+    for (HyperGraph::Vertex* v : e->vertices()) v->edges().erase(e);
+    return false;
+  }
+  e->_internalId = _nextEdgeId++;
+  _jacobianWorkspace.updateSize(e);
+  return true;
+}
+
+bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
+  if (!HyperGraph::setEdgeVertex(e, pos, v)) return false;
+  auto* edge = static_cast<OptimizableGraph::Edge*>(e);
+  if (v == nullptr || edge->numUndefinedVertices() > 0) return true;
+  _jacobianWorkspace.updateSize(edge);
+  return edge->resolveParameters() && edge->resolveCaches();
+}
+
+double OptimizableGraph::chi2() const {
+  std::vector<const Edge*> sorted;
+  sorted.reserve(_edges.size());
+  for (const HyperGraph::Edge* e : _edges) sorted.push_back(static_cast<const Edge*>(e));
+  std::sort(sorted.begin(), sorted.end(), EdgeIDCompare());
+  double sum = 0;
+  for (const Edge* e : sorted) sum += e->chi2();
+  return sum;
+}
+
+int OptimizableGraph::maxDimension() const {
+  int largest = 0;
+  for (const auto& [id, v] : vertices()) largest = std::max(largest, as_vertex(v)->dimension());
+  return largest;
+}
+
+std::set<int> OptimizableGraph::dimensions() const {
+  std::set<int> result;
+  for (const auto& [id, v] : vertices()) result.insert(as_vertex(v)->dimension());
+  return result;
+}
+
+int OptimizableGraph::optimize(int, bool) {
+  return 0;
+}
+
+void OptimizableGraph::preIteration(int iter) {
+  if (_graphActions[AT_PREITERATION].empty()) return;
+  HyperGraphAction::ParametersIteration parameters(iter);
+  const HyperGraphActionSet actions = _graphActions[AT_PREITERATION];
+  for (HyperGraphAction* action : actions) (*action)(this, &parameters);
+}
+
+void OptimizableGraph::postIteration(int iter) {
+  if (_graphActions[AT_POSTITERATION].empty()) return;
+  HyperGraphAction::ParametersIteration parameters(iter);
+  const HyperGraphActionSet actions = _graphActions[AT_POSTITERATION];
+  for (HyperGraphAction* action : actions) (*action)(this, &parameters);
+}
+
+bool OptimizableGraph::addPreIterationAction(HyperGraphAction* action) {
+  return _graphActions[AT_PREITERATION].insert(action).second;
+}
+
+bool OptimizableGraph::addPostIterationAction(HyperGraphAction* action) {
+  return _graphActions[AT_POSTITERATION].insert(action).second;
+}
+
+bool OptimizableGraph::removePreIterationAction(HyperGraphAction* action) {
+  return _graphActions[AT_PREITERATION].erase(action) > 0;
+}
+
+bool OptimizableGraph::removePostIterationAction(HyperGraphAction* action) {
+  return _graphActions[AT_POSTITERATION].erase(action) > 0;
+}
+
+void OptimizableGraph::forEachVertex(const std::function<void(OptimizableGraph::Vertex*)>& fn) {
+  for (const auto& [id, v] : _vertices) fn(as_vertex(v));
+}
+
+void OptimizableGraph::forEachVertex(HyperGraph::VertexSet& vset,
+                                     const std::function<void(OptimizableGraph::Vertex*)>& fn) {
+  for (HyperGraph::Vertex* v : vset) fn(as_vertex(v));
+}
+
+void OptimizableGraph::push() {
+  forEachVertex([](Vertex* v) { v->push(); });
+}
+
+void OptimizableGraph::pop() {
+  forEachVertex([](Vertex* v) { v->pop(); });
+}
+
+void OptimizableGraph::discardTop() {
+  forEachVertex([](Vertex* v) { v->discardTop(); });
+}
+
+void OptimizableGraph::push(HyperGraph::VertexSet& vset) {
+  forEachVertex(vset, [](Vertex* v) { v->push(); });
+}
+
+void OptimizableGraph::pop(HyperGraph::VertexSet& vset) {
+  forEachVertex(vset, [](Vertex* v) { v->pop(); });
+}
+
+void OptimizableGraph::discardTop(HyperGraph::VertexSet& vset) {
+  forEachVertex(vset, [](Vertex* v) { v->discardTop(); });
+}
+
+void OptimizableGraph::setFixed(HyperGraph::VertexSet& vset, bool fixed) {
+  forEachVertex(vset, [fixed](Vertex* v) { v->setFixed(fixed); });
+}
+
+void OptimizableGraph::clearParameters() {
+  clear();
+  _parameters.clear();
+}
+
+void OptimizableGraph::recomputeJacobianWorkspaceSize() {
+  _jacobianWorkspace.updateSize(*this, true);
+}
+
+bool OptimizableGraph::initMultiThreading() {
+  return true;
+}
+
+// Two dimensions: poses and landmarks; one: poses.
+bool OptimizableGraph::isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
+                                        const std::set<int>& vertDims_) const {
+  const std::set<int> dims = vertDims_.empty() ? dimensions() : vertDims_;
+  const auto fits = [](int wanted, int dim) { return wanted == -1 || wanted == dim; };
+  if (dims.size() == 2 && solverProperty.requiresMarginalize)
+    return fits(solverProperty.poseDim, *dims.rbegin()) && fits(solverProperty.landmarkDim, *dims.begin());
+  if (dims.size() == 1 && !solverProperty.requiresMarginalize)
+    return fits(solverProperty.poseDim, *dims.begin());
+  if (dims.size() == 1) return solverProperty.poseDim == *dims.begin();
+  return !solverProperty.requiresMarginalize && solverProperty.poseDim == -1;
+}
+
+bool OptimizableGraph::verifyInformationMatrices(bool verbose) const {
+  constexpr double kRounding = 1e-9;
+  bool ok = true;
+  for (const HyperGraph::Edge* u : _edges) {
+    const auto* e = static_cast<const Edge*>(u);
+    const MatrixX omega = Eigen::Map<const MatrixX>(e->informationData(), e->dimension(), e->dimension());
+    const double scale = omega.cwiseAbs().maxCoeff();
+    const bool symmetric = (omega - omega.transpose()).cwiseAbs().maxCoeff() <= kRounding * scale;
+    const bool definite =
+        symmetric && Eigen::SelfAdjointEigenSolver<MatrixX>(omega, Eigen::EigenvaluesOnly).eigenvalues()[0] >=
+                         -kRounding * scale;
+    if (symmetric && definite && std::isfinite(scale)) continue;
+    ok = false;
+    if (!verbose) break;
+    std::string ids;
+    for (const HyperGraph::Vertex* v : e->vertices()) ids += " " + (v ? std::to_string(v->id()) : "none");
+    G2O_WARN("the information matrix of the edge over{} is not {}", ids,
+             symmetric ? "positive semi-definite" : "symmetric");
+  }
+  return ok;
+}
+
+}  // namespace g2o

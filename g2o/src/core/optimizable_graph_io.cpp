@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// .g2o files with the types of the Factory.
+#include <algorithm>
+#include <fstream>
+#include <istream>
+#include <locale>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "core/shortest_numbers.h"
+#include "g2o/core/factory.h"
+#include "g2o/core/optimizable_graph.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+namespace {
+
+/// Reads one file into a graph, line by line. Lines that stand before what they refer to wait until the end.
+class Loader {
+ public:
+  Loader(OptimizableGraph& graph, const std::map<std::string, std::string>& renames)
+      : graph_(graph), renames_(renames) {}
+
+  bool load(std::istream& is) {
+    for (std::string line; std::getline(is, line);) {
+      ++number_;
+      read_line(line, true);
+    }
+    last_ = nullptr;
+    for (auto& [number, line] : std::exchange(pending_, {})) {
+      number_ = number;
+      read_line(line, false);
+    }
+    return ok_;
+  }
+
+ private:
+  template <class... Arguments>
+  void complain(const char* format, const Arguments&... arguments) {
+    ok_ = false;
+    std::ostringstream text;
+    logging::internal::append(text, format, arguments...);
+    G2O_ERROR("line {}: {}", number_, text.str());
+  }
+
+  void read_line(const std::string& line, bool may_wait) {
+    std::istringstream fields(line);
+    fields.imbue(std::locale::classic());
+    std::string word;
+    if (!(fields >> word) || word[0] == '#') return;
+    if (word == "FIX") return fix(fields, may_wait ? &line : nullptr);
+    if (const auto renamed = renames_.find(word); renamed != renames_.end()) word = renamed->second;
+    std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(word));
+    if (element == nullptr) {
+      if (unknown_.insert(word).second) G2O_WARN("line {}: unknown word {}, skipped", number_, word);
+      return;
+    }
+    switch (element->elementType()) {
+      case HyperGraph::HGET_PARAMETER:
+        return read_parameter(std::move(element), word, fields);
+      case HyperGraph::HGET_VERTEX:
+        return read_vertex(std::move(element), word, fields);
+      case HyperGraph::HGET_EDGE:
+        return read_edge(std::move(element), word, fields, may_wait ? &line : nullptr);
+      case HyperGraph::HGET_DATA:
+        return read_data(std::move(element), word, fields);
+      default:
+        complain("expected the word of a parameter, vertex, edge or data, got {}", word);
+    }
+  }
+
+  void fix(std::istream& fields, const std::string* line_to_wait) {
+    for (int id = 0; fields >> id;) {
+      if (OptimizableGraph::Vertex* v = graph_.vertex(id)) {
+        v->setFixed(true);
+      } else if (line_to_wait != nullptr) {
+        pending_.emplace_back(number_, *line_to_wait);
+        return;
+      } else {
+        complain("FIX: there is no vertex {}", id);
+      }
+    }
+  }
+
+  void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+                      std::istream& fields) {
+    auto* p = static_cast<Parameter*>(element.get());
+    int id = -1;
+    if (!(fields >> id) || id < 0) return complain("{}: expected the id of a parameter", word);
+    p->setId(id);
+    if (!p->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
+    static_cast<void>(element.release());
+  }
+
+  void read_vertex(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+                   std::istream& fields) {
+    auto* v = static_cast<OptimizableGraph::Vertex*>(element.get());
+    int id = -1;
+    if (!(fields >> id) || id < 0) return complain("{}: expected the id of a vertex", word);
+    if (!v->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    v->setId(id);
+    if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
+    static_cast<void>(element.release());
+    last_ = v;
+    last_data_ = nullptr;
+  }
+
+  /// The ids of the edge's vertices: as many as its type has, or up to "||". False where there are too few.
+  static bool read_ids(std::istream& fields, size_t count, std::vector<int>& ids) {
+    if (count > 0) {
+      ids.resize(count);
+      for (int& id : ids) fields >> id;
+      return !fields.fail();
+    }
+    for (std::string field; fields >> field && field != "||";) {
+      std::istringstream number(field);
+      if (!(number >> ids.emplace_back())) return false;
+    }
+    return !fields.fail() && !ids.empty();
+  }
+
+  void read_edge(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+                 std::istream& fields, const std::string* line_to_wait) {
+    auto* e = static_cast<OptimizableGraph::Edge*>(element.get());
+    std::vector<int> ids;
+    const size_t arity = e->vertices().size();
+    if (!read_ids(fields, arity, ids)) return complain("{}: expected the ids of vertices", word);
+    if (arity == 0) e->resize(ids.size());
+    for (size_t i = 0; i < ids.size(); ++i) {
+      if (ids[i] == HyperGraph::UnassignedId) {
+        G2O_WARN("line {}: {} has a vertex that is not assigned, skipped", number_, word);
+        return;
+      }
+      OptimizableGraph::Vertex* v = graph_.vertex(ids[i]);
+      if (v == nullptr) {
+        if (line_to_wait == nullptr) return complain("{}: there is no vertex {}", word, ids[i]);
+        pending_.emplace_back(number_, *line_to_wait);
+        return;
+      }
+      e->setVertex(i, v);
+    }
+    if (!e->read(fields) || fields.fail()) return complain("{}: expected more numbers", word);
+    const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
+    const std::vector<int>& parameters = e->parameterIds();
+    if (line_to_wait != nullptr && std::any_of(parameters.begin(), parameters.end(), is_missing)) {
+      pending_.emplace_back(number_, *line_to_wait);
+      return;
+    }
+    if (!graph_.addEdge(e)) return complain("{}: the edge does not fit the graph", word);
+    static_cast<void>(element.release());
+    last_ = e;
+    last_data_ = nullptr;
+  }
+
+  void read_data(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+                 std::istream& fields) {
+    auto* d = static_cast<HyperGraph::Data*>(element.get());
+    if (!d->read(fields)) return complain("{}: expected more fields", word);
+    if (last_ == nullptr) return complain("{}: there is no vertex or edge before it", word);
+    static_cast<void>(element.release());
+    if (last_data_ == nullptr) {
+      last_->addUserData(d);
+    } else {
+      d->setDataContainer(last_);
+      last_data_->setNext(d);
+    }
+    last_data_ = d;
+  }
+
+  OptimizableGraph& graph_;
+  const std::map<std::string, std::string>& renames_;
+  std::vector<std::pair<int, std::string>> pending_;
+  std::set<std::string> unknown_;
+  HyperGraph::DataContainer* last_ = nullptr;
+  HyperGraph::Data* last_data_ = nullptr;
+  int number_ = 0;
+  bool ok_ = true;
+};
+
+std::string without_blanks(const std::string& text) {
+  const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+}  // namespace
+
+bool OptimizableGraph::load(std::istream& is) {
+  return Loader(*this, _renamedTypesLookup).load(is);
+}
+
+bool OptimizableGraph::load(const char* filename) {
+  std::ifstream file(filename);
+  if (!file) {
+    G2O_ERROR("{} cannot be opened", filename);
+    return false;
+  }
+  return load(file);
+}
+
+bool OptimizableGraph::save(const char* filename, int level) const {
+  std::ofstream file(filename);
+  if (!file) {
+    G2O_ERROR("{} cannot be written", filename);
+    return false;
+  }
+  return save(file, level);
+}
+
+bool OptimizableGraph::save(std::ostream& os, int level) const {
+  std::vector<Edge*> edges;
+  for (HyperGraph::Edge* u : _edges) {
+    if (auto* e = static_cast<Edge*>(u); e->level() == level) edges.push_back(e);
+  }
+  std::sort(edges.begin(), edges.end(), EdgeIDCompare());
+  std::set<Vertex*, VertexIDCompare> vertices;
+  for (const auto& [id, v] : _vertices) {
+    if (v->edges().empty()) vertices.insert(static_cast<Vertex*>(v));
+  }
+  for (const Edge* e : edges) {
+    for (HyperGraph::Vertex* v : e->vertices())
+      if (v != nullptr) vertices.insert(static_cast<Vertex*>(v));
+  }
+  bool ok = _parameters.write(os);
+  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
+  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  return ok && os.good();
+}
+
+bool OptimizableGraph::saveSubset(std::ostream& os, HyperGraph::VertexSet& vset, int level) {
+  bool ok = _parameters.write(os);
+  std::vector<Edge*> edges;
+  std::set<Vertex*, VertexIDCompare> vertices;
+  for (HyperGraph::Vertex* v : vset) vertices.insert(static_cast<Vertex*>(v));
+  for (HyperGraph::Edge* u : _edges) {
+    auto* e = static_cast<Edge*>(u);
+    const auto in_set = [&](HyperGraph::Vertex* v) { return vset.count(v) > 0; };
+    if (e->level() == level && std::all_of(e->vertices().begin(), e->vertices().end(), in_set))
+      edges.push_back(e);
+  }
+  std::sort(edges.begin(), edges.end(), EdgeIDCompare());
+  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
+  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  return ok && os.good();
+}
+
+bool OptimizableGraph::saveSubset(std::ostream& os, HyperGraph::EdgeSet& eset) {
+  bool ok = _parameters.write(os);
+  std::vector<Edge*> edges;
+  std::set<Vertex*, VertexIDCompare> vertices;
+  for (HyperGraph::Edge* u : eset) {
+    edges.push_back(static_cast<Edge*>(u));
+    for (HyperGraph::Vertex* v : u->vertices())
+      if (v != nullptr) vertices.insert(static_cast<Vertex*>(v));
+  }
+  std::sort(edges.begin(), edges.end(), EdgeIDCompare());
+  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
+  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  return ok && os.good();
+}
+
+bool OptimizableGraph::saveVertex(std::ostream& os, Vertex* v) const {
+  const std::string& tag = Factory::instance()->tag(v);
+  if (tag.empty()) return false;
+  ShortestNumbers out(os);
+  out.stream() << tag << " " << v->id() << " ";
+  v->write(out.stream());
+  out.stream() << '\n';
+  bool ok = saveUserData(os, v->userData());
+  if (v->fixed()) out.stream() << "FIX " << v->id() << '\n';
+  ok = ok && os.good();
+  return ok;
+}
+
+bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
+  const std::string& tag = Factory::instance()->tag(p);
+  if (tag.empty()) return false;
+  ShortestNumbers out(os);
+  out.stream() << tag << " " << p->id() << " ";
+  p->write(out.stream());
+  out.stream() << '\n';
+  return os.good();
+}
+
+bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
+  const std::string& tag = Factory::instance()->tag(e);
+  if (tag.empty()) return false;
+  ShortestNumbers out(os);
+  out.stream() << tag << " ";
+  for (const HyperGraph::Vertex* v : e->vertices())
+    out.stream() << (v == nullptr ? HyperGraph::UnassignedId : v->id()) << " ";
+  e->write(out.stream());
+  out.stream() << '\n';
+  return saveUserData(os, e->userData()) && os.good();
+}
+
+bool OptimizableGraph::saveUserData(std::ostream& os, HyperGraph::Data* d) const {
+  ShortestNumbers out(os);
+  for (; d != nullptr; d = d->next()) {
+    const std::string& tag = Factory::instance()->tag(d);
+    if (tag.empty()) continue;
+    out.stream() << tag << " ";
+    d->write(out.stream());
+    out.stream() << '\n';
+  }
+  return os.good();
+}
+
+void OptimizableGraph::setRenamedTypesFromString(const std::string& types) {
+  _renamedTypesLookup.clear();
+  std::istringstream in(types);
+  for (std::string pair; std::getline(in, pair, ',');) {
+    const size_t sign = pair.find('=');
+    if (sign == std::string::npos) {
+      if (!without_blanks(pair).empty()) G2O_ERROR("expected old=new, got {}", pair);
+      continue;
+    }
+    const std::string from = without_blanks(pair.substr(0, sign)), to = without_blanks(pair.substr(sign + 1));
+    if (!Factory::instance()->knowsTag(to)) {
+      G2O_ERROR("expected a known word after =, got {}", to);
+      continue;
+    }
+    _renamedTypesLookup[from] = to;
+  }
+}
+
+}  // namespace g2o

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/optimization_algorithm_factory.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+namespace g2o {
+namespace {
+
+// Never destroyed before exit: static objects of plug-ins unregister themselves late.
+OptimizationAlgorithmFactory*& factory_slot() {
+  static OptimizationAlgorithmFactory* slot = nullptr;
+  return slot;
+}
+
+}  // namespace
+
+AbstractOptimizationAlgorithmCreator::AbstractOptimizationAlgorithmCreator(
+    const OptimizationAlgorithmProperty& p)
+    : _property(p) {}
+AbstractOptimizationAlgorithmCreator::~AbstractOptimizationAlgorithmCreator() = default;
+
+OptimizationAlgorithmFactory::OptimizationAlgorithmFactory() = default;
+OptimizationAlgorithmFactory::~OptimizationAlgorithmFactory() = default;
+
+OptimizationAlgorithmFactory* OptimizationAlgorithmFactory::instance() {
+  if (factory_slot() == nullptr) factory_slot() = new OptimizationAlgorithmFactory;
+  return factory_slot();
+}
+
+void OptimizationAlgorithmFactory::destroy() {
+  delete factory_slot();
+  factory_slot() = nullptr;
+}
+
+void OptimizationAlgorithmFactory::registerSolver(
+    const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
+  const auto found = findSolver(c->property().name);
+  if (found != _creator.end()) _creator.erase(found);
+  _creator.push_back(c);
+}
+
+void OptimizationAlgorithmFactory::registerSolver(AbstractOptimizationAlgorithmCreator* c) {
+  registerSolver(std::shared_ptr<AbstractOptimizationAlgorithmCreator>(c));
+}
+
+void OptimizationAlgorithmFactory::unregisterSolver(
+    const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
+  _creator.remove(c);
+}
+
+OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
+    const std::string& tag, OptimizationAlgorithmProperty& solverProperty) const {
+  const auto found = findSolver(tag);
+  if (found == _creator.end()) return nullptr;
+  solverProperty = (*found)->property();
+  return (*found)->construct();
+}
+
+void OptimizationAlgorithmFactory::listSolvers(std::ostream& os) const {
+  std::size_t width = 0;
+  for (const auto& creator : _creator) width = std::max(width, creator->property().name.size());
+  for (const auto& creator : _creator) {
+    os << creator->property().name << std::string(width + 4 - creator->property().name.size(), ' ')
+       << creator->property().desc << '\n';
+  }
+}
+
+OptimizationAlgorithmFactory::CreatorList::const_iterator OptimizationAlgorithmFactory::findSolver(
+    const std::string& name) const {
+  return std::find_if(_creator.begin(), _creator.end(),
+                      [&](const auto& creator) { return creator->property().name == name; });
+}
+
+OptimizationAlgorithmFactory::CreatorList::iterator OptimizationAlgorithmFactory::findSolver(
+    const std::string& name) {
+  return std::find_if(_creator.begin(), _creator.end(),
+                      [&](const auto& creator) { return creator->property().name == name; });
+}
+
+}  // namespace g2o

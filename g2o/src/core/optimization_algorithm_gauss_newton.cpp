@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/optimization_algorithm_gauss_newton.h"
+
+#include <ostream>
+#include <utility>
+
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/stuff/timeutil.h"
+
+namespace g2o {
+
+OptimizationAlgorithmGaussNewton::OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver> solver)
+    : OptimizationAlgorithmWithHessian(*solver) {
+  ownSolver(std::move(solver));
+}
+
+OptimizationAlgorithmGaussNewton::OptimizationAlgorithmGaussNewton(Solver* solver)
+    : OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver>(solver)) {}
+
+OptimizationAlgorithmGaussNewton::~OptimizationAlgorithmGaussNewton() = default;
+
+OptimizationAlgorithm::SolverResult OptimizationAlgorithmGaussNewton::solve(int iteration, bool online) {
+  if (!linearize(iteration, online) || !solveSystem()) return Fail;
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  const ScopeTime time(statistics ? &statistics->timeUpdate : nullptr);
+  _optimizer->update(_solver.x());
+  return OK;
+}
+
+void OptimizationAlgorithmGaussNewton::printVerbose(std::ostream& os) const {
+  os << "\t schur= " << _solver.schur();
+}
+
+}  // namespace g2o

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/optimization_algorithm_with_hessian.h"
+
+#include <algorithm>
+
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/stuff/logger.h"
+#include "g2o/stuff/timeutil.h"
+
+namespace g2o {
+
+OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver& solver)
+    : _solver(solver), _writeDebug(_properties.makeProperty<Property<bool>>("writeDebug", true)) {}
+
+OptimizationAlgorithmWithHessian::~OptimizationAlgorithmWithHessian() = default;
+
+bool OptimizationAlgorithmWithHessian::init(bool online) {
+  const auto& vertices = _optimizer->indexMapping();
+  const bool useSchur = _solver.supportsSchur() &&
+                        std::any_of(vertices.begin(), vertices.end(),
+                                    [](const OptimizableGraph::Vertex* v) { return v->marginalized(); });
+  if (_solver.supportsSchur()) _solver.setSchur(useSchur);
+  return _solver.init(_optimizer, online);
+}
+
+bool OptimizationAlgorithmWithHessian::computeMarginals(
+    SparseBlockMatrix<MatrixX>& spinv, const std::vector<std::pair<int, int>>& blockIndices) {
+  return _solver.computeMarginals(spinv, blockIndices);
+}
+
+bool OptimizationAlgorithmWithHessian::buildLinearStructure() {
+  return _solver.buildStructure();
+}
+
+void OptimizationAlgorithmWithHessian::updateLinearSystem() {
+  _solver.buildSystem();
+}
+
+bool OptimizationAlgorithmWithHessian::updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
+                                                       const HyperGraph::EdgeSet& edges) {
+  return _solver.updateStructure(vset, edges);
+}
+
+void OptimizationAlgorithmWithHessian::setWriteDebug(bool writeDebug) {
+  _writeDebug->setValue(writeDebug);
+}
+
+bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
+  if (iteration == 0 && !online && !_solver.buildStructure()) {
+    G2O_ERROR("the structure of the linear system could not be built");
+    return false;
+  }
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  {
+    const ScopeTime time(statistics ? &statistics->timeResiduals : nullptr);
+    _optimizer->computeActiveErrors();
+  }
+  const ScopeTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
+  _solver.buildSystem();
+  return true;
+}
+
+bool OptimizationAlgorithmWithHessian::solveSystem() {
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  const ScopeTime time(statistics ? &statistics->timeLinearSolution : nullptr);
+  return _solver.solve();
+}
+
+}  // namespace g2o

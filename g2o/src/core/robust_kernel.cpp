@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/robust_kernel.h"
+
+#include <utility>
+
+#include "boxplus/robust/huber.h"
+#include "boxplus/robust/redescending.h"
+#include "g2o/core/robust_kernel_factory.h"
+#include "g2o/core/robust_kernel_impl.h"
+
+namespace g2o {
+namespace {
+
+/// ρ, ρ′, ρ″ of a kernel of the engine. A kernel without width lets nothing count.
+template <class Kernel>
+void robustify_by(double delta, double e2, Vector3& rho) {
+  if (!(delta > 0)) {
+    rho.setZero();
+    return;
+  }
+  const boxplus::Rho value = Kernel(delta)(e2);
+  rho << value.value, value.first, value.second;
+}
+
+}  // namespace
+
+RobustKernel::RobustKernel() = default;
+RobustKernel::RobustKernel(double delta) : _delta(delta) {}
+RobustKernel::~RobustKernel() = default;
+
+void RobustKernel::setDelta(double delta) {
+  _delta = delta;
+}
+
+RobustKernelScaleDelta::RobustKernelScaleDelta(const RobustKernelPtr& kernel, double delta)
+    : RobustKernel(delta), _kernel(kernel) {}
+RobustKernelScaleDelta::RobustKernelScaleDelta(double delta) : RobustKernel(delta) {}
+
+void RobustKernelScaleDelta::setKernel(const RobustKernelPtr& ptr) {
+  _kernel = ptr;
+}
+
+void RobustKernelScaleDelta::robustify(double error, Vector3& rho) const {
+  if (_kernel == nullptr) {
+    rho << error, 1, 0;
+    return;
+  }
+  const double d2 = _delta * _delta;
+  _kernel->robustify(error / d2, rho);
+  rho[0] *= d2;
+  rho[2] /= d2;
+}
+
+void RobustKernelHuber::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Huber>(_delta, e2, rho);
+}
+
+void RobustKernelPseudoHuber::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::PseudoHuber>(_delta, e2, rho);
+}
+
+void RobustKernelCauchy::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Cauchy>(_delta, e2, rho);
+}
+
+void RobustKernelGemanMcClure::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::GemanMcClure>(_delta, e2, rho);
+}
+
+void RobustKernelWelsch::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Welsch>(_delta, e2, rho);
+}
+
+void RobustKernelFair::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Fair>(_delta, e2, rho);
+}
+
+void RobustKernelTukey::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Tukey>(_delta, e2, rho);
+}
+
+void RobustKernelSaturated::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::Saturated>(_delta, e2, rho);
+}
+
+void RobustKernelDCS::robustify(double e2, Vector3& rho) const {
+  robustify_by<boxplus::DCS>(_delta, e2, rho);
+}
+
+namespace {
+
+RobustKernelFactory*& factory_slot() {
+  static RobustKernelFactory* slot = nullptr;
+  return slot;
+}
+
+template <class T>
+AbstractRobustKernelCreator::Ptr creator_of() {
+  return std::make_shared<RobustKernelCreator<T>>();
+}
+
+}  // namespace
+
+// The kernels of the library are known from the start, also where nothing else links them.
+RobustKernelFactory::RobustKernelFactory()
+    : _creator{{"Huber", creator_of<RobustKernelHuber>()},
+               {"PseudoHuber", creator_of<RobustKernelPseudoHuber>()},
+               {"Cauchy", creator_of<RobustKernelCauchy>()},
+               {"GemanMcClure", creator_of<RobustKernelGemanMcClure>()},
+               {"Welsch", creator_of<RobustKernelWelsch>()},
+               {"Fair", creator_of<RobustKernelFair>()},
+               {"Tukey", creator_of<RobustKernelTukey>()},
+               {"Saturated", creator_of<RobustKernelSaturated>()},
+               {"DCS", creator_of<RobustKernelDCS>()}} {}
+RobustKernelFactory::~RobustKernelFactory() = default;
+
+RobustKernelFactory* RobustKernelFactory::instance() {
+  if (factory_slot() == nullptr) factory_slot() = new RobustKernelFactory;
+  return factory_slot();
+}
+
+void RobustKernelFactory::destroy() {
+  delete factory_slot();
+  factory_slot() = nullptr;
+}
+
+void RobustKernelFactory::registerRobustKernel(const std::string& tag,
+                                               const AbstractRobustKernelCreator::Ptr& c) {
+  _creator[tag] = c;
+}
+
+void RobustKernelFactory::registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c) {
+  registerRobustKernel(tag, AbstractRobustKernelCreator::Ptr(c));
+}
+
+void RobustKernelFactory::unregisterType(const std::string& tag) {
+  _creator.erase(tag);
+}
+
+RobustKernel* RobustKernelFactory::construct(const std::string& tag) const {
+  const auto found = _creator.find(tag);
+  return found == _creator.end() ? nullptr : found->second->construct();
+}
+
+AbstractRobustKernelCreator::Ptr RobustKernelFactory::creator(const std::string& tag) const {
+  const auto found = _creator.find(tag);
+  return found == _creator.end() ? nullptr : found->second;
+}
+
+void RobustKernelFactory::fillKnownKernels(std::vector<std::string>& types) const {
+  types.clear();
+  for (const auto& [name, creator] : _creator) types.push_back(name);
+}
+
+}  // namespace g2o

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ostream>
+
+namespace g2o {
+
+/// A stream into the buffer of another that writes every double as the shortest text that reads back to the
+/// same double, whatever the locale.
+class ShortestNumbers {
+ public:
+  explicit ShortestNumbers(std::ostream& os);
+  std::ostream& stream() { return stream_; }
+
+ private:
+  std::ostream stream_;
+};
+
+}  // namespace g2o

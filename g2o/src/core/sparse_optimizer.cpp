@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/sparse_optimizer.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <set>
+
+#include "g2o/core/estimate_propagator.h"
+#include "g2o/core/optimization_algorithm.h"
+#include "g2o/core/robust_kernel.h"
+#include "g2o/stuff/logger.h"
+#include "g2o/stuff/timeutil.h"
+
+namespace g2o {
+namespace {
+
+OptimizableGraph::Vertex* as_vertex(HyperGraph::Vertex* v) {
+  return static_cast<OptimizableGraph::Vertex*>(v);
+}
+
+/// Where this thread collects statistics stays as it was, however optimize() ends.
+class StatisticsScope {
+ public:
+  StatisticsScope() : before_(G2OBatchStatistics::globalStats()) {
+    G2OBatchStatistics::setGlobalStats(nullptr);
+  }
+  ~StatisticsScope() { G2OBatchStatistics::setGlobalStats(before_); }
+  StatisticsScope(const StatisticsScope&) = delete;
+  StatisticsScope& operator=(const StatisticsScope&) = delete;
+
+ private:
+  G2OBatchStatistics* before_;
+};
+
+bool takes_part(const OptimizableGraph::Edge& edge, int level) {
+  return (level < 0 || edge.level() == level) && edge.numUndefinedVertices() == 0 && !edge.allVerticesFixed();
+}
+
+}  // namespace
+
+SparseOptimizer::SparseOptimizer() {
+  _graphActions.resize(AT_NUM_ELEMENTS);
+}
+
+SparseOptimizer::~SparseOptimizer() = default;
+
+bool SparseOptimizer::buildIndexMapping(SparseOptimizer::VertexContainer& vlist) {
+  _ivMap.clear();
+  for (const bool marginalized : {false, true}) {
+    for (OptimizableGraph::Vertex* v : vlist) {
+      if (v->fixed()) {
+        v->setHessianIndex(-1);
+      } else if (v->marginalized() == marginalized) {
+        v->setHessianIndex(static_cast<int>(_ivMap.size()));
+        _ivMap.push_back(v);
+      }
+    }
+  }
+  return !_ivMap.empty();
+}
+
+void SparseOptimizer::clearIndexMapping() {
+  for (OptimizableGraph::Vertex* v : _ivMap) v->setHessianIndex(-1);
+  _ivMap.clear();
+}
+
+void SparseOptimizer::forgetInitialization() {
+  clearIndexMapping();
+  _activeVertices.clear();
+  _activeEdges.clear();
+}
+
+void SparseOptimizer::sortVectorContainers() {
+  std::sort(_activeVertices.begin(), _activeVertices.end(), VertexIDCompare());
+  std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
+}
+
+/// What is left once the active vertices and edges are known.
+bool SparseOptimizer::startOptimization() {
+  sortVectorContainers();
+  _jacobianWorkspace.allocate();
+  const bool ok = buildIndexMapping(_activeVertices);
+  postIteration(-1);
+  return ok;
+}
+
+bool SparseOptimizer::initializeOptimization(HyperGraph::EdgeSet& eset) {
+  preIteration(-1);
+  forgetInitialization();
+  std::set<OptimizableGraph::Vertex*> touched;
+  for (HyperGraph::Edge* e : eset) {
+    if (e->numUndefinedVertices() > 0) continue;
+    _activeEdges.push_back(static_cast<OptimizableGraph::Edge*>(e));
+    for (HyperGraph::Vertex* v : e->vertices()) touched.insert(as_vertex(v));
+  }
+  _activeVertices.assign(touched.begin(), touched.end());
+  return startOptimization();
+}
+
+bool SparseOptimizer::initializeOptimization(HyperGraph::VertexSet& vset, int level) {
+  preIteration(-1);
+  forgetInitialization();
+  HyperGraph::EdgeSet edges;
+  for (HyperGraph::Vertex* v : vset) {
+    bool is_active = false;
+    for (HyperGraph::Edge* e : v->edges()) {
+      const auto in_set = [&](HyperGraph::Vertex* u) { return vset.count(u) > 0; };
+      if (!takes_part(*static_cast<OptimizableGraph::Edge*>(e), level)) continue;
+      if (!std::all_of(e->vertices().begin(), e->vertices().end(), in_set)) continue;
+      is_active = true;
+      if (edges.insert(e).second) _activeEdges.push_back(static_cast<OptimizableGraph::Edge*>(e));
+    }
+    if (is_active) _activeVertices.push_back(as_vertex(v));
+  }
+  return startOptimization();
+}
+
+/// As for the set of all vertices, without looking each of them up.
+bool SparseOptimizer::initializeOptimization(int level) {
+  if (edges().empty()) {
+    G2O_WARN("initializeOptimization: the graph has no edges");
+    forgetInitialization();
+    return false;
+  }
+  preIteration(-1);
+  forgetInitialization();
+  for (HyperGraph::Edge* e : edges()) {
+    auto* edge = static_cast<OptimizableGraph::Edge*>(e);
+    if (takes_part(*edge, level)) _activeEdges.push_back(edge);
+  }
+  for (OptimizableGraph::Edge* edge : _activeEdges) {
+    for (HyperGraph::Vertex* v : edge->vertices()) _activeVertices.push_back(as_vertex(v));
+  }
+  std::sort(_activeVertices.begin(), _activeVertices.end(), VertexIDCompare());
+  _activeVertices.erase(std::unique(_activeVertices.begin(), _activeVertices.end()), _activeVertices.end());
+  return startOptimization();
+}
+
+bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset) {
+  std::vector<HyperGraph::Vertex*> added;
+  for (HyperGraph::Vertex* u : vset) {
+    OptimizableGraph::Vertex* v = as_vertex(u);
+    if (std::find(_activeVertices.begin(), _activeVertices.end(), v) != _activeVertices.end()) continue;
+    if (!v->fixed() && v->marginalized()) {
+      G2O_ERROR("updateInitialization: vertex {} is marginalised; initialise anew instead", v->id());
+      return false;
+    }
+    added.push_back(u);
+  }
+  for (HyperGraph::Edge* e : eset) {
+    auto* edge = static_cast<OptimizableGraph::Edge*>(e);
+    if (edge->numUndefinedVertices() == 0 && !edge->allVerticesFixed()) _activeEdges.push_back(edge);
+  }
+  std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
+  _activeEdges.erase(std::unique(_activeEdges.begin(), _activeEdges.end()), _activeEdges.end());
+  std::sort(added.begin(), added.end(),
+            [](HyperGraph::Vertex* a, HyperGraph::Vertex* b) { return a->id() < b->id(); });
+  for (HyperGraph::Vertex* u : added) {
+    OptimizableGraph::Vertex* v = as_vertex(u);
+    _activeVertices.push_back(v);
+    v->setHessianIndex(v->fixed() ? -1 : static_cast<int>(_ivMap.size()));
+    if (!v->fixed()) _ivMap.push_back(v);
+  }
+  _jacobianWorkspace.allocate();
+  return _algorithm == nullptr || _algorithm->updateStructure(added, eset);
+}
+
+void SparseOptimizer::computeInitialGuess() {
+  EstimatePropagatorCost propagator(this);
+  computeInitialGuess(propagator);
+}
+
+void SparseOptimizer::computeInitialGuess(EstimatePropagatorCost& propagator) {
+  OptimizableGraph::VertexSet known, outside;
+  for (HyperGraph::Edge* e : edges()) {
+    for (HyperGraph::Vertex* u : e->vertices()) {
+      if (u == nullptr) continue;
+      OptimizableGraph::Vertex* v = as_vertex(u);
+      if (v->fixed()) {
+        known.insert(v);
+      } else if (v->hessianIndex() == -1 && outside.insert(v).second) {
+        v->push();
+      }
+    }
+  }
+  const OptimizableGraph::VertexSet nothing;
+  for (OptimizableGraph::Edge* edge : _activeEdges) {
+    if (edge->vertices().size() != 1) continue;
+    OptimizableGraph::Vertex* v = as_vertex(edge->vertex(0));
+    if (edge->initialEstimatePossible(nothing, v) > 0) {
+      edge->initialEstimate(nothing, v);
+      known.insert(v);
+    }
+  }
+  EstimatePropagator(this).propagate(known, propagator);
+  for (HyperGraph::Vertex* v : outside) as_vertex(v)->pop();
+}
+
+void SparseOptimizer::setToOrigin() {
+  for (const auto& [id, v] : vertices()) as_vertex(v)->setToOrigin();
+}
+
+int SparseOptimizer::optimize(int iterations, bool online) {
+  if (_ivMap.empty()) {
+    G2O_WARN("optimize: no vertices to optimise; was initializeOptimization() called?");
+    return -1;
+  }
+  if (_algorithm == nullptr) {
+    G2O_ERROR("optimize: no algorithm was set");
+    return -1;
+  }
+  if (!_algorithm->init(online)) {
+    G2O_ERROR("optimize: the algorithm could not be initialised");
+    return -1;
+  }
+  _batchStatistics.clear();
+  const StatisticsScope scope;
+  OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;
+  double total = 0;
+  int done = 0;
+  for (; done < iterations && !terminate() && result == OptimizationAlgorithm::OK; ++done) {
+    preIteration(done);
+    if (_computeBatchStatistics) {
+      _batchStatistics.emplace_back();
+      G2OBatchStatistics& statistics = _batchStatistics.back();
+      G2OBatchStatistics::setGlobalStats(&statistics);
+      statistics.iteration = done;
+      statistics.numEdges = static_cast<int>(_activeEdges.size());
+      statistics.numVertices = static_cast<int>(_activeVertices.size());
+      for (const OptimizableGraph::Vertex* v : _ivMap) {
+        const auto dim = static_cast<size_t>(v->dimension());
+        statistics.hessianDimension += dim;
+        (v->marginalized() ? statistics.hessianLandmarkDimension : statistics.hessianPoseDimension) += dim;
+      }
+    }
+    const double begin = get_monotonic_time();
+    result = _algorithm->solve(done, online);
+    const double seconds = get_monotonic_time() - begin;
+    total += seconds;
+    if (_computeBatchStatistics || _verbose) computeActiveErrors();
+    if (_computeBatchStatistics) {
+      _batchStatistics.back().chi2 = activeRobustChi2();
+      _batchStatistics.back().timeIteration = seconds;
+    }
+    if (_verbose) writeVerboseLine(done, seconds, total);
+    postIteration(done);
+  }
+  return result == OptimizationAlgorithm::Fail ? 0 : done;
+}
+
+void SparseOptimizer::writeVerboseLine(int iteration, double seconds, double total) const {
+  std::cerr << "iteration= " << iteration << "\t chi2= " << std::fixed << activeRobustChi2()
+            << "\t time= " << seconds << "\t cumTime= " << total << "\t edges= " << _activeEdges.size();
+  _algorithm->printVerbose(std::cerr);
+  std::cerr << std::defaultfloat << '\n';
+}
+
+bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                                       const std::vector<std::pair<int, int>>& blockIndices) {
+  return _algorithm != nullptr && _algorithm->computeMarginals(spinv, blockIndices);
+}
+
+bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex) {
+  if (vertex->hessianIndex() < 0) return false;
+  return computeMarginals(spinv,
+                          std::vector<std::pair<int, int>>{{vertex->hessianIndex(), vertex->hessianIndex()}});
+}
+
+bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const VertexContainer& vertices) {
+  std::vector<std::pair<int, int>> indices;
+  for (const Vertex* v : vertices) indices.emplace_back(v->hessianIndex(), v->hessianIndex());
+  return computeMarginals(spinv, indices);
+}
+
+OptimizableGraph::Vertex* SparseOptimizer::findGauge() {
+  if (vertices().empty()) return nullptr;
+  const int largest = maxDimension();
+  OptimizableGraph::Vertex* best = nullptr;
+  for (const auto& [id, u] : vertices()) {
+    OptimizableGraph::Vertex* v = as_vertex(u);
+    if (v->dimension() == largest && (best == nullptr || v->id() < best->id())) best = v;
+  }
+  return best;
+}
+
+bool SparseOptimizer::gaugeFreedom() {
+  if (vertices().empty()) return false;
+  const int largest = maxDimension();
+  for (const auto& [id, u] : vertices()) {
+    const OptimizableGraph::Vertex* v = as_vertex(u);
+    if (v->dimension() != largest) continue;
+    if (v->fixed()) return false;
+    for (const HyperGraph::Edge* e : v->edges()) {
+      if (e->vertices().size() == 1 && static_cast<const Edge*>(e)->dimension() >= largest) return false;
+    }
+  }
+  return true;
+}
+
+double SparseOptimizer::activeChi2() const {
+  double sum = 0;
+  for (const OptimizableGraph::Edge* e : _activeEdges) sum += e->chi2();
+  return sum;
+}
+
+double SparseOptimizer::activeRobustChi2() const {
+  double sum = 0;
+  for (const OptimizableGraph::Edge* e : _activeEdges) {
+    if (e->robustKernel() == nullptr) {
+      sum += e->chi2();
+    } else {
+      Vector3 rho;
+      e->robustKernel()->robustify(e->chi2(), rho);
+      sum += rho[0];
+    }
+  }
+  return sum;
+}
+
+void SparseOptimizer::setVerbose(bool verbose) {
+  _verbose = verbose;
+}
+
+void SparseOptimizer::setForceStopFlag(bool* flag) {
+  _forceStopFlag = flag;
+}
+
+void SparseOptimizer::setAlgorithm(OptimizationAlgorithm* algorithm) {
+  if (algorithm != _algorithm.get()) _algorithm.reset(algorithm);
+  if (_algorithm) _algorithm->setOptimizer(this);
+}
+
+void SparseOptimizer::setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm) {
+  setAlgorithm(algorithm.release());
+}
+
+bool SparseOptimizer::removeVertex(HyperGraph::Vertex* v, bool detach) {
+  if (v != nullptr && vertex(v->id()) == v) {
+    const auto* vertex = static_cast<OptimizableGraph::Vertex*>(v);
+    const auto active = std::find(_activeVertices.begin(), _activeVertices.end(), vertex);
+    if (active != _activeVertices.end()) _activeVertices.erase(active);
+    clearIndexMapping();
+  }
+  return HyperGraph::removeVertex(v, detach);
+}
+
+bool SparseOptimizer::removeEdge(HyperGraph::Edge* e) {
+  if (edges().count(e) > 0) {
+    const auto active = findActiveEdge(static_cast<OptimizableGraph::Edge*>(e));
+    if (active != _activeEdges.end()) _activeEdges.erase(active);
+  }
+  return HyperGraph::removeEdge(e);
+}
+
+SparseOptimizer::VertexContainer::const_iterator SparseOptimizer::findActiveVertex(
+    const OptimizableGraph::Vertex* v) const {
+  const auto at = std::lower_bound(_activeVertices.begin(), _activeVertices.end(), v, VertexIDCompare());
+  return at != _activeVertices.end() && *at == v ? at : _activeVertices.end();
+}
+
+SparseOptimizer::EdgeContainer::const_iterator SparseOptimizer::findActiveEdge(
+    const OptimizableGraph::Edge* e) const {
+  const auto at =
+      std::lower_bound(_activeEdges.begin(), _activeEdges.end(), e,
+                       [](const Edge* a, const Edge* b) { return a->internalId() < b->internalId(); });
+  return at != _activeEdges.end() && *at == e ? at : _activeEdges.end();
+}
+
+void SparseOptimizer::push(VertexContainer& vlist) {
+  for (Vertex* v : vlist) v->push();
+}
+
+void SparseOptimizer::pop(VertexContainer& vlist) {
+  for (Vertex* v : vlist) v->pop();
+}
+
+void SparseOptimizer::discardTop(VertexContainer& vlist) {
+  for (Vertex* v : vlist) v->discardTop();
+}
+
+void SparseOptimizer::push(HyperGraph::VertexSet& vlist) {
+  OptimizableGraph::push(vlist);
+}
+
+void SparseOptimizer::pop(HyperGraph::VertexSet& vlist) {
+  OptimizableGraph::pop(vlist);
+}
+
+void SparseOptimizer::push() {
+  push(_activeVertices);
+}
+
+void SparseOptimizer::pop() {
+  pop(_activeVertices);
+}
+
+void SparseOptimizer::discardTop() {
+  discardTop(_activeVertices);
+}
+
+void SparseOptimizer::clear() {
+  _ivMap.clear();
+  _activeVertices.clear();
+  _activeEdges.clear();
+  HyperGraph::clear();
+}
+
+void SparseOptimizer::computeActiveErrors() {
+  for (HyperGraphAction* action : _graphActions[AT_COMPUTEACTIVERROR]) (*action)(this);
+  for (OptimizableGraph::Edge* e : _activeEdges) e->computeError();
+}
+
+void SparseOptimizer::update(const double* update) {
+  for (OptimizableGraph::Vertex* v : _ivMap) {
+    v->oplus(update);
+    update += v->dimension();
+  }
+}
+
+void SparseOptimizer::setComputeBatchStatistics(bool computeBatchStatistics) {
+  _computeBatchStatistics = computeBatchStatistics;
+  if (!computeBatchStatistics) _batchStatistics.clear();
+}
+
+bool SparseOptimizer::addComputeErrorAction(HyperGraphAction* action) {
+  return _graphActions[AT_COMPUTEACTIVERROR].insert(action).second;
+}
+
+bool SparseOptimizer::removeComputeErrorAction(HyperGraphAction* action) {
+  return _graphActions[AT_COMPUTEACTIVERROR].erase(action) > 0;
+}
+
+}  // namespace g2o

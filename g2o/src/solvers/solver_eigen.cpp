@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/solvers/eigen/linear_solver_eigen.h"
+#include "solvers/register_solvers.h"
+
+namespace g2o {
+
+G2O_REGISTER_OPTIMIZATION_LIBRARY(eigen)
+G2O_REGISTER_GN_AND_LM(LinearSolverEigen, "sparse Cholesky", var, fix3_2, fix6_3, fix7_3)
+G2O_REGISTER_OPTIMIZATION_ALGORITHM(
+    dl_var,
+    (internal::solver_creator<OptimizationAlgorithmDogleg, LinearSolverEigen, -1, -1>("dl_var", "Dogleg",
+                                                                                      "sparse Cholesky")))
+
+}  // namespace g2o

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the ready-made types of the face call those of the engine: errors, Jacobians, and fields of files.
+#pragma once
+
+#include <array>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "boxplus/graph/differentiate.h"
+#include "boxplus/io/file_fields.h"
+#include "boxplus/io/registry.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+namespace native {
+
+/// Takes the next `count` words of a stream and has `read` read them as fields. False, with a message, where
+/// they are too few or not what they should be.
+template <class Read>
+bool read_fields(std::istream& is, int count, Read&& read) {
+  std::string text, word;
+  for (int i = 0; i < count; ++i) {
+    if (!(is >> word)) return false;
+    text += word;
+    text += ' ';
+  }
+  try {
+    boxplus::FieldReader in("fields", 1, text);
+    read(in);
+    return true;
+  } catch (const boxplus::Error& error) {
+    G2O_ERROR("{}", error.what());
+    return false;
+  }
+}
+
+template <class T>
+bool read_value(std::istream& is, int count, T& value) {
+  return read_fields(is, count, [&](boxplus::FieldReader& in) { value = boxplus::FileFields<T>::read(in); });
+}
+
+template <class T>
+bool write_value(std::ostream& os, const T& value) {
+  std::string text;
+  boxplus::FieldWriter out(text);
+  boxplus::FileFields<T>::write(value, out);
+  os << text;
+  return os.good();
+}
+
+/// Reads a measurement of `count` fields, then Ω.
+template <class E, class Omega, class Take>
+bool read_edge(std::istream& is, int count, Omega& information, Take&& take) {
+  const auto rows = static_cast<int>(information.rows());
+  return read_fields(is, count + rows * (rows + 1) / 2, [&](boxplus::FieldReader& in) {
+    const E edge = boxplus::EdgeFields<E>::read(in);
+    const boxplus::Information omega = boxplus::read_information(in, rows);
+    take(edge.measurement);
+    information = boxplus::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
+  });
+}
+
+template <class E, class Omega>
+bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
+  std::string text;
+  boxplus::FieldWriter out(text);
+  boxplus::EdgeFields<E>::write(edge, out);
+  for (Eigen::Index i = 0; i < information.rows(); ++i) {
+    for (Eigen::Index j = i; j < information.cols(); ++j) out.number(information(i, j));
+  }
+  os << text;
+  return os.good();
+}
+
+/// An argument of a native edge, and where its Jacobian goes; nowhere for parameters.
+template <class V>
+struct Argument {
+  V value;
+  double* jacobian = nullptr;
+};
+
+/// From the tangent of the engine to that of the face: theirs differ for poses of the plane, whose
+/// translation the face adds in the world frame, δ_body = R(θ)ᵀ δ_world.
+template <int Rows>
+void to_face_tangent(const boxplus::SE2& x, double* jacobian) {
+  Eigen::Map<Eigen::Matrix<double, Rows, 2>> J(jacobian);
+  J = (J * x.rotation().transpose()).eval();
+}
+template <int Rows, class V>
+void to_face_tangent(const V&, double*) {}
+
+/// Fills the Jacobians of a native edge: its own, where it has them, else by dual numbers.
+template <class E, class... V>
+void linearize(const E& edge, const Argument<V>&... arguments) {
+  constexpr int kRows = boxplus::edge::kRows<boxplus::edge::Result<E, V...>>;
+  constexpr int kCols = boxplus::edge::kCols<V...>;
+  std::array<double, static_cast<std::size_t>(kRows * kCols)> buffer;
+  double* block = buffer.data();
+  const auto next = [&](int dim) { return std::exchange(block, block + kRows * dim); };
+  if constexpr (boxplus::edge::kAnalytic<E, V...>) {
+    std::tuple<boxplus::edge::JacobianBlock<V, kRows>...> blocks{
+        boxplus::edge::JacobianBlock<V, kRows>(next(boxplus::Manifold<V>::kDim))...};
+    std::apply([&](auto&... J) { edge.jacobians(arguments.value..., J...); }, blocks);
+  } else {
+    std::array<double, static_cast<std::size_t>(kRows)> error;
+    boxplus::edge::automatic_jacobian<V...>(edge, error.data(), buffer.data(), kRows, kCols,
+                                            arguments.value...);
+  }
+  block = buffer.data();
+  const auto deliver = [&](const auto& argument, int dim) {
+    double* from = next(dim);
+    if (argument.jacobian == nullptr) return;
+    to_face_tangent<kRows>(argument.value, from);
+    std::copy_n(from, kRows * dim, argument.jacobian);
+  };
+  (deliver(arguments, boxplus::Manifold<V>::kDim), ...);
+}
+
+}  // namespace native
+}  // namespace g2o

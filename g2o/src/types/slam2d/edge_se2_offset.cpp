@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam2d/edge_se2_offset.h"
+
+#include <algorithm>
+
+#include "types/slam2d/native_slam2d.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::OffsetBetween<boxplus::SE2>;
+
+}  // namespace
+
+EdgeSE2Offset::EdgeSE2Offset() {
+  resizeParameters(2);
+  installParameter(_offsets[0], 0);
+  installParameter(_offsets[1], 1);
+}
+
+void EdgeSE2Offset::computeError() {
+  _error = Native(native::pose(_measurement))
+               .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()),
+                      native::pose(_offsets[0]->offset()), native::pose(_offsets[1]->offset()));
+}
+
+void EdgeSE2Offset::linearizeOplus() {
+  native::linearize(
+      Native(native::pose(_measurement)),
+      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      native::Argument<boxplus::SE2>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
+      native::Argument<boxplus::SE2>{native::pose(_offsets[0]->offset()), nullptr},
+      native::Argument<boxplus::SE2>{native::pose(_offsets[1]->offset()), nullptr});
+}
+
+bool EdgeSE2Offset::read(std::istream& is) {
+  return readParamIds(is) && native::read_edge<Native>(is, 3, _information, [this](const auto& z) {
+           setMeasurement(native::to_face(z));
+         });
+}
+
+bool EdgeSE2Offset::write(std::ostream& os) const {
+  return writeParamIds(os) && native::write_edge(os, Native(native::pose(_measurement)), _information);
+}
+
+void EdgeSE2Offset::setMeasurement(const SE2& m) {
+  _measurement = m;
+  _inverseMeasurement = m.inverse();
+}
+
+bool EdgeSE2Offset::setMeasurementData(const double* d) {
+  setMeasurement(SE2(d[0], d[1], d[2]));
+  return true;
+}
+
+bool EdgeSE2Offset::getMeasurementData(double* d) const {
+  const Vector3 v = _measurement.toVector();
+  std::copy_n(v.data(), 3, d);
+  return true;
+}
+
+bool EdgeSE2Offset::setMeasurementFromState() {
+  setMeasurement((vertexXn<0>()->estimate() * _offsets[0]->offset()).inverse() *
+                 (vertexXn<1>()->estimate() * _offsets[1]->offset()));
+  return true;
+}
+
+double EdgeSE2Offset::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeSE2Offset::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
+  const SE2 motion = _offsets[0]->offset() * _measurement * _offsets[1]->offset().inverse();
+  if (from.count(_vertices[0]) > 0) {
+    vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * motion);
+  } else {
+    vertexXn<0>()->setEstimate(vertexXn<1>()->estimate() * motion.inverse());
+  }
+}
+
+}  // namespace g2o

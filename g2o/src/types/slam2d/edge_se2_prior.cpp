@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam2d/edge_se2_prior.h"
+
+#include <algorithm>
+
+#include "types/slam2d/native_slam2d.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::Prior<boxplus::SE2>;
+
+}  // namespace
+
+EdgeSE2Prior::EdgeSE2Prior() = default;
+
+void EdgeSE2Prior::computeError() {
+  _error = Native(native::pose(_measurement)).error(native::pose(*vertexXn<0>()));
+}
+
+void EdgeSE2Prior::linearizeOplus() {
+  native::linearize(
+      Native(native::pose(_measurement)),
+      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+}
+
+bool EdgeSE2Prior::read(std::istream& is) {
+  return native::read_edge<Native>(is, 3, _information,
+                                   [this](const auto& z) { setMeasurement(native::to_face(z)); });
+}
+
+bool EdgeSE2Prior::write(std::ostream& os) const {
+  return native::write_edge(os, Native(native::pose(_measurement)), _information);
+}
+
+void EdgeSE2Prior::setMeasurement(const SE2& m) {
+  _measurement = m;
+  _inverseMeasurement = m.inverse();
+}
+
+bool EdgeSE2Prior::setMeasurementData(const double* d) {
+  setMeasurement(SE2(d[0], d[1], d[2]));
+  return true;
+}
+
+bool EdgeSE2Prior::getMeasurementData(double* d) const {
+  const Vector3 v = _measurement.toVector();
+  std::copy_n(v.data(), 3, d);
+  return true;
+}
+
+bool EdgeSE2Prior::setMeasurementFromState() {
+  setMeasurement(vertexXn<0>()->estimate());
+  return true;
+}
+
+double EdgeSE2Prior::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeSE2Prior::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  vertexXn<0>()->setEstimate(_measurement);
+}
+
+}  // namespace g2o

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "boxplus/types/slam2d.h"
+#include "g2o/types/slam2d/vertex_point_xy.h"
+#include "g2o/types/slam2d/vertex_se2.h"
+#include "types/native.h"
+
+namespace g2o {
+namespace native {
+
+inline boxplus::SE2 pose(const SE2& x) {
+  return {x.translation().x(), x.translation().y(), x.rotation().angle()};
+}
+inline boxplus::SE2 pose(const VertexSE2& v) {
+  return pose(v.estimate());
+}
+inline SE2 to_face(const boxplus::SE2& x) {
+  return {x.x(), x.y(), x.theta()};
+}
+inline boxplus::Vector2 point(const Vector2& p) {
+  return p;
+}
+inline boxplus::Vector2 point(const VertexPointXY& v) {
+  return v.estimate();
+}
+
+}  // namespace native
+}  // namespace g2o

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam3d/edge_se3.h"
+
+#include <algorithm>
+
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::Between<boxplus::SE3>;
+
+}  // namespace
+
+EdgeSE3::EdgeSE3() {
+  _measurement.setIdentity();
+  _inverseMeasurement.setIdentity();
+}
+
+void EdgeSE3::computeError() {
+  _error = Native(native::pose(_measurement, rotation_.get(_measurement)))
+               .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()));
+}
+
+void EdgeSE3::linearizeOplus() {
+  native::linearize(
+      Native(native::pose(_measurement, rotation_.get(_measurement))),
+      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      native::Argument<boxplus::SE3>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+}
+
+bool EdgeSE3::read(std::istream& is) {
+  return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+    setMeasurement(native::to_face(z));
+    rotation_.set(native::quaternion(z), _measurement.linear());
+  });
+}
+
+bool EdgeSE3::write(std::ostream& os) const {
+  return native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
+                            _information);
+}
+
+void EdgeSE3::setMeasurement(const Isometry3& m) {
+  _measurement = m;
+  _inverseMeasurement = m.inverse();
+}
+
+bool EdgeSE3::setMeasurementData(const double* d) {
+  setMeasurement(internal::fromVectorQT(Eigen::Map<const Vector7>(d)));
+  return true;
+}
+
+bool EdgeSE3::getMeasurementData(double* d) const {
+  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  return true;
+}
+
+bool EdgeSE3::setMeasurementFromState() {
+  setMeasurement(vertexXn<0>()->estimate().inverse() * vertexXn<1>()->estimate());
+  return true;
+}
+
+double EdgeSE3::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeSE3::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
+  if (from.count(_vertices[0]) > 0) {
+    vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * _measurement);
+  } else {
+    vertexXn<0>()->setEstimate(vertexXn<1>()->estimate() * _inverseMeasurement);
+  }
+}
+
+}  // namespace g2o

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam3d/edge_xyz_prior.h"
+
+#include <algorithm>
+
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::Prior<boxplus::Vector3>;
+
+}  // namespace
+
+EdgeXYZPrior::EdgeXYZPrior() {
+  _measurement.setZero();
+}
+
+void EdgeXYZPrior::computeError() {
+  _error = Native(native::point(_measurement)).error(native::point(*vertexXn<0>()));
+}
+
+void EdgeXYZPrior::linearizeOplus() {
+  native::linearize(
+      Native(native::point(_measurement)),
+      native::Argument<boxplus::Vector3>{native::point(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+}
+
+bool EdgeXYZPrior::read(std::istream& is) {
+  return native::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
+}
+
+bool EdgeXYZPrior::write(std::ostream& os) const {
+  return native::write_edge(os, Native(native::point(_measurement)), _information);
+}
+
+bool EdgeXYZPrior::setMeasurementData(const double* d) {
+  setMeasurement(Vector3(d[0], d[1], d[2]));
+  return true;
+}
+
+bool EdgeXYZPrior::getMeasurementData(double* d) const {
+  std::copy_n(_measurement.data(), 3, d);
+  return true;
+}
+
+bool EdgeXYZPrior::setMeasurementFromState() {
+  setMeasurement(vertexXn<0>()->estimate());
+  return true;
+}
+
+double EdgeXYZPrior::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeXYZPrior::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  vertexXn<0>()->setEstimate(_measurement);
+}
+
+}  // namespace g2o

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "boxplus/types/slam3d.h"
+#include "g2o/types/slam3d/parameter_se3_offset.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+#include "g2o/types/slam3d/vertex_se3.h"
+#include "types/native.h"
+
+namespace g2o {
+namespace native {
+
+inline boxplus::SE3 pose(const Isometry3& x, const internal::RotationMemory::Coefficients& q) {
+  return boxplus::SE3::from_unit(x.translation(), {q[0], q[1], q[2], q[3]});
+}
+inline boxplus::SE3 pose(const VertexSE3& v) {
+  return pose(v.estimate(), v.quaternion());
+}
+inline boxplus::SE3 pose(const ParameterSE3Offset& p) {
+  return pose(p.offset(), p.quaternion());
+}
+inline internal::RotationMemory::Coefficients quaternion(const boxplus::SE3& x) {
+  return {x.data()[3], x.data()[4], x.data()[5], x.data()[6]};
+}
+inline boxplus::Vector3 point(const Vector3& p) {
+  return p;
+}
+inline boxplus::Vector3 point(const VertexPointXYZ& v) {
+  return v.estimate();
+}
+inline Isometry3 to_face(const boxplus::SE3& x) {
+  Isometry3 pose = Isometry3::Identity();
+  pose.linear() = x.rotation();
+  pose.translation() = x.translation();
+  return pose;
+}
+
+}  // namespace native
+}  // namespace g2o

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+namespace internal {
+
+void RotationMemory::set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::OuterStride<>> R) {
+  quaternion_ = q;
+  R = boxplus::rotation_matrix(boxplus::normalized(boxplus::Quaternion<double>{q[0], q[1], q[2], q[3]}));
+  rotation_ = R;
+}
+
+const RotationMemory::Coefficients& RotationMemory::get(const Isometry3& pose) const {
+  if (rotation_ != pose.linear()) {
+    rotation_ = pose.linear();
+    const boxplus::Quaternion<double> q =
+        boxplus::normalized(boxplus::quaternion_of(boxplus::Matrix<double, 3, 3>(rotation_)));
+    quaternion_ = {q.x, q.y, q.z, q.w};
+  }
+  return quaternion_;
+}
+
+}  // namespace internal
+
+VertexSE3::VertexSE3() {
+  _estimate.setIdentity();
+}
+
+void VertexSE3::oplusImpl(const double* update) {
+  const boxplus::SE3 moved = boxplus::Manifold<boxplus::SE3>::oplus(native::pose(*this), update);
+  _estimate.translation() = moved.translation();
+  rotation_.set(native::quaternion(moved), _estimate.linear());
+}
+
+void VertexSE3::push() {
+  BaseVertex<6, Isometry3>::push();
+  rotation_backup_.push_back(rotation_);
+}
+
+void VertexSE3::pop() {
+  if (rotation_backup_.empty()) return;
+  rotation_ = rotation_backup_.back();
+  rotation_backup_.pop_back();
+  BaseVertex<6, Isometry3>::pop();
+}
+
+void VertexSE3::discardTop() {
+  BaseVertex<6, Isometry3>::discardTop();
+  if (!rotation_backup_.empty()) rotation_backup_.pop_back();
+}
+
+bool VertexSE3::read(std::istream& is) {
+  boxplus::SE3 x;
+  if (!native::read_value(is, 7, x)) return false;
+  _estimate.translation() = x.translation();
+  rotation_.set(native::quaternion(x), _estimate.linear());
+  updateCache();
+  return true;
+}
+
+bool VertexSE3::write(std::ostream& os) const {
+  return native::write_value(os, native::pose(*this));
+}
+
+bool VertexSE3::getEstimateData(double* est) const {
+  std::copy_n(native::pose(*this).data(), 7, est);
+  return true;
+}
+
+bool VertexSE3::getMinimalEstimateData(double* est) const {
+  const Vector6 v = native::pose(*this).minimal();
+  std::copy_n(v.data(), 6, est);
+  return true;
+}
+
+bool VertexSE3::setEstimateDataImpl(const double* est) {
+  _estimate = internal::fromVectorQT(Eigen::Map<const Vector7>(est));
+  return true;
+}
+
+bool VertexSE3::setMinimalEstimateDataImpl(const double* est) {
+  _estimate = internal::fromVectorMQT(Eigen::Map<const Vector6>(est));
+  return true;
+}
+
+VertexPointXYZ::VertexPointXYZ() {
+  _estimate.setZero();
+}
+
+void VertexPointXYZ::oplusImpl(const double* update) {
+  _estimate += Vector3(update[0], update[1], update[2]);
+}
+
+bool VertexPointXYZ::read(std::istream& is) {
+  boxplus::Vector3 p;
+  if (!native::read_value(is, 3, p)) return false;
+  setEstimate(p);
+  return true;
+}
+
+bool VertexPointXYZ::write(std::ostream& os) const {
+  return native::write_value(os, native::point(*this));
+}
+
+bool VertexPointXYZ::getEstimateData(double* est) const {
+  std::copy_n(_estimate.data(), 3, est);
+  return true;
+}
+
+bool VertexPointXYZ::setEstimateDataImpl(const double* est) {
+  _estimate << est[0], est[1], est[2];
+  return true;
+}
+
+ParameterSE3Offset::ParameterSE3Offset() {
+  setOffset();
+}
+ParameterSE3Offset::~ParameterSE3Offset() = default;
+
+void ParameterSE3Offset::setOffset(const Isometry3& offset) {
+  _offset = offset;
+  _inverseOffset = offset.inverse();
+}
+
+bool ParameterSE3Offset::read(std::istream& is) {
+  boxplus::SE3 x;
+  if (!native::read_value(is, 7, x)) return false;
+  Isometry3 offset = native::to_face(x);
+  rotation_.set(native::quaternion(x), offset.linear());
+  setOffset(offset);
+  return true;
+}
+
+bool ParameterSE3Offset::write(std::ostream& os) const {
+  return native::write_value(os, native::pose(*this));
+}
+
+CacheSE3Offset::CacheSE3Offset() = default;
+CacheSE3Offset::~CacheSE3Offset() = default;
+
+bool CacheSE3Offset::resolveDependencies() {
+  _offsetParam = parameters().empty() ? nullptr : dynamic_cast<ParameterSE3Offset*>(parameters()[0]);
+  return _offsetParam != nullptr && dynamic_cast<VertexSE3*>(vertex()) != nullptr;
+}
+
+void CacheSE3Offset::updateImpl() {
+  const Isometry3& robot = static_cast<const VertexSE3*>(vertex())->estimate();
+  _n2w = robot * _offsetParam->offset();
+  _w2n = _n2w.inverse();
+  _w2l = robot.inverse();
+}
+
+}  // namespace g2o

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who deletes what, and what misuse answers. Meant for AddressSanitizer.
+#include <gmock/gmock.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "g2o/core/factory.h"
+#include "g2o/core/robust_kernel_factory.h"
+#include "g2o/core/robust_kernel_impl.h"
+#include "g2o/core/small_graph.h"
+#include "g2o/stuff/logger.h"
+
+G2O_USE_TYPE_GROUP(slam2d);
+
+namespace {
+
+using small_graph::add_pose;
+using small_graph::add_square;
+using small_graph::make_solver;
+
+/// Catches what the library says.
+class Misuse : public testing::Test {
+ protected:
+  void SetUp() override {
+    g2o::logging::setSink([this](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
+  }
+  void TearDown() override { g2o::logging::setSink({}); }
+  void expect_message(const std::string& part) {
+    EXPECT_THAT(messages, testing::Contains(testing::HasSubstr(part)));
+    messages.clear();
+  }
+  std::vector<std::string> messages;
+  g2o::SparseOptimizer optimizer;
+};
+
+TEST_F(Misuse, AVertexWhoseIdIsTakenStaysTheCallers) {
+  add_pose(optimizer, 1, 0, 0, 0);
+  auto second = std::make_unique<g2o::VertexSE2>();
+  second->setId(1);
+  EXPECT_FALSE(optimizer.addVertex(second.get()));
+  expect_message("the id 1 is taken");
+}
+
+TEST_F(Misuse, AVertexOfAnotherGraphIsRefused) {
+  g2o::SparseOptimizer other;
+  auto* v = add_pose(other, 7, 0, 0, 0);
+  EXPECT_FALSE(optimizer.addVertex(v));
+  expect_message("in another graph");
+}
+
+TEST_F(Misuse, AnEdgeThatIsRefusedStaysTheCallers) {
+  add_pose(optimizer, 0, 0, 0, 0);
+  auto e = std::make_unique<g2o::EdgeSE2>();
+  EXPECT_FALSE(optimizer.addEdge(e.get()));
+  expect_message("expected a vertex in every place");
+  e->setVertex(0, optimizer.vertex(0));
+  e->setVertex(1, optimizer.vertex(0));
+  EXPECT_FALSE(optimizer.addEdge(e.get()));
+  expect_message("distinct");
+}
+
+TEST_F(Misuse, AnEdgeOfTheWrongVertexTypeIsRefused) {
+  add_pose(optimizer, 0, 0, 0, 0);
+  add_pose(optimizer, 1, 0, 0, 0);
+  auto e = std::make_unique<g2o::EdgeSE2PointXY>();
+  e->setVertex(0, optimizer.vertex(0));
+  e->setVertex(1, optimizer.vertex(1));
+  EXPECT_FALSE(optimizer.addEdge(e.get()));
+  expect_message("vertices of other types");
+  EXPECT_TRUE(optimizer.vertex(0)->edges().empty());
+}
+
+TEST_F(Misuse, AnEdgeWithoutItsParameterIsRefused) {
+  add_pose(optimizer, 0, 0, 0, 0);
+  auto* l = new g2o::VertexPointXY;
+  l->setId(1);
+  optimizer.addVertex(l);
+  auto e = std::make_unique<g2o::EdgeSE2PointXYOffset>();
+  e->setVertex(0, optimizer.vertex(0));
+  e->setVertex(1, optimizer.vertex(1));
+  e->setParameterId(0, 5);
+  EXPECT_FALSE(optimizer.addEdge(e.get()));
+  expect_message("no parameter 5");
+  auto* offset = new g2o::ParameterSE2Offset;
+  offset->setId(5);
+  ASSERT_TRUE(optimizer.addParameter(offset));
+  EXPECT_TRUE(optimizer.addEdge(e.get()));
+  e.release();
+}
+
+TEST_F(Misuse, AMarginalisedVertexOfTheWrongDimensionIsRefused) {
+  add_square(optimizer);
+  optimizer.vertex(2)->setMarginalized(true);
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
+      new g2o::BlockSolver_3_2(new g2o::LinearSolverEigen<g2o::BlockSolver_3_2::PoseMatrixType>())));
+  optimizer.initializeOptimization();
+  EXPECT_EQ(optimizer.optimize(1), 0);
+  expect_message("expected a marginalised vertex of 2 dimensions");
+}
+
+TEST_F(Misuse, TwoMarginalisedVerticesOfOneEdgeAreRefused) {
+  add_square(optimizer);
+  optimizer.vertex(2)->setMarginalized(true);
+  optimizer.vertex(3)->setMarginalized(true);
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
+  optimizer.initializeOptimization();
+  EXPECT_EQ(optimizer.optimize(1), 0);
+  expect_message("both marginalised");
+}
+
+TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
+  EXPECT_EQ(g2o::Factory::instance()->construct("NO_SUCH_WORD"), nullptr);
+  EXPECT_EQ(g2o::RobustKernelFactory::instance()->construct("NoSuchKernel"), nullptr);
+  std::istringstream file("NO_SUCH_WORD 1 2 3\nVERTEX_SE2 0 1 2 3\n");
+  EXPECT_TRUE(optimizer.load(file));
+  expect_message("unknown word NO_SUCH_WORD");
+  EXPECT_NE(optimizer.vertex(0), nullptr);
+  EXPECT_FALSE(optimizer.load("/no/such/file.g2o"));
+  expect_message("cannot be opened");
+}
+
+TEST_F(Misuse, LinesThatCannotBeReadAreNamedAndTheOthersRead) {
+  const std::vector<std::string> lines = {
+      "VERTEX_SE2 1 1 2",
+      "VERTEX_SE2 1 nan 2 3",
+      "VERTEX_SE2 0 1 2 3",
+      "VERTEX_SE2 -4 1 2 3",
+      "FIX 99",
+      "EDGE_SE2 0 99 1 0 0 1 0 0 1 0 1",
+      "EDGE_SE2 0 5 1 0 0 1 0 0 1 0",
+      "EDGE_SE2 0 5 1 0 0 -1 0 0 1 0 1",
+      "EDGE_SE2_XY 0 5 1 0 1 0 1",
+      "EDGE_SE2_POINTXY_OFFSET 0 6 3 1 0 1 0 1",
+  };
+  for (const std::string& line : lines) {
+    SCOPED_TRACE(line);
+    optimizer.clear();
+    std::istringstream file("VERTEX_SE2 0 0 0 0\nVERTEX_SE2 5 1 0 0\nVERTEX_XY 6 1 0\n" + line +
+                            "\n# a comment\n\nEDGE_SE2 0 5 1 0 0 1 0 0 1 0 1\n");
+    EXPECT_FALSE(optimizer.load(file));
+    expect_message("line 4");
+    EXPECT_EQ(optimizer.edges().size(), 1u);
+    EXPECT_EQ(optimizer.vertices().size(), 3u);
+  }
+}
+
+TEST(Files, LinesMayStandBeforeWhatTheyReferTo) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream file(
+      "FIX 0\nEDGE_SE2_POINTXY_OFFSET 0 6 3 1 0 1 0 1\nVERTEX_XY 6 1 0\nVERTEX_SE2 0 0 0 0\n"
+      "PARAMS_SE2OFFSET 3 1 1 0\n");
+  EXPECT_TRUE(optimizer.load(file));
+  EXPECT_EQ(optimizer.edges().size(), 1u);
+  EXPECT_TRUE(optimizer.vertex(0)->fixed());
+}
+
+TEST(Ownership, RemovedElementsAreDeletedAndTheRestGoesOn) {
+  g2o::SparseOptimizer optimizer;
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
+  add_square(optimizer);
+  auto* diagonal = small_graph::add_motion(optimizer, 0, 2, g2o::SE2(1, 1, 3));
+  optimizer.initializeOptimization();
+  optimizer.optimize(2);
+  EXPECT_TRUE(optimizer.removeEdge(diagonal));
+  EXPECT_EQ(optimizer.activeEdges().size(), 4u);
+  EXPECT_TRUE(optimizer.removeVertex(optimizer.vertex(3)));
+  EXPECT_EQ(optimizer.edges().size(), 2u);
+  EXPECT_EQ(optimizer.optimize(1), -1) << "removing a vertex asks for a new initialisation";
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_GT(optimizer.optimize(3), 0);
+}
+
+TEST(Ownership, DetachedAndMergedVerticesLeaveAConsistentGraph) {
+  g2o::SparseOptimizer optimizer;
+  add_square(optimizer);
+  EXPECT_TRUE(optimizer.mergeVertices(optimizer.vertex(1), optimizer.vertex(3), true));
+  EXPECT_EQ(optimizer.vertices().size(), 3u);
+  EXPECT_EQ(optimizer.edges().size(), 4u);
+  EXPECT_EQ(optimizer.vertex(1)->edges().size(), 4u);
+  EXPECT_TRUE(optimizer.detachVertex(optimizer.vertex(1)));
+  for (const auto* e : optimizer.edges()) EXPECT_EQ(e->numUndefinedVertices(), 1);
+  EXPECT_TRUE(optimizer.changeId(optimizer.vertex(1), 42));
+  EXPECT_EQ(optimizer.vertex(1), nullptr);
+  EXPECT_FALSE(optimizer.changeId(optimizer.vertex(42), 0));
+}
+
+TEST(Ownership, AClientMayOwnItsVertices) {
+  std::vector<std::unique_ptr<g2o::VertexSE2>> mine;
+  {
+    g2o::SparseOptimizer optimizer;
+    for (int i = 0; i < 3; ++i) {
+      mine.push_back(std::make_unique<g2o::VertexSE2>());
+      mine.back()->setId(i);
+      optimizer.addVertex(mine.back().get());
+    }
+    small_graph::add_motion(optimizer, 0, 1, g2o::SE2(1, 0, 0));
+    optimizer.vertices().clear();
+    for (const auto& v : mine) v->edges().clear();
+    optimizer.clear();
+    EXPECT_TRUE(optimizer.edges().empty());
+  }
+  EXPECT_EQ(mine[2]->id(), 2);
+}
+
+TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases) {
+  std::unique_ptr<g2o::HyperGraph> graph = std::make_unique<g2o::SparseOptimizer>();
+  auto* optimizer = static_cast<g2o::SparseOptimizer*>(graph.get());
+  add_square(*optimizer);
+  auto* e = static_cast<g2o::OptimizableGraph::Edge*>(*optimizer->edges().begin());
+  e->setRobustKernel(new g2o::RobustKernelHuber);
+  e->setRobustKernel(g2o::RobustKernelFactory::instance()->construct("Cauchy"));
+  e->setRobustKernel(0);
+  e->setRobustKernel(new g2o::RobustKernelTukey);
+  optimizer->setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
+  optimizer->setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
+  optimizer->initializeOptimization();
+  optimizer->optimize(1);
+}
+
+TEST(Ownership, AnActionMayGoBeforeTheOptimizer) {
+  g2o::SparseOptimizer optimizer;
+  add_square(optimizer);
+  {
+    g2o::HyperGraphAction action;
+    optimizer.addPostIterationAction(&action);
+  }
+  optimizer.clear();
+}
+
+TEST(Ownership, AnEdgeKernelAndDataOutsideOfAnyGraphAreTheCallers) {
+  struct Note : g2o::HyperGraph::Data {
+    bool read(std::istream&) override { return true; }
+    bool write(std::ostream&) const override { return true; }
+  };
+  g2o::VertexSE2 v;
+  v.addUserData(new Note);
+  v.addUserData(new Note);
+  EXPECT_NE(v.userData()->next(), nullptr);
+  g2o::EdgeSE2 e;
+  e.setRobustKernel(new g2o::RobustKernelDCS);
+}
+
+}  // namespace

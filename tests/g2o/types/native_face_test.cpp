@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Both faces find the same: chi2 of a file, and after five Gauss-Newton iterations from its estimates.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "boxplus/io/graph_file.h"
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/testing/simulate.h"
+#include "g2o/core/block_solver.h"
+#include "g2o/core/factory.h"
+#include "g2o/core/optimization_algorithm_gauss_newton.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/solvers/eigen/linear_solver_eigen.h"
+#include "g2o/types/slam2d/types_slam2d.h"
+#include "g2o/types/slam3d/types_slam3d.h"
+
+G2O_USE_TYPE_GROUP(slam2d);
+G2O_USE_TYPE_GROUP(slam3d);
+
+namespace {
+
+struct Chi2 {
+  double before, after;
+};
+
+constexpr int kIterations = 5;
+
+Chi2 native_chi2(boxplus::Graph& graph) {
+  boxplus::Options options;
+  options.algorithm = boxplus::AlgorithmKind::kGaussNewton;
+  options.max_iterations = kIterations;
+  options.cost_tolerance = options.step_tolerance = 0;
+  if (graph.vertex_count() > 0) graph.fix(graph.all_vertices().front());
+  const boxplus::Report report = boxplus::optimize(graph, options);
+  return {report.chi2_initial, report.chi2_final};
+}
+
+Chi2 face_chi2(g2o::SparseOptimizer& optimizer) {
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(std::make_unique<g2o::BlockSolverX>(
+      std::make_unique<g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>>())));
+  int lowest = optimizer.vertices().begin()->first;
+  for (const auto& [id, v] : optimizer.vertices()) lowest = std::min(lowest, id);
+  optimizer.vertex(lowest)->setFixed(true);
+  EXPECT_TRUE(optimizer.initializeOptimization());
+  Chi2 chi2{};
+  optimizer.computeActiveErrors();
+  chi2.before = optimizer.activeChi2();
+  EXPECT_EQ(optimizer.optimize(kIterations), kIterations);
+  optimizer.computeActiveErrors();
+  chi2.after = optimizer.activeChi2();
+  return chi2;
+}
+
+void expect_same(const Chi2& native, const Chi2& face) {
+  EXPECT_NEAR(face.before, native.before, 1e-9 * native.before);
+  EXPECT_NEAR(face.after, native.after, 1e-9 * native.after);
+}
+
+TEST(NativeFace, SimulatedGraphsHaveTheSameChi2) {
+  for (const boxplus::World world :
+       {boxplus::World::kSphere, boxplus::World::kGrid, boxplus::World::kManhattan, boxplus::World::kCity}) {
+    SCOPED_TRACE(boxplus::to_string(world));
+    boxplus::SimulationOptions options;
+    options.poses = 300;
+    options.noise = 0.2;  // so that Gauss-Newton descends
+    boxplus::Graph graph = boxplus::simulate(world, options).graph;
+    boxplus::GraphFile file;
+    file.graph = std::move(graph);
+    std::istringstream text(boxplus::format_graph(file));
+    g2o::SparseOptimizer optimizer;
+    ASSERT_TRUE(optimizer.load(text));
+    expect_same(native_chi2(file.graph), face_chi2(optimizer));
+  }
+}
+
+class NativeFaceFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(NativeFaceFile, HasTheSameChi2) {
+  const char* folder = std::getenv("BOXPLUS_DATA");
+  const std::string path = std::string(folder ? folder : ".") + "/" + GetParam();
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
+  g2o::SparseOptimizer optimizer;
+  ASSERT_TRUE(optimizer.load(path));
+  boxplus::GraphFile file = boxplus::read_graph(path);
+  ASSERT_EQ(optimizer.edges().size(), file.graph.edge_count());
+  expect_same(native_chi2(file.graph), face_chi2(optimizer));
+}
+
+// Files from whose estimates Gauss-Newton descends.
+INSTANTIATE_TEST_SUITE_P(Public, NativeFaceFile,
+                         testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/csail.g2o",
+                                         "posegraph3d/parking-garage.g2o", "posegraph3d/sphere2500.g2o",
+                                         "landmark2d/victoriaPark-full.g2o"),
+                         [](const auto& test) {
+                           std::string name = std::filesystem::path(test.param).stem().string();
+                           for (char& c : name)
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           return name;
+                         });
+
+TEST(NativeFace, AFileComesBackAsItWas) {
+  boxplus::GraphFile file;
+  file.graph = boxplus::simulate(boxplus::World::kSphere, {.poses = 100}).graph;
+  const std::string text = boxplus::format_graph(file);
+  std::istringstream in(text);
+  g2o::SparseOptimizer optimizer;
+  ASSERT_TRUE(optimizer.load(in));
+  std::ostringstream out;
+  ASSERT_TRUE(optimizer.save(out));
+  EXPECT_EQ(out.str(), text);
+}
+
+}  // namespace
