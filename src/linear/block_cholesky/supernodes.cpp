@@ -65,11 +65,36 @@ void merge(Node& child, Node& parent, std::uint32_t parent_index) {
   child.merged_into = parent_index;
 }
 
+/// Numbers 0, 1, … by group, in their order within each; those of group kNoParent are left out.
+class Groups {
+ public:
+  Groups(std::span<const std::uint32_t> group_of, std::size_t groups) : start_(groups + 1, 0) {
+    for (const std::uint32_t g : group_of) {
+      if (g != kNoParent) ++start_[g + 1];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    members_.resize(start_.back());
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    for (std::uint32_t k = 0; k < group_of.size(); ++k) {
+      if (group_of[k] != kNoParent) members_[next[group_of[k]]++] = k;
+    }
+  }
+  std::span<std::uint32_t> operator[](std::size_t group) {
+    return std::span(members_).subspan(start_[group], start_[group + 1] - start_[group]);
+  }
+
+ private:
+  std::vector<std::uint32_t> start_, members_;
+};
+
 /// Children first, cheapest merge first. Children that a merged child had stay separate.
 void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
-  std::vector<std::vector<std::uint32_t>> children(nodes.size());
+  std::vector<std::uint32_t> parents;
+  parents.reserve(nodes.size());
+  for (const Node& node : nodes) parents.push_back(node.parent);
+  Groups children(parents, nodes.size());
   for (std::uint32_t s = 0; s < nodes.size(); ++s) {
-    auto& list = children[s];
+    const std::span<std::uint32_t> list = children[s];
     std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
       const double zeros_a = added_zeros(nodes[a], nodes[s]), zeros_b = added_zeros(nodes[b], nodes[s]);
       return zeros_a != zeros_b ? zeros_a < zeros_b : a > b;
@@ -77,7 +102,6 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
     for (const std::uint32_t child : list) {
       if (merging_pays(nodes[child], nodes[s], rule)) merge(nodes[child], nodes[s], s);
     }
-    if (nodes[s].parent != kNoParent) children[nodes[s].parent].push_back(s);
   }
 }
 
@@ -123,8 +147,9 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   for (std::uint32_t s = 0; s < count; ++s) {
     if (representative[s] == s) number[s] = static_cast<std::uint32_t>(tops.size()), tops.push_back(s);
   }
-  std::vector<std::vector<std::uint32_t>> members(tops.size());
-  for (std::uint32_t s = 0; s < count; ++s) members[number[representative[s]]].push_back(s);
+  std::vector<std::uint32_t> top_of(count);
+  for (std::uint32_t s = 0; s < count; ++s) top_of[s] = number[representative[s]];
+  Groups members(top_of, tops.size());
   std::vector<std::uint32_t> top_parent;
   std::uint32_t kept_tops = 0;
   for (const std::uint32_t s : tops) {

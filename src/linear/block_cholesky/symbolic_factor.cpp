@@ -66,6 +66,7 @@ class Builder {
     list_entries_by_column();
     const std::uint32_t count = size_of(partition.start) - 1;
     f_.fronts.reserve(count);
+    f_.copies.reserve(structure_.nonzero_blocks());
     std::vector<std::uint32_t> first_child(count, kNoParent), sibling(count, kNoParent);
     for (std::uint32_t s = 0; s < count; ++s) {
       Front front{partition.start[s], partition.start[s + 1], 0, 0, 0};
