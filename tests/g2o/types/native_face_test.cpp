@@ -89,13 +89,14 @@ TEST_P(NativeFaceFile, HasTheSameChi2) {
   expect_same(native_chi2(file.graph), face_chi2(optimizer));
 }
 
-// Files from whose estimates Gauss-Newton descends.
+// Files from whose estimates Gauss-Newton descends. (From those of victoriaPark it goes astray, and five
+// iterations turn rounding into 3e-9 of chi2.)
 INSTANTIATE_TEST_SUITE_P(Public, NativeFaceFile,
                          testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/csail.g2o",
                                          "posegraph2d/M3500.g2o", "posegraph2d/city10000.g2o",
                                          "posegraph3d/parking-garage.g2o", "posegraph3d/sphere2500.g2o",
                                          "posegraph3d/torus3D.g2o", "posegraph3d/smallGrid3D.g2o",
-                                         "landmark2d/victoriaPark-full.g2o"),
+                                         "landmark2d/world-2000-full.g2o"),
                          [](const auto& test) {
                            std::string name = std::filesystem::path(test.param).stem().string();
                            for (char& c : name)
