@@ -19,7 +19,8 @@ bool make_guess(Run& run, Start start) {
       start == Start::kOdometry ? guess_odometry(run.graph(), run.system().plan())
       : start == Start::kSpanningTree
           ? guess_spanning_tree(run.graph(), run.system().plan())
-          : guess_chordal(run.graph(), run.system().plan(), {run.stop(), run.options().max_factor_bytes});
+          : guess_chordal(run.graph(), run.system().plan(),
+                          {run.stop(), run.options().max_factor_bytes, resolved_threads(run.options())});
   run.report().start.note = guess.note;
   return guess.made;
 }

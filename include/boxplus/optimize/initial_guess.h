@@ -41,6 +41,7 @@ GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
 struct GuessLimits {
   StopToken stop = {};                 ///< once raised, no guess is made
   std::uint64_t max_factor_bytes = 0;  ///< as AnalyzeHints::max_factor_bytes
+  int threads = 1;                     ///< of its factorisations; the result does not depend on it
 };
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,

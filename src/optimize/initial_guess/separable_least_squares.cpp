@@ -55,6 +55,8 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   AnalyzeHints hints;
   hints.right_hand_sides = columns_;
   hints.max_factor_bytes = limits.max_factor_bytes;
+  hints.threads = limits.threads;
+  hints.ordering = Ordering::kMinimumDegree;  // a single factorisation pays for no dissection
   solver->set_stop(limits.stop);
   solver->analyze(structure_, hints);
   const AssembledSystem system(structure_, values_);  // some solvers refer to it
