@@ -80,13 +80,13 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
   double* const update = factor.arena + front.update;
   double* const minimum_pivot = factor.minimum_pivot + first_scalar;
   load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
-  const auto& kernels = dense::kernels();
   for (const std::uint32_t c : symbolic.children_of(front)) {
     const Front& child = symbolic.fronts[c];
     const auto pivots = symbolic.pivot_runs(child), all = symbolic.all_runs(child);
-    kernels.extend_add({factor.arena + child.update, static_cast<int>(child.below), pivots.data(),
-                        pivots.data() + pivots.size(), all.data() + all.size(), panel,
-                        static_cast<int>(front.leading), 0, 0});
+    if (pivots.empty()) continue;
+    extend_add_with(threads, {factor.arena + child.update, static_cast<int>(child.below), pivots.data(),
+                              pivots.data() + pivots.size(), all.data() + all.size(), panel,
+                              static_cast<int>(front.leading), 0, 0});
   }
   const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
   const int leading = static_cast<int>(front.leading);
@@ -101,9 +101,10 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
     const Front& child = symbolic.fronts[c];
     const auto all = symbolic.all_runs(child);
     const ScalarRun* const end = all.data() + all.size();
-    kernels.extend_add({factor.arena + child.update, static_cast<int>(child.below),
-                        all.data() + symbolic.pivot_runs(child).size(), end, end, update, below,
-                        front.columns, front.columns});
+    const ScalarRun* const begin = all.data() + symbolic.pivot_runs(child).size();
+    if (begin == end) continue;
+    extend_add_with(threads, {factor.arena + child.update, static_cast<int>(child.below), begin, end, end,
+                              update, below, front.columns, front.columns});
   }
   return {};
 }

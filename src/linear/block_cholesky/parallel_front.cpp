@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "boxplus/base/parallel.h"
 #include "kernels/dense_kernels.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 namespace {
 
 constexpr double kWorthThreads = 1e6;  // flops
+constexpr double kWorthSharing = 1e5;  // numbers to add
 constexpr double kBetweenStops = 1e9;  // flops after which the stop token is asked again
 
 /// Where the columns of part `part` of `parts` begin, if each is to have the same area of the lower
@@ -19,6 +22,22 @@ constexpr double kBetweenStops = 1e9;  // flops after which the stop token is as
 int part_begin(int rows, int columns, int part, int parts) {
   const double r = rows, c = columns, area = (r * c - c * c / 2) * part / parts;
   return std::min(columns, static_cast<int>(r - std::sqrt(std::max(0.0, r * r - 2 * area))));
+}
+
+/// dense::factor_panel() of few columns: the square on top, then the rows below it by thread.
+int factor_block_column(int threads, double* block, int rows, int width, int ld,
+                        const double* minimum_pivot) {
+  const int below = rows - width;
+  const int parts = 1.0 * below * width * width < kWorthThreads ? 1 : threads;
+  if (parts == 1) return dense::factor_panel(block, rows, width, ld, minimum_pivot);
+  const int good = dense::factor_panel(block, width, width, ld, minimum_pivot);
+  if (good < width) return good;
+  parallel_tasks(parts, [&](int part) {
+    const auto bound = [&](int p) { return static_cast<int>(std::int64_t{below} * p / parts); };
+    dense::divide_by_transposed(block + width + bound(part), ld, block, ld, bound(part + 1) - bound(part),
+                                width);
+  });
+  return good;
 }
 
 }  // namespace
@@ -32,7 +51,7 @@ int factor_panel_with(int threads, const StopToken& stop, double* panel, int row
     if (j > 0 && stop.raised()) return kPanelStopped;
     const int width = std::min(dense::kBlock, columns - j), next = j + width;
     double* block = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
-    const int good = dense::factor_panel(block, rows - j, width, ld, minimum_pivot + j);
+    const int good = factor_block_column(threads, block, rows - j, width, ld, minimum_pivot + j);
     if (good < width) return j + good;
     double* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
     const int below = rows - next, right = columns - next;
@@ -44,6 +63,27 @@ int factor_panel_with(int threads, const StopToken& stop, double* panel, int row
     });
   }
   return columns;
+}
+
+void extend_add_with(int threads, const dense::ExtendAdd& task) {
+  const double below = task.below;
+  if (threads == 1 || below * below < kWorthSharing) return dense::kernels().extend_add(task);
+  // Numbers in the lower triangle left of a column.
+  const auto area = [&](double column) { return column * (below - column / 2); };
+  const double first = area(task.columns->source);
+  const dense::Run& back = task.columns_end[-1];
+  const double all = area(back.source + double{0} + back.length) - first;
+  const auto split = [&](int part) {
+    return std::find_if(task.columns, task.columns_end, [&](const dense::Run& run) {
+      return area(run.source) - first >= all * part / threads;
+    });
+  };
+  parallel_tasks(threads, [&](int part) {
+    dense::ExtendAdd mine = task;
+    mine.columns = split(part);
+    mine.columns_end = part + 1 == threads ? task.columns_end : split(part + 1);
+    dense::kernels().extend_add(mine);
+  });
 }
 
 bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,

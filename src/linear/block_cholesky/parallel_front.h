@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boxplus/base/stop_token.h"
+#include "kernels/kernel_table.h"
 
 namespace boxplus {
 
@@ -15,5 +16,8 @@ int factor_panel_with(int threads, const StopToken& stop, double* panel, int row
 /// dense::set_to_minus_square for all columns; false where it was stopped.
 bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
                               int lda, int size, int k);
+
+/// The extend-add, its columns by thread.
+void extend_add_with(int threads, const dense::ExtendAdd& task);
 
 }  // namespace boxplus

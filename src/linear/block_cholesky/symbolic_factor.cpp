@@ -170,7 +170,9 @@ class Builder {
 
   /// Appends a run, or extends the last one (of those from `begin`) where both sides go on where it ended.
   static void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
-    if (runs.size() > begin && runs.back().source + runs.back().length == run.source &&
+    constexpr std::uint32_t kLongest = 64;  // so that threads can share them
+    if (runs.size() > begin && runs.back().length < kLongest &&
+        runs.back().source + runs.back().length == run.source &&
         runs.back().destination + runs.back().length == run.destination) {
       runs.back().length += run.length;
     } else {
