@@ -10,24 +10,25 @@ namespace boxplus::dense::BOXPLUS_ISA {
 /// Pack r, lane l ⇄ pack l, lane r.
 inline void transpose(Pack (&p)[kLanes]) {
 #if defined(__AVX512F__)
+  constexpr __mmask8 kAll = 0xff;  // the forms without a mask begin with what GCC calls uninitialised
   Pack pairs[8], quads[8];
 #pragma GCC unroll 4
   for (int r = 0; r < 8; r += 2) {
-    pairs[r] = _mm512_unpacklo_pd(p[r], p[r + 1]);
-    pairs[r + 1] = _mm512_unpackhi_pd(p[r], p[r + 1]);
+    pairs[r] = _mm512_maskz_unpacklo_pd(kAll, p[r], p[r + 1]);
+    pairs[r + 1] = _mm512_maskz_unpackhi_pd(kAll, p[r], p[r + 1]);
   }
   constexpr int kEven = 0x88, kOdd = 0xdd;  // the 128-bit parts 0 2 0 2, and 1 3 1 3
 #pragma GCC unroll 2
   for (int odd = 0; odd < 2; ++odd) {
-    quads[odd] = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], kEven);
-    quads[odd + 2] = _mm512_shuffle_f64x2(pairs[odd], pairs[odd + 2], kOdd);
-    quads[odd + 4] = _mm512_shuffle_f64x2(pairs[odd + 4], pairs[odd + 6], kEven);
-    quads[odd + 6] = _mm512_shuffle_f64x2(pairs[odd + 4], pairs[odd + 6], kOdd);
+    quads[odd] = _mm512_maskz_shuffle_f64x2(kAll, pairs[odd], pairs[odd + 2], kEven);
+    quads[odd + 2] = _mm512_maskz_shuffle_f64x2(kAll, pairs[odd], pairs[odd + 2], kOdd);
+    quads[odd + 4] = _mm512_maskz_shuffle_f64x2(kAll, pairs[odd + 4], pairs[odd + 6], kEven);
+    quads[odd + 6] = _mm512_maskz_shuffle_f64x2(kAll, pairs[odd + 4], pairs[odd + 6], kOdd);
   }
 #pragma GCC unroll 4
   for (int r = 0; r < 4; ++r) {
-    p[r] = _mm512_shuffle_f64x2(quads[r], quads[r + 4], kEven);
-    p[r + 4] = _mm512_shuffle_f64x2(quads[r], quads[r + 4], kOdd);
+    p[r] = _mm512_maskz_shuffle_f64x2(kAll, quads[r], quads[r + 4], kEven);
+    p[r + 4] = _mm512_maskz_shuffle_f64x2(kAll, quads[r], quads[r + 4], kOdd);
   }
 #elif defined(__AVX2__)
   const Pack low0 = _mm256_unpacklo_pd(p[0], p[1]), high0 = _mm256_unpackhi_pd(p[0], p[1]);
