@@ -143,11 +143,8 @@ inline void between_all(const PosePairs& edges, double* error, double* jacobian,
     }
     Pack poses[3][N];
     for (int p = 0; p < 3; ++p) load_lanes(sources[p], N, poses[p]);
-    const auto part = [&](double* tile, int size) {
-      return tile + (k / kTileLanes) * size * kTileLanes + k % kTileLanes;
-    };
-    between(poses[0], poses[1], poses[2], part(error, kRows),
-            jacobian ? part(jacobian, 2 * kRows * kRows) : nullptr);
+    between(poses[0], poses[1], poses[2], error + lane_offset(kRows, k),
+            jacobian ? jacobian + lane_offset(2 * kRows * kRows, k) : nullptr);
   }
 }
 

@@ -8,11 +8,6 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// A number of the lanes of a tile: that of kLanes edges from `k` on.
-inline const double* in_lanes(const double* tile, int size, int k) {
-  return tile + (k / kTileLanes) * size * kTileLanes + k % kTileLanes;
-}
-
 /// Ω x for one edge per lane, where Ω and x have R rows.
 template <int R, EdgeNumbers::Kind kKind>
 inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
@@ -124,8 +119,8 @@ void add_edges_of(const EdgeLanes& tile) {
     if (tile.weight) {
       for (Pack& number : omega) number *= load(weights);
     }
-    products.template multiply<kKind>(in_lanes(tile.jacobian, R * (I + J), k), in_lanes(tile.error, R, k),
-                                      omega);
+    products.template multiply<kKind>(tile.jacobian + lane_offset(R * (I + J), k),
+                                      tile.error + lane_offset(R, k), omega);
     products.turn_to_edges();
     for (int l = 0; l < here; ++l) products.add(l, tile.targets[k + l], tile.values, tile.gradient);
   }
@@ -165,7 +160,7 @@ inline void squared_norms_of(int count, const double* error, const double* const
     for (int l = 0; l < kLanes; ++l) omegas[l] = omega[k + l < count ? k + l : count - 1];
     Pack numbers[kOmegaNumbers<R, kKind>], e[R], weighted[R];
     load_lanes(omegas, kOmegaNumbers<R, kKind>, numbers);
-    for (int r = 0; r < R; ++r) e[r] = load(in_lanes(error, R, k) + r * kTileLanes);
+    for (int r = 0; r < R; ++r) e[r] = load(error + lane_offset(R, k) + r * kTileLanes);
     weigh<R, kKind>(numbers, e, weighted);
     Pack sum{};
     for (int r = 0; r < R; ++r) sum += e[r] * weighted[r];
@@ -191,7 +186,7 @@ inline void to_lanes(const double* edges, int size, int count, double* lanes) {
   for (int k = 0; k < count; k += kLanes) {
     const double* blocks[kLanes];
     for (int l = 0; l < kLanes; ++l) blocks[l] = edges + (k + l < count ? k + l : count - 1) * size;
-    double* to = lanes + (in_lanes(lanes, size, k) - lanes);
+    double* to = lanes + lane_offset(size, k);
     int m = 0;
     for (; m + kLanes <= size; m += kLanes) {
       Pack packs[kLanes];

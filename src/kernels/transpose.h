@@ -3,6 +3,7 @@
 // back.
 #pragma once
 
+#include "kernels/kernel_table.h"
 #include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
@@ -48,6 +49,11 @@ inline void transpose(Pack (&p)[kLanes]) {
     }
   }
 #endif
+}
+
+/// Where, in a tile of blocks of `size` numbers in lanes, the first number of element k lies.
+inline long lane_offset(int size, int k) {
+  return static_cast<long>(k / kTileLanes) * size * kTileLanes + k % kTileLanes;
 }
 
 /// packs[m] = number m of each element, for `count` numbers. Reads no other.

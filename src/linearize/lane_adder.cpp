@@ -36,10 +36,14 @@ void LaneAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges
   if (!pool.has_kernels()) return;
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const RobustKernel* kernel = pool.kernel(edges[k]);
+    if (kernel == nullptr) {
+      weights_.push_back(1);
+      continue;
+    }
     double error[dense::kMostEdgeRows];
-    if (kernel) copy_error(tile, k, error);
-    const auto e2 = [&] { return pool.information(edges[k], tile.rows).squared_norm(error); };
-    weights_.push_back(kernel ? edge_weight(kernel, e2(), false).first : 1);
+    copy_error(tile, k, error);
+    const double e2 = pool.information(edges[k], tile.rows).squared_norm(error);
+    weights_.push_back(edge_weight(kernel, e2, false).first);
   }
 }
 

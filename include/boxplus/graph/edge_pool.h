@@ -60,8 +60,8 @@ class EdgePool {
   /// shape). May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
-  /// The errors of the listed edges in lanes (EdgeTile); false, and nothing done, where there is no kernel
-  /// that evaluates several edges of this type at a time.
+  /// The errors of at most EdgeTile::kCapacity edges in lanes; false, and nothing done, where there is no
+  /// kernel that evaluates several edges of this type at a time.
   virtual bool errors_in_lanes(std::span<const std::uint32_t> /*edges*/, double* /*out*/) const {
     return false;
   }

@@ -15,7 +15,7 @@ namespace boxplus {
 
 class BatchSystem final : public System {
  public:
-  /// Makes the plan and all memory. `graph` must outlive it and keep its structure.
+  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver, SchurMode schur,
               std::uint64_t max_factor_bytes = 0);
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers that are not finite, though every estimate and measurement is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Optimize, NamesAnEdgeWhereOnlyTheSumOverAllOverflows) {
+  Graph graph;
+  const auto x = graph.add_vertex(1e308, 7), y = graph.add_vertex(0.0, 8);
+  graph.add_edge([](const auto& value) { return value - 1e308 - 3; }, x);
+  graph.add_edge([](const auto& value) { return value - 1e154; }, y);
+  graph.add_edge([](const auto& a, const auto& b) { return 1.2e-154 * a + b; }, x, y);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part is that of the edge"));
+  EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+}
+
+TEST(Optimize, NamesTheEdgeByWhichTheLinearSystemOverflows) {
+  for (const auto algorithm :
+       {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kGaussNewton}) {
+    Graph graph;
+    const auto x = graph.add_vertex(1.0, 7), y = graph.add_vertex(2.0, 8);
+    graph.add_edge([](const auto& value) { return value - 3; }, x);
+    graph.add_edge([](const auto& a, const auto& b) { return 1e300 * (2 * a - b); }, x, y);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_EQ(report.reason, Reason::kNotFinite);
+    EXPECT_THAT(report.message, HasSubstr("the linear system overflows; the largest Jacobian"));
+    EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
+  }
+}
+
+class NanWeight final : public RobustKernel {
+ public:
+  Rho operator()(double e2) const override { return {e2, std::nan(""), 0}; }
+  std::string_view name() const override { return "NanWeight"; }
+  double delta() const override { return 1; }
+  std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<NanWeight>(); }
+};
+
+TEST(Optimize, NamesAnEdgeWhoseKernelGivesNoNumber) {
+  Graph graph;
+  const auto x = graph.add_vertex(1.0);
+  const auto edge = graph.add_edge([](const auto& value) { return value - 3; }, x);
+  graph.set_kernel(edge, NanWeight());
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_THAT(report.message, HasSubstr("the weight of the robust kernel"));
+  EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What optimize() makes of problems of all kinds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Optimize, OfAnEmptyGraphHasNothingToDo) {
+  Graph graph;
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged());
+  EXPECT_EQ(report.reason, Reason::kNothingToOptimize);
+}
+
+TEST(Optimize, WithEverythingFixedReportsTheChi2) {
+  Graph graph;
+  for (const auto& pose : add_noisy_circle(graph, 5)) graph.fix(pose);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.reason, Reason::kNothingToOptimize);
+  EXPECT_GT(report.chi2_final, 0);
+}
+
+TEST(Optimize, NamesTheVertexThatNothingMeasures) {
+  Graph graph;
+  const auto a = graph.add_vertex(Vector2(0, 0));
+  const auto b = graph.add_vertex(Vector2(1, 1), 77);
+  graph.fix(a);
+  graph.add_edge([](const auto& x, const auto& y) { return y[0] - x[0] - 1.5; }, a, b);
+  Options options;
+  options.algorithm = AlgorithmKind::kGaussNewton;
+  options.gauge = GaugePolicy::kFixFirst;
+  const Report report = optimize(graph, options);
+  // Its second coordinate is not observed: the component is held in one direction of two, so it is damped.
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.gauge.damped_components, 1);
+  graph.add_edge([](const auto& y) { return y[0] - 2.0; }, b);  // two rows now, in one direction
+  const Report singular = optimize(graph, options);
+  EXPECT_EQ(singular.status, Status::kFailed);
+  EXPECT_EQ(singular.reason, Reason::kNotPositiveDefinite);
+  EXPECT_THAT(singular.message, HasSubstr("vertex 77"));
+  // Dogleg damps H and says so.
+  options.algorithm = AlgorithmKind::kDogleg;
+  const Report damped = optimize(graph, options);
+  EXPECT_TRUE(damped.converged()) << damped;
+  EXPECT_GT(damped.regularised_steps, 0);
+  EXPECT_NEAR(graph.estimate(b)[0], 1.75, 1e-6);
+  EXPECT_EQ(graph.estimate(b)[1], 1);
+}
+
+TEST(Optimize, RefusesOptionsThatMakeNoSense) {
+  Graph graph;
+  add_noisy_circle(graph, 5);
+  const auto with = [](auto set) {
+    Options options;
+    set(options);
+    return options;
+  };
+  EXPECT_THROW(optimize(graph, with([](Options& o) { o.max_iterations = -1; })), InvalidArgument);
+  EXPECT_THROW(optimize(graph, with([](Options& o) { o.threads = -1; })), InvalidArgument);
+  EXPECT_THROW(optimize(graph, with([](Options& o) { o.cost_tolerance = std::nan(""); })), InvalidArgument);
+  EXPECT_THROW(optimize(graph, with([](Options& o) { o.linear_tolerance = 0; })), InvalidArgument);
+  EXPECT_THROW(optimize(graph, with([](Options& o) { o.vertices = {VertexRef{7, 7, 7}}; })), InvalidArgument);
+}
+
+TEST(Optimize, OfASubsetMovesOnlyItsVertices) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 20);
+  Options options;
+  options.vertices = {poses[3], poses[4]};
+  const SE2 outside = graph.estimate(poses[5]), inside = graph.estimate(poses[4]);
+  const Report report = optimize(graph, options);
+  EXPECT_EQ(report.vertices, 2u);
+  EXPECT_EQ(report.edges, 3u);
+  EXPECT_EQ(graph.estimate(poses[5]).vector(), outside.vector());
+  (void)inside;
+  options.vertices.clear();
+  options.edges = {graph.all_edges()[0], graph.all_edges()[1]};
+  EXPECT_EQ(optimize(graph, options).edges, 2u);
+}
+
+TEST(Optimize, UsesTheEdgesOfOneLevel) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector<double, 1>(0.0));
+  graph.add_edge([](const auto& v) { return v[0] - 1.0; }, x);
+  const auto other = graph.add_edge([](const auto& v) { return v[0] - 5.0; }, x);
+  graph.set_level(other, 1);
+  optimize(graph);
+  EXPECT_NEAR(graph.estimate(x)[0], 1, 1e-12);
+  Options options;
+  options.level = 1;
+  optimize(graph, options);
+  EXPECT_NEAR(graph.estimate(x)[0], 5, 1e-12);
+  options.level = -1;
+  optimize(graph, options);
+  EXPECT_NEAR(graph.estimate(x)[0], 3, 1e-12);
+}
+
+TEST(Optimize, DifferentiatesFunctionsOfPlainEigenVectorsNumerically) {
+  struct Plain {
+    Eigen::Vector2d error(const Eigen::Vector2d& x) const { return x - Eigen::Vector2d(1, 2); }
+  };
+  Graph graph;
+  const auto x = graph.add_vertex(Eigen::Vector2d(0, 0));
+  graph.add_edge([](const Eigen::Vector2d& v) { return v[0] - 4; }, x);
+  graph.add_edge(std::function<double(const Eigen::Vector2d&)>([](const auto& v) { return v[1]; }), x);
+  graph.add_edge(Plain{}, x);
+  const Report report = optimize(graph);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.numeric_jacobians.size(), 3u);
+  EXPECT_NEAR(graph.estimate(x)[0], 2.5, 1e-9);
+  EXPECT_NEAR(graph.estimate(x)[1], 1, 1e-9);
+}
+
+TEST(Optimize, SaysWhichEdgesAreDifferentiatedNumerically) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 5);
+  EXPECT_TRUE(optimize(graph).numeric_jacobians.empty());
+  graph.add_edge([](const SE2& p) { return p.x(); }, poses[0]);
+  EXPECT_EQ(optimize(graph).numeric_jacobians.size(), 1u);
+  Options options;
+  options.numeric_jacobians = true;
+  EXPECT_EQ(optimize(graph, options).numeric_jacobians.size(), 2u);
+}
+
+TEST(Optimize, RejectsAnOutlierUnderARobustKernel) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector<double, 1>(3.0));
+  for (int i = 0; i < 10; ++i) graph.add_edge([i](const auto& v) { return v[0] - (1.0 + 0.01 * i); }, x);
+  const auto outlier = graph.add_edge([](const auto& v) { return v[0] - 100.0; }, x);
+  for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Cauchy(0.1));
+  EXPECT_TRUE(optimize(graph).converged());
+  EXPECT_NEAR(graph.estimate(x)[0], 1.045, 0.01);
+  graph.set_enabled(outlier, false);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.disabled_edges, 1u);
+  EXPECT_TRUE(report.plan_reused);
+}
+
+}  // namespace
+}  // namespace boxplus
