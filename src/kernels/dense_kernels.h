@@ -3,43 +3,68 @@
 // columns.
 #pragma once
 
+#include "kernels/kernel_table.h"
+
 namespace boxplus::dense {
 
 /// Cholesky factor, in place, of a lower trapezoid of rows × columns (rows ≥ columns) numbers: the top square
 /// is replaced by L11 and the rest by L21 = A21 L11⁻ᵀ. What lies above the diagonal may be overwritten with
 /// anything. Stops at the first pivot that is not above minimum_pivot[j] or not finite and returns its
 /// column; else `columns`.
-int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot);
-
-/// Columns that are factored together before the rest of a panel is updated: a strip of A over them stays in
-/// L1.
-inline constexpr int kBlock = 64;
+template <class Scalar>
+int factor_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot) {
+  return factor_kernels<Scalar>().factor_panel(panel, rows, columns, ld, minimum_pivot);
+}
 
 /// Columns [begin, end) of C = −A Aᵀ (lower triangle; entries above the diagonal may be overwritten), C size
 /// × size, A size × k. The values do not depend on how the columns are divided into calls.
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
+template <class Scalar>
+void set_to_minus_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
+  factor_kernels<Scalar>().set_to_minus_square(c, ldc, a, lda, size, k, begin, end);
+}
 
 /// The same for C −= A Aᵀ, k ≤ kBlock.
-void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
+template <class Scalar>
+void subtract_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
+  factor_kernels<Scalar>().subtract_square(c, ldc, a, lda, size, k, begin, end);
+}
 
 /// C −= A Bᵀ; C rows × columns, A rows × k, B columns × k.
-void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
-                                 int rows, int columns, int k);
+template <class Scalar>
+void subtract_product_transposed(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb,
+                                 int rows, int columns, int k) {
+  factor_kernels<Scalar>().subtract_product_transposed(c, ldc, a, lda, b, ldb, rows, columns, k);
+}
 
 /// C −= A B; C rows × columns, A rows × k, B k × columns.
-void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
-                      int columns, int k);
+template <class Scalar>
+void subtract_product(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb, int rows,
+                      int columns, int k) {
+  factor_kernels<Scalar>().subtract_product(c, ldc, a, lda, b, ldb, rows, columns, k);
+}
 
 /// X ← X L⁻ᵀ; X rows × size, L lower triangular.
-void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size);
+template <class Scalar>
+void divide_by_transposed(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size) {
+  factor_kernels<Scalar>().divide_by_transposed(x, ldx, l, ldl, rows, size);
+}
 
 /// X ← X L⁻¹; X rows × size, L lower triangular.
-void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size);
+template <class Scalar>
+void divide_by(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size) {
+  factor_kernels<Scalar>().divide_by(x, ldx, l, ldl, rows, size);
+}
 
 /// One right-hand side, forwards: with panel = [L11; L21] and work = [y; z], y ← L11⁻¹ y, z ← z − L21 y.
-void solve_forward(const double* panel, int rows, int columns, int ld, double* work);
+template <class Scalar>
+void solve_forward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
+  factor_kernels<Scalar>().solve_forward(panel, rows, columns, ld, work);
+}
 
 /// One right-hand side, backwards: with work = [y; z], y ← L11⁻ᵀ (y − L21ᵀ z).
-void solve_backward(const double* panel, int rows, int columns, int ld, double* work);
+template <class Scalar>
+void solve_backward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
+  factor_kernels<Scalar>().solve_backward(panel, rows, columns, ld, work);
+}
 
 }  // namespace boxplus::dense

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operations of dense_kernels.h, written as their definitions: what the fast ones are tested against.
+// The operations of dense_kernels.h, written as their definitions: what the fast ones are tested
+// against. For Scalar = double and float.
 #pragma once
 
 namespace boxplus::dense::reference {
 
-int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot);
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k);
-void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
+template <class Scalar>
+int factor_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot);
+template <class Scalar>
+void set_to_minus_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k);
+template <class Scalar>
+void subtract_product_transposed(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb,
                                  int rows, int columns, int k);
-void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
+template <class Scalar>
+void subtract_product(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb, int rows,
                       int columns, int k);
-void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size);
-void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size);
-void solve_forward(const double* panel, int rows, int columns, int ld, double* work);
-void solve_backward(const double* panel, int rows, int columns, int ld, double* work);
+template <class Scalar>
+void divide_by_transposed(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size);
+template <class Scalar>
+void divide_by(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size);
+template <class Scalar>
+void solve_forward(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
+template <class Scalar>
+void solve_backward(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
 
 }  // namespace boxplus::dense::reference

@@ -13,20 +13,18 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
+template <class Scalar>
+constexpr FactorKernels<Scalar> kFactorKernels{factor_panel<Scalar>,     set_to_minus_square<Scalar>,
+                                               subtract_square<Scalar>,  subtract_product_transposed<Scalar>,
+                                               subtract_product<Scalar>, divide_by_transposed<Scalar>,
+                                               divide_by<Scalar>,        solve_forward<Scalar>,
+                                               solve_backward<Scalar>,   gather_runs<Scalar>,
+                                               scatter_runs<Scalar>,     extend_add<Scalar>};
+
 const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          kNanosecondsPerFlop,
-                         factor_panel,
-                         set_to_minus_square,
-                         subtract_square,
-                         subtract_product_transposed,
-                         subtract_product,
-                         divide_by_transposed,
-                         divide_by,
-                         solve_forward,
-                         solve_backward,
-                         gather_runs,
-                         scatter_runs,
-                         extend_add,
+                         kFactorKernels<double>,
+                         kFactorKernels<float>,
                          normal_products<1>,
                          add_block,
                          add_edges_for,

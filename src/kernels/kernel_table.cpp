@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "kernels/dense_kernels.h"
-
 namespace boxplus::dense {
 namespace {
 
@@ -51,44 +49,6 @@ const KernelTable& kernels() {
 
 void use_kernels(const KernelTable& table) {
   in_use() = &table;
-}
-
-int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
-  return kernels().factor_panel(panel, rows, columns, ld, minimum_pivot);
-}
-
-void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
-  kernels().set_to_minus_square(c, ldc, a, lda, size, k, begin, end);
-}
-
-void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end) {
-  kernels().subtract_square(c, ldc, a, lda, size, k, begin, end);
-}
-
-void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
-                                 int rows, int columns, int k) {
-  kernels().subtract_product_transposed(c, ldc, a, lda, b, ldb, rows, columns, k);
-}
-
-void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
-                      int columns, int k) {
-  kernels().subtract_product(c, ldc, a, lda, b, ldb, rows, columns, k);
-}
-
-void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size) {
-  kernels().divide_by_transposed(x, ldx, l, ldl, rows, size);
-}
-
-void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size) {
-  kernels().divide_by(x, ldx, l, ldl, rows, size);
-}
-
-void solve_forward(const double* panel, int rows, int columns, int ld, double* work) {
-  kernels().solve_forward(panel, rows, columns, ld, work);
-}
-
-void solve_backward(const double* panel, int rows, int columns, int ld, double* work) {
-  kernels().solve_backward(panel, rows, columns, ld, work);
 }
 
 }  // namespace boxplus::dense

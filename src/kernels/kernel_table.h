@@ -55,36 +55,48 @@ struct Run {
 };
 
 /// Adds columns of a child's update matrix, at and below the diagonal, to a part of its parent's front.
+template <class Scalar>
 struct ExtendAdd {
-  const double* update;  // below × below
+  const Scalar* update;  // below × below
   int below;
   const Run *columns, *columns_end, *end;  // the columns to add; the rows go on until `end`
-  double* to;
+  Scalar* to;
   int leading;
   std::uint32_t row_origin, column_origin;  // of the parent's front, from which destinations count
 };
 
-/// One set of kernels; dense_kernels.h says what they do.
+/// Columns that are factored together before the rest of a panel is updated: a strip of A over them stays in
+/// L1.
+inline constexpr int kBlock = 64;
+
+/// The kernels of a factorisation in doubles or floats; dense_kernels.h says what they do.
+template <class Scalar>
+struct FactorKernels {
+  int (*factor_panel)(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot);
+  void (*set_to_minus_square)(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin,
+                              int end);
+  void (*subtract_square)(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end);
+  void (*subtract_product_transposed)(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb,
+                                      int rows, int columns, int k);
+  void (*subtract_product)(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb, int rows,
+                           int columns, int k);
+  void (*divide_by_transposed)(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size);
+  void (*divide_by)(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size);
+  void (*solve_forward)(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
+  void (*solve_backward)(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
+  /// work[source…] = x[destination…] for each run, and back.
+  void (*gather_runs)(const Run* runs, int count, const Scalar* x, Scalar* work);
+  void (*scatter_runs)(const Run* runs, int count, const Scalar* work, Scalar* x);
+  void (*extend_add)(const ExtendAdd<Scalar>& task);
+};
+
+/// One set of kernels.
 struct KernelTable {
   const char* name;
   /// Of the kernels for fronts of medium size, on the processors of about 2023 that this set was measured on.
   double nanoseconds_per_flop;
-  int (*factor_panel)(double* panel, int rows, int columns, int ld, const double* minimum_pivot);
-  void (*set_to_minus_square)(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
-                              int end);
-  void (*subtract_square)(double* c, int ldc, const double* a, int lda, int size, int k, int begin, int end);
-  void (*subtract_product_transposed)(double* c, int ldc, const double* a, int lda, const double* b, int ldb,
-                                      int rows, int columns, int k);
-  void (*subtract_product)(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
-                           int columns, int k);
-  void (*divide_by_transposed)(double* x, int ldx, const double* l, int ldl, int rows, int size);
-  void (*divide_by)(double* x, int ldx, const double* l, int ldl, int rows, int size);
-  void (*solve_forward)(const double* panel, int rows, int columns, int ld, double* work);
-  void (*solve_backward)(const double* panel, int rows, int columns, int ld, double* work);
-  /// work[source…] = x[destination…] for each run, and back.
-  void (*gather_runs)(const Run* runs, int count, const double* x, double* work);
-  void (*scatter_runs)(const Run* runs, int count, const double* work, double* x);
-  void (*extend_add)(const ExtendAdd& task);
+  FactorKernels<double> in_double;
+  FactorKernels<float> in_float;
   /// products = JᵀΩJ, column-major with the stride that is returned, and gradient = JᵀΩe. Both have room for
   /// kMostEdgeColumns columns of kMostEdgeColumns numbers; what lies beyond cols is overwritten.
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
@@ -107,6 +119,14 @@ std::span<const KernelTable* const> usable_kernels();
 /// The set in use: the best, or the one that the environment variable BOXPLUS_ISA names (baseline, avx2,
 /// avx512), where the processor can run it.
 const KernelTable& kernels();
+template <class Scalar>
+const FactorKernels<Scalar>& factor_kernels() {
+  if constexpr (sizeof(Scalar) == sizeof(double)) {
+    return kernels().in_double;
+  } else {
+    return kernels().in_float;
+  }
+}
 /// Uses another set from now on: for tests, while nothing else runs.
 void use_kernels(const KernelTable& table);
 

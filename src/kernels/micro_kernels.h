@@ -7,8 +7,9 @@
 namespace boxplus::dense::BOXPLUS_ISA {
 
 /// B of the product A B or A Bᵀ: entry (k, column) is at data[k * step_k + column * step_column].
+template <class Scalar>
 struct Operand {
-  const double* data;
+  const Scalar* data;
   int step_k, step_column;
 };
 
@@ -16,34 +17,36 @@ struct Operand {
 /// diagonal given).
 enum class TileUse { kSubtract, kSet, kDivide };
 
+template <class Scalar>
 struct Triangle {
-  const double* data = nullptr;
+  const Scalar* data = nullptr;
   int ld = 0;
-  const double* inverse_diagonal = nullptr;
+  const Scalar* inverse_diagonal = nullptr;
 };
 
 /// One tile of Packs packs of rows and Columns columns. Of the last pack only `lanes` count where IsTail.
-template <TileUse Use, int Packs, int Columns, bool IsTail>
-inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Operand b, int k, Triangle t,
-                     Lanes lanes) {
-  const auto load_pack = [&](const double* from, int p) {
-    return IsTail && p == Packs - 1 ? lanes.load(from + p * kLanes) : load(from + p * kLanes);
+template <TileUse Use, int Packs, int Columns, bool IsTail, class Scalar>
+inline void run_tile(Scalar* __restrict c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int k,
+                     Triangle<Scalar> t, LanesOf<Scalar> lanes) {
+  constexpr int kWidth = kLanesOf<Scalar>;
+  const auto load_pack = [&](const Scalar* from, int p) {
+    return IsTail && p == Packs - 1 ? lanes.load(from + p * kWidth) : load(from + p * kWidth);
   };
-  Pack tile[Columns][Packs];
+  PackOf<Scalar> tile[Columns][Packs];
 #pragma GCC unroll 8
   for (int j = 0; j < Columns; ++j) {
 #pragma GCC unroll 8
     for (int p = 0; p < Packs; ++p) {
-      tile[j][p] = Use == TileUse::kSet ? Pack{} : load_pack(c + static_cast<long>(j) * ldc, p);
+      tile[j][p] = Use == TileUse::kSet ? PackOf<Scalar>{} : load_pack(c + static_cast<long>(j) * ldc, p);
     }
   }
   for (int i = 0; i < k; ++i) {
-    Pack column[Packs];
+    PackOf<Scalar> column[Packs];
 #pragma GCC unroll 8
     for (int p = 0; p < Packs; ++p) column[p] = load_pack(a, p);
 #pragma GCC unroll 8
     for (int j = 0; j < Columns; ++j) {
-      const double factor = b.data[j * b.step_column];
+      const Scalar factor = b.data[j * b.step_column];
 #pragma GCC unroll 8
       for (int p = 0; p < Packs; ++p) tile[j][p] -= column[p] * factor;
     }
@@ -63,27 +66,29 @@ inline void run_tile(double* __restrict c, int ldc, const double* a, int lda, Op
   }
 #pragma GCC unroll 8
   for (int j = 0; j < Columns; ++j) {
-    double* to = c + static_cast<long>(j) * ldc;
+    Scalar* to = c + static_cast<long>(j) * ldc;
 #pragma GCC unroll 8
     for (int p = 0; p < Packs; ++p) {
       if (IsTail && p == Packs - 1) {
-        lanes.store(to + p * kLanes, tile[j][p]);
+        lanes.store(to + p * kWidth, tile[j][p]);
       } else {
-        store(to + p * kLanes, tile[j][p]);
+        store(to + p * kWidth, tile[j][p]);
       }
     }
   }
 }
 
 /// A column of tiles: all `rows` of C, `Columns` columns.
-template <TileUse Use, int Columns>
-void run_strip(double* c, int ldc, const double* a, int lda, Operand b, int rows, int k, Triangle t) {
+template <TileUse Use, int Columns, class Scalar>
+void run_strip(Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int rows, int k,
+               Triangle<Scalar> t) {
+  constexpr int kWidth = kLanesOf<Scalar>;
   int i = 0;
-  for (; i + kPacks * kLanes <= rows; i += kPacks * kLanes) {
-    run_tile<Use, kPacks, Columns, false>(c + i, ldc, a + i, lda, b, k, t, Lanes(kLanes));
+  for (; i + kPacks * kWidth <= rows; i += kPacks * kWidth) {
+    run_tile<Use, kPacks, Columns, false>(c + i, ldc, a + i, lda, b, k, t, LanesOf<Scalar>(kWidth));
   }
-  const int left = rows - i, packs = (left + kLanes - 1) / kLanes;
-  const Lanes lanes(left - (packs - 1) * kLanes);
+  const int left = rows - i, packs = (left + kWidth - 1) / kWidth;
+  const LanesOf<Scalar> lanes(left - (packs - 1) * kWidth);
   static_assert(kPacks <= 3);
   if (packs == 1) run_tile<Use, 1, Columns, true>(c + i, ldc, a + i, lda, b, k, t, lanes);
   if (packs == 2) run_tile<Use, 2, Columns, true>(c + i, ldc, a + i, lda, b, k, t, lanes);
@@ -93,9 +98,9 @@ void run_strip(double* c, int ldc, const double* a, int lda, Operand b, int rows
 }
 
 /// run_strip for 1 … kStrip columns.
-template <TileUse Use, int Most = kStrip>
-inline void run_strip(int columns, double* c, int ldc, const double* a, int lda, Operand b, int rows, int k,
-                      Triangle t = {}) {
+template <TileUse Use, int Most = kStrip, class Scalar>
+inline void run_strip(int columns, Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int rows,
+                      int k, Triangle<Scalar> t = {}) {
   if (columns == Most) return run_strip<Use, Most>(c, ldc, a, lda, b, rows, k, t);
   if constexpr (Most > 1) run_strip<Use, Most - 1>(columns, c, ldc, a, lda, b, rows, k, t);
 }

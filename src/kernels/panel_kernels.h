@@ -2,36 +2,40 @@
 // The kernels over panels and fronts: blocks and strips of register tiles.
 #pragma once
 
-#include <cfloat>
 #include <cmath>
 
-#include "kernels/dense_kernels.h"
+#include "kernels/kernel_table.h"
 #include "kernels/micro_kernels.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
+
+template <class Scalar>
+constexpr Scalar largest() {
+  return sizeof(Scalar) == sizeof(double) ? static_cast<Scalar>(__DBL_MAX__)
+                                          : static_cast<Scalar>(__FLT_MAX__);
+}
 
 inline int smaller(int a, int b) {
   return a < b ? a : b;
 }
 
-inline double* at(double* a, int ld, int i, int j) {
-  return a + i + static_cast<long>(ld) * j;
-}
-inline const double* at(const double* a, int ld, int i, int j) {
+template <class Scalar>  // which may be const
+inline Scalar* at(Scalar* a, int ld, int i, int j) {
   return a + i + static_cast<long>(ld) * j;
 }
 
 /// Cholesky factor of a tiny square in place; returns the bad column or `size`.
-inline int factor_tiny(double* a, int size, int ld, const double* minimum_pivot, double* inverse_diagonal) {
+template <class Scalar>
+int factor_tiny(Scalar* a, int size, int ld, const Scalar* minimum_pivot, Scalar* inverse_diagonal) {
   for (int j = 0; j < size; ++j) {
-    double pivot = a[j + j * ld];
+    Scalar pivot = a[j + j * ld];
     for (int k = 0; k < j; ++k) pivot -= a[j + k * ld] * a[j + k * ld];
-    if (!(pivot > minimum_pivot[j] && pivot <= DBL_MAX)) return j;
-    const double root = std::sqrt(pivot), inverse = 1 / root;
+    if (!(pivot > minimum_pivot[j] && pivot <= largest<Scalar>())) return j;
+    const Scalar root = std::sqrt(pivot), inverse = 1 / root;
     a[j + j * ld] = root;
     inverse_diagonal[j] = inverse;
     for (int i = j + 1; i < size; ++i) {
-      double value = a[i + j * ld];
+      Scalar value = a[i + j * ld];
       for (int k = 0; k < j; ++k) value -= a[i + k * ld] * a[j + k * ld];
       a[i + j * ld] = value * inverse;
     }
@@ -41,95 +45,102 @@ inline int factor_tiny(double* a, int size, int ld, const double* minimum_pivot,
 
 /// Left-looking, strip by strip: update with the columns to the left, factor the diagonal, divide the rows
 /// below.
-inline int factor_narrow_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+template <class Scalar>
+int factor_narrow_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot) {
   for (int j = 0; j < columns;) {
     const int width = strip_width(columns - j);
-    const double* left = panel + j;
-    const Operand top{left, ld, 1};
-    double* diagonal = at(panel, ld, j, j);
+    const Scalar* left = panel + j;
+    const Operand<Scalar> top{left, ld, 1};
+    Scalar* diagonal = at(panel, ld, j, j);
     run_strip<TileUse::kSubtract>(width, diagonal, ld, left, ld, top, width, j);
-    double inverse_diagonal[kStrip];
+    Scalar inverse_diagonal[kStrip];
     const int good = factor_tiny(diagonal, width, ld, minimum_pivot + j, inverse_diagonal);
     if (good < width) return j + good;
     run_strip<TileUse::kDivide>(width, diagonal + width, ld, left + width, ld, top, rows - j - width, j,
-                                {diagonal, ld, inverse_diagonal});
+                                Triangle<Scalar>{diagonal, ld, inverse_diagonal});
     j += width;
   }
   return columns;
 }
 
 /// C −= A Aᵀ or C = −A Aᵀ in the columns [begin, end) of the lower trapezoid, k of A at most kBlock.
-template <TileUse Use>
-void update_trapezoid(double* c, int ldc, const double* a, int lda, int rows, int k, int begin, int end) {
+template <TileUse Use, class Scalar>
+void update_trapezoid(Scalar* c, int ldc, const Scalar* a, int lda, int rows, int k, int begin, int end) {
   for (int j = begin; j < end;) {
     const int width = strip_width(end - j);
-    run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, {a + j, lda, 1}, rows - j, k);
+    run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, Operand<Scalar>{a + j, lda, 1}, rows - j, k);
     j += width;
   }
 }
 
-inline void subtract_general(double* c, int ldc, const double* a, int lda, Operand b, int rows, int columns,
-                             int k) {
+template <class Scalar>
+void subtract_general(Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int rows, int columns,
+                      int k) {
   for (int k0 = 0; k0 < k; k0 += kBlock) {
     const int depth = smaller(kBlock, k - k0);
-    const double* left = at(a, lda, 0, k0);
+    const Scalar* left = at(a, lda, 0, k0);
     for (int j = 0; j < columns;) {
       const int width = strip_width(columns - j);
-      const Operand right{b.data + static_cast<long>(k0) * b.step_k + static_cast<long>(j) * b.step_column,
-                          b.step_k, b.step_column};
+      const Operand<Scalar> right{
+          b.data + static_cast<long>(k0) * b.step_k + static_cast<long>(j) * b.step_column, b.step_k,
+          b.step_column};
       run_strip<TileUse::kSubtract>(width, at(c, ldc, 0, j), ldc, left, lda, right, rows, depth);
       j += width;
     }
   }
 }
 
-inline void subtract_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
-                            int end) {
+template <class Scalar>
+void subtract_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
   update_trapezoid<TileUse::kSubtract>(c, ldc, a, lda, size, k, begin, end);
 }
 
-inline void set_to_minus_square(double* c, int ldc, const double* a, int lda, int size, int k, int begin,
-                                int end) {
+template <class Scalar>
+void set_to_minus_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
   update_trapezoid<TileUse::kSet>(c, ldc, a, lda, size, smaller(k, kBlock), begin, end);
   for (int k0 = kBlock; k0 < k; k0 += kBlock) {
     subtract_square(c, ldc, at(a, lda, 0, k0), lda, size, smaller(kBlock, k - k0), begin, end);
   }
 }
 
-inline void subtract_product_transposed(double* c, int ldc, const double* a, int lda, const double* b,
-                                        int ldb, int rows, int columns, int k) {
-  subtract_general(c, ldc, a, lda, {b, ldb, 1}, rows, columns, k);
+template <class Scalar>
+void subtract_product_transposed(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb,
+                                 int rows, int columns, int k) {
+  subtract_general(c, ldc, a, lda, Operand<Scalar>{b, ldb, 1}, rows, columns, k);
 }
 
-inline void subtract_product(double* c, int ldc, const double* a, int lda, const double* b, int ldb, int rows,
-                             int columns, int k) {
-  subtract_general(c, ldc, a, lda, {b, 1, ldb}, rows, columns, k);
+template <class Scalar>
+void subtract_product(Scalar* c, int ldc, const Scalar* a, int lda, const Scalar* b, int ldb, int rows,
+                      int columns, int k) {
+  subtract_general(c, ldc, a, lda, Operand<Scalar>{b, 1, ldb}, rows, columns, k);
 }
 
-inline void divide_by_transposed(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+template <class Scalar>
+void divide_by_transposed(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size) {
   for (int j = 0; j < size;) {
     const int width = strip_width(size - j);
-    const double* diagonal = at(l, ldl, j, j);
-    double inverse_diagonal[kStrip];
+    const Scalar* diagonal = at(l, ldl, j, j);
+    Scalar inverse_diagonal[kStrip];
     for (int i = 0; i < width; ++i) inverse_diagonal[i] = 1 / diagonal[i + i * ldl];
-    run_strip<TileUse::kDivide>(width, at(x, ldx, 0, j), ldx, x, ldx, {l + j, ldl, 1}, rows, j,
-                                {diagonal, ldl, inverse_diagonal});
+    run_strip<TileUse::kDivide>(width, at(x, ldx, 0, j), ldx, x, ldx, Operand<Scalar>{l + j, ldl, 1}, rows, j,
+                                Triangle<Scalar>{diagonal, ldl, inverse_diagonal});
     j += width;
   }
 }
 
-inline void divide_by(double* x, int ldx, const double* l, int ldl, int rows, int size) {
+template <class Scalar>
+void divide_by(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size) {
   // Columns from the last to the first; the triangle of a strip is Lᵀ of its diagonal square, reversed.
   for (int end = size; end > 0;) {
     const int width = strip_width(end), j = end - width;
-    subtract_general(at(x, ldx, 0, j), ldx, at(x, ldx, 0, end), ldx, {at(l, ldl, end, j), 1, ldl}, rows,
-                     width, size - end);
+    subtract_general(at(x, ldx, 0, j), ldx, at(x, ldx, 0, end), ldx,
+                     Operand<Scalar>{at(l, ldl, end, j), 1, ldl}, rows, width, size - end);
     for (int column = end - 1; column >= j; --column) {
-      const double inverse = 1 / *at(l, ldl, column, column);
-      double* __restrict target = at(x, ldx, 0, column);
+      const Scalar inverse = 1 / *at(l, ldl, column, column);
+      Scalar* __restrict target = at(x, ldx, 0, column);
       for (int k = column + 1; k < end; ++k) {
-        const double factor = *at(l, ldl, k, column);
-        const double* source = at(x, ldx, 0, k);
+        const Scalar factor = *at(l, ldl, k, column);
+        const Scalar* source = at(x, ldx, 0, k);
         for (int i = 0; i < rows; ++i) target[i] -= source[i] * factor;
       }
       for (int i = 0; i < rows; ++i) target[i] *= inverse;
@@ -138,10 +149,11 @@ inline void divide_by(double* x, int ldx, const double* l, int ldl, int rows, in
   }
 }
 
-inline int factor_panel(double* panel, int rows, int columns, int ld, const double* minimum_pivot) {
+template <class Scalar>
+int factor_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot) {
   for (int j = 0; j < columns; j += kBlock) {
     const int width = smaller(kBlock, columns - j);
-    double* block = at(panel, ld, j, j);
+    Scalar* block = at(panel, ld, j, j);
     const int good = factor_narrow_panel(block, rows - j, width, ld, minimum_pivot + j);
     if (good < width) return j + good;
     const int next = j + width;

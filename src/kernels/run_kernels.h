@@ -8,61 +8,67 @@
 namespace boxplus::dense::BOXPLUS_ISA {
 
 /// For each part of [0, length): f(first, lanes), where lanes can load and store.
-template <class F>
+template <class Scalar, class F>
 inline void for_packs(int length, F&& f) {
   struct All {
-    Pack load(const double* from) const { return dense::BOXPLUS_ISA::load(from); }
-    void store(double* to, Pack pack) const { dense::BOXPLUS_ISA::store(to, pack); }
+    PackOf<Scalar> load(const Scalar* from) const { return dense::BOXPLUS_ISA::load(from); }
+    void store(Scalar* to, PackOf<Scalar> pack) const { dense::BOXPLUS_ISA::store(to, pack); }
   };
+  constexpr int kWidth = kLanesOf<Scalar>;
   int i = 0;
-  for (; i + kLanes <= length; i += kLanes) f(i, All());
-  if (i < length) f(i, Lanes(length - i));
+  for (; i + kWidth <= length; i += kWidth) f(i, All());
+  if (i < length) f(i, LanesOf<Scalar>(length - i));
 }
 
-inline void copy_numbers(const double* from, double* to, int length) {
-  for_packs(length, [&](int i, const auto& lanes) { lanes.store(to + i, lanes.load(from + i)); });
+template <class Scalar>
+void copy_numbers(const Scalar* from, Scalar* to, int length) {
+  for_packs<Scalar>(length, [&](int i, const auto& lanes) { lanes.store(to + i, lanes.load(from + i)); });
 }
 
-inline void add_numbers(const double* from, double* to, int length) {
-  for_packs(length, [&](int i, const auto& lanes) {
+template <class Scalar>
+void add_numbers(const Scalar* from, Scalar* to, int length) {
+  for_packs<Scalar>(length, [&](int i, const auto& lanes) {
     lanes.store(to + i, lanes.load(to + i) + lanes.load(from + i));
   });
 }
 
 /// rows × columns numbers. Short columns are taken side by side, so that their lanes are found once.
-inline void add_rectangle(const double* from, long from_stride, double* to, long to_stride, int rows,
-                          int columns) {
-  constexpr int kShort = 4 * kLanes;
+template <class Scalar>
+void add_rectangle(const Scalar* from, long from_stride, Scalar* to, long to_stride, int rows, int columns) {
+  constexpr int kShort = 4 * kLanesOf<Scalar>;
   if (rows > kShort) {
     for (int j = 0; j < columns; ++j) add_numbers(from + j * from_stride, to + j * to_stride, rows);
     return;
   }
-  for_packs(rows, [&](int i, const auto& lanes) {
-    const double* source = from + i;
-    double* target = to + i;
+  for_packs<Scalar>(rows, [&](int i, const auto& lanes) {
+    const Scalar* source = from + i;
+    Scalar* target = to + i;
     for (int j = 0; j < columns; ++j, source += from_stride, target += to_stride)
       lanes.store(target, lanes.load(target) + lanes.load(source));
   });
 }
 
-inline void gather_runs(const Run* runs, int count, const double* x, double* work) {
+template <class Scalar>
+void gather_runs(const Run* runs, int count, const Scalar* x, Scalar* work) {
   for (const Run* run = runs; run != runs + count; ++run)
     copy_numbers(x + run->destination, work + run->source, static_cast<int>(run->length));
 }
 
-inline void scatter_runs(const Run* runs, int count, const double* work, double* x) {
+template <class Scalar>
+void scatter_runs(const Run* runs, int count, const Scalar* work, Scalar* x) {
   for (const Run* run = runs; run != runs + count; ++run)
     copy_numbers(work + run->source, x + run->destination, static_cast<int>(run->length));
 }
 
-inline void extend_add(const ExtendAdd& task) {
+template <class Scalar>
+void extend_add(const ExtendAdd<Scalar>& task) {
   const long below = task.below, leading = task.leading;
   for (const Run* c = task.columns; c != task.columns_end; ++c) {
     const int columns = static_cast<int>(c->length);
-    const double* from = task.update + c->source * below;
-    double* to = task.to + (c->destination - task.column_origin) * leading;
-    const double* diagonal = from + c->source;
-    double* target = to + (c->destination - task.row_origin);
+    const Scalar* from = task.update + c->source * below;
+    Scalar* to = task.to + (c->destination - task.column_origin) * leading;
+    const Scalar* diagonal = from + c->source;
+    Scalar* target = to + (c->destination - task.row_origin);
     for (int j = 0; j < columns; ++j)
       add_numbers(diagonal + j * (below + 1), target + j * (leading + 1), columns - j);
     for (const Run* r = c + 1; r != task.end; ++r) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A few doubles that are loaded, multiplied and stored together.
+// A few numbers, double or float, that are loaded, multiplied and stored together.
 //
 // The kernels are compiled once per instruction set, each time in a namespace of its own, BOXPLUS_ISA, and
 // call nothing that is compiled elsewhere under the same name: else the linker might keep the copy of the
@@ -16,88 +16,140 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-// The vector extension of GCC and Clang; elsewhere one double, which the kernels accept as well.
+// The vector extension of GCC and Clang; elsewhere one number, which the kernels accept as well.
 // kPacks × kStrip is the largest tile that stays in the registers, with the operands of one step.
 #if defined(__AVX512F__)
-typedef double Pack __attribute__((vector_size(64)));
+#define BOXPLUS_PACK_BYTES 64
 inline constexpr int kPacks = 3, kStrip = 8;
 inline constexpr double kNanosecondsPerFlop = 0.025;
 #elif defined(__AVX2__)
-typedef double Pack __attribute__((vector_size(32)));
+#define BOXPLUS_PACK_BYTES 32
 inline constexpr int kPacks = 2, kStrip = 6;
 inline constexpr double kNanosecondsPerFlop = 0.03;
 #elif defined(__GNUC__)
-typedef double Pack __attribute__((vector_size(16)));
+#define BOXPLUS_PACK_BYTES 16
 inline constexpr int kPacks = 2, kStrip = 4;
 inline constexpr double kNanosecondsPerFlop = 0.08;
 #else
-using Pack = double;
 inline constexpr int kPacks = 2, kStrip = 4;
 inline constexpr double kNanosecondsPerFlop = 0.08;
 #endif
 
-inline constexpr int kLanes = static_cast<int>(sizeof(Pack) / sizeof(double));
+#ifdef BOXPLUS_PACK_BYTES
+template <class Scalar>
+struct PackType;
+template <>
+struct PackType<double> {
+  typedef double Type __attribute__((vector_size(BOXPLUS_PACK_BYTES)));
+};
+template <>
+struct PackType<float> {
+  typedef float Type __attribute__((vector_size(BOXPLUS_PACK_BYTES)));
+};
+#undef BOXPLUS_PACK_BYTES
+#else
+template <class Scalar>
+struct PackType {
+  using Type = Scalar;
+};
+#endif
 
-inline Pack load(const double* from) {
-  Pack pack;
-  __builtin_memcpy(&pack, from, sizeof(Pack));
+template <class Scalar>
+using PackOf = typename PackType<Scalar>::Type;
+template <class Scalar>
+inline constexpr int kLanesOf = static_cast<int>(sizeof(PackOf<Scalar>) / sizeof(Scalar));
+
+/// Of doubles.
+using Pack = PackOf<double>;
+inline constexpr int kLanes = kLanesOf<double>;
+
+template <class Scalar>
+inline PackOf<Scalar> load(const Scalar* from) {
+  PackOf<Scalar> pack;
+  __builtin_memcpy(&pack, from, sizeof(pack));
   return pack;
 }
 
-inline void store(double* to, Pack pack) {
-  __builtin_memcpy(to, &pack, sizeof(Pack));
+inline void store(double* to, PackOf<double> pack) {
+  __builtin_memcpy(to, &pack, sizeof(pack));
+}
+inline void store(float* to, PackOf<float> pack) {
+  __builtin_memcpy(to, &pack, sizeof(pack));
 }
 
 /// The first lanes of a pack: those beyond are neither read nor written.
-class Lanes {
+template <class Scalar>
+class LanesOf {
  public:
 #if defined(__AVX512F__)
-  explicit Lanes(int count) : mask_(static_cast<__mmask8>((1u << count) - 1)) {}
-  Pack load(const double* from) const {
-    return _mm512_maskz_loadu_pd(mask_, from);
+  explicit LanesOf(int count) : mask_((1u << count) - 1) {}
+  PackOf<Scalar> load(const Scalar* from) const {
+    if constexpr (sizeof(Scalar) == sizeof(double)) {
+      return _mm512_maskz_loadu_pd(static_cast<__mmask8>(mask_), from);
+    } else {
+      return _mm512_maskz_loadu_ps(static_cast<__mmask16>(mask_), from);
+    }
   }
-  void store(double* to, Pack pack) const {
-    _mm512_mask_storeu_pd(to, mask_, pack);
+  void store(Scalar* to, PackOf<Scalar> pack) const {
+    if constexpr (sizeof(Scalar) == sizeof(double)) {
+      _mm512_mask_storeu_pd(to, static_cast<__mmask8>(mask_), pack);
+    } else {
+      _mm512_mask_storeu_ps(to, static_cast<__mmask16>(mask_), pack);
+    }
   }
 
  private:
-  __mmask8 mask_;
+  unsigned mask_;
 #elif defined(__AVX2__)
-  explicit Lanes(int count) {
-    constexpr long long kMask[] = {-1, -1, -1, -1, 0, 0, 0, 0};
-    mask_ = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kMask + 4 - count));
+  explicit LanesOf(int count) {
+    constexpr int kMask[] = {-1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0};
+    constexpr int kWords = static_cast<int>(sizeof(Scalar) / sizeof(int));
+    mask_ = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kMask + 8 - count * kWords));
   }
-  Pack load(const double* from) const {
-    return _mm256_maskload_pd(from, mask_);
+  PackOf<Scalar> load(const Scalar* from) const {
+    if constexpr (sizeof(Scalar) == sizeof(double)) {
+      return _mm256_maskload_pd(from, mask_);
+    } else {
+      return _mm256_maskload_ps(from, mask_);
+    }
   }
-  void store(double* to, Pack pack) const {
-    _mm256_maskstore_pd(to, mask_, pack);
+  void store(Scalar* to, PackOf<Scalar> pack) const {
+    if constexpr (sizeof(Scalar) == sizeof(double)) {
+      _mm256_maskstore_pd(to, mask_, pack);
+    } else {
+      _mm256_maskstore_ps(to, mask_, pack);
+    }
   }
 
  private:
   __m256i mask_;
 #else
-  explicit Lanes(int count) : count_(count) {}
-  Pack load(const double* from) const {
-    if (count_ == kLanes) return dense::BOXPLUS_ISA::load(from);
-    const double lanes[kLanes] = {*from};  // two lanes at most
+  explicit LanesOf(int count) : count_(count) {}
+  PackOf<Scalar> load(const Scalar* from) const {
+    Scalar lanes[kLanesOf<Scalar>] = {};
+    __builtin_memcpy(lanes, from, bytes());
     return dense::BOXPLUS_ISA::load(lanes);
   }
-  void store(double* to, Pack pack) const {
-    if (count_ == kLanes) return dense::BOXPLUS_ISA::store(to, pack);
-    __builtin_memcpy(to, &pack, sizeof(double));
+  void store(Scalar* to, PackOf<Scalar> pack) const {
+    __builtin_memcpy(to, &pack, bytes());
   }
 
  private:
+  unsigned long bytes() const {
+    return static_cast<unsigned long>(count_) * sizeof(Scalar);
+  }
   int count_;
 #endif
 };
 
-inline double sum(Pack pack) {
-  double lanes[kLanes];
-  __builtin_memcpy(lanes, &pack, sizeof(Pack));
-  double total = lanes[0];
-  for (int i = 1; i < kLanes; ++i) total += lanes[i];
+using Lanes = LanesOf<double>;
+
+template <class Scalar>
+inline Scalar sum_of(PackOf<Scalar> pack) {
+  Scalar lanes[kLanesOf<Scalar>];
+  __builtin_memcpy(lanes, &pack, sizeof(pack));
+  Scalar total = lanes[0];
+  for (int i = 1; i < kLanesOf<Scalar>; ++i) total += lanes[i];
   return total;
 }
 

@@ -7,25 +7,26 @@
 namespace boxplus::dense::BOXPLUS_ISA {
 
 /// work[i] −= Σ_j column_j[i] y[j] for `Columns` columns.
-template <int Columns>
-void subtract_columns(const double* columns, int ld, const double* y, int count, double* __restrict work) {
-  double factor[Columns];
+template <int Columns, class Scalar>
+void subtract_columns(const Scalar* columns, int ld, const Scalar* y, int count, Scalar* __restrict work) {
+  Scalar factor[Columns];
   for (int j = 0; j < Columns; ++j) factor[j] = y[j];
   for (int i = 0; i < count; ++i) {
-    double value = work[i];
+    Scalar value = work[i];
     for (int j = 0; j < Columns; ++j) value -= columns[i + static_cast<long>(j) * ld] * factor[j];
     work[i] = value;
   }
 }
 
 /// y[j] −= column_j · work for `Columns` columns.
-template <int Columns>
-void subtract_dots(const double* columns, int ld, const double* work, int count, double* y) {
-  Pack sums[Columns] = {};
-  double tails[Columns] = {};
+template <int Columns, class Scalar>
+void subtract_dots(const Scalar* columns, int ld, const Scalar* work, int count, Scalar* y) {
+  constexpr int kWidth = kLanesOf<Scalar>;
+  PackOf<Scalar> sums[Columns] = {};
+  Scalar tails[Columns] = {};
   int i = 0;
-  for (; i + kLanes <= count; i += kLanes) {
-    const Pack w = load(work + i);
+  for (; i + kWidth <= count; i += kWidth) {
+    const PackOf<Scalar> w = load(work + i);
 #pragma GCC unroll 4
     for (int j = 0; j < Columns; ++j) {
       sums[j] += load(columns + i + static_cast<long>(j) * ld) * w;
@@ -34,11 +35,11 @@ void subtract_dots(const double* columns, int ld, const double* work, int count,
   for (; i < count; ++i) {
     for (int j = 0; j < Columns; ++j) tails[j] += columns[i + static_cast<long>(j) * ld] * work[i];
   }
-  for (int j = 0; j < Columns; ++j) y[j] -= sum(sums[j]) + tails[j];
+  for (int j = 0; j < Columns; ++j) y[j] -= sum_of<Scalar>(sums[j]) + tails[j];
 }
 
-template <int Columns>
-void forward_columns(const double* diagonal, int ld, int below, double* y) {
+template <int Columns, class Scalar>
+void forward_columns(const Scalar* diagonal, int ld, int below, Scalar* y) {
   for (int j = 0; j < Columns; ++j) {
     for (int k = 0; k < j; ++k) y[j] -= diagonal[j + k * ld] * y[k];
     y[j] /= diagonal[j + j * ld];
@@ -46,8 +47,8 @@ void forward_columns(const double* diagonal, int ld, int below, double* y) {
   subtract_columns<Columns>(diagonal + Columns, ld, y, below, y + Columns);
 }
 
-template <int Columns>
-void backward_columns(const double* diagonal, int ld, int below, double* y) {
+template <int Columns, class Scalar>
+void backward_columns(const Scalar* diagonal, int ld, int below, Scalar* y) {
   subtract_dots<Columns>(diagonal + Columns, ld, y + Columns, below, y);
   for (int j = Columns - 1; j >= 0; --j) {
     for (int k = j + 1; k < Columns; ++k) y[j] -= diagonal[k + j * ld] * y[k];
@@ -57,7 +58,8 @@ void backward_columns(const double* diagonal, int ld, int below, double* y) {
 
 inline constexpr int kGroup = 4;
 
-inline void solve_forward(const double* panel, int rows, int columns, int ld, double* work) {
+template <class Scalar>
+void solve_forward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
   int j = 0;
   const auto diagonal = [&] { return panel + j + static_cast<long>(j) * ld; };
   for (; j + kGroup <= columns; j += kGroup)
@@ -67,7 +69,8 @@ inline void solve_forward(const double* panel, int rows, int columns, int ld, do
   if (columns - j == 1) return forward_columns<1>(diagonal(), ld, rows - j - 1, work + j);
 }
 
-inline void solve_backward(const double* panel, int rows, int columns, int ld, double* work) {
+template <class Scalar>
+void solve_backward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
   int j = columns - columns % kGroup;
   const auto diagonal = [&] { return panel + j + static_cast<long>(j) * ld; };
   if (columns - j == 3) backward_columns<3>(diagonal(), ld, rows - j - 3, work + j);

@@ -26,6 +26,18 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind) {
   throw InvalidArgument("make_linear_solver: unknown kind");
 }
 
+std::string_view to_string(Precision precision) {
+  switch (precision) {
+    case Precision::kAutomatic:
+      return "automatic";
+    case Precision::kDouble:
+      return "double";
+    case Precision::kMixed:
+      return "mixed";
+  }
+  return "unknown";
+}
+
 std::string_view to_string(LinearSolverKind kind) {
   switch (kind) {
     case LinearSolverKind::kAutomatic:

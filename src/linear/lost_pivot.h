@@ -19,4 +19,10 @@ namespace boxplus {
 inline constexpr double kLostPivot = 1e-14;
 inline constexpr double kSuspiciousPivot = 1e-6;
 
+/// In float no pivot is looked into: where 45 ε are not enough, a factor in double decides.
+template <class Scalar>
+inline constexpr Scalar kLostPivotOf = kLostPivot;
+template <>
+inline constexpr float kLostPivotOf<float> = 5e-6F;
+
 }  // namespace boxplus

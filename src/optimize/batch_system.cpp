@@ -18,20 +18,23 @@ constexpr double kGaugeDamping = 1e-11;
 /// far fewer iterations than an exact step takes.
 constexpr double kRoughTolerance = 0.1;
 
+/// The forcing term, at least, of a factor in float: as good as exact for Newton's method, whose own error is
+/// squared in each step, and half the refinement.
+constexpr double kRefinedTolerance = 1e-6;
+
 /// The diagonal that damping is scaled by stays above this fraction of its largest entry.
 constexpr double kDiagonalFloor = 1e-12;
 
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
-                         SchurMode schur, std::uint64_t max_factor_bytes)
+                         SchurMode schur, AnalyzeHints hints)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
       solver_(std::move(solver)) {
-  const AnalyzeHints hints{
-      .right_hand_sides = 1, .threads = request.threads, .last = {}, .max_factor_bytes = max_factor_bytes};
+  hints.threads = request.threads;
   if (plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks()) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
     const bool make_values =
@@ -54,8 +57,11 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
 
 void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  const bool replaced = solver_->statistics().refused_factor_bytes > 0;
-  control_ = {replaced ? std::max(kRoughTolerance, options.linear_tolerance) : options.linear_tolerance, 0};
+  const LinearStatistics statistics = solver_->statistics();
+  const double least = statistics.refused_factor_bytes > 0         ? kRoughTolerance
+                       : statistics.precision == Precision::kMixed ? kRefinedTolerance
+                                                                   : 0;
+  control_ = {std::max(least, options.linear_tolerance), 0};
   solver_->set_stop(stop);
   timings_ = &timings;
 }

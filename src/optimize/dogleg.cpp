@@ -134,6 +134,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     const double promise = record.tries == 1 ? find_first_step(system, chi2) : find_step(system);
     const bool cut_short = newton_norm_ > radius_;
     record.control = radius_;
+    record.promise = promise;
     record.step_max = max_abs(step_);
     record.chi2 = system.try_step(step_);
     record.chi2_decrease = chi2 - record.chi2;

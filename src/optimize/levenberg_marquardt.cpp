@@ -62,6 +62,7 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
 /// fall.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
+  record.promise = promise_;
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;
   const double gain = record.chi2_decrease / promise_;

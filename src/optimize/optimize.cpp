@@ -47,6 +47,7 @@ void reset(Report& report) {
 }
 
 void finish(Run& run, const RunResult& result) {
+  run.report().linear = run.system().linear_solver().statistics();
   run.report().status = result.status;
   run.report().reason = result.reason;
   run.report().chi2_final = run.system().chi2();

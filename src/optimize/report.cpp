@@ -41,6 +41,8 @@ std::string two_digits(double seconds) {
 std::string solver_text(const Report& report) {
   std::string text(report.linear_solver);
   const LinearStatistics& linear = report.linear;
+  if (linear.precision == Precision::kMixed) text += " (in float, refined in double)";
+  if (linear.left_mixed) text += " (in double, since float did not pay)";
   if (linear.refused_factor_bytes == 0) return text;
   return text + fmt::format(" (since the factor would take {} and {} s each time, a rough solution {} s)",
                             bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),
@@ -83,6 +85,8 @@ void add_start(Text& text, const StartReport& start) {
   add(text, "  {:<16}{}", "start", to_string(start.used));
   if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
   add(text, "; chi2 {:.7g} as given", without_sign_of_nan(start.chi2_current));
+  if (!std::isnan(start.first_step_kept))
+    add(text, ", the first step from there kept {:.0f} % of its promise", 100 * start.first_step_kept);
   if (!(start.chi2_guess < 0))
     add(text, ", {:.7g} after the initial guess", without_sign_of_nan(start.chi2_guess));
   if (start.ran_both)

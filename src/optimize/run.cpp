@@ -51,10 +51,14 @@ void Run::describe_problem() {
 }
 
 RunResult Run::minimize(double chi2) {
+  return minimize_while([](const IterationRecord&) { return true; }, chi2);
+}
+
+RunResult Run::minimize_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Status::kFailed, Reason::kNotFinite, chi2, 0};
   Algorithm& algorithm = session_->algorithm(options_);
   algorithm.reset(options_, system().plan().scalars());
-  const auto go_on = [this](const IterationRecord& record) { return call_back(record); };
+  const auto go_on = [&](const IterationRecord& record) { return call_back(record) && wanted(record); };
   const RunContext context{options_, iterations_left(), stop_, clock_, go_on, report_.records};
   const RunResult result = boxplus::minimize(system(), algorithm, context, chi2);
   report_.iterations += result.iterations;

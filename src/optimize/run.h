@@ -29,6 +29,8 @@ class Run {
 
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult minimize(double chi2);
+  /// The same, but for an end with Reason::kCallback after the first iteration that `wanted` refuses.
+  RunResult minimize_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   /// Has `change` change the plan.
   void plan_again(FunctionRef<void()> change);
 

@@ -26,6 +26,7 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   session->own_solver_ = options.own_linear_solver;
   session->schur_ = options.schur;
   session->max_factor_bytes_ = options.max_factor_bytes;
+  session->precision_ = options.precision;
   session->vertices_ = options.vertices;
   session->edges_ = options.edges;
   graph.cache().reset();  // its memory first
@@ -39,16 +40,19 @@ bool Session::fits(const Graph& graph, const Options& options) const {
   if (own_solver_ || options.own_linear_solver) return false;
   return revision_ == graph.revision() && level_ == options.level && threads_ == resolved_threads(options) &&
          gauge_ == options.gauge && solver_ == options.linear_solver && schur_ == options.schur &&
-         max_factor_bytes_ == options.max_factor_bytes && vertices_ == options.vertices &&
-         edges_ == options.edges;
+         max_factor_bytes_ == options.max_factor_bytes && precision_ == options.precision &&
+         vertices_ == options.vertices && edges_ == options.edges;
 }
 
 void Session::plan(Graph& graph) {
   const PlanRequest request{level_, vertices_, edges_, gauge_, released_, threads_};
   system_.reset();
+  AnalyzeHints hints;
+  hints.max_factor_bytes = max_factor_bytes_;
+  hints.precision = precision_;
   system_ = std::make_unique<BatchSystem>(
       graph, request, own_solver_ ? own_solver_ : std::shared_ptr(make_linear_solver(solver_)), schur_,
-      max_factor_bytes_);
+      hints);
 }
 
 void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {

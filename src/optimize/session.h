@@ -38,6 +38,7 @@ class Session final : public Graph::Cache {
   std::shared_ptr<LinearSolver> own_solver_;
   SchurMode schur_ = SchurMode::kAutomatic;
   std::uint64_t max_factor_bytes_ = 0;
+  Precision precision_ = Precision::kAutomatic;
   std::vector<VertexRef> vertices_, released_;
   std::vector<EdgeRef> edges_;
   std::size_t released_before_ = 0;  // by earlier calls of release()

@@ -54,7 +54,7 @@ RunResult minimize_from_other(Run& run, const RunResult& first, double other_chi
   return first;
 }
 
-/// Start::kAutomatic, with the chordal guess in the graph and the current estimates at kStartLevel.
+/// The better of the current estimates, at kStartLevel, and the chordal guess, in the graph.
 RunResult minimize_from_better(Run& run) {
   const double chi2_guess = run.report().start.chi2_guess, chi2_current = run.report().chi2_initial;
   const bool guess_first = chi2_guess < chi2_current || !std::isfinite(chi2_current);
@@ -68,20 +68,98 @@ RunResult minimize_from_better(Run& run) {
   return minimize_from_other(run, first, other_chi2);
 }
 
+/// Rows of the active edges beyond the unknowns: what chi2 is expected to be where the noise is that of Ω.
+double degrees_of_freedom(Run& run) {
+  double rows = 0;
+  for (const EdgeList& list : run.system().plan().edges) {
+    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
+    for (const std::uint32_t edge : list.edges) rows += pool.enabled(edge) ? pool.shape(edge).rows : 0;
+  }
+  return rows - run.system().plan().scalars();
+}
+
+/// A trust region's "very good": the model holds as far as the minimum, and so the estimates lie in its
+/// valley.
+bool keeps_promise(const IterationRecord& step) {
+  constexpr double kVeryGood = 0.75;
+  return step.tries == 1 && step.chi2_decrease >= kVeryGood * step.promise;
+}
+
+/// Whether chi2 is what noise explains: a local minimum far from the best one is hardly so good.
+bool is_plausible(Run& run, double chi2) {
+  constexpr double kAtMost = 2;
+  return chi2 <= std::max(1.0, kAtMost * degrees_of_freedom(run));
+}
+
+/// Runs from the current estimates; gives up, with Reason::kCallback, after a first step that does not do
+/// what the model promises, or where it does not arrive soon.
+RunResult try_current(Run& run, bool& gave_up) {
+  constexpr int kSoon = 10;
+  const auto wanted = [&](const IterationRecord& step) {
+    if (step.iteration == 0) {
+      run.report().start.first_step_kept = step.chi2_decrease / step.promise;
+      gave_up = !keeps_promise(step);
+    } else if (step.iteration == kSoon) {
+      gave_up = !is_plausible(run, step.chi2);
+    }
+    return !gave_up;
+  };
+  run.report().start.used = Start::kCurrent;
+  const RunResult result = run.minimize_while(wanted, run.report().chi2_initial);
+  gave_up = gave_up && result.reason == Reason::kCallback;
+  return result;
+}
+
+/// Puts the chordal guess into the graph. Where there is none, leaves the estimates as they are.
+bool replace_by_guess(Run& run) {
+  run.system().save(VertexPool::kBestLevel);
+  if (make_guess(run, Start::kChordal)) {
+    run.report().start.chi2_guess = run.system().chi2();
+    return true;
+  }
+  run.system().restore(VertexPool::kBestLevel);
+  return false;
+}
+
+/// After a run from the current estimates that ended where it may be a local minimum: from the chordal guess
+/// too, where there is one.
+RunResult compare_with_guess(Run& run, const RunResult& first) {
+  run.system().save(VertexPool::kStartLevel);
+  if (!replace_by_guess(run)) return first;
+  swap_with_saved(run, VertexPool::kStartLevel);  // now the guess waits at kStartLevel
+  return minimize_from_other(run, first, run.report().start.chi2_guess);
+}
+
+/// Start::kAutomatic, with the current estimates at kStartLevel too.
+RunResult minimize_automatically(Run& run) {
+  bool gave_up = false;
+  if (std::isfinite(run.report().chi2_initial) && run.options().max_iterations > 1) {
+    const RunResult result = try_current(run, gave_up);
+    const bool is_good = result.status == Status::kConverged && is_plausible(run, result.chi2);
+    const bool may_go_on = !is_interruption(result.reason) && run.may_go_on();
+    if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(run, result);
+  }
+  if (replace_by_guess(run)) {
+    run.report().records.clear();
+    return minimize_from_better(run);
+  }
+  return run.minimize(gave_up ? run.report().records.back().chi2 : run.report().chi2_initial);
+}
+
 }  // namespace
 
 RunResult minimize_from_starts(Run& run) {
-  if (run.options().start == Start::kCurrent) return run.minimize(run.report().chi2_initial);
+  const Start start = run.options().start;
+  if (start == Start::kCurrent) return run.minimize(run.report().chi2_initial);
   run.system().save(VertexPool::kStartLevel);
-  const Start guess = run.options().start == Start::kAutomatic ? Start::kChordal : run.options().start;
-  if (!make_guess(run, guess)) {
+  if (start == Start::kAutomatic) return minimize_automatically(run);
+  if (!make_guess(run, start)) {
     run.system().restore(VertexPool::kStartLevel);
     return run.minimize(run.report().chi2_initial);
   }
   run.report().start.chi2_guess = run.system().chi2();
-  run.report().start.used = guess;
-  if (run.options().start != Start::kAutomatic) return run.minimize(run.report().start.chi2_guess);
-  return minimize_from_better(run);
+  run.report().start.used = start;
+  return run.minimize(run.report().start.chi2_guess);
 }
 
 }  // namespace boxplus

@@ -16,147 +16,179 @@ namespace boxplus {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
+template <class Scalar>
+using MatrixOf = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 constexpr int kSizes[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 17, 24, 31, 33, 63, 64, 65, 67, 130};
 constexpr int kPadding = 3;
-constexpr double kTolerance = 1e-12;
+template <class Scalar>
+constexpr Scalar kTolerance = static_cast<Scalar>(1e4 * std::numeric_limits<Scalar>::epsilon());
 
-int ld(const Matrix& m) {
+template <class Scalar>
+int ld(const MatrixOf<Scalar>& m) {
   return static_cast<int>(m.rows());
 }
 
 /// A matrix with some rows more than asked for, so that the leading dimension differs from the number of
 /// rows.
-Matrix padded(int rows, int columns, std::mt19937& random) {
-  return random_matrix(rows + kPadding, columns, random);
+template <class Scalar>
+MatrixOf<Scalar> padded(int rows, int columns, std::mt19937& random) {
+  return random_matrix(rows + kPadding, columns, random).cast<Scalar>();
 }
 
 /// A well-conditioned lower triangle.
-Matrix triangle(int size, std::mt19937& random) {
-  Matrix l = padded(size, size, random) / (1 + size);
+template <class Scalar>
+MatrixOf<Scalar> triangle(int size, std::mt19937& random) {
+  MatrixOf<Scalar> l = padded<Scalar>(size, size, random) / static_cast<Scalar>(1 + size);
   for (int i = 0; i < size; ++i) l(i, i) = 1 + std::abs(l(i, i));
   return l;
 }
 
 /// The lower trapezoid of `rows` rows, zero elsewhere.
-Matrix lower(const Matrix& m, int rows) {
-  Matrix result = m.topRows(rows);
+template <class Scalar>
+MatrixOf<Scalar> lower(const MatrixOf<Scalar>& m, int rows) {
+  MatrixOf<Scalar> result = m.topRows(rows);
   for (int j = 0; j < result.cols(); ++j) {
     for (int i = 0; i < std::min(j, rows); ++i) result(i, j) = 0;
   }
   return result;
 }
 
-void expect_equal(const Matrix& fast, const Matrix& slow) {
-  EXPECT_LE((fast - slow).cwiseAbs().maxCoeff(), kTolerance * (1 + slow.cwiseAbs().maxCoeff()));
+template <class Scalar>
+void expect_equal(const MatrixOf<Scalar>& fast, const MatrixOf<Scalar>& slow) {
+  EXPECT_LE((fast - slow).cwiseAbs().maxCoeff(), kTolerance<Scalar> * (1 + slow.cwiseAbs().maxCoeff()));
 }
 
 class DenseKernels : public EveryIsa {};
 
-TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
-  std::mt19937 random(1);
-  for (const int columns : kSizes) {
-    for (const int below : kSizes) {
-      if (columns == 0) continue;
-      const int rows = columns + below;
-      Matrix fast = padded(rows, columns, random);
-      for (int j = 0; j < columns; ++j) fast(j, j) = rows + 1;
-      Matrix slow = fast;
-      const std::vector<double> limits(static_cast<std::size_t>(columns), 0.0);
-      EXPECT_EQ(dense::factor_panel(fast.data(), rows, columns, ld(fast), limits.data()), columns);
-      EXPECT_EQ(dense::reference::factor_panel(slow.data(), rows, columns, ld(slow), limits.data()), columns);
-      expect_equal(lower(fast, rows), lower(slow, rows));
-      EXPECT_EQ(fast.bottomRows(kPadding), slow.bottomRows(kPadding)) << "wrote below the panel";
-    }
+/// Runs a check for both kinds of numbers.
+template <class Check>
+void for_double_and_float(Check&& check) {
+  {
+    SCOPED_TRACE("double");
+    check.template operator()<double>();
   }
+  SCOPED_TRACE("float");
+  check.template operator()<float>();
+}
+
+TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(1);
+    for (const int columns : kSizes) {
+      for (const int below : kSizes) {
+        if (columns == 0) continue;
+        const int rows = columns + below;
+        MatrixOf<Scalar> fast = padded<Scalar>(rows, columns, random);
+        for (int j = 0; j < columns; ++j) fast(j, j) = static_cast<Scalar>(rows + 1);
+        MatrixOf<Scalar> slow = fast;
+        const std::vector<Scalar> limits(static_cast<std::size_t>(columns), Scalar{0});
+        EXPECT_EQ(dense::factor_panel(fast.data(), rows, columns, ld(fast), limits.data()), columns);
+        EXPECT_EQ(dense::reference::factor_panel(slow.data(), rows, columns, ld(slow), limits.data()),
+                  columns);
+        expect_equal(lower(fast, rows), lower(slow, rows));
+        EXPECT_EQ(fast.bottomRows(kPadding), slow.bottomRows(kPadding)) << "wrote below the panel";
+      }
+    }
+  });
 }
 
 TEST_P(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
-  std::mt19937 random(2);
-  for (const int size : {1, 3, 6, 13, 64, 65, 100}) {
-    for (const double bad : {-1.0, 0.0, 0.5, std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity()}) {
-      for (int column = 0; column < size; column += 1 + size / 5) {
-        Matrix panel = Matrix::Identity(size + 4, size) * 2;
-        panel(column, column) = bad;
-        const std::vector<double> limits(static_cast<std::size_t>(size), 0.5);
-        EXPECT_EQ(dense::factor_panel(panel.data(), size + 4, size, ld(panel), limits.data()), column);
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(2);
+    for (const int size : {1, 3, 6, 13, 64, 65, 100}) {
+      for (const double bad : {-1.0, 0.0, 0.5, std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity()}) {
+        for (int column = 0; column < size; column += 1 + size / 5) {
+          MatrixOf<Scalar> panel = MatrixOf<Scalar>::Identity(size + 4, size) * 2;
+          panel(column, column) = static_cast<Scalar>(bad);
+          const std::vector<Scalar> limits(static_cast<std::size_t>(size), Scalar{0.5});
+          EXPECT_EQ(dense::factor_panel(panel.data(), size + 4, size, ld(panel), limits.data()), column);
+        }
       }
     }
-  }
+  });
 }
 
 TEST_P(DenseKernels, SquareAsTheReferenceDoes) {
-  std::mt19937 random(3);
-  for (const int size : kSizes) {
-    for (const int k : kSizes) {
-      if (size == 0) continue;
-      const Matrix a = padded(size, k, random);
-      Matrix fast = padded(size, size, random), slow = fast;
-      const int middle = size / 3;  // in two parts
-      dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, 0, middle);
-      dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, middle, size);
-      dense::reference::set_to_minus_square(slow.data(), ld(slow), a.data(), ld(a), size, k);
-      expect_equal(lower(fast, size), lower(slow, size));
-      EXPECT_EQ(fast.bottomRows(kPadding), slow.bottomRows(kPadding));
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(3);
+    for (const int size : kSizes) {
+      for (const int k : kSizes) {
+        if (size == 0) continue;
+        const MatrixOf<Scalar> a = padded<Scalar>(size, k, random);
+        MatrixOf<Scalar> fast = padded<Scalar>(size, size, random), slow = fast;
+        const int middle = size / 3;  // in two parts
+        dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, 0, middle);
+        dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, middle, size);
+        dense::reference::set_to_minus_square(slow.data(), ld(slow), a.data(), ld(a), size, k);
+        expect_equal(lower(fast, size), lower(slow, size));
+        EXPECT_EQ(fast.bottomRows(kPadding), slow.bottomRows(kPadding));
+      }
     }
-  }
+  });
 }
 
 TEST_P(DenseKernels, MultiplyAsTheReferenceDoes) {
-  std::mt19937 random(4);
-  for (const int rows : kSizes) {
-    for (const int columns : {1, 2, 5, 6, 9, 70}) {
-      for (const int k : {0, 1, 3, 6, 65}) {
-        const Matrix a = padded(rows, k, random), b = padded(k, columns, random),
-                     bt = padded(columns, k, random);
-        Matrix fast = padded(rows, columns, random), slow = fast;
-        dense::subtract_product(fast.data(), ld(fast), a.data(), ld(a), b.data(), ld(b), rows, columns, k);
-        dense::reference::subtract_product(slow.data(), ld(slow), a.data(), ld(a), b.data(), ld(b), rows,
-                                           columns, k);
-        expect_equal(fast, slow);
-        dense::subtract_product_transposed(fast.data(), ld(fast), a.data(), ld(a), bt.data(), ld(bt), rows,
-                                           columns, k);
-        dense::reference::subtract_product_transposed(slow.data(), ld(slow), a.data(), ld(a), bt.data(),
-                                                      ld(bt), rows, columns, k);
-        expect_equal(fast, slow);
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(4);
+    for (const int rows : kSizes) {
+      for (const int columns : {1, 2, 5, 6, 9, 70}) {
+        for (const int k : {0, 1, 3, 6, 65}) {
+          const MatrixOf<Scalar> a = padded<Scalar>(rows, k, random), b = padded<Scalar>(k, columns, random),
+                                 bt = padded<Scalar>(columns, k, random);
+          MatrixOf<Scalar> fast = padded<Scalar>(rows, columns, random), slow = fast;
+          dense::subtract_product(fast.data(), ld(fast), a.data(), ld(a), b.data(), ld(b), rows, columns, k);
+          dense::reference::subtract_product(slow.data(), ld(slow), a.data(), ld(a), b.data(), ld(b), rows,
+                                             columns, k);
+          expect_equal(fast, slow);
+          dense::subtract_product_transposed(fast.data(), ld(fast), a.data(), ld(a), bt.data(), ld(bt), rows,
+                                             columns, k);
+          dense::reference::subtract_product_transposed(slow.data(), ld(slow), a.data(), ld(a), bt.data(),
+                                                        ld(bt), rows, columns, k);
+          expect_equal(fast, slow);
+        }
       }
     }
-  }
+  });
 }
 
 TEST_P(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
-  std::mt19937 random(5);
-  for (const int rows : kSizes) {
-    for (const int size : kSizes) {
-      if (size == 0) continue;
-      const Matrix l = triangle(size, random);
-      Matrix fast = padded(rows, size, random), slow = fast;
-      dense::divide_by(fast.data(), ld(fast), l.data(), ld(l), rows, size);
-      dense::reference::divide_by(slow.data(), ld(slow), l.data(), ld(l), rows, size);
-      expect_equal(fast, slow);
-      dense::divide_by_transposed(fast.data(), ld(fast), l.data(), ld(l), rows, size);
-      dense::reference::divide_by_transposed(slow.data(), ld(slow), l.data(), ld(l), rows, size);
-      expect_equal(fast, slow);
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(5);
+    for (const int rows : kSizes) {
+      for (const int size : kSizes) {
+        if (size == 0) continue;
+        const MatrixOf<Scalar> l = triangle<Scalar>(size, random);
+        MatrixOf<Scalar> fast = padded<Scalar>(rows, size, random), slow = fast;
+        dense::divide_by(fast.data(), ld(fast), l.data(), ld(l), rows, size);
+        dense::reference::divide_by(slow.data(), ld(slow), l.data(), ld(l), rows, size);
+        expect_equal(fast, slow);
+        dense::divide_by_transposed(fast.data(), ld(fast), l.data(), ld(l), rows, size);
+        dense::reference::divide_by_transposed(slow.data(), ld(slow), l.data(), ld(l), rows, size);
+        expect_equal(fast, slow);
+      }
     }
-  }
+  });
 }
 
 TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
-  std::mt19937 random(6);
-  for (const int columns : kSizes) {
-    for (const int below : kSizes) {
-      if (columns == 0) continue;
-      const int rows = columns + below;
-      Matrix panel = triangle(rows, random).leftCols(columns);
-      Matrix fast = random_matrix(rows, 1, random), slow = fast;
-      dense::solve_forward(panel.data(), rows, columns, ld(panel), fast.data());
-      dense::reference::solve_forward(panel.data(), rows, columns, ld(panel), slow.data());
-      expect_equal(fast, slow);
-      dense::solve_backward(panel.data(), rows, columns, ld(panel), fast.data());
-      dense::reference::solve_backward(panel.data(), rows, columns, ld(panel), slow.data());
-      expect_equal(fast, slow);
+  for_double_and_float([]<class Scalar>() {
+    std::mt19937 random(6);
+    for (const int columns : kSizes) {
+      for (const int below : kSizes) {
+        if (columns == 0) continue;
+        const int rows = columns + below;
+        MatrixOf<Scalar> panel = triangle<Scalar>(rows, random).leftCols(columns);
+        MatrixOf<Scalar> fast = random_matrix(rows, 1, random).cast<Scalar>(), slow = fast;
+        dense::solve_forward(panel.data(), rows, columns, ld(panel), fast.data());
+        dense::reference::solve_forward(panel.data(), rows, columns, ld(panel), slow.data());
+        expect_equal(fast, slow);
+        dense::solve_backward(panel.data(), rows, columns, ld(panel), fast.data());
+        dense::reference::solve_backward(panel.data(), rows, columns, ld(panel), slow.data());
+        expect_equal(fast, slow);
+      }
     }
-  }
+  });
 }
 
 TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
@@ -183,9 +215,9 @@ TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
             {rows, cols, jacobian.data(), error.data(), kind, omega.data(), kWeight}, products.data(),
             gradient.data());
         const Eigen::Map<const Matrix> all(products.data(), stride, cols);
-        expect_equal(all.topRows(cols), kWeight * jacobian.transpose() * expected * jacobian);
-        expect_equal(Eigen::Map<const Matrix>(gradient.data(), cols, 1),
-                     kWeight * jacobian.transpose() * expected * error);
+        expect_equal<double>(all.topRows(cols), kWeight * jacobian.transpose() * expected * jacobian);
+        expect_equal<double>(Eigen::Map<const Matrix>(gradient.data(), cols, 1),
+                             kWeight * jacobian.transpose() * expected * error);
       }
     }
   }
@@ -199,7 +231,7 @@ TEST_P(DenseKernels, AddBlocksAndTouchNothingElse) {
       Matrix block = random_matrix(rows, cols + 1, random);
       const Matrix before = block;
       dense::kernels().add_block(block.data(), rows, cols, source.data(), 16);
-      expect_equal(block.leftCols(cols), before.leftCols(cols) + source.topRows(rows));
+      expect_equal<double>(block.leftCols(cols), before.leftCols(cols) + source.topRows(rows));
       EXPECT_EQ(block.col(cols), before.col(cols));
     }
   }

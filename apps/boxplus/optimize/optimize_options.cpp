@@ -28,6 +28,8 @@ const Choices<GaugePolicy> kGauges{
     {"fix-first", GaugePolicy::kFixFirst}, {"damp", GaugePolicy::kDamp}, {"error", GaugePolicy::kError}};
 const Choices<DampingScale> kDampings{{"identity", DampingScale::kIdentity},
                                       {"diagonal", DampingScale::kDiagonal}};
+const Choices<Precision> kPrecisions{
+    {"automatic", Precision::kAutomatic}, {"double", Precision::kDouble}, {"mixed", Precision::kMixed}};
 const Choices<KernelScope> kScopes{{"all", KernelScope::kAll}, {"loop-closures", KernelScope::kLoopClosures}};
 
 void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
@@ -53,11 +55,16 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
 
 void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   Options& options = arguments.options;
-  add_choice(command, "--start", options.start, kStarts,
-             "Where to begin; automatic takes the better of the file's estimates and the chordal guess")
+  add_choice(
+      command, "--start", options.start, kStarts,
+      "Where to begin; automatic keeps the file's estimates where their first step does what the linear "
+      "model promises, and else takes the better of them and the chordal guess")
       ->group("Method");
   add_choice(command, "--algorithm", options.algorithm, kAlgorithms, "How to step")->group("Method");
   add_choice(command, "--solver", options.linear_solver, kSolvers, "What solves the linear systems")
+      ->group("Method");
+  add_choice(command, "--precision", options.precision, kPrecisions,
+             "How cholesky factorises; mixed: in float, with solutions refined in double")
       ->group("Method");
   command
       .add_option("--threads", options.threads,

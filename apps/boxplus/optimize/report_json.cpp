@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/report_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace boxplus::app {
@@ -13,6 +14,11 @@ Json unless_negative(double value) {
   return value < 0 ? Json(nullptr) : Json(value);
 }
 
+/// NaN stands for "there was none".
+Json unless_nan(double value) {
+  return std::isnan(value) ? Json(nullptr) : Json(value);
+}
+
 /// Zero stands for "there was none".
 Json unless_zero(std::uint64_t value) {
   return value == 0 ? Json(nullptr) : Json(value);
@@ -22,6 +28,7 @@ Json start_json(const StartReport& start) {
   return {{"requested", to_string(start.requested)},
           {"used", to_string(start.used)},
           {"chi2_current", start.chi2_current},
+          {"first_step_kept", unless_nan(start.first_step_kept)},
           {"chi2_guess", unless_negative(start.chi2_guess)},
           {"ran_both", start.ran_both},
           {"chi2_other_final", unless_negative(start.chi2_other_final)},
@@ -48,10 +55,12 @@ Json records_json(const std::vector<IterationRecord>& records) {
   for (const IterationRecord& record : records) {
     result.push_back({{"iteration", record.iteration},
                       {"chi2", record.chi2},
+                      {"promise", record.promise},
                       {"step_max", record.step_max},
                       {"gradient_max", record.gradient_max},
                       {"control", record.control},
                       {"tries", record.tries},
+                      {"linear_iterations", record.linear_iterations},
                       {"time_s", record.time_s}});
   }
   return result;
@@ -72,6 +81,8 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"kernel", kernel_json(facts.kernel)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
+                     {"precision", to_string(report.linear.precision)},
+                     {"left_mixed", report.linear.left_mixed},
                      {"refused_factor_bytes", unless_zero(report.linear.refused_factor_bytes)},
                      {"predicted_factor_s", report.linear.factor_seconds},
                      {"predicted_pcg_s", report.linear.pcg_seconds},

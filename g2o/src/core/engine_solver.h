@@ -22,6 +22,8 @@ inline boxplus::LinearSolverKind engine_kind(EngineSolver solver) {
 
 inline boxplus::AnalyzeHints analyze_hints() {
   boxplus::AnalyzeHints hints;
+  hints.precision =
+      boxplus::Precision::kDouble;  // a client may compare each step with that of another solver
   hints.threads = boxplus::hardware_threads();
   return hints;
 }

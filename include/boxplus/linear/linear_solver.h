@@ -37,13 +37,13 @@ struct FactorResult {
 
 struct SolveControl {
   double relative_tolerance =
-      1e-10;  ///< iterative solvers: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
+      1e-10;  ///< iterative solvers, and refinement: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
   int max_iterations = 0;  ///< iterative solvers; 0 = twice the number of scalars, at least 100
 };
 
 struct SolveResult {
   LinearStatus status = LinearStatus::kOk;
-  int iterations = 0;  ///< 0 for direct solvers
+  int iterations = 0;  ///< of an iterative solver, or steps of refinement
 };
 
 /// How direct solvers order the blocks.
@@ -53,6 +53,16 @@ enum class Ordering : std::uint8_t {
   kNestedDissection,  ///< takes many times as long, and needs fewer operations for large fronts
 };
 
+/// The arithmetic of a direct solver.
+enum class Precision : std::uint8_t {
+  kAutomatic,  ///< double, or mixed where that is predicted to save time
+  kDouble,
+  /// The factor in float, with half of the memory and the time; each solution is refined with A, in double,
+  /// to SolveControl::relative_tolerance. Where this does not succeed, the solver goes on in double.
+  kMixed
+};
+std::string_view to_string(Precision precision);
+
 struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
@@ -61,6 +71,7 @@ struct AnalyzeHints {
   /// LinearSolverKind::kAutomatic: the most memory that a Cholesky factor may take; 0: half of the machine's.
   std::uint64_t max_factor_bytes = 0;
   Ordering ordering = Ordering::kAutomatic;
+  Precision precision = Precision::kAutomatic;
 };
 
 /// Facts about the analysis, for reports.
@@ -76,16 +87,19 @@ struct LinearStatistics {
   /// memory, or far more time than pcg.
   std::uint64_t refused_factor_bytes = 0;
   Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, where there is one
+  Precision precision = Precision::kDouble;      ///< of the factor in use
+  bool left_mixed = false;  ///< the factor in float did not do, or pay, and the solver went on in double
 };
 
 /// Solves symmetric positive definite block systems of one structure.
 ///
 /// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any
 /// number of times after each factorize(). After the first factorize() and solve() of a structure, further
-/// calls of both allocate no memory. A solver is used by one thread at a time. Results are the same bits in
-/// every run and for every AnalyzeHints::threads. Once the token of set_stop() is raised, factorize() and
-/// solve() return kStopped as soon as they can; a factorize() that was stopped must be called again before
-/// solve().
+/// calls of both allocate no memory, but for a factor in float that is left for one in double. A solver is
+/// used by one thread at a time. Results are the same bits in every run and for every AnalyzeHints::threads.
+/// Once the token of set_stop() is raised, factorize() and solve() return kStopped as soon as they can; a
+/// factorize() that was stopped must be called again before solve(). The values of a system must stay as they
+/// were from factorize() to the last solve() after it.
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };

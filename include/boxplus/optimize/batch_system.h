@@ -15,9 +15,10 @@ namespace boxplus {
 
 class BatchSystem final : public System {
  public:
-  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null.
+  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null, and
+  /// is given the hints for its analysis with request.threads.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver, SchurMode schur,
-              std::uint64_t max_factor_bytes = 0);
+              AnalyzeHints hints = {});
 
   /// Takes what may differ from run to run from `options`, adds times to `timings` from now on, and stops
   /// linear solvers once `stop` is raised.

@@ -31,8 +31,10 @@ enum class Start : std::uint8_t {
   kOdometry,      ///< chained along edges between consecutive ids
   kSpanningTree,  ///< propagated along a minimum spanning tree from the fixed vertices
   kChordal,       ///< one joint linear problem in relaxed rotations, positions and landmarks
-  /// At the current estimates or the chordal guess, whichever has the lower chi2; if that run does not
-  /// converge or ends above the other start's chi2, the other is run too, and the better is kept.
+  /// At the current estimates where their first step does what the model promises. Else at these or at the
+  /// chordal guess, whichever has the lower chi2. If that run does not converge, ends above the other start's
+  /// chi2 or, from the current estimates, far above what the noise explains, the other start is run too, and
+  /// the better result is kept.
   kAutomatic
 };
 std::string_view to_string(Start start);
@@ -51,6 +53,7 @@ struct IterationRecord {
   int iteration = 0;
   double chi2 = 0;  ///< after the iteration
   double chi2_decrease = 0;
+  double promise = 0;         ///< the decrease that the linear model promised for the step taken
   double step_max = 0;        ///< largest entry of the step taken
   double gradient_max = 0;    ///< largest entry of the gradient before the step
   double control = 0;         ///< λ (Levenberg-Marquardt) or trust radius (dogleg) of the step
@@ -62,6 +65,7 @@ struct IterationRecord {
 struct Options {
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
+  Precision precision = Precision::kAutomatic;  ///< of the block Cholesky's factor
   /// A solver of your own, instead. Each call has it analyse anew; one optimize() at a time may use it.
   std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,7 +43,9 @@ std::string_view to_string(Reason reason);
 struct StartReport {
   Start requested = Start::kCurrent;
   Start used = Start::kCurrent;
-  double chi2_current = 0;       ///< of the estimates as they came
+  double chi2_current = 0;  ///< of the estimates as they came
+  /// Automatic: the part that the first step from there kept of what it promised; NaN where it was not tried.
+  double first_step_kept = std::numeric_limits<double>::quiet_NaN();
   double chi2_guess = -1;        ///< of the initial guess; negative where none was made
   bool ran_both = false;         ///< automatic: both starts were run
   double chi2_other_final = -1;  ///< where the run that was not kept ended; negative where there was none

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/triangular_solve.h"
@@ -10,6 +11,12 @@
 #include "linear/finite_check.h"
 
 namespace boxplus {
+namespace {
+
+/// A factor in float is taken where it pays for so many times the steps that are expected.
+constexpr double kClearly = 1.3;
+
+}  // namespace
 
 void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
   analyze_if([](const Forecast&) { return true; }, structure, hints);
@@ -28,22 +35,32 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   symbolic_ = complete_factor(structure, outline, rule_, hints.threads);
   ordering_ = outline.ordering;
   forecast_seconds_ = forecast_of(outline).seconds;
-  allocate(hints.right_hand_sides);
+  batch_ = std::max(1, hints.right_hand_sides);
+  left_mixed_ = false;
+  factor_.release();
+  mixed_.release();
+  const double steps = hints.precision == Precision::kMixed
+                           ? std::numeric_limits<double>::infinity()
+                           : steps_that_pay(forecast_seconds_, symbolic_.flops,
+                                            static_cast<double>(symbolic_.panel_size), structure);
+  if (hints.precision != Precision::kDouble && steps >= kClearly * kUsualSteps) {
+    mixed_.allocate(symbolic_, structure, steps);
+  } else {
+    factor_.allocate(symbolic_, structure.scalars(), batch_);
+  }
 }
 
-void BlockCholesky::allocate(int right_hand_sides) {
-  factor_.suspects_of_thread.resize(symbolic_.schedule.threads.size());
-  factor_.status_of_thread.resize(symbolic_.schedule.threads.size());
-  batch_ = std::max(1, right_hand_sides);
-  const auto batch = static_cast<std::size_t>(batch_);
-  const std::size_t factor_size = symbolic_.panel_size + symbolic_.update_size,
-                    scalars = structure_->scalars();
-  const std::size_t size = factor_size + scalars + batch * (scalars + symbolic_.largest_front);
-  arena_ = std::make_unique_for_overwrite<double[]>(size);
-  factor_.arena = arena_.get();
-  factor_.minimum_pivot = arena_.get() + factor_size;
-  x_ = factor_.minimum_pivot + scalars;
-  work_ = x_ + batch * scalars;
+/// Goes on in double until the next analysis.
+void BlockCholesky::leave_mixed() {
+  mixed_.release();
+  left_mixed_ = true;
+  factor_.allocate(symbolic_, structure_->scalars(), batch_);
+}
+
+/// leave_mixed(), and the last system once more.
+FactorResult BlockCholesky::factorize_again_in_double() {
+  leave_mixed();
+  return factorize_in_double(mixed_.values().data(), mixed_.damping());
 }
 
 FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& damping,
@@ -54,8 +71,19 @@ FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& 
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
   }
-  const double* values = system.values().data();
   if (stop().raised()) return {LinearStatus::kStopped};
+  if (mixed_.allocated() && !mixed_.pays()) leave_mixed();
+  if (mixed_.allocated()) {
+    const LinearStatus status = mixed_.factorize(system.values(), damping, stop());
+    factorized_ = status == LinearStatus::kOk;
+    if (factorized_ || status == LinearStatus::kStopped) return {status};
+    leave_mixed();
+  }
+  return factorize_in_double(system.values().data(), damping);
+}
+
+FactorResult BlockCholesky::factorize_in_double(const double* values, const Damping& damping) {
+  factorized_ = false;
   const FrontsResult fronts = factorize_fronts(symbolic_, *structure_, values, damping, stop(), factor_);
   if (fronts.status == LinearStatus::kStopped) return {fronts.status};
   const std::uint32_t lost = fronts.status == LinearStatus::kOk ? find_lost_pivot() : fronts.lost_pivot;
@@ -74,12 +102,13 @@ std::uint32_t BlockCholesky::find_lost_pivot() {
         symbolic_.front_of[static_cast<std::size_t>(above - symbolic_.offset.begin()) - 1];
     const Front& front = symbolic_.fronts[s];
     const std::size_t column = scalar - symbolic_.offset[front.first_block];
-    const double root = factor_.arena[front.panel + column * (front.leading + 1)];
-    std::fill_n(x_, structure_->scalars(), 0.0);
-    x_[scalar] = root;
-    solve_upper_from(symbolic_, factor_.arena, s, x_, work_);
+    const double root = factor_.arena()[front.panel + column * (front.leading + 1)];
+    double* const x = factor_.x();
+    std::fill_n(x, structure_->scalars(), 0.0);
+    x[scalar] = root;
+    solve_upper_from(symbolic_, factor_.arena(), s, x, factor_.work());
     double noise = 0;
-    for (std::uint32_t i = 0; i <= scalar; ++i) noise += factor_.minimum_pivot[i] * x_[i] * x_[i];
+    for (std::uint32_t i = 0; i <= scalar; ++i) noise += factor_.minimum_pivot()[i] * x[i] * x[i];
     if (!(root * root > noise)) return scalar;
   }
   return structure_->scalars();
@@ -94,41 +123,28 @@ FactorResult BlockCholesky::failure(std::uint32_t permuted_scalar, const double*
   return {LinearStatus::kNotPositiveDefinite, symbolic_.order[position]};
 }
 
-void BlockCholesky::load_right_hand_sides(const double* b, int columns) {
-  const std::size_t scalars = structure_->scalars(), stride = static_cast<std::size_t>(columns);
-  double* to = x_;
-  for (const std::uint32_t block : symbolic_.order) {
-    for (std::uint32_t i = structure_->offset[block]; i < structure_->offset[block + 1]; ++i) {
-      for (std::size_t c = 0; c < stride; ++c) *to++ = b[c * scalars + i];
-    }
-  }
-}
-
-void BlockCholesky::store_solutions(int columns, double* x) const {
-  const std::size_t scalars = structure_->scalars(), stride = static_cast<std::size_t>(columns);
-  const double* from = x_;
-  for (const std::uint32_t block : symbolic_.order) {
-    for (std::uint32_t i = structure_->offset[block]; i < structure_->offset[block + 1]; ++i) {
-      for (std::size_t c = 0; c < stride; ++c) x[c * scalars + i] = *from++;
-    }
-  }
-}
-
-SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const SolveControl& /*control*/) {
+SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!factorized_) throw InvalidArgument("BlockCholesky::solve: expected a successful factorize() before");
   const std::size_t scalars = structure_->scalars();
   if (!all_finite(b, scalars * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite, 0};
+  int steps = 0;  // of refinement
+  for (; mixed_.allocated() && columns > 0; --columns, b += scalars, x += scalars) {
+    const SolveResult refined = mixed_.solve(b, x, control, stop());
+    steps += refined.iterations;
+    if (refined.status == LinearStatus::kOk) continue;
+    if (refined.status == LinearStatus::kStopped) return {refined.status, steps};
+    const FactorResult factor = factorize_again_in_double();
+    if (factor.status != LinearStatus::kOk) return {factor.status, steps};
+    break;
+  }
   for (int done = 0; done < columns; done += batch_) {
     const int batch = std::min(batch_, columns - done);
-    if (stop().raised()) return {LinearStatus::kStopped};
+    if (stop().raised()) return {LinearStatus::kStopped, steps};
     const std::size_t first = static_cast<std::size_t>(done) * scalars;
-    load_right_hand_sides(b + first, batch);
-    solve_lower(symbolic_, factor_.arena, batch, x_, work_);
-    solve_upper(symbolic_, factor_.arena, batch, x_, work_);
-    store_solutions(batch, x + first);
+    solve_with(symbolic_, *structure_, factor_, b + first, batch, x + first);
   }
-  return {};
+  return {LinearStatus::kOk, steps};
 }
 
 /// Whether solving for the requested columns takes fewer operations than the inverse on the whole pattern.
@@ -149,10 +165,11 @@ bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks)
 bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
   if (!factorized_)
     throw InvalidArgument("BlockCholesky::selected_inverse: expected a successful factorize() before");
+  if (mixed_.allocated() && factorize_again_in_double().status != LinearStatus::kOk) return false;
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
   if (!inverse_.computed()) {
     if (columns_are_cheaper(blocks)) return solve_for_inverse(*this, *structure_, requests);
-    inverse_.compute(symbolic_, factor_.arena);
+    inverse_.compute(symbolic_, factor_.arena());
   }
   std::erase_if(requests, [this](const InverseRequest& request) {
     return inverse_.read(symbolic_, symbolic_.position[request.block.row],
@@ -170,6 +187,8 @@ LinearStatistics BlockCholesky::statistics() const {
   statistics.factor_flops = symbolic_.flops;
   statistics.ordering = ordering_;
   statistics.factor_seconds = forecast_seconds_;
+  statistics.precision = mixed_.allocated() ? Precision::kMixed : Precision::kDouble;
+  statistics.left_mixed = left_mixed_;
   statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());
   statistics.largest_front = symbolic_.largest_front;
   return statistics;

@@ -2,11 +2,11 @@
 // The default direct solver: supernodal multifrontal Cholesky on blocks, with no library below it.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
 #include "linear/block_cholesky/inverse_on_pattern.h"
+#include "linear/block_cholesky/mixed_factor.h"
 #include "linear/block_cholesky/numeric_factor.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 
@@ -46,24 +46,23 @@ class BlockCholesky final : public LinearSolver {
  private:
   static Forecast forecast_of(const FactorOutline& outline);
   void complete(const FactorOutline& outline, const BlockStructure& structure, const AnalyzeHints& hints);
-  void allocate(int right_hand_sides);
+  void leave_mixed();
+  FactorResult factorize_in_double(const double* values, const Damping& damping);
+  FactorResult factorize_again_in_double();
   std::uint32_t find_lost_pivot();
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
   bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;
-  void load_right_hand_sides(const double* b, int columns);
-  void store_solutions(int columns, double* x) const;
 
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
   double forecast_seconds_ = 0;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
-  std::unique_ptr<double[]> arena_;  // panels, update matrices, minimum pivots, right-hand sides, work
-  double *x_ = nullptr, *work_ = nullptr;
-  NumericFactor factor_{};
+  NumericFactor<double> factor_;
+  MixedFactor mixed_;  // instead of factor_, where it has memory
   InverseOnPattern inverse_;
-  int batch_ = 1;  // right-hand sides that x_ and work_ hold
-  bool factorized_ = false;
+  int batch_ = 1;  // right-hand sides that factor_ has room for
+  bool factorized_ = false, left_mixed_ = false;
 };
 
 }  // namespace boxplus

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
@@ -11,40 +12,42 @@
 namespace boxplus {
 namespace {
 
-template <std::uint32_t Rows>
-void copy_columns(const double* from, double* to, std::uint32_t leading, std::uint32_t columns) {
+template <std::uint32_t Rows, class Scalar>
+void copy_columns(const double* from, Scalar* to, std::uint32_t leading, std::uint32_t columns) {
   for (std::uint32_t j = 0; j < columns; ++j, from += Rows, to += leading) {
-    for (std::uint32_t i = 0; i < Rows; ++i) to[i] = from[i];
+    for (std::uint32_t i = 0; i < Rows; ++i) to[i] = static_cast<Scalar>(from[i]);
   }
 }
 
-void copy_block(const BlockCopy& copy, const double* from, double* to, std::uint32_t leading) {
+template <class Scalar>
+void copy_block(const BlockCopy& copy, const double* from, Scalar* to, std::uint32_t leading) {
   if (copy.transposed) {
     for (std::uint32_t j = 0; j < copy.columns; ++j) {
-      for (std::uint32_t i = 0; i < copy.rows; ++i) to[j + i * leading] = *from++;
+      for (std::uint32_t i = 0; i < copy.rows; ++i) to[j + i * leading] = static_cast<Scalar>(*from++);
     }
     return;
   }
   if (copy.rows == 3) return copy_columns<3>(from, to, leading, copy.columns);
   if (copy.rows == 6) return copy_columns<6>(from, to, leading, copy.columns);
   for (std::uint32_t j = 0; j < copy.columns; ++j, from += copy.rows, to += leading) {
-    std::copy_n(from, copy.rows, to);
+    for (std::uint32_t i = 0; i < copy.rows; ++i) to[i] = static_cast<Scalar>(from[i]);
   }
 }
 
 /// A + λD in the panel, with the limits of its pivots.
+template <class Scalar>
 void load_panel(const SymbolicFactor& symbolic, const BlockStructure& structure, const Front& front,
-                const double* values, const Damping& damping, double* panel, double* minimum_pivot) {
-  std::fill_n(panel, std::size_t{front.leading} * front.columns, 0.0);
+                const double* values, const Damping& damping, Scalar* panel, Scalar* minimum_pivot) {
+  std::fill_n(panel, std::size_t{front.leading} * front.columns, Scalar{0});
   for (const BlockCopy& copy : symbolic.copies_of(front)) {
     copy_block(copy, values + copy.source, panel + copy.destination, front.leading);
   }
-  double* diagonal = panel;
+  Scalar* diagonal = panel;
   for (std::uint32_t k = front.first_block; k < front.end_block; ++k) {
     const std::uint32_t block = symbolic.order[k], offset = structure.offset[block];
     for (std::uint32_t i = 0; i < structure.dim(block); ++i, diagonal += front.leading + 1) {
-      *diagonal += damping(offset + i);
-      *minimum_pivot++ = kLostPivot * *diagonal;
+      *diagonal += static_cast<Scalar>(damping(offset + i));
+      *minimum_pivot++ = kLostPivotOf<Scalar> * *diagonal;
     }
   }
 }
@@ -60,33 +63,36 @@ void collect_suspects(const Front& front, std::uint32_t first_scalar, const doub
 }
 
 /// All that factor_front needs besides the front.
+template <class Scalar>
 struct Context {
   const SymbolicFactor& symbolic;
   const BlockStructure& structure;
   const double* values;
   const Damping& damping;
   const StopToken& stop;
-  const NumericFactor& factor;
+  const NumericFactor<Scalar>& factor;
 };
 
 constexpr FrontsResult kStoppedResult{LinearStatus::kStopped, 0};
 
 /// Assembles and factors one front whose children are done.
-FrontsResult factor_front(const Context& context, const Front& front, int threads, Suspects& suspects) {
+template <class Scalar>
+FrontsResult factor_front(const Context<Scalar>& context, const Front& front, int threads,
+                          Suspects& suspects) {
   const auto& [symbolic, structure, values, damping, stop, factor] = context;
   if (stop.raised()) return kStoppedResult;
   const std::uint32_t first_scalar = symbolic.offset[front.first_block];
-  double* const panel = factor.arena + front.panel;
-  double* const update = factor.arena + front.update;
-  double* const minimum_pivot = factor.minimum_pivot + first_scalar;
+  Scalar* const panel = factor.arena() + front.panel;
+  Scalar* const update = factor.arena() + front.update;
+  Scalar* const minimum_pivot = factor.minimum_pivot() + first_scalar;
   load_panel(symbolic, structure, front, values, damping, panel, minimum_pivot);
   for (const std::uint32_t c : symbolic.children_of(front)) {
     const Front& child = symbolic.fronts[c];
     const auto pivots = symbolic.pivot_runs(child), all = symbolic.all_runs(child);
     if (pivots.empty()) continue;
-    extend_add_with(threads, {factor.arena + child.update, static_cast<int>(child.below), pivots.data(),
-                              pivots.data() + pivots.size(), all.data() + all.size(), panel,
-                              static_cast<int>(front.leading), 0, 0});
+    extend_add_with<Scalar>(threads, {factor.arena() + child.update, static_cast<int>(child.below),
+                                      pivots.data(), pivots.data() + pivots.size(), all.data() + all.size(),
+                                      panel, static_cast<int>(front.leading), 0, 0});
   }
   const int columns = static_cast<int>(front.columns), below = static_cast<int>(front.below);
   const int leading = static_cast<int>(front.leading);
@@ -94,7 +100,8 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
   if (good == kPanelStopped) return kStoppedResult;
   if (good < columns)
     return {LinearStatus::kNotPositiveDefinite, first_scalar + static_cast<std::uint32_t>(good)};
-  collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
+  if constexpr (std::is_same_v<Scalar, double>)
+    collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
   if (!set_to_minus_square_with(threads, stop, update, below, panel + columns, leading, below, columns))
     return kStoppedResult;
   for (const std::uint32_t c : symbolic.children_of(front)) {
@@ -103,13 +110,14 @@ FrontsResult factor_front(const Context& context, const Front& front, int thread
     const ScalarRun* const end = all.data() + all.size();
     const ScalarRun* const begin = all.data() + symbolic.pivot_runs(child).size();
     if (begin == end) continue;
-    extend_add_with(threads, {factor.arena + child.update, static_cast<int>(child.below), begin, end, end,
-                              update, below, front.columns, front.columns});
+    extend_add_with<Scalar>(threads, {factor.arena() + child.update, static_cast<int>(child.below), begin,
+                                      end, end, update, below, front.columns, front.columns});
   }
   return {};
 }
 
-FrontsResult factor_in_order(const Context& context, Suspects& suspects) {
+template <class Scalar>
+FrontsResult factor_in_order(const Context<Scalar>& context, Suspects& suspects) {
   for (const Front& front : context.symbolic.fronts) {
     const FrontsResult result = factor_front(context, front, 1, suspects);
     if (result.status != LinearStatus::kOk) return result;
@@ -118,7 +126,8 @@ FrontsResult factor_in_order(const Context& context, Suspects& suspects) {
 }
 
 /// Subtrees by thread, then the rest with threads inside the fronts. A lost pivot need not be the first.
-LinearStatus factor_in_parallel(const Context& context, NumericFactor& factor) {
+template <class Scalar>
+LinearStatus factor_in_parallel(const Context<Scalar>& context, NumericFactor<Scalar>& factor) {
   const auto& [threads, top] = context.symbolic.schedule;
   parallel_tasks(static_cast<int>(threads.size()), [&, &shares = threads](int thread) {
     const auto t = static_cast<std::size_t>(thread);
@@ -159,10 +168,24 @@ void Suspects::add(Suspect suspect) {
   list_[place] = suspect;
 }
 
+template <class Scalar>
+void NumericFactor<Scalar>::allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int batch) {
+  const std::size_t columns = static_cast<std::size_t>(batch);
+  const std::size_t factor_size = symbolic.panel_size + symbolic.update_size;
+  memory_ = std::make_unique_for_overwrite<Scalar[]>(factor_size + scalars +
+                                                     columns * (scalars + symbolic.largest_front));
+  minimum_pivot_ = memory_.get() + factor_size;
+  x_ = minimum_pivot_ + scalars;
+  work_ = x_ + columns * scalars;
+  suspects_of_thread.resize(symbolic.schedule.threads.size());
+  status_of_thread.resize(symbolic.schedule.threads.size());
+}
+
+template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
-                              NumericFactor& factor) {
-  const Context context{symbolic, structure, values, damping, stop, factor};
+                              NumericFactor<Scalar>& factor) {
+  const Context<Scalar> context{symbolic, structure, values, damping, stop, factor};
   factor.suspects.clear();
   if (symbolic.schedule.is_parallel()) {
     const LinearStatus status = factor_in_parallel(context, factor);
@@ -171,5 +194,12 @@ FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructu
   }
   return factor_in_order(context, factor.suspects);
 }
+
+template class NumericFactor<double>;
+template FrontsResult factorize_fronts(const SymbolicFactor&, const BlockStructure&, const double*,
+                                       const Damping&, const StopToken&, NumericFactor<double>&);
+template class NumericFactor<float>;
+template FrontsResult factorize_fronts(const SymbolicFactor&, const BlockStructure&, const double*,
+                                       const Damping&, const StopToken&, NumericFactor<float>&);
 
 }  // namespace boxplus

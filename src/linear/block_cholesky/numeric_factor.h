@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,29 @@ class Suspects {
   std::size_t count_ = 0;
 };
 
-struct NumericFactor {
-  double* arena = nullptr;          // panels, then update matrices
-  double* minimum_pivot = nullptr;  // kLostPivot · diagonal of A + λD, by permuted scalar
-  Suspects suspects;
+/// The numbers of a factor, with room for right-hand sides. Scalar = double or float.
+template <class Scalar>
+class NumericFactor {
+ public:
+  void allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int right_hand_sides);
+  void release() { *this = NumericFactor(); }
+  bool allocated() const { return memory_ != nullptr; }
+  /// Panels, then update matrices.
+  Scalar* arena() const { return memory_.get(); }
+  /// kLostPivotOf<Scalar> · diagonal of A + λD, by permuted scalar.
+  Scalar* minimum_pivot() const { return minimum_pivot_; }
+  /// Right-hand sides: those of one scalar are contiguous.
+  Scalar* x() const { return x_; }
+  /// As many columns of the largest front.
+  Scalar* work() const { return work_; }
+
+  Suspects suspects;                         // of a factor in double
   std::vector<Suspects> suspects_of_thread;  // one per thread
   std::vector<LinearStatus> status_of_thread;
+
+ private:
+  std::unique_ptr<Scalar[]> memory_;
+  Scalar *minimum_pivot_ = nullptr, *x_ = nullptr, *work_ = nullptr;
 };
 
 struct FrontsResult {
@@ -47,8 +65,9 @@ struct FrontsResult {
 
 /// Factorises A + λD into the panels. Reads only the lower triangle of `values`. Asks `stop` before every
 /// front, and within large ones.
+template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
-                              NumericFactor& factor);
+                              NumericFactor<Scalar>& factor);
 
 }  // namespace boxplus

@@ -25,8 +25,9 @@ int part_begin(int rows, int columns, int part, int parts) {
 }
 
 /// dense::factor_panel() of few columns: the square on top, then the rows below it by thread.
-int factor_block_column(int threads, double* block, int rows, int width, int ld,
-                        const double* minimum_pivot) {
+template <class Scalar>
+int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
+                        const Scalar* minimum_pivot) {
   const int below = rows - width;
   const int parts = 1.0 * below * width * width < kWorthThreads ? 1 : threads;
   if (parts == 1) return dense::factor_panel(block, rows, width, ld, minimum_pivot);
@@ -42,18 +43,19 @@ int factor_block_column(int threads, double* block, int rows, int width, int ld,
 
 }  // namespace
 
-int factor_panel_with(int threads, const StopToken& stop, double* panel, int rows, int columns, int ld,
-                      const double* minimum_pivot) {
+template <class Scalar>
+int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
+                      const Scalar* minimum_pivot) {
   const double flops = 1.0 * rows * columns * columns;
   if (flops < (threads == 1 ? kBetweenStops : kWorthThreads))
     return dense::factor_panel(panel, rows, columns, ld, minimum_pivot);
   for (int j = 0; j < columns; j += dense::kBlock) {
     if (j > 0 && stop.raised()) return kPanelStopped;
     const int width = std::min(dense::kBlock, columns - j), next = j + width;
-    double* block = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
+    Scalar* block = panel + j + static_cast<std::ptrdiff_t>(j) * ld;
     const int good = factor_block_column(threads, block, rows - j, width, ld, minimum_pivot + j);
     if (good < width) return j + good;
-    double* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
+    Scalar* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
     const int below = rows - next, right = columns - next;
     const int parts = 2.0 * below * right * width < kWorthThreads ? 1 : threads;
     parallel_tasks(parts, [&](int part) {
@@ -65,9 +67,10 @@ int factor_panel_with(int threads, const StopToken& stop, double* panel, int row
   return columns;
 }
 
-void extend_add_with(int threads, const dense::ExtendAdd& task) {
+template <class Scalar>
+void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task) {
   const double below = task.below;
-  if (threads == 1 || below * below < kWorthSharing) return dense::kernels().extend_add(task);
+  if (threads == 1 || below * below < kWorthSharing) return dense::factor_kernels<Scalar>().extend_add(task);
   // Numbers in the lower triangle left of a column.
   const auto area = [&](double column) { return column * (below - column / 2); };
   const double first = area(task.columns->source);
@@ -79,14 +82,15 @@ void extend_add_with(int threads, const dense::ExtendAdd& task) {
     });
   };
   parallel_tasks(threads, [&](int part) {
-    dense::ExtendAdd mine = task;
+    dense::ExtendAdd<Scalar> mine = task;
     mine.columns = split(part);
     mine.columns_end = part + 1 == threads ? task.columns_end : split(part + 1);
-    dense::kernels().extend_add(mine);
+    dense::factor_kernels<Scalar>().extend_add(mine);
   });
 }
 
-bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
+template <class Scalar>
+bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k) {
   const double flops = 1.0 * size * size * k;
   if (flops < (threads == 1 ? kBetweenStops : kWorthThreads)) {
@@ -108,5 +112,12 @@ bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int
   }
   return true;
 }
+
+template int factor_panel_with(int, const StopToken&, double*, int, int, int, const double*);
+template bool set_to_minus_square_with(int, const StopToken&, double*, int, const double*, int, int, int);
+template void extend_add_with(int, const dense::ExtendAdd<double>&);
+template int factor_panel_with(int, const StopToken&, float*, int, int, int, const float*);
+template bool set_to_minus_square_with(int, const StopToken&, float*, int, const float*, int, int, int);
+template void extend_add_with(int, const dense::ExtendAdd<float>&);
 
 }  // namespace boxplus

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense work of one large front on several threads. The same bits as with one.
+// The dense work of one large front on several threads. The same bits as with one. For Scalar =
+// double and float.
 #pragma once
 
 #include "boxplus/base/stop_token.h"
@@ -10,14 +11,17 @@ namespace boxplus {
 inline constexpr int kPanelStopped = -1;
 
 /// dense::factor_panel, or kPanelStopped.
-int factor_panel_with(int threads, const StopToken& stop, double* panel, int rows, int columns, int ld,
-                      const double* minimum_pivot);
+template <class Scalar>
+int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
+                      const Scalar* minimum_pivot);
 
 /// dense::set_to_minus_square for all columns; false where it was stopped.
-bool set_to_minus_square_with(int threads, const StopToken& stop, double* c, int ldc, const double* a,
+template <class Scalar>
+bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k);
 
 /// The extend-add, its columns by thread.
-void extend_add_with(int threads, const dense::ExtendAdd& task);
+template <class Scalar>
+void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task);
 
 }  // namespace boxplus

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forward and backward substitution with the supernodal factor, in the permuted order.
+// Forward and backward substitution with the supernodal factor, in the permuted order. For Scalar = double
+// and float.
 #pragma once
 
 #include <cstdint>
 
+#include "linear/block_cholesky/numeric_factor.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 
 namespace boxplus {
 
 /// x ← L⁻¹ x or L⁻ᵀ x for `columns` right-hand sides; x is columns × scalars: the values of one scalar are
 /// contiguous. `work` holds columns · largest_front numbers. `panels` is the arena.
-void solve_lower(const SymbolicFactor& symbolic, const double* panels, int columns, double* x, double* work);
-void solve_upper(const SymbolicFactor& symbolic, const double* panels, int columns, double* x, double* work);
+template <class Scalar>
+void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work);
+template <class Scalar>
+void solve_upper(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work);
 
 /// solve_upper for one right-hand side that is zero after the columns of fronts[last_front].
-void solve_upper_from(const SymbolicFactor& symbolic, const double* panels, std::uint32_t last_front,
-                      double* x, double* work);
+template <class Scalar>
+void solve_upper_from(const SymbolicFactor& symbolic, const Scalar* panels, std::uint32_t last_front,
+                      Scalar* x, Scalar* work);
+
+/// X = (A + λD)⁻¹ B, unpermuted: as many right-hand sides, one after the other, as the factor has room for.
+template <class Scalar>
+void solve_with(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                const NumericFactor<Scalar>& factor, const double* b, int columns, double* x);
 
 }  // namespace boxplus

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
+#include "linear/conjugate_gradients.h"
 
 namespace boxplus {
 
@@ -24,8 +25,6 @@ class Pcg final : public LinearSolver {
   LinearStatistics statistics() const override;
 
  private:
-  SolveResult solve_one(const double* b, const SolveControl& control);
-  SolveResult iterate(double target, int& iterations_left);
   void multiply(const double* x, double* y) const;
   void precondition(const double* r, double* z) const;
 
@@ -33,7 +32,7 @@ class Pcg final : public LinearSolver {
   const BlockSystem* system_ = nullptr;
   std::vector<double> preconditioner_;  // Cholesky factors of the diagonal blocks
   std::vector<double> damping_, minimum_pivot_;
-  std::vector<double> b_, x_, r_, z_, p_, q_;
+  ConjugateGradients iteration_;
 };
 
 }  // namespace boxplus

@@ -32,6 +32,7 @@ Chi2 native_chi2(boxplus::Graph& graph) {
   boxplus::Options options;
   options.algorithm = boxplus::AlgorithmKind::kGaussNewton;
   options.max_iterations = kIterations;
+  options.precision = boxplus::Precision::kDouble;
   options.cost_tolerance = options.step_tolerance = 0;
   if (graph.vertex_count() > 0) graph.fix(graph.all_vertices().front());
   const boxplus::Report report = boxplus::optimize(graph, options);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/block_cholesky/mixed_factor.h"
+
+#include <algorithm>
+
+#include "kernels/kernel_table.h"
+#include "linear/block_cholesky/triangular_solve.h"
+
+namespace boxplus {
+namespace {
+
+/// Steps of refinement after which a factor in double would have been the better choice.
+constexpr int kMostSteps = 12;
+
+}  // namespace
+
+void MixedFactor::allocate(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                           double steps_that_pay) {
+  symbolic_ = &symbolic;
+  structure_ = &structure;
+  steps_that_pay_ = steps_that_pay;
+  most_steps_ = 0;
+  factor_.allocate(symbolic, structure.scalars(), 1);
+  refinement_.resize(structure.scalars());
+  for (auto* vector : {&damping_, &solution_}) vector->resize(structure.scalars());
+}
+
+void MixedFactor::release() {
+  factor_.release();
+  refinement_ = {};
+}
+
+LinearStatus MixedFactor::factorize(std::span<const double> values, const Damping& damping,
+                                    const StopToken& stop) {
+  system_.emplace(*structure_, values);
+  for (std::uint32_t i = 0; i < structure_->scalars(); ++i) damping_[i] = damping(i);
+  return factorize_fronts(*symbolic_, *structure_, values.data(), damping, stop, factor_).status;
+}
+
+SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& control,
+                               const StopToken& stop) {
+  const auto multiply = [this](const double* p, double* q) {
+    system_->multiply(p, q);
+    for (std::size_t i = 0; i < damping_.size(); ++i) q[i] += damping_[i] * p[i];
+  };
+  const auto precondition = [this](const double* r, double* z) {
+    solve_with(*symbolic_, *structure_, factor_, r, 1, z);
+  };
+  const SolveResult result = refinement_.solve(multiply, precondition, b, solution_.data(),
+                                               {control.relative_tolerance, kMostSteps}, stop);
+  most_steps_ = std::max(most_steps_, result.iterations);
+  if (result.status == LinearStatus::kOk) std::copy(solution_.begin(), solution_.end(), x);
+  return result;
+}
+
+double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure) {
+  constexpr double kWorthAThought = 1e-3;  // seconds
+  constexpr double kFloatShare = 0.5;  // of the time that operations and reading the factor take in double
+  constexpr double kSavedOfTheRest = 0.3;
+  constexpr double kSecondsPerByte = 0.8e-10;  // to read the factor, or A
+  constexpr double kSecondsPerScalar = 5e-9;   // for the vectors of conjugate gradients
+  if (seconds < kWorthAThought) return 0;
+  const double operations = flops * dense::kernels().nanoseconds_per_flop * 1e-9;
+  const double saved = (1 - kFloatShare) * operations + kSavedOfTheRest * (seconds - operations);
+  const double read_factor = 2 * numbers * sizeof(double) * kSecondsPerByte;
+  const double read_matrix =
+      2 * static_cast<double>(structure.nonzero_values()) * sizeof(double) * kSecondsPerByte;
+  return (saved + read_factor) /
+         (kFloatShare * read_factor + read_matrix + kSecondsPerScalar * structure.scalars());
+}
+
+}  // namespace boxplus

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Start::kAutomatic: when the estimates are kept, when the chordal guess takes their place, when both are
+// tried.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/testing/simulate.h"
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+const Options kAutomaticStart{.start = Start::kAutomatic};
+
+double chi2_from_chordal(Graph& graph) {
+  return optimize(graph, {.start = Start::kChordal}).chi2_final;
+}
+
+void expect_numbered_records(const Report& report) {
+  for (std::size_t k = 0; k < report.records.size(); ++k)
+    EXPECT_EQ(report.records[k].iteration, static_cast<int>(k));
+}
+
+TEST(TheAutomaticStart, IsAtEstimatesWhoseFirstStepKeepsItsPromise) {
+  Graph graph;
+  add_noisy_grid(graph, 4);
+  const Report report = optimize(graph, kAutomaticStart);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.start.used, Start::kCurrent);
+  EXPECT_GT(report.start.first_step_kept, 0.75);
+  EXPECT_LT(report.start.chi2_guess, 0) << "a guess was made in vain";
+  EXPECT_FALSE(report.start.ran_both);
+  EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
+  expect_numbered_records(report);
+}
+
+TEST(TheAutomaticStart, IsTheChordalGuessWhereTheFirstStepBreaksItsPromise) {
+  Graph graph, other;
+  for (Graph* each : {&graph, &other}) {
+    int turn = 0;
+    for (const auto pose : add_noisy_circle(*each, 60)) each->set_estimate(pose, SE2(0, 0, 2.0 * turn++));
+  }
+  const Report report = optimize(graph, kAutomaticStart);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.start.used, Start::kChordal);
+  EXPECT_GE(report.start.chi2_guess, 0);
+  EXPECT_FALSE(std::isnan(report.start.first_step_kept));
+  EXPECT_NEAR(report.chi2_final, chi2_from_chordal(other), 1e-9 * report.chi2_final);
+  expect_numbered_records(report);
+}
+
+TEST(TheAutomaticStart, TriesTheOtherTooWhereTheResultIsFarAboveTheNoise) {
+  Graph graph;
+  add_noisy_grid(graph, 4);
+  for (const EdgeRef& edge : graph.all_edges()) graph.set_information(edge, 2500 * 100.0);
+  const Report report = optimize(graph, kAutomaticStart);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_TRUE(report.start.ran_both);
+  EXPECT_GT(report.start.first_step_kept, 0.75);
+  EXPECT_NEAR(report.start.chi2_other_final, report.chi2_final, 1e-6 * report.chi2_final);
+  expect_numbered_records(report);
+}
+
+TEST(TheAutomaticStart, GoesOnFromItsFirstStepWhereThereIsNoGuess) {
+  Graph graph;  // Rosenbrock's valley, whose first Gauss-Newton step leaves it
+  const auto point = graph.add_vertex(Eigen::Vector2d(-1.2, 1));
+  graph.add_edge(
+      []<class S>(const Eigen::Matrix<S, 2, 1>& p) {
+        return Eigen::Matrix<S, 2, 1>(1 - p.x(), 10 * (p.y() - p.x() * p.x()));
+      },
+      point);
+  const Report report = optimize(graph, kAutomaticStart);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_LT(report.start.first_step_kept, 0.75);
+  EXPECT_EQ(report.start.used, Start::kCurrent);
+  EXPECT_FALSE(report.start.note.empty());
+  EXPECT_LT((graph.estimate(point) - Eigen::Vector2d(1, 1)).norm(), 1e-6);
+  EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
+  expect_numbered_records(report);
+}
+
+TEST(TheAutomaticStart, TriesNothingWhereOneIterationIsAllThereIs) {
+  Graph graph;
+  add_noisy_circle(graph, 30);
+  const Report report = optimize(graph, {.start = Start::kAutomatic, .max_iterations = 1});
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_TRUE(std::isnan(report.start.first_step_kept));
+}
+
+TEST(TheAutomaticStart, CallsBackForEveryIterationAndEndsWhereThatSaysSo) {
+  Graph graph;
+  add_noisy_grid(graph, 3);
+  int calls = 0;
+  Options options = kAutomaticStart;
+  options.callback = [&](const IterationRecord&) { return ++calls < 1; };
+  const Report report = optimize(graph, options);
+  EXPECT_EQ(report.reason, Reason::kCallback);
+  EXPECT_EQ(calls, 1);
+  EXPECT_LT(report.start.chi2_guess, 0);
+}
+
+TEST(TheAutomaticStart, IsAsGoodAsEitherStartOnSimulatedGraphs) {
+  std::set<Start> used;
+  for (const World world : {World::kManhattan, World::kTorus, World::kSphere, World::kCity}) {
+    for (const double noise : {0.3, 1.0, 3.0}) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const SimulationOptions simulation{.poses = 150, .seed = seed, .noise = noise};
+        Graph automatic = std::move(simulate(world, simulation).graph);
+        Graph current = std::move(simulate(world, simulation).graph);
+        Graph chordal = std::move(simulate(world, simulation).graph);
+        const Report report = optimize(automatic, kAutomaticStart);
+        const double best = std::min(optimize(current).chi2_final, chi2_from_chordal(chordal));
+        EXPECT_LE(report.chi2_final, best * (1 + 1e-6)) << report;
+        used.insert(report.start.used);
+      }
+    }
+  }
+  EXPECT_EQ(used.size(), 2u) << "one of the two starts was never taken: the test shows nothing";
+}
+
+}  // namespace
+}  // namespace boxplus
