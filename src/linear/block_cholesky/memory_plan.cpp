@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/block_cholesky/memory_plan.h"
 
-#include <iterator>
+#include <algorithm>
 
 namespace boxplus {
 
 std::uint64_t MemoryPlan::reserve(std::uint64_t size) {
   if (size == 0) return 0;
-  for (auto hole = free_.begin(); hole != free_.end(); ++hole) {
-    const auto [address, space] = *hole;
-    const bool grows = address + space == end_;  // the last hole may be extended
-    if (space < size && !grows) continue;
-    free_.erase(hole);
-    if (space > size) free_.emplace(address + size, space - size);
-    if (space < size) end_ = address + size;
+  for (auto hole = holes_.begin(); hole != holes_.end(); ++hole) {
+    const std::uint64_t address = hole->address;
+    const bool grows = hole->end() == end_;  // the last hole may be extended
+    if (hole->size < size && !grows) continue;
+    if (hole->size > size) {
+      *hole = {address + size, hole->size - size};
+    } else {
+      end_ = std::max(end_, address + size);
+      holes_.erase(hole);
+    }
     return address;
   }
   const std::uint64_t address = end_;
@@ -23,19 +26,18 @@ std::uint64_t MemoryPlan::reserve(std::uint64_t size) {
 
 void MemoryPlan::release(std::uint64_t address, std::uint64_t size) {
   if (size == 0) return;
-  auto next = free_.lower_bound(address);
-  if (next != free_.end() && address + size == next->first) {
-    size += next->second;
-    next = free_.erase(next);
+  auto next = std::partition_point(holes_.begin(), holes_.end(),
+                                   [address](const Hole& hole) { return hole.address < address; });
+  const bool joins_next = next != holes_.end() && address + size == next->address;
+  const bool joins_previous = next != holes_.begin() && next[-1].end() == address;
+  if (joins_previous) {
+    next[-1].size += size + (joins_next ? next->size : 0);
+    if (joins_next) holes_.erase(next);
+  } else if (joins_next) {
+    *next = {address, size + next->size};
+  } else {
+    holes_.insert(next, {address, size});
   }
-  if (next != free_.begin()) {
-    const auto previous = std::prev(next);
-    if (previous->first + previous->second == address) {
-      previous->second += size;
-      return;
-    }
-  }
-  free_.emplace(address, size);
 }
 
 }  // namespace boxplus

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <vector>
 
 namespace boxplus {
 
@@ -18,7 +18,11 @@ class MemoryPlan {
   std::uint64_t peak() const { return end_; }
 
  private:
-  std::map<std::uint64_t, std::uint64_t> free_;  // address → size, never adjacent
+  struct Hole {
+    std::uint64_t address, size;
+    std::uint64_t end() const { return address + size; }
+  };
+  std::vector<Hole> holes_;  // by address, never adjacent; few, so that moving them is cheaper than a tree
   std::uint64_t end_ = 0;
 };
 

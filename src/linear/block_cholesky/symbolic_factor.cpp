@@ -25,6 +25,18 @@ std::vector<std::uint32_t> composed(const std::vector<std::uint32_t>& order,
   return result;
 }
 
+/// The tree whose node k was node sequence[k]. A sequence with children before their parents leaves the
+/// elimination tree what it is (Liu 1990).
+std::vector<std::uint32_t> renumbered(const std::vector<std::uint32_t>& tree,
+                                      const std::vector<std::uint32_t>& sequence) {
+  std::vector<std::uint32_t> number(tree.size()), parent(tree.size(), kNoParent);
+  for (std::uint32_t k = 0; k < sequence.size(); ++k) number[sequence[k]] = k;
+  for (std::uint32_t k = 0; k < sequence.size(); ++k) {
+    if (tree[sequence[k]] != kNoParent) parent[k] = number[tree[sequence[k]]];
+  }
+  return parent;
+}
+
 std::vector<std::uint32_t> dims_in(const BlockStructure& structure, const std::vector<std::uint32_t>& order) {
   std::vector<std::uint32_t> dims;
   dims.reserve(order.size());
@@ -253,9 +265,11 @@ struct Ordered {
   double flops;
 
   Ordered(const BlockStructure& structure, const std::vector<std::uint32_t>& given, std::uint32_t keep) {
-    order = composed(given, postorder(elimination_tree(UpperPattern(structure, given)), keep));
+    const std::vector<std::uint32_t> tree = elimination_tree(UpperPattern(structure, given));
+    const std::vector<std::uint32_t> sequence = postorder(tree, keep);
+    order = composed(given, sequence);
+    parent = renumbered(tree, sequence);
     const UpperPattern pattern(structure, order);
-    parent = elimination_tree(pattern);
     dims = dims_in(structure, order);
     counts = count_columns(pattern, parent, dims);
     flops = count_flops(counts, dims);
