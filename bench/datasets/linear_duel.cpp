@@ -36,11 +36,14 @@ struct Equations {
   std::vector<double> right_hand_side;
 };
 
-Figures run_ours(const Equations& equations, LinearSolver& solver, std::vector<double>& x) {
+Figures run_ours(const Equations& equations, Precision precision, LinearSolver& solver,
+                 std::vector<double>& x) {
   const AssembledSystem system(equations.plan.structure, equations.linearizer.values());
-  const double by_degree =
-      seconds_of([&] { solver.analyze(equations.plan.structure, {.ordering = Ordering::kMinimumDegree}); });
-  const double analyze = seconds_of([&] { solver.analyze(equations.plan.structure, {}); });
+  const double by_degree = seconds_of([&] {
+    solver.analyze(equations.plan.structure, {.ordering = Ordering::kMinimumDegree, .precision = precision});
+  });
+  const double analyze =
+      seconds_of([&] { solver.analyze(equations.plan.structure, {.precision = precision}); });
   const auto factorize = [&] {
     if (solver.factorize(system, {}).status != LinearStatus::kOk) {
       throw std::runtime_error("our factorisation failed");
@@ -85,10 +88,13 @@ double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
 
 LinearDuel run_linear_duel(Graph& graph) {
   const Equations equations(graph);
-  const std::unique_ptr<LinearSolver> solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
-  std::vector<double> our_x(equations.right_hand_side.size()), peer_x;
+  const auto in_double = make_linear_solver(LinearSolverKind::kBlockCholesky);
+  const auto automatic = make_linear_solver(LinearSolverKind::kBlockCholesky);
+  std::vector<double> our_x(equations.right_hand_side.size()), automatic_x = our_x, peer_x;
   std::vector<std::unique_ptr<CholmodPeer>> peers;
-  std::vector<Contestant> contestants{[&] { return run_ours(equations, *solver, our_x); }};
+  std::vector<Contestant> contestants{
+      [&] { return run_ours(equations, Precision::kDouble, *in_double, our_x); },
+      [&] { return run_ours(equations, Precision::kAutomatic, *automatic, automatic_x); }};
   LinearDuel duel;
   for (const CholmodSettings& settings : all_cholmod_settings()) {
     peers.push_back(
@@ -97,20 +103,24 @@ LinearDuel run_linear_duel(Graph& graph) {
         [&, peer = peers.back().get()] { return run_cholmod(equations, *peer, peer_x); });
   }
   std::vector<Figures> medians = interleaved_medians(contestants, {.least = 5, .most = 25, .enough_s = 2});
-  const Figures ours = medians.front();
-  medians.erase(medians.begin());
+  const Figures ours = medians[0], chosen = medians[1];
+  medians.erase(medians.begin(), medians.begin() + 2);
   const auto best = std::min_element(medians.begin(), medians.end(),
                                      [](const Figures& a, const Figures& b) { return a[1] < b[1]; });
   const CholmodPeer& best_peer = *peers[static_cast<std::size_t>(best - medians.begin())];
   duel.scalars = equations.plan.scalars();
   duel.analyze_by_degree_s = ours[3];
-  duel.dissected = solver->statistics().ordering == Ordering::kNestedDissection;
-  duel.ours = {ours[0], ours[1], ours[2], solver->statistics().factor_flops};
+  duel.dissected = in_double->statistics().ordering == Ordering::kNestedDissection;
+  duel.mixed = automatic->statistics().precision == Precision::kMixed;
+  const double flops = in_double->statistics().factor_flops;
+  duel.ours = {ours[0], ours[1], ours[2], flops};
+  duel.automatic = duel.mixed ? LinearFigures{chosen[0], chosen[1], chosen[2], flops} : duel.ours;
   duel.cholmod = {(*best)[0], (*best)[1], (*best)[2], best_peer.flops()};
   duel.cholmod_settings = best_peer.settings().name();
   duel.cholmod_amd_analyze_s = amd_analysis(medians, false);
   duel.cholmod_block_amd_analyze_s = amd_analysis(medians, true);
-  duel.largest_difference = relative_difference(our_x, peer_x);
+  duel.largest_difference =
+      std::max(relative_difference(our_x, peer_x), relative_difference(automatic_x, peer_x));
   if (!(duel.largest_difference < kSameSolution)) throw std::runtime_error("CHOLMOD solves another system");
   return duel;
 }

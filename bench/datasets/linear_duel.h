@@ -16,7 +16,10 @@ struct LinearFigures {
 
 struct LinearDuel {
   std::uint32_t scalars = 0;
-  LinearFigures ours, cholmod;       ///< cholmod: of the settings that factorise fastest
+  LinearFigures ours, cholmod;  ///< ours in double; cholmod: of the settings that factorise fastest
+  /// Ours as it is by default: in float where that is predicted to pay, the solution refined to 1e-10.
+  LinearFigures automatic;
+  bool mixed = false;                ///< whether that is in float
   double analyze_by_degree_s = 0;    ///< our analysis with minimum degree, as CHOLMOD's below
   bool dissected = false;            ///< whether `ours` is ordered by nested dissection
   std::string cholmod_settings;      ///< their name

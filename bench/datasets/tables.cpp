@@ -55,9 +55,13 @@ std::string linear_tables(const Results& results) {
       "factorises\n"
       "faster, and compared with ours with AMD. Where nested dissection is predicted to pay, what that "
       "analysis "
-      "takes follows.\n\n";
-  out += head_of({"file", "scalars", "analyse", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect",
-                  "factorise", "CHOLMOD", "×", "solve", "CHOLMOD", "×"});
+      "takes follows.\n"
+      "In float: where that is the automatic choice, the factorisation in float and the solution refined in "
+      "double "
+      "to a residual of 1e-10.\n\n";
+  out +=
+      head_of({"file", "scalars", "analyse", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorise",
+               "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorise", "×", "solve", "both ×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
     if (!result.linear) return {};
     const LinearDuel& d = *result.linear;
@@ -74,7 +78,11 @@ std::string linear_tables(const Results& results) {
             times(d.cholmod.factorize_s, d.ours.factorize_s),
             milliseconds(d.ours.solve_s),
             milliseconds(d.cholmod.solve_s),
-            times(d.cholmod.solve_s, d.ours.solve_s)};
+            times(d.cholmod.solve_s, d.ours.solve_s),
+            d.mixed ? milliseconds(d.automatic.factorize_s) : "–",
+            d.mixed ? times(d.cholmod.factorize_s, d.automatic.factorize_s) : "–",
+            d.mixed ? milliseconds(d.automatic.solve_s) : "–",
+            times(d.cholmod.factorize_s + d.cholmod.solve_s, d.automatic.factorize_s + d.automatic.solve_s)};
   });
   out += fmt::format(
       "\nUseful operations of the factorisation per second, and the share of DGEMM, n = 1024, which runs at "

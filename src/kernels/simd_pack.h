@@ -126,18 +126,19 @@ class LanesOf {
 #else
   explicit LanesOf(int count) : count_(count) {}
   PackOf<Scalar> load(const Scalar* from) const {
+    if (count_ == kLanesOf<Scalar>) return dense::BOXPLUS_ISA::load(from);
     Scalar lanes[kLanesOf<Scalar>] = {};
-    __builtin_memcpy(lanes, from, bytes());
+    for (int i = 0; i < count_; ++i) lanes[i] = from[i];
     return dense::BOXPLUS_ISA::load(lanes);
   }
   void store(Scalar* to, PackOf<Scalar> pack) const {
-    __builtin_memcpy(to, &pack, bytes());
+    if (count_ == kLanesOf<Scalar>) return dense::BOXPLUS_ISA::store(to, pack);
+    Scalar lanes[kLanesOf<Scalar>];
+    dense::BOXPLUS_ISA::store(lanes, pack);
+    for (int i = 0; i < count_; ++i) to[i] = lanes[i];
   }
 
  private:
-  unsigned long bytes() const {
-    return static_cast<unsigned long>(count_) * sizeof(Scalar);
-  }
   int count_;
 #endif
 };

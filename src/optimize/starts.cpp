@@ -54,9 +54,9 @@ RunResult minimize_from_other(Run& run, const RunResult& first, double other_chi
   return first;
 }
 
-/// The better of the current estimates, at kStartLevel, and the chordal guess, in the graph.
-RunResult minimize_from_better(Run& run) {
-  const double chi2_guess = run.report().start.chi2_guess, chi2_current = run.report().chi2_initial;
+/// The better of the estimates at kStartLevel, whose chi2 is given, and the chordal guess, in the graph.
+RunResult minimize_from_better(Run& run, double chi2_current) {
+  const double chi2_guess = run.report().start.chi2_guess;
   const bool guess_first = chi2_guess < chi2_current || !std::isfinite(chi2_current);
   if (!guess_first) swap_with_saved(run, VertexPool::kStartLevel);  // now the guess waits at kStartLevel
   run.report().start.used = guess_first ? Start::kChordal : Start::kCurrent;
@@ -130,20 +130,21 @@ RunResult compare_with_guess(Run& run, const RunResult& first) {
   return minimize_from_other(run, first, run.report().start.chi2_guess);
 }
 
-/// Start::kAutomatic, with the current estimates at kStartLevel too.
+/// Start::kAutomatic.
 RunResult minimize_automatically(Run& run) {
-  bool gave_up = false;
-  if (std::isfinite(run.report().chi2_initial) && run.options().max_iterations > 1) {
+  double chi2 = run.report().chi2_initial;
+  if (std::isfinite(chi2) && run.options().max_iterations > 1) {
+    bool gave_up = false;
     const RunResult result = try_current(run, gave_up);
     const bool is_good = result.status == Status::kConverged && is_plausible(run, result.chi2);
     const bool may_go_on = !is_interruption(result.reason) && run.may_go_on();
     if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(run, result);
+    chi2 = result.chi2;
   }
-  if (replace_by_guess(run)) {
-    run.report().records.clear();
-    return minimize_from_better(run);
-  }
-  return run.minimize(gave_up ? run.report().records.back().chi2 : run.report().chi2_initial);
+  run.system().save(VertexPool::kStartLevel);
+  if (!replace_by_guess(run)) return run.minimize(chi2);
+  run.report().records.clear();
+  return minimize_from_better(run, chi2);
 }
 
 }  // namespace
@@ -151,8 +152,8 @@ RunResult minimize_automatically(Run& run) {
 RunResult minimize_from_starts(Run& run) {
   const Start start = run.options().start;
   if (start == Start::kCurrent) return run.minimize(run.report().chi2_initial);
-  run.system().save(VertexPool::kStartLevel);
   if (start == Start::kAutomatic) return minimize_automatically(run);
+  run.system().save(VertexPool::kStartLevel);
   if (!make_guess(run, start)) {
     run.system().restore(VertexPool::kStartLevel);
     return run.minimize(run.report().chi2_initial);

@@ -42,7 +42,8 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   const double steps = hints.precision == Precision::kMixed
                            ? std::numeric_limits<double>::infinity()
                            : steps_that_pay(forecast_seconds_, symbolic_.flops,
-                                            static_cast<double>(symbolic_.panel_size), structure);
+                                            static_cast<double>(symbolic_.panel_size), structure) /
+                                 batch_;
   if (hints.precision != Precision::kDouble && steps >= kClearly * kUsualSteps) {
     mixed_.allocate(symbolic_, structure, steps);
   } else {
