@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "g2o/core/optimizable_graph.h"
+
 namespace g2o {
 
 HyperGraphAction::Parameters::~Parameters() = default;
@@ -100,7 +102,8 @@ bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr&
          std::static_pointer_cast<HyperGraphElementActionCollection>(found->second)->unregisterAction(action);
 }
 
-// In the order of ids, so that what is written does not depend on addresses.
+// In the order of ids, and in that in which edges were added, so that what is written does not depend on
+// addresses.
 void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                  HyperGraphElementAction::Parameters* parameters, const std::string& typeName) {
   std::vector<HyperGraph::Vertex*> vertices;
@@ -109,7 +112,14 @@ void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
   for (HyperGraph::Vertex* v : vertices) {
     if (typeName.empty() || typeid(*v).name() == typeName) (*action)(v, parameters);
   }
-  for (HyperGraph::Edge* e : graph->edges()) {
+  std::vector<HyperGraph::Edge*> edges(graph->edges().begin(), graph->edges().end());
+  const auto added = [](const HyperGraph::Edge* e) {
+    const auto* optimizable = dynamic_cast<const OptimizableGraph::Edge*>(e);
+    return optimizable == nullptr ? -1LL : optimizable->internalId();
+  };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const auto* a, const auto* b) { return added(a) < added(b); });
+  for (HyperGraph::Edge* e : edges) {
     if (typeName.empty() || typeid(*e).name() == typeName) (*action)(e, parameters);
   }
 }
