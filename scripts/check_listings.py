@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that README.md and docs/*.md show what compiles, and what programs really print.
+"""Checks that README.md and the pages of docs/ show what compiles, and what programs really print.
 
     check_listings.py [--fix] [PROGRAMS]
 
@@ -107,7 +107,7 @@ def main():
     fix = "--fix" in arguments
     folders = [pathlib.Path(a).resolve() for a in arguments if a != "--fix"]
     complaints = list(missing_words())
-    for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         complaints += check_page(page, folders[0] if folders else None, fix)
     print(*complaints, sep="\n", end="\n" if complaints else "")
     return 1 if complaints else 0
