@@ -46,6 +46,11 @@ std::string escaped(const std::string& words) {
   return result;
 }
 
+/// About how wide words are, in units of their height.
+double width_of(const std::string& words) {
+  return 0.6 * static_cast<double>(words.size());
+}
+
 }  // namespace
 
 /// From the world to the picture.
@@ -59,6 +64,8 @@ class SvgDrawing::Page {
         const Vector3 seen = view_ * corner;
         low = low.min(seen.head<2>().array());
         high = high.max(seen.head<2>().array());
+        if (shape.kind == Kind::kText)
+          high = high.max(seen.head<2>().array() + Eigen::Array2d(width_of(shape.words), 1) * shape.size);
       }
     }
     if (drawing._shapes.empty()) low = high = Eigen::Array2d::Zero();
