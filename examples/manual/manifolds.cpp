@@ -70,8 +70,8 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
 
 // [check]
 /// The largest difference between the Jacobian that an edge computes and the numeric one of its base class.
-template <class Edge>
-double jacobianError(Edge& edge) {
+template <class OwnEdge>
+double jacobianError(OwnEdge& edge) {
   g2o::JacobianWorkspace workspace;
   workspace.updateSize(&edge);
   workspace.allocate();
@@ -79,7 +79,7 @@ double jacobianError(Edge& edge) {
   edge.computeError();
   base.linearizeOplus(workspace);  // maps the Jacobians into the workspace, and fills them
   const Eigen::MatrixXd own = edge.template jacobianOplusXn<0>();
-  edge.Edge::BaseFixedSizedEdge::linearizeOplus();
+  edge.OwnEdge::BaseFixedSizedEdge::linearizeOplus();
   return (edge.template jacobianOplusXn<0>() - own).cwiseAbs().maxCoeff();
 }
 // [/check]

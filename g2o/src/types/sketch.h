@@ -3,10 +3,12 @@
 #pragma once
 
 #include <array>
-#include <utility>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "g2o/core/drawing.h"
+#include "g2o/core/hyper_graph.h"
 
 namespace g2o {
 namespace internal {
@@ -51,24 +53,24 @@ struct Sketch {
   }
 };
 
-/// The position of a vertex, as `Library::place()` tells it.
-template <class Library, int N, class Edge>
-Vector3 place_of(const Edge& e) {
-  return Library::place(*e.template vertexXn<N>());
-}
-
-template <class Library, class Edge, std::size_t... N>
-Sketch sketch_of_edge(const Edge& e, const Color& color, std::index_sequence<N...>) {
+/// An edge as lines from its first vertex to each of the others. `Library::place()` tells where a vertex is;
+/// one that is missing, or at no place, has no line.
+template <class Library>
+Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
   Sketch sketch;
   sketch.color = color;
-  (sketch.lines.push_back({place_of<Library, 0>(e), place_of<Library, static_cast<int>(N) + 1>(e)}), ...);
+  const std::optional<Vector3> from = Library::place(e.vertex(0));
+  for (std::size_t i = 1; from && i < e.vertices().size(); ++i) {
+    if (const std::optional<Vector3> to = Library::place(e.vertex(i))) sketch.lines.push_back({*from, *to});
+  }
   return sketch;
 }
 
-/// An edge as lines from its first vertex to each of the others. All must be there.
-template <class Library, class Edge>
-Sketch sketch_of_edge(const Edge& e, const Color& color) {
-  return sketch_of_edge<Library>(e, color, std::make_index_sequence<Edge::_nr_of_vertices - 1>());
+/// An edge over one vertex as a line from there to where it should be.
+template <class Library>
+Sketch sketch_of_prior(const HyperGraph::Edge& e, const Vector3& measured) {
+  const std::optional<Vector3> from = Library::place(e.vertex(0));
+  return from ? Sketch::of_line(*from, measured, kPriorColor) : Sketch();
 }
 
 /// A motion from pose to pose; where one of them is missing, the other is where the measurement sees it.

@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "g2o/core/factory.h"
@@ -197,6 +199,36 @@ TEST(Actions, AnEdgeThatMissesAPoseShowsWhereItWouldBe) {
   graph->setEdgeVertex(e, 1, nullptr);
   EXPECT_THAT(drawn(*graph), HasSubstr("(0 7 0)"));
   EXPECT_EQ(count(gnuplot(*graph), "\n\n"), 12);
+}
+
+/// What a user hangs on an element, and how it is drawn.
+struct Label : g2o::HyperGraph::Data {
+  explicit Label(std::string text) : words(std::move(text)) {}
+  bool read(std::istream& is) override { return static_cast<bool>(is >> words); }
+  bool write(std::ostream& os) const override { return static_cast<bool>(os << words); }
+  std::string words;
+};
+struct DrawLabel : g2o::DrawAction {
+  DrawLabel() : g2o::DrawAction(typeid(Label).name()) {}
+  g2o::HyperGraphElementAction* operator()(g2o::HyperGraph::HyperGraphElement* element,
+                                           g2o::HyperGraphElementAction::Parameters* parameters) override {
+    if (!refreshPropertyPtrs(parameters) || !_show->value()) return nullptr;
+    _previousParams->drawing->text(g2o::Vector3::Zero(), static_cast<Label*>(element)->words, g2o::Color(),
+                                   1);
+    return this;
+  }
+};
+
+TEST(Actions, UserDataAreDrawnWithTheirVertexOrEdge) {
+  const g2o::RegisterActionProxy<DrawLabel> registered;
+  const auto graph = read(kPlane);
+  graph->vertex(0)->addUserData(new Label("start"));
+  graph->vertex(0)->addUserData(new Label("door"));
+  (*graph->edges().begin())->addUserData(new Label("measured"));
+  const std::string shapes = drawn(*graph);
+  EXPECT_EQ(count(shapes, "text "), 3);
+  EXPECT_THAT(shapes, HasSubstr("text door\ntext start\n"));
+  EXPECT_THAT(shapes, HasSubstr("text measured\n"));
 }
 
 /// An action of a user, on a type of the library.

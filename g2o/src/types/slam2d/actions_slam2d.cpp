@@ -25,8 +25,11 @@ Isometry3 lift(const SE2& x) {
 struct Slam2d {
   static constexpr int kDimension = 2;
 
-  static Vector3 place(const VertexSE2& v) { return lift(v.estimate().translation()); }
-  static Vector3 place(const VertexPointXY& v) { return lift(v.estimate()); }
+  static std::optional<Vector3> place(const HyperGraph::Vertex* v) {
+    if (const auto* pose = dynamic_cast<const VertexSE2*>(v)) return lift(pose->estimate().translation());
+    if (const auto* point = dynamic_cast<const VertexPointXY*>(v)) return lift(point->estimate());
+    return {};
+  }
 
   static Sketch sketch(const VertexSE2& v) { return Sketch::of_pose(lift(v.estimate())); }
   static Sketch sketch(const VertexPointXY& v) { return Sketch::of_point(lift(v.estimate())); }
@@ -35,21 +38,24 @@ struct Slam2d {
     return internal::sketch_of_motion(e, [](const SE2& x) { return lift(x); });
   }
   static Sketch sketch(const EdgeSE2Offset& e) {
-    if (!internal::is_complete(e)) return {};
     return internal::sketch_of_edge<Slam2d>(e, internal::kMotionColor);
   }
-  /// A prior: from the estimate to where it should be.
-  static Sketch sketch(const EdgeSE2Prior& e) { return sketch_of_prior(e, e.measurement().translation()); }
-  static Sketch sketch(const EdgeSE2XYPrior& e) { return sketch_of_prior(e, e.measurement()); }
-  static Sketch sketch(const EdgeXYPrior& e) { return sketch_of_prior(e, e.measurement()); }
-  /// The third vertex, the pose of the sensor on the robot, is not a place in the world.
+  static Sketch sketch(const EdgeSE2Prior& e) {
+    return internal::sketch_of_prior<Slam2d>(e, lift(e.measurement().translation()));
+  }
+  static Sketch sketch(const EdgeSE2XYPrior& e) {
+    return internal::sketch_of_prior<Slam2d>(e, lift(e.measurement()));
+  }
+  static Sketch sketch(const EdgeXYPrior& e) {
+    return internal::sketch_of_prior<Slam2d>(e, lift(e.measurement()));
+  }
+  /// The third vertex, the pose of the sensor on the robot, is no place in the world.
   static Sketch sketch(const EdgeSE2PointXYCalib& e) {
-    if (!internal::is_complete(e)) return {};
-    return Sketch::of_line(place(*e.vertexXn<0>()), place(*e.vertexXn<1>()), internal::kObservationColor);
+    const std::optional<Vector3> from = place(e.vertex(0)), to = place(e.vertex(1));
+    return from && to ? Sketch::of_line(*from, *to, internal::kObservationColor) : Sketch();
   }
   template <class Observation>
   static Sketch sketch(const Observation& e) {
-    if (!internal::is_complete(e)) return {};
     return internal::sketch_of_edge<Slam2d>(e, internal::kObservationColor);
   }
 
@@ -70,13 +76,6 @@ struct Slam2d {
   template <class Edge>
   static bool write(const Edge&, std::ostream&) {
     return false;
-  }
-
- private:
-  template <class Prior>
-  static Sketch sketch_of_prior(const Prior& e, const Vector2& measured) {
-    if (!internal::is_complete(e)) return {};
-    return Sketch::of_line(place(*e.template vertexXn<0>()), lift(measured), internal::kPriorColor);
   }
 };
 

@@ -14,8 +14,11 @@ using internal::Sketch;
 struct Slam3d {
   static constexpr int kDimension = 3;
 
-  static Vector3 place(const VertexSE3& v) { return v.estimate().translation(); }
-  static Vector3 place(const VertexPointXYZ& v) { return v.estimate(); }
+  static std::optional<Vector3> place(const HyperGraph::Vertex* v) {
+    if (const auto* pose = dynamic_cast<const VertexSE3*>(v)) return pose->estimate().translation();
+    if (const auto* point = dynamic_cast<const VertexPointXYZ*>(v)) return point->estimate();
+    return {};
+  }
 
   static Sketch sketch(const VertexSE3& v) { return Sketch::of_pose(v.estimate()); }
   static Sketch sketch(const VertexPointXYZ& v) { return Sketch::of_point(v.estimate()); }
@@ -24,20 +27,22 @@ struct Slam3d {
     return internal::sketch_of_motion(e, [](const Isometry3& x) { return x; });
   }
   static Sketch sketch(const EdgeSE3Offset& e) {
-    if (!internal::is_complete(e)) return {};
     return internal::sketch_of_edge<Slam3d>(e, internal::kMotionColor);
   }
-  /// A prior: from the estimate to where it should be; for the whole pose, of the sensor.
+  /// From where the sensor is to where it should be.
   static Sketch sketch(const EdgeSE3Prior& e) {
     if (!internal::is_complete(e) || e.offsetParameter() == nullptr) return {};
     const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.offsetParameter()->offset();
     return Sketch::of_line(sensor.translation(), e.measurement().translation(), internal::kPriorColor);
   }
-  static Sketch sketch(const EdgeSE3XYZPrior& e) { return sketch_of_prior(e); }
-  static Sketch sketch(const EdgeXYZPrior& e) { return sketch_of_prior(e); }
+  static Sketch sketch(const EdgeSE3XYZPrior& e) {
+    return internal::sketch_of_prior<Slam3d>(e, e.measurement());
+  }
+  static Sketch sketch(const EdgeXYZPrior& e) {
+    return internal::sketch_of_prior<Slam3d>(e, e.measurement());
+  }
   template <class Observation>
   static Sketch sketch(const Observation& e) {
-    if (!internal::is_complete(e)) return {};
     return internal::sketch_of_edge<Slam3d>(e, internal::kObservationColor);
   }
 
@@ -58,13 +63,6 @@ struct Slam3d {
   template <class Edge>
   static bool write(const Edge&, std::ostream&) {
     return false;
-  }
-
- private:
-  template <class Prior>
-  static Sketch sketch_of_prior(const Prior& e) {
-    if (!internal::is_complete(e)) return {};
-    return Sketch::of_line(place(*e.template vertexXn<0>()), e.measurement(), internal::kPriorColor);
   }
 };
 
