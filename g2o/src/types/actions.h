@@ -28,6 +28,13 @@ inline bool is_complete(const HyperGraph::HyperGraphElement& element) {
   return e == nullptr || e->numUndefinedVertices() == 0;
 }
 
+/// A line of numbers.
+template <class Vector>
+void write_line(std::ostream& os, const Vector& numbers) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) os << (i > 0 ? " " : "") << numbers[i];
+  os << '\n';
+}
+
 /// A vertex is a line of numbers. An edge is, for each line to be seen, two lines of numbers and an empty
 /// one; an edge that misses a vertex is not written.
 template <class Library, class T>
@@ -52,8 +59,9 @@ class GnuplotAction : public WriteGnuplotAction {
   static void write(const T& element, std::ostream& os) {
     if (Library::write(element, os)) return;
     for (const auto& [from, to] : Library::sketch(element).lines) {
-      os << from.template head<Library::kDimension>().transpose() << '\n'
-         << to.template head<Library::kDimension>().transpose() << "\n\n";
+      write_line(os, from.template head<Library::kDimension>());
+      write_line(os, to.template head<Library::kDimension>());
+      os << '\n';
     }
   }
 };

@@ -73,6 +73,17 @@ Sketch sketch_of_prior(const HyperGraph::Edge& e, const Vector3& measured) {
   return from ? Sketch::of_line(*from, measured, kPriorColor) : Sketch();
 }
 
+/// A point that is seen from a pose; where the point is missing, it is where `see(pose)` sees it.
+template <class Library, class Edge, class See>
+Sketch sketch_of_observation(const Edge& e, See&& see) {
+  const auto* pose = e.template vertexXn<0>();
+  if (pose == nullptr || e.vertex(1) != nullptr) return sketch_of_edge<Library>(e, kObservationColor);
+  const Vector3 seen = see(pose->estimate());
+  Sketch sketch = Sketch::of_line(*Library::place(pose), seen, kObservationColor);
+  sketch.points = {seen};
+  return sketch;
+}
+
 /// A motion from pose to pose; where one of them is missing, the other is where the measurement sees it.
 template <class Edge, class Lift>
 Sketch sketch_of_motion(const Edge& e, Lift&& lift) {

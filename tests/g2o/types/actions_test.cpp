@@ -135,7 +135,7 @@ TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
               Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));  // the pose of a sensor on a robot is no place
   const std::string text = gnuplot(*graph);
   EXPECT_THAT(text, HasSubstr("0 0 0\n2 0 1.2\n\n"));
-  EXPECT_THAT(text, HasSubstr("2.5   2\n2.4 2.2\n\n"));
+  EXPECT_THAT(text, HasSubstr("2.5 2\n2.4 2.2\n\n"));
   EXPECT_THAT(text, HasSubstr("0 0\n1 1\n\n0 0\n3 1\n\n"));  // two points from one pose
   EXPECT_EQ(count(text, "\n\n"), 12);
 }
@@ -199,6 +199,27 @@ TEST(Actions, AnEdgeThatMissesAPoseShowsWhereItWouldBe) {
   graph->setEdgeVertex(e, 1, nullptr);
   EXPECT_THAT(drawn(*graph), HasSubstr("(0 7 0)"));
   EXPECT_EQ(count(gnuplot(*graph), "\n\n"), 12);
+}
+
+TEST(Actions, AnEdgeThatMissesALandmarkShowsWhereItWasSeen) {
+  const auto plane = read(kPlane), space = read(kSpace);
+  auto* in_plane = new g2o::EdgeSE2PointXY;
+  in_plane->setVertex(0, plane->vertex(1));
+  in_plane->setVertex(1, plane->vertex(10));
+  in_plane->setMeasurement(g2o::Vector2(5, 0));
+  ASSERT_TRUE(plane->addEdge(in_plane));
+  plane->setEdgeVertex(in_plane, 1, nullptr);
+  static_cast<g2o::VertexSE2*>(plane->vertex(1))->setEstimate(g2o::SE2(2, 0, 0));
+  EXPECT_THAT(drawn(*plane), HasSubstr("point4 (7 0 0)"));
+
+  auto* in_space = new g2o::EdgeSE3PointXYZ;
+  in_space->setVertex(0, space->vertex(0));
+  in_space->setVertex(1, space->vertex(11));
+  in_space->setParameterId(0, 0);
+  in_space->setMeasurement(g2o::Vector3(5, 0, 1));
+  ASSERT_TRUE(space->addEdge(in_space));
+  space->setEdgeVertex(in_space, 1, nullptr);
+  EXPECT_THAT(drawn(*space), HasSubstr("line1 (0 0 0) (5.3 0 1.2)"));  // the sensor is at (0.3, 0, 0.2)
 }
 
 /// What a user hangs on an element, and how it is drawn.

@@ -40,6 +40,10 @@ struct Slam2d {
   static Sketch sketch(const EdgeSE2Offset& e) {
     return internal::sketch_of_edge<Slam2d>(e, internal::kMotionColor);
   }
+  static Sketch sketch(const EdgeSE2PointXY& e) {
+    return internal::sketch_of_observation<Slam2d>(e,
+                                                   [&](const SE2& x) { return lift(x * e.measurement()); });
+  }
   static Sketch sketch(const EdgeSE2Prior& e) {
     return internal::sketch_of_prior<Slam2d>(e, lift(e.measurement().translation()));
   }
@@ -60,11 +64,11 @@ struct Slam2d {
   }
 
   static bool write(const VertexSE2& v, std::ostream& os) {
-    os << v.estimate().translation().transpose() << " " << v.estimate().rotation().angle() << '\n';
+    internal::write_line(os, v.estimate().toVector());
     return true;
   }
   static bool write(const VertexPointXY& v, std::ostream& os) {
-    os << v.estimate().transpose() << '\n';
+    internal::write_line(os, v.estimate());
     return true;
   }
   static bool write(const EdgeSE2& e, std::ostream& os) {

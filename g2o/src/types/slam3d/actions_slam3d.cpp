@@ -29,6 +29,12 @@ struct Slam3d {
   static Sketch sketch(const EdgeSE3Offset& e) {
     return internal::sketch_of_edge<Slam3d>(e, internal::kMotionColor);
   }
+  static Sketch sketch(const EdgeSE3PointXYZ& e) {
+    return internal::sketch_of_observation<Slam3d>(e, [&](const Isometry3& x) {
+      const auto* sensor = e.offsetParameter();
+      return Vector3(sensor == nullptr ? x * e.measurement() : x * (sensor->offset() * e.measurement()));
+    });
+  }
   /// From where the sensor is to where it should be.
   static Sketch sketch(const EdgeSE3Prior& e) {
     if (!internal::is_complete(e) || e.offsetParameter() == nullptr) return {};
@@ -47,11 +53,11 @@ struct Slam3d {
   }
 
   static bool write(const VertexSE3& v, std::ostream& os) {
-    os << internal::toVectorMQT(v.estimate()).transpose() << '\n';
+    internal::write_line(os, internal::toVectorMQT(v.estimate()));
     return true;
   }
   static bool write(const VertexPointXYZ& v, std::ostream& os) {
-    os << v.estimate().transpose() << '\n';
+    internal::write_line(os, v.estimate());
     return true;
   }
   static bool write(const EdgeSE3& e, std::ostream& os) {
