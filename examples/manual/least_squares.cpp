@@ -97,9 +97,9 @@ int main() {
   std::printf("Gauss-Newton from a good guess:\n  ");
   bool ok = show(fit<GaussNewton>(good, 5));
   std::printf("Gauss-Newton from a poor guess:\n  ");
-  const bool isLost = fit<GaussNewton>(poor, 5).back() > 1000;
-  std::printf("%s\n", isLost ? "chi2 stays above 1000" : "");
+  const bool is_lost = fit<GaussNewton>(poor, 5).back() > 1000;
+  std::printf("%s\n", is_lost ? "chi2 stays above 1000" : "");
   std::printf("Levenberg-Marquardt from a poor guess:\n  ");
   ok = show(fit<Levenberg>(poor, 6)) && ok;
-  return ok && isLost ? 0 : 1;
+  return ok && is_lost ? 0 : 1;
 }

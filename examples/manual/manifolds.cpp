@@ -71,7 +71,7 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
 // [check]
 /// The largest difference between the Jacobian that an edge computes and the numeric one of its base class.
 template <class OwnEdge>
-double jacobianError(OwnEdge& edge) {
+double jacobian_error(OwnEdge& edge) {
   g2o::JacobianWorkspace workspace;
   workspace.updateSize(&edge);
   workspace.allocate();
@@ -106,7 +106,7 @@ int main() {
   optimizer.initializeOptimization();
   const int iterations = optimizer.optimize(5);
   const Eigen::Vector3d& u = up->estimate();
-  const double difference = jacobianError(*edge);
+  const double difference = jacobian_error(*edge);
   std::printf("up is (%.4f, %.4f, %.4f), of length %.12f; dimension %d\n", u[0], u[1], u[2], u.norm(),
               up->dimension());
   std::printf("Jacobians as by differences: %s\n", difference < 1e-7 ? "yes" : "no");

@@ -60,7 +60,7 @@ class EdgePrior : public g2o::BaseUnaryEdge<1, double, VertexPlace> {
 
 using Blocks = g2o::BlockSolverX;
 
-std::unique_ptr<Blocks> makeBlocks() {
+std::unique_ptr<Blocks> make_blocks() {
   return std::make_unique<Blocks>(std::make_unique<g2o::LinearSolverDense<Blocks::PoseMatrixType>>());
 }
 
@@ -91,9 +91,9 @@ struct Line {
 };
 
 /// The system of the first iteration, as the solver builds it.
-bool printSystem() {
+bool print_system() {
   // [system]
-  auto blocks = makeBlocks();
+  auto blocks = make_blocks();
   Blocks& solver = *blocks;
   Line line(new g2o::OptimizationAlgorithmGaussNewton(std::move(blocks)));
   line.optimizer.initializeOptimization();
@@ -111,20 +111,20 @@ bool printSystem() {
 
 int main() {
   using GaussNewton = g2o::OptimizationAlgorithmGaussNewton;
-  bool ok = printSystem();
+  bool ok = print_system();
 
-  Line floating(new GaussNewton(makeBlocks()));
+  Line floating(new GaussNewton(make_blocks()));
   std::printf("gauge freedom: %s\n", floating.optimizer.gaugeFreedom() ? "yes" : "no");
   ok = !floating.report("Gauss-Newton, nothing held:") && ok;
 
   // [fixed]
-  Line fixed(new GaussNewton(makeBlocks()));
+  Line fixed(new GaussNewton(make_blocks()));
   fixed.optimizer.findGauge()->setFixed(true);
   // [/fixed]
   ok = fixed.report("Gauss-Newton, x1 fixed:") && ok;
 
   // [prior]
-  Line held(new GaussNewton(makeBlocks()));
+  Line held(new GaussNewton(make_blocks()));
   auto* prior = new EdgePrior;
   prior->setVertex(0, held.optimizer.vertex(1));
   prior->setMeasurement(0);
@@ -134,7 +134,7 @@ int main() {
   ok = held.report("Gauss-Newton, prior on x1:") && ok;
 
   // [damped]
-  Line damped(new g2o::OptimizationAlgorithmLevenberg(makeBlocks()));
+  Line damped(new g2o::OptimizationAlgorithmLevenberg(make_blocks()));
   // [/damped]
   return damped.report("Levenberg, nothing held:") && ok ? 0 : 1;
 }

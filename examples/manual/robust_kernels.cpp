@@ -60,7 +60,7 @@ struct Room {
   std::vector<EdgeEcho*> echoes;
 };
 
-double withKernel(const char* name) {
+double with_kernel(const char* name) {
   Room room;
   // [kernel]
   for (EdgeEcho* echo : room.echoes) {
@@ -74,7 +74,7 @@ double withKernel(const char* name) {
   return room.height->estimate();
 }
 
-double inTwoRounds() {
+double in_two_rounds() {
   Room room;
   // [rounds]
   for (EdgeEcho* echo : room.echoes) echo->setRobustKernel(new g2o::RobustKernelHuber);
@@ -93,8 +93,8 @@ double inTwoRounds() {
 }
 
 int main() {
-  const double none = withKernel("none"), huber = withKernel("Huber"), cauchy = withKernel("Cauchy");
-  const double rounds = inTwoRounds();
-  const bool isBetter = std::abs(huber - 2.5) < std::abs(none - 2.5) && std::abs(cauchy - 2.5) < 0.01;
-  return isBetter && std::abs(rounds - 2.5) < 0.001 ? 0 : 1;
+  const double none = with_kernel("none"), huber = with_kernel("Huber"), cauchy = with_kernel("Cauchy");
+  const double rounds = in_two_rounds();
+  const bool is_better = std::abs(huber - 2.5) < std::abs(none - 2.5) && std::abs(cauchy - 2.5) < 0.01;
+  return is_better && std::abs(rounds - 2.5) < 0.001 ? 0 : 1;
 }

@@ -25,7 +25,7 @@ using namespace g2o;
 
 /// A robot drives along a square, 10 poses a side, twice; it sees the landmarks near it. Measured with errors
 /// that are no noise, but as good.
-void addGraph(SparseOptimizer& optimizer) {
+void add_graph(SparseOptimizer& optimizer) {
   const auto wobble = [](int i) { return 0.03 * std::sin(12.9898 * i); };
   for (int id = 0; id < 16; ++id) {
     auto* v = new VertexPointXY;
@@ -63,7 +63,7 @@ void addGraph(SparseOptimizer& optimizer) {
   }
 }
 
-void marginalizeLandmarks(SparseOptimizer& optimizer) {
+void marginalize_landmarks(SparseOptimizer& optimizer) {
   // [marginalize]
   for (const auto& [id, v] : optimizer.vertices())
     if (auto* landmark = dynamic_cast<VertexPointXY*>(v)) landmark->setMarginalized(true);
@@ -98,7 +98,7 @@ int main() {
     SparseOptimizer optimizer;
     optimizer.setAlgorithm(std::move(algorithm));
     // [/parts]
-    addGraph(optimizer);
+    add_graph(optimizer);
     note(solve("Levenberg, Cholesky:", optimizer));
   }
   {
@@ -107,8 +107,8 @@ int main() {
     SparseOptimizer optimizer;
     optimizer.setAlgorithm(new OptimizationAlgorithmGaussNewton(
         std::make_unique<Blocks>(std::make_unique<LinearSolverEigen<Blocks::PoseMatrixType>>())));
-    addGraph(optimizer);
-    marginalizeLandmarks(optimizer);
+    add_graph(optimizer);
+    marginalize_landmarks(optimizer);
     // [/schur]
     note(solve("Gauss-Newton, Schur, Cholesky:", optimizer));
 
@@ -128,7 +128,7 @@ int main() {
     SparseOptimizer optimizer;
     optimizer.setAlgorithm(new OptimizationAlgorithmDogleg(std::make_unique<Blocks>(std::move(linear))));
     // [/pcg]
-    addGraph(optimizer);
+    add_graph(optimizer);
     note(solve("dogleg, conjugate gradients:", optimizer));
   }
   {
@@ -136,9 +136,9 @@ int main() {
     OptimizationAlgorithmProperty property;
     SparseOptimizer optimizer;
     optimizer.setAlgorithm(OptimizationAlgorithmFactory::instance()->construct("lm_fix3_2", property));
-    addGraph(optimizer);
+    add_graph(optimizer);
     if (!optimizer.isSolverSuitable(property)) return 1;
-    if (property.requiresMarginalize) marginalizeLandmarks(optimizer);
+    if (property.requiresMarginalize) marginalize_landmarks(optimizer);
     // [/factory]
     // [stop]
     SparseOptimizerTerminateAction terminate;

@@ -14,7 +14,7 @@
 using namespace g2o;
 
 template <class Vertex>
-void addVertex(SparseOptimizer& optimizer, int id, const typename Vertex::EstimateType& estimate) {
+void add_vertex(SparseOptimizer& optimizer, int id, const typename Vertex::EstimateType& estimate) {
   auto* v = new Vertex;
   v->setId(id);
   v->setEstimate(estimate);
@@ -22,7 +22,7 @@ void addVertex(SparseOptimizer& optimizer, int id, const typename Vertex::Estima
 }
 
 template <class Edge>
-Edge* addEdge(SparseOptimizer& optimizer, std::initializer_list<int> ids) {
+Edge* add_edge(SparseOptimizer& optimizer, std::initializer_list<int> ids) {
   auto* e = new Edge;
   size_t i = 0;
   for (const int id : ids) e->setVertex(i++, optimizer.vertex(id));
@@ -39,16 +39,16 @@ int main() {
   BlockSolverX& solver = *blocks;
   optimizer.setAlgorithm(new OptimizationAlgorithmGaussNewton(std::move(blocks)));
   // [graph]
-  for (int id = 0; id < 4; ++id) addVertex<VertexSE2>(optimizer, id, SE2(id, 0.1 * id, 0.2 * id));
-  addVertex<VertexPointXY>(optimizer, 4, Vector2(1, 2));
-  addVertex<VertexPointXY>(optimizer, 5, Vector2(2, 2));
+  for (int id = 0; id < 4; ++id) add_vertex<VertexSE2>(optimizer, id, SE2(id, 0.1 * id, 0.2 * id));
+  add_vertex<VertexPointXY>(optimizer, 4, Vector2(1, 2));
+  add_vertex<VertexPointXY>(optimizer, 5, Vector2(2, 2));
   optimizer.vertex(0)->setFixed(true);
 
-  addEdge<EdgeSE2>(optimizer, {0, 1});
-  addEdge<EdgeSE2>(optimizer, {1, 2});
-  addEdge<EdgeSE2>(optimizer, {2, 3});
-  addEdge<EdgeSE2PointXY>(optimizer, {1, 4});
-  auto* both = addEdge<EdgeSE2TwoPointsXY>(optimizer, {3, 4, 5});
+  add_edge<EdgeSE2>(optimizer, {0, 1});
+  add_edge<EdgeSE2>(optimizer, {1, 2});
+  add_edge<EdgeSE2>(optimizer, {2, 3});
+  add_edge<EdgeSE2PointXY>(optimizer, {1, 4});
+  auto* both = add_edge<EdgeSE2TwoPointsXY>(optimizer, {3, 4, 5});
   both->setInformation(Matrix4::Identity() +
                        Matrix4::Constant(0.5));  // seen together: their errors are correlated
   optimizer.initializeOptimization();
@@ -73,9 +73,9 @@ int main() {
   for (const auto* v : optimizer.indexMapping()) {
     int column = 0;
     for (const auto* w : optimizer.indexMapping()) {
-      const bool isThere = !H.block(row, column, v->dimension(), w->dimension()).isZero(1e-12);
-      std::printf("%s", isThere ? " #" : " .");
-      nonzero += isThere;
+      const bool is_there = !H.block(row, column, v->dimension(), w->dimension()).isZero(1e-12);
+      std::printf("%s", is_there ? " #" : " .");
+      nonzero += is_there;
       column += w->dimension();
     }
     std::printf("   vertex %d, dimension %d\n", v->id(), v->dimension());

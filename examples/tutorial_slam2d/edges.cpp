@@ -40,13 +40,12 @@ bool EdgeSE2PointXY::resolveCaches() {
 void EdgeSE2PointXY::linearizeOplus() {
   const auto* robot = static_cast<const VertexSE2*>(_vertices[0]);
   const auto* landmark = static_cast<const VertexPointXY*>(_vertices[1]);
-  // R_s turns the robot's frame into that of the sensor, p is the landmark as the robot sees it.
-  const Matrix2 R_s = _sensorOffset->offset().rotation().inverse().toRotationMatrix();
-  const Matrix2 R_r = robot->estimate().rotation().inverse().toRotationMatrix();
-  const Vector2 p = robot->estimate().inverse() * landmark->estimate();
-  _jacobianOplusXi.leftCols<2>() = -R_s;
-  _jacobianOplusXi.col(2) = R_s * Vector2(p.y(), -p.x());
-  _jacobianOplusXj = R_s * R_r;
+  const Matrix2 R_s = _sensorOffset->offset().rotation().toRotationMatrix();
+  const Matrix2 R_r = robot->estimate().rotation().toRotationMatrix();
+  const Vector2 q = robot->estimate().inverse() * landmark->estimate();
+  _jacobianOplusXi.leftCols<2>() = -R_s.transpose();
+  _jacobianOplusXi.col(2) = R_s.transpose() * Vector2(q.y(), -q.x());
+  _jacobianOplusXj = R_s.transpose() * R_r.transpose();
 }
 // [/jacobian]
 

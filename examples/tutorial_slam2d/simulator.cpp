@@ -12,7 +12,7 @@ namespace {
 std::vector<SE2> drive(const SimulationOptions& options, Noise& noise) {
   const double quarter = const_pi() / 2;
   const auto stays_inside = [&](const SE2& pose) {
-    return pose.translation().cwiseAbs().maxCoeff() <= options.world;
+    return pose.translation().cwiseAbs().maxCoeff() < options.world + options.step / 2;
   };
   std::vector<SE2> poses = {SE2()};
   while (static_cast<int>(poses.size()) < options.poses) {

@@ -42,7 +42,7 @@ struct Simulation {
   Matrix2 landmark_information;
 };
 
-/// The same numbers for the same options, on every machine.
+/// The same world for the same options, on every machine.
 Simulation simulate(const SimulationOptions& options);
 // [/simulation]
 

@@ -34,10 +34,10 @@ constexpr int kFirstLandmark = 10000;  // ids of poses come before
 // [graph]
 /// The graph of all measurements. Poses start where odometry alone puts them, landmarks where they were seen
 /// first.
-void addGraph(const Simulation& world, const SE2& sensorOffset, SparseOptimizer& optimizer) {
+void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimizer& optimizer) {
   auto* offset = new ParameterSE2Offset;
   offset->setId(kSensor);
-  offset->setOffset(sensorOffset);
+  offset->setOffset(sensor_offset);
   optimizer.addParameter(offset);
 
   auto* first = new VertexSE2;
@@ -63,7 +63,7 @@ void addGraph(const Simulation& world, const SE2& sensorOffset, SparseOptimizer&
     if (optimizer.vertex(id) == nullptr) {
       auto* landmark = new VertexPointXY;
       landmark->setId(id);
-      landmark->setEstimate(robot->estimate() * sensorOffset * seen.measured);
+      landmark->setEstimate(robot->estimate() * sensor_offset * seen.measured);
       landmark->setMarginalized(true);
       optimizer.addVertex(landmark);
     }
@@ -83,7 +83,7 @@ struct Distance {
   double poses = 0, landmarks = 0;
 };
 
-Distance distanceFromTruth(const Simulation& world, const SparseOptimizer& optimizer) {
+Distance distance_from_truth(const Simulation& world, const SparseOptimizer& optimizer) {
   Distance sum;
   int seen = 0;
   for (size_t i = 0; i < world.poses.size(); ++i) {
@@ -100,13 +100,13 @@ Distance distanceFromTruth(const Simulation& world, const SparseOptimizer& optim
           std::sqrt(sum.landmarks / std::max(seen, 1))};
 }
 
-/// Whether chi2 is as large as the noise explains. With n rows of errors and m free unknowns it is drawn from
-/// a distribution with mean n − m and variance 2 (n − m).
-bool isPlausible(const SparseOptimizer& optimizer) {
+/// With n rows of errors and m free unknowns, noise alone gives chi2 a distribution with mean n − m and
+/// variance 2 (n − m).
+double degrees_of_freedom(const SparseOptimizer& optimizer) {
   double freedom = 0;
   for (const auto* e : optimizer.activeEdges()) freedom += e->dimension();
   for (const auto* v : optimizer.indexMapping()) freedom -= v->dimension();
-  return std::abs(optimizer.chi2() - freedom) < 5 * std::sqrt(2 * freedom);
+  return freedom;
 }
 
 void print(const char* when, SparseOptimizer& optimizer, const Distance& distance) {
@@ -138,11 +138,11 @@ int main(int argc, char** argv) {
   SparseOptimizer optimizer;
   optimizer.setAlgorithm(new OptimizationAlgorithmGaussNewton(
       std::make_unique<Blocks>(std::make_unique<LinearSolverEigen<Blocks::PoseMatrixType>>())));
-  addGraph(world, options.sensor_offset, optimizer);
+  add_graph(world, options.sensor_offset, optimizer);
   optimizer.vertex(0)->setFixed(true);  // the gauge: the world's frame is that of the first pose
   optimizer.initializeOptimization();
   // [/optimize]
-  const Distance before = distanceFromTruth(world, optimizer);
+  const Distance before = distance_from_truth(world, optimizer);
   std::printf("%zu poses and landmarks, %zu measurements\n", optimizer.vertices().size(),
               optimizer.edges().size());
   print("before:", optimizer, before);
@@ -150,9 +150,12 @@ int main(int argc, char** argv) {
 
   const int iterations = optimizer.optimize(10);
 
-  const Distance after = distanceFromTruth(world, optimizer);
+  const Distance after = distance_from_truth(world, optimizer);
   print("after: ", optimizer, after);
   if (!save(optimizer, folder, "tutorial_after.g2o")) return 1;
-  const bool isNear = after.poses < 0.25 && after.landmarks < 0.25;
-  return iterations > 0 && isNear && isPlausible(optimizer) ? 0 : 1;
+  const double freedom = degrees_of_freedom(optimizer), deviation = std::sqrt(2 * freedom);
+  std::printf("noise explains chi2 = %.0f ± %.0f\n", freedom, deviation);
+  const bool is_plausible = std::abs(optimizer.chi2() - freedom) < 5 * deviation;
+  const bool is_near = after.poses < 0.25 && after.landmarks < 0.25;
+  return iterations > 0 && is_near && is_plausible ? 0 : 1;
 }
