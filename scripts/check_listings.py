@@ -7,7 +7,8 @@
 Each C++ block of these pages follows a line that names its source, each block of output one that names the
 example that prints it:
 
-    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge]
+    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge],
+                                                    or # [edge] and # [/edge]
     <!-- output of 02_own_edge -->                  checked where PROGRAMS, the folder of the examples, is given
 
 Numbers in outputs may differ by rounding. With --fix the pages are corrected instead. Words of files that
@@ -22,7 +23,7 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(?:<!-- (?P<source>.+?) -->\n)?```(?P<language>\w*)\n(?P<text>.*?)```", re.DOTALL)
-MARKER = re.compile(r"^ *// \[/?\w+\]\n", re.MULTILINE)
+MARKER = re.compile(r"^ *(?://|#) \[/?\w+\]\n", re.MULTILINE)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r'(?:vertex|parameter|edge|old_vertex|old_edge)<.*?>\(\s*"([^"]+)"')
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
@@ -33,7 +34,8 @@ def region(source):
     file, _, name = source.partition(" ")
     text = (ROOT / file).read_text(encoding="utf-8")
     if name:
-        found = re.search(rf"^ *// \[{name[1:-1]}\]\n(.*?)^ *// \[/{name[1:-1]}\]\n", text, re.DOTALL | re.MULTILINE)
+        found = re.search(rf"^ *(?://|#) \[{name[1:-1]}\]\n(.*?)^ *(?://|#) \[/{name[1:-1]}\]\n",
+                          text, re.DOTALL | re.MULTILINE)
         if not found:
             raise LookupError(f"{file} has no region {name}")
         text = found[1]

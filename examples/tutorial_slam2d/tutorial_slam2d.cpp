@@ -23,7 +23,9 @@
 #include "g2o/stuff/logger.h"
 #include "simulator.h"
 
+// [use]
 G2O_USE_TYPE_GROUP(tutorial_slam2d);
+// [/use]
 
 using namespace g2o;
 using namespace g2o::tutorial;

@@ -51,12 +51,13 @@ HyperGraphElementAction* HyperGraphElementActionCollection::operator()(
 }
 
 bool HyperGraphElementActionCollection::registerAction(const HyperGraphElementActionPtr& action) {
-  if (action->name() != name()) return false;
+  if (action == nullptr || action->name() != name()) return false;
   _actionMap[action->typeName()] = action;
   return true;
 }
 
 bool HyperGraphElementActionCollection::unregisterAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   const auto found = _actionMap.find(action->typeName());
   if (found == _actionMap.end() || found->second != action) return false;
   _actionMap.erase(found);
@@ -91,12 +92,14 @@ HyperGraphElementAction* HyperGraphActionLibrary::actionByName(const std::string
 }
 
 bool HyperGraphActionLibrary::registerAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   HyperGraphElementActionPtr& collection = _actionMap[action->name()];
   if (collection == nullptr) collection = std::make_shared<HyperGraphElementActionCollection>(action->name());
   return std::static_pointer_cast<HyperGraphElementActionCollection>(collection)->registerAction(action);
 }
 
 bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   const auto found = _actionMap.find(action->name());
   return found != _actionMap.end() &&
          std::static_pointer_cast<HyperGraphElementActionCollection>(found->second)->unregisterAction(action);
@@ -106,6 +109,7 @@ bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr&
 // addresses.
 void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                  HyperGraphElementAction::Parameters* parameters, const std::string& typeName) {
+  if (graph == nullptr || action == nullptr) return;
   std::vector<HyperGraph::Vertex*> vertices;
   for (const auto& [id, v] : graph->vertices()) vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end(), [](const auto* a, const auto* b) { return a->id() < b->id(); });

@@ -171,6 +171,9 @@ TEST(Actions, WithoutDrawingOrParametersNothingHappens) {
   EXPECT_EQ((*action("draw"))(graph->vertex(0), nullptr), nullptr);
   EXPECT_EQ((*action("writeGnuplot"))(graph->vertex(0), &parameters), nullptr);
   EXPECT_EQ(action("no such action"), nullptr);
+  g2o::applyAction(graph.get(), action("no such action"));
+  EXPECT_FALSE(g2o::HyperGraphActionLibrary::instance()->registerAction(nullptr));
+  EXPECT_FALSE(g2o::HyperGraphActionLibrary::instance()->unregisterAction(nullptr));
 }
 
 TEST(Actions, PropertiesOfATypeHideAndScaleIt) {

@@ -99,7 +99,9 @@ class G2O_CORE_API HyperGraphActionLibrary {
   HyperGraphElementAction::ActionMap _actionMap;
 };
 
-/// Calls an action on all elements, or on those whose typeid name is typeName.
+/// Calls an action on all elements, or on those whose typeid name is typeName: vertices by id, then edges in
+/// the order in which they were added. Without an action, as actionByName() returns for unknown names,
+/// nothing happens.
 G2O_CORE_API void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                               HyperGraphElementAction::Parameters* parameters = nullptr,
                               const std::string& typeName = "");
