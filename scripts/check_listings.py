@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that README.md and docs/*.md show what compiles, and what programs really print.
+"""Checks that README.md and the pages of docs/ show what compiles, and what programs really print.
 
     check_listings.py [--fix] [PROGRAMS]
 
 Each C++ block of these pages follows a line that names its source, each block of output one that names the
 example that prints it:
 
-    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge]
+    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge],
+                                                    or # [edge] and # [/edge]
     <!-- output of 02_own_edge -->                  checked where PROGRAMS, the folder of the examples, is given
 
 Numbers in outputs may differ by rounding. With --fix the pages are corrected instead. Words of files that
@@ -22,7 +23,7 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(?:<!-- (?P<source>.+?) -->\n)?```(?P<language>\w*)\n(?P<text>.*?)```", re.DOTALL)
-MARKER = re.compile(r"^ *// \[/?\w+\]\n", re.MULTILINE)
+MARKER = re.compile(r"^ *(?://|#) \[/?\w+\]\n", re.MULTILINE)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r'(?:vertex|parameter|edge|old_vertex|old_edge)<.*?>\(\s*"([^"]+)"')
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
@@ -33,7 +34,8 @@ def region(source):
     file, _, name = source.partition(" ")
     text = (ROOT / file).read_text(encoding="utf-8")
     if name:
-        found = re.search(rf"^ *// \[{name[1:-1]}\]\n(.*?)^ *// \[/{name[1:-1]}\]\n", text, re.DOTALL | re.MULTILINE)
+        found = re.search(rf"^ *(?://|#) \[{name[1:-1]}\]\n(.*?)^ *(?://|#) \[/{name[1:-1]}\]\n",
+                          text, re.DOTALL | re.MULTILINE)
         if not found:
             raise LookupError(f"{file} has no region {name}")
         text = found[1]
@@ -107,7 +109,7 @@ def main():
     fix = "--fix" in arguments
     folders = [pathlib.Path(a).resolve() for a in arguments if a != "--fix"]
     complaints = list(missing_words())
-    for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+    for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
         complaints += check_page(page, folders[0] if folders else None, fix)
     print(*complaints, sep="\n", end="\n" if complaints else "")
     return 1 if complaints else 0

@@ -10,6 +10,7 @@
 
 namespace example {
 
+// [solver]
 class LinearSolverLdlt : public g2o::LinearSolver<g2o::MatrixX> {
  public:
   bool init() override { return true; }
@@ -30,7 +31,9 @@ class LinearSolverLdlt : public g2o::LinearSolver<g2o::MatrixX> {
     return true;
   }
 };
+// [/solver]
 
+// [register]
 class Creator : public g2o::AbstractOptimizationAlgorithmCreator {
  public:
   using g2o::AbstractOptimizationAlgorithmCreator::AbstractOptimizationAlgorithmCreator;
@@ -44,5 +47,6 @@ G2O_REGISTER_OPTIMIZATION_LIBRARY(ldlt)
 G2O_REGISTER_OPTIMIZATION_ALGORITHM(lm_ldlt, new Creator(g2o::OptimizationAlgorithmProperty(
                                                  "lm_ldlt", "Levenberg-Marquardt: Eigen's sparse LDLT",
                                                  "LDLT", false, -1, -1)))
+// [/register]
 
 }  // namespace example

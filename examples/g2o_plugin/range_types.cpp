@@ -25,6 +25,7 @@ class VertexBeacon : public g2o::BaseVertex<2, Eigen::Vector2d> {
   }
 };
 
+// [edge]
 class EdgeRange : public g2o::BaseBinaryEdge<1, double, g2o::VertexSE2, VertexBeacon> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -39,9 +40,12 @@ class EdgeRange : public g2o::BaseBinaryEdge<1, double, g2o::VertexSE2, VertexBe
     return writeInformationMatrix(os);
   }
 };
+// [/edge]
 
+// [register]
 G2O_REGISTER_TYPE_GROUP(range)
 G2O_REGISTER_TYPE(VERTEX_BEACON, VertexBeacon)
 G2O_REGISTER_TYPE(EDGE_RANGE, EdgeRange)
+// [/register]
 
 }  // namespace example

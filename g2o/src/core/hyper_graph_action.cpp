@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "g2o/core/optimizable_graph.h"
+
 namespace g2o {
 
 HyperGraphAction::Parameters::~Parameters() = default;
@@ -49,12 +51,13 @@ HyperGraphElementAction* HyperGraphElementActionCollection::operator()(
 }
 
 bool HyperGraphElementActionCollection::registerAction(const HyperGraphElementActionPtr& action) {
-  if (action->name() != name()) return false;
+  if (action == nullptr || action->name() != name()) return false;
   _actionMap[action->typeName()] = action;
   return true;
 }
 
 bool HyperGraphElementActionCollection::unregisterAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   const auto found = _actionMap.find(action->typeName());
   if (found == _actionMap.end() || found->second != action) return false;
   _actionMap.erase(found);
@@ -89,27 +92,38 @@ HyperGraphElementAction* HyperGraphActionLibrary::actionByName(const std::string
 }
 
 bool HyperGraphActionLibrary::registerAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   HyperGraphElementActionPtr& collection = _actionMap[action->name()];
   if (collection == nullptr) collection = std::make_shared<HyperGraphElementActionCollection>(action->name());
   return std::static_pointer_cast<HyperGraphElementActionCollection>(collection)->registerAction(action);
 }
 
 bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr& action) {
+  if (action == nullptr) return false;
   const auto found = _actionMap.find(action->name());
   return found != _actionMap.end() &&
          std::static_pointer_cast<HyperGraphElementActionCollection>(found->second)->unregisterAction(action);
 }
 
-// In the order of ids, so that what is written does not depend on addresses.
+// In the order of ids, and in that in which edges were added, so that what is written does not depend on
+// addresses.
 void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                  HyperGraphElementAction::Parameters* parameters, const std::string& typeName) {
+  if (graph == nullptr || action == nullptr) return;
   std::vector<HyperGraph::Vertex*> vertices;
   for (const auto& [id, v] : graph->vertices()) vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end(), [](const auto* a, const auto* b) { return a->id() < b->id(); });
   for (HyperGraph::Vertex* v : vertices) {
     if (typeName.empty() || typeid(*v).name() == typeName) (*action)(v, parameters);
   }
-  for (HyperGraph::Edge* e : graph->edges()) {
+  std::vector<HyperGraph::Edge*> edges(graph->edges().begin(), graph->edges().end());
+  const auto added = [](const HyperGraph::Edge* e) {
+    const auto* optimizable = dynamic_cast<const OptimizableGraph::Edge*>(e);
+    return optimizable == nullptr ? -1LL : optimizable->internalId();
+  };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const auto* a, const auto* b) { return added(a) < added(b); });
+  for (HyperGraph::Edge* e : edges) {
     if (typeName.empty() || typeid(*e).name() == typeName) (*action)(e, parameters);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "g2o/core/block_solver.h"
 #include "g2o/core/factory.h"
+#include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/optimization_algorithm_gauss_newton.h"
 #include "g2o/core/optimization_algorithm_levenberg.h"
 #include "g2o/core/robust_kernel_impl.h"
@@ -17,7 +18,9 @@
 #include "g2o/manual/types.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 
-G2O_USE_TYPE_GROUP(manual);
+// Both libraries are static, and nothing else names what is in them.
+G2O_USE_TYPE_GROUP(slam2d);
+G2O_USE_OPTIMIZATION_LIBRARY(manual);
 
 namespace {
 
@@ -148,6 +151,39 @@ TEST(Listings, EliminatedLandmarksChangeNothing) {
     chi2[marginalize] = optimizer.activeChi2();
   }
   EXPECT_NEAR(chi2[0], chi2[1], 1e-9 * chi2[0]);
+}
+
+TEST(Listings, RegisteredTypesAreConstructedByTheirWords) {
+  g2o::Factory* factory = g2o::Factory::instance();
+  const auto make = [&](const char* tag) {
+    return std::unique_ptr<g2o::HyperGraph::HyperGraphElement>(factory->construct(tag));
+  };
+  EXPECT_NE(dynamic_cast<VertexSE2*>(make("VERTEX_SE2").get()), nullptr);
+  EXPECT_NE(dynamic_cast<VertexPointXY*>(make("VERTEX_XY").get()), nullptr);
+  EXPECT_NE(dynamic_cast<EdgeSE2*>(make("EDGE_SE2").get()), nullptr);
+  EXPECT_NE(dynamic_cast<EdgeSE2PointXY*>(make("EDGE_SE2_XY").get()), nullptr);
+  EXPECT_EQ(make("EDGE_SE3:QUAT"), nullptr);
+  EXPECT_EQ(factory->tag(make("VERTEX_XY").get()), "VERTEX_XY");
+}
+
+TEST(Listings, RegisteredAlgorithmsAreConstructedByTheirNames) {
+  const World world = make_world();
+  for (const char* name : {"gn_manual", "lm_manual", "gn_manual3_2"}) {
+    g2o::SparseOptimizer optimizer;
+    g2o::OptimizationAlgorithmProperty property;
+    optimizer.setAlgorithm(g2o::OptimizationAlgorithmFactory::instance()->construct(name, property));
+    ASSERT_NE(optimizer.algorithm(), nullptr) << name;
+    EXPECT_EQ(property.name, name);
+    add_graph(world, 0.05, optimizer);
+    EXPECT_TRUE(optimizer.isSolverSuitable(property)) << name;
+    for (size_t l = 0; l < world.landmarks.size(); ++l)
+      optimizer.vertex(kFirstLandmark + static_cast<int>(l))->setMarginalized(property.requiresMarginalize);
+    ASSERT_TRUE(optimizer.initializeOptimization());
+    EXPECT_GT(optimizer.optimize(10), 0);
+    EXPECT_LT(largest_distance(world, optimizer), 0.2) << name;
+  }
+  g2o::OptimizationAlgorithmProperty property;
+  EXPECT_EQ(g2o::OptimizationAlgorithmFactory::instance()->construct("no_such", property), nullptr);
 }
 
 TEST(Listings, TheGraphIsTheSameAfterSavingAndLoading) {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registration after the document's listing 1.
+// A library of types that registers them as the document's listing 1 does: same macros, same words.
 #include "g2o/manual/types.h"
 
 #include "g2o/core/factory.h"
 
-namespace manual {
+namespace g2o {
+using manual::EdgeSE2;
+using manual::EdgeSE2PointXY;
+using manual::VertexPointXY;
+using manual::VertexSE2;
 
-G2O_REGISTER_TYPE_GROUP(manual);
-G2O_REGISTER_TYPE(MANUAL_VERTEX_SE2, VertexSE2);
-G2O_REGISTER_TYPE(MANUAL_VERTEX_XY, VertexPointXY);
-G2O_REGISTER_TYPE(MANUAL_EDGE_SE2, EdgeSE2);
-G2O_REGISTER_TYPE(MANUAL_EDGE_SE2_XY, EdgeSE2PointXY);
-
-}  // namespace manual
+G2O_REGISTER_TYPE_GROUP(slam2d);
+G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2);
+G2O_REGISTER_TYPE(VERTEX_XY, VertexPointXY);
+G2O_REGISTER_TYPE(EDGE_SE2, EdgeSE2);
+G2O_REGISTER_TYPE(EDGE_SE2_XY, EdgeSE2PointXY);
+}  // namespace g2o

@@ -10,10 +10,13 @@
 #include <string>
 #include <typeinfo>
 
+#include "g2o/core/drawing.h"
 #include "g2o/core/hyper_graph.h"
 #include "g2o/stuff/property.h"
 
 namespace g2o {
+
+class CacheContainer;
 
 /// Called with a graph; returns itself where it succeeded, else nullptr.
 class G2O_CORE_API HyperGraphAction {
@@ -96,7 +99,9 @@ class G2O_CORE_API HyperGraphActionLibrary {
   HyperGraphElementAction::ActionMap _actionMap;
 };
 
-/// Calls an action on all elements, or on those whose typeid name is typeName.
+/// Calls an action on all elements, or on those whose typeid name is typeName: vertices by id, then edges in
+/// the order in which they were added. Without an action, as actionByName() returns for unknown names,
+/// nothing happens.
 G2O_CORE_API void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                               HyperGraphElementAction::Parameters* parameters = nullptr,
                               const std::string& typeName = "");
@@ -122,6 +127,42 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
     std::ostream* os = nullptr;
   };
   explicit WriteGnuplotAction(const std::string& typeName_);
+};
+
+/// Draws elements: the action "draw". An action of a type draws its elements, their user data and the caches
+/// of vertices; whatever has no action is not drawn.
+///
+/// How it looks can be set by properties of the parameters, per type: `<typeName>::SHOW` (bool, true) and
+/// what the action of the type knows, as `<typeName>::POINT_SIZE`. They are made when first drawn, and found
+/// if they were made before:
+///
+///     parameters.makeProperty<g2o::BoolProperty>(std::string(typeid(Edge).name()) + "::SHOW", false);
+class G2O_CORE_API DrawAction : public HyperGraphElementAction {
+ public:
+  class G2O_CORE_API Parameters : public HyperGraphElementAction::Parameters, public PropertyMap {
+   public:
+    Parameters();
+    ~Parameters() override;
+    /// Where to draw; nothing is drawn while it is nullptr. Not owned.
+    Drawing* drawing = nullptr;
+  };
+
+  explicit DrawAction(const std::string& typeName_);
+  ~DrawAction() override;
+
+ protected:
+  /// Lets the members for properties be those of `params_`, making what is missing. False where `params_` is
+  /// no Parameters, or nothing can be drawn into it. To be called before every drawing.
+  virtual bool refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_);
+  /// Draws the caches of a vertex, the user data of an element, by the actions of their types.
+  void drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_);
+  void drawUserData(HyperGraph::Data* data, HyperGraphElementAction::Parameters* params_);
+
+  /// The number that this type's property `name` has, `otherwise` where there was none.
+  float property(const std::string& name, float otherwise);
+
+  Parameters* _previousParams = nullptr;  ///< those of the last refreshPropertyPtrs()
+  std::shared_ptr<BoolProperty> _show;
 };
 
 }  // namespace g2o

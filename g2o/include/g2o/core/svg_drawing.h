@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "g2o/core/drawing.h"
+
+namespace g2o {
+
+/// Keeps what is drawn, and writes it as an SVG picture: lines below, then poses and points, then words.
+///
+/// Where everything has z = 0, the picture is seen from above, x to the right and y up; else without
+/// perspective from the south-east and above. setView() chooses another direction.
+class G2O_CORE_API SvgDrawing : public Drawing {
+ public:
+  /// The longer side of the picture, in pixels; at least 16.
+  explicit SvgDrawing(int size = 800);
+  ~SvgDrawing() override;
+
+  void polyline(const std::vector<Vector3>& corners, bool isClosed, const Color& color,
+                double width) override;
+  void point(const Vector3& at, const Color& color, double diameter) override;
+  void pose(const Isometry3& pose, const Color& color, double length, double width) override;
+  void text(const Vector3& at, const std::string& words, const Color& color, double height) override;
+
+  /// The rotation from the world to the viewer, whose x is to the right, y up, and z towards the viewer.
+  void setView(const Matrix3& view);
+  bool empty() const { return _shapes.empty(); }
+  void clear();
+
+  /// False where the stream or the file cannot be written. Places that are not finite numbers are left out.
+  bool write(std::ostream& os) const;
+  bool save(const std::string& path) const;
+
+ private:
+  enum class Kind { kLine, kFilled, kPoint, kText };
+  struct Shape {
+    Kind kind = Kind::kLine;
+    std::vector<Vector3> corners;
+    bool isClosed = false;
+    Color color;
+    double size = 1;  ///< the width of lines, the diameter of points, the height of words
+    std::string words;
+  };
+  class Page;
+
+  void add(Kind kind, std::vector<Vector3> corners, bool isClosed, const Color& color, double size,
+           const std::string& words);
+
+  int _size;
+  bool _hasView = false, _isFlat = true;
+  Matrix3 _view;
+  std::vector<Shape> _shapes;
+};
+
+}  // namespace g2o

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/cache.h"
+#include "g2o/core/hyper_graph_action.h"
+
+namespace g2o {
+namespace {
+
+HyperGraphElementAction* draw_action() {
+  return HyperGraphActionLibrary::instance()->actionByName("draw");
+}
+
+}  // namespace
+
+DrawAction::Parameters::Parameters() = default;
+DrawAction::Parameters::~Parameters() = default;
+
+DrawAction::DrawAction(const std::string& typeName_) : HyperGraphElementAction(typeName_) {
+  _name = "draw";
+}
+DrawAction::~DrawAction() = default;
+
+// Parameters may come and go at the same address, so what was found for the last ones proves nothing.
+bool DrawAction::refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_) {
+  _previousParams = dynamic_cast<Parameters*>(params_);
+  if (_previousParams == nullptr || _previousParams->drawing == nullptr) return false;
+  _show = _previousParams->makeProperty<BoolProperty>(_typeName + "::SHOW", true);
+  return true;
+}
+
+float DrawAction::property(const std::string& name, float otherwise) {
+  const auto found = _previousParams->makeProperty<FloatProperty>(_typeName + "::" + name, otherwise);
+  return found == nullptr ? otherwise : found->value();
+}
+
+void DrawAction::drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_) {
+  HyperGraphElementAction* draw = draw_action();
+  if (caches == nullptr || draw == nullptr) return;
+  for (const auto& [key, cache] : *caches) (*draw)(cache, params_);
+}
+
+void DrawAction::drawUserData(HyperGraph::Data* data, HyperGraphElementAction::Parameters* params_) {
+  HyperGraphElementAction* draw = draw_action();
+  if (draw == nullptr) return;
+  for (; data != nullptr; data = data->next()) (*draw)(data, params_);
+}
+
+}  // namespace g2o

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The actions "writeGnuplot" and "draw" of the ready-made types. A library of types tells what there is to
+// see:
+//
+//     struct Library {
+//       static constexpr int kDimension = 2;                            // of the places in files for gnuplot
+//       static Sketch sketch(const Element&);                           // for each type of element
+//       static bool write(const Element&, std::ostream&);               // true where that is the element's
+//       text
+//     };
+//     G2O_REGISTER_TYPE_GROUP(…_actions)
+//     const internal::RegisterActions<Library, Element, …> registered;
+#pragma once
+
+#include <algorithm>
+#include <ostream>
+#include <tuple>
+
+#include "g2o/core/cache.h"
+#include "g2o/core/hyper_graph_action.h"
+#include "types/sketch.h"
+
+namespace g2o {
+namespace internal {
+
+inline bool is_complete(const HyperGraph::HyperGraphElement& element) {
+  const auto* e = dynamic_cast<const HyperGraph::Edge*>(&element);
+  return e == nullptr || e->numUndefinedVertices() == 0;
+}
+
+/// A line of numbers.
+template <class Vector>
+void write_line(std::ostream& os, const Vector& numbers) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) os << (i > 0 ? " " : "") << numbers[i];
+  os << '\n';
+}
+
+/// A vertex is a line of numbers. An edge is, for each line to be seen, two lines of numbers and an empty
+/// one; an edge that misses a vertex is not written.
+template <class Library, class T>
+class GnuplotAction : public WriteGnuplotAction {
+ public:
+  GnuplotAction() : WriteGnuplotAction(typeid(T).name()) {}
+
+  HyperGraphElementAction* operator()(HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    return (*this)(static_cast<const HyperGraph::HyperGraphElement*>(element), parameters);
+  }
+  HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    auto* typed = dynamic_cast<WriteGnuplotAction::Parameters*>(parameters);
+    if (typeid(*element).name() != _typeName || typed == nullptr || typed->os == nullptr) return nullptr;
+    if (!is_complete(*element)) return nullptr;
+    write(dynamic_cast<const T&>(*element), *typed->os);
+    return this;
+  }
+
+ private:
+  static void write(const T& element, std::ostream& os) {
+    if (Library::write(element, os)) return;
+    for (const auto& [from, to] : Library::sketch(element).lines) {
+      write_line(os, from.template head<Library::kDimension>());
+      write_line(os, to.template head<Library::kDimension>());
+      os << '\n';
+    }
+  }
+};
+
+template <class Library, class T>
+class DrawElementAction : public DrawAction {
+ public:
+  DrawElementAction() : DrawAction(typeid(T).name()) {}
+
+  HyperGraphElementAction* operator()(HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    if ((*this)(static_cast<const HyperGraph::HyperGraphElement*>(element), parameters) == nullptr)
+      return nullptr;
+    if (auto* v = dynamic_cast<OptimizableGraph::Vertex*>(element))
+      drawCache(v->cacheContainer(), parameters);
+    if (auto* holder = dynamic_cast<HyperGraph::DataContainer*>(element))
+      drawUserData(holder->userData(), parameters);
+    return this;
+  }
+  HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    if (typeid(*element).name() != _typeName || !refreshPropertyPtrs(parameters)) return nullptr;
+    if (_show != nullptr && !_show->value()) return this;
+    draw(Library::sketch(dynamic_cast<const T&>(*element)));
+    return this;
+  }
+
+ private:
+  void draw(const Sketch& sketch) {
+    Drawing& drawing = *_previousParams->drawing;
+    for (const auto& [from, to] : sketch.lines)
+      drawing.line(from, to, sketch.color, property("LINE_WIDTH", 1));
+    for (const Isometry3& pose : sketch.poses)
+      drawing.pose(pose, sketch.color, property("TRIANGLE_X", .2F), property("TRIANGLE_Y", .05F));
+    Color faint = sketch.color;
+    faint.alpha = 0.4;
+    for (const Isometry3& pose : sketch.ghosts)
+      drawing.pose(pose, faint, property("GHOST_TRIANGLE_X", .2F), property("GHOST_TRIANGLE_Y", .05F));
+    for (const Isometry3& pose : sketch.sensors)
+      drawing.cube(pose, sketch.color, property("CUBE_SIDE", .05F), 1);
+    for (const Vector3& point : sketch.points) drawing.point(point, sketch.color, property("POINT_SIZE", 4));
+  }
+};
+
+/// Both actions for each of the types, as long as it lives.
+template <class Library, class... T>
+class RegisterActions {
+ private:
+  std::tuple<RegisterActionProxy<GnuplotAction<Library, T>>...> write_;
+  std::tuple<RegisterActionProxy<DrawElementAction<Library, T>>...> draw_;
+};
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What there is to see of an element, whoever shows it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "g2o/core/drawing.h"
+#include "g2o/core/hyper_graph.h"
+
+namespace g2o {
+namespace internal {
+
+constexpr Color kPoseColor{0.11, 0.30, 0.65, 1}, kPointColor{0.80, 0.22, 0.14, 1};
+constexpr Color kMotionColor{0.25, 0.47, 0.80, 0.8}, kObservationColor{0.45, 0.47, 0.52, 0.45};
+constexpr Color kPriorColor{0.16, 0.60, 0.30, 0.9}, kSensorColor{0.90, 0.58, 0.10, 1};
+
+/// In world coordinates; what lies in a plane has z = 0.
+struct Sketch {
+  std::vector<Isometry3> poses;
+  /// Where a measurement sees a pose that the edge does not have.
+  std::vector<Isometry3> ghosts;
+  std::vector<Isometry3> sensors;
+  std::vector<Vector3> points;
+  std::vector<std::array<Vector3, 2>> lines;
+  Color color;
+
+  static Sketch of_pose(const Isometry3& pose) {
+    Sketch sketch;
+    sketch.poses = {pose};
+    sketch.color = kPoseColor;
+    return sketch;
+  }
+  static Sketch of_point(const Vector3& point) {
+    Sketch sketch;
+    sketch.points = {point};
+    sketch.color = kPointColor;
+    return sketch;
+  }
+  static Sketch of_sensor(const Isometry3& pose) {
+    Sketch sketch;
+    sketch.sensors = {pose};
+    sketch.color = kSensorColor;
+    return sketch;
+  }
+  static Sketch of_line(const Vector3& from, const Vector3& to, const Color& color) {
+    Sketch sketch;
+    sketch.lines = {{from, to}};
+    sketch.color = color;
+    return sketch;
+  }
+};
+
+/// An edge as lines from its first vertex to each of the others. `Library::place()` tells where a vertex is;
+/// one that is missing, or at no place, has no line.
+template <class Library>
+Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
+  Sketch sketch;
+  sketch.color = color;
+  const std::optional<Vector3> from = Library::place(e.vertex(0));
+  for (std::size_t i = 1; from && i < e.vertices().size(); ++i) {
+    if (const std::optional<Vector3> to = Library::place(e.vertex(i))) sketch.lines.push_back({*from, *to});
+  }
+  return sketch;
+}
+
+/// An edge over one vertex as a line from there to where it should be.
+template <class Library>
+Sketch sketch_of_prior(const HyperGraph::Edge& e, const Vector3& measured) {
+  const std::optional<Vector3> from = Library::place(e.vertex(0));
+  return from ? Sketch::of_line(*from, measured, kPriorColor) : Sketch();
+}
+
+/// A point that is seen from a pose; where the point is missing, it is where `see(pose)` sees it.
+template <class Library, class Edge, class See>
+Sketch sketch_of_observation(const Edge& e, See&& see) {
+  const auto* pose = e.template vertexXn<0>();
+  if (pose == nullptr || e.vertex(1) != nullptr) return sketch_of_edge<Library>(e, kObservationColor);
+  const Vector3 seen = see(pose->estimate());
+  Sketch sketch = Sketch::of_line(*Library::place(pose), seen, kObservationColor);
+  sketch.points = {seen};
+  return sketch;
+}
+
+/// A motion from pose to pose; where one of them is missing, the other is where the measurement sees it.
+template <class Edge, class Lift>
+Sketch sketch_of_motion(const Edge& e, Lift&& lift) {
+  const auto *from = e.template vertexXn<0>(), *to = e.template vertexXn<1>();
+  if (from == nullptr && to == nullptr) return {};
+  const Isometry3 seen_from =
+      lift(from != nullptr ? from->estimate() : to->estimate() * e.measurement().inverse());
+  const Isometry3 seen_to = lift(to != nullptr ? to->estimate() : from->estimate() * e.measurement());
+  Sketch sketch = Sketch::of_line(seen_from.translation(), seen_to.translation(), kMotionColor);
+  if (from == nullptr) sketch.ghosts = {seen_from};
+  if (to == nullptr) sketch.ghosts = {seen_to};
+  return sketch;
+}
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "g2o/core/factory.h"
+#include "g2o/core/hyper_graph_action.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/core/svg_drawing.h"
+#include "g2o/types/slam2d/types_slam2d.h"
+#include "g2o/types/slam3d/types_slam3d.h"
+
+G2O_USE_TYPE_GROUP(slam2d)
+G2O_USE_TYPE_GROUP(slam3d)
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Every element of the plane that there is an action for.
+constexpr const char* kPlane =
+    "PARAMS_SE2OFFSET 0 0.3 0 0.5\n"
+    "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 2 0 1.2\nVERTEX_SE2 2 2.5 2 2.5\nVERTEX_SE2 3 0.2 0.1 0\n"
+    "VERTEX_XY 10 1 1\nVERTEX_XY 11 3 1\n"
+    "EDGE_SE2 0 1 2 0 1.2 1 0 0 1 0 1\n"
+    "EDGE_SE2_OFFSET 1 2 0 0 2 0 1.2 1 0 0 1 0 1\n"
+    "EDGE_SE2_XY 0 10 1 1 1 0 1\n"
+    "EDGE_BEARING_SE2_XY 1 10 0.5 1\n"
+    "EDGE_SE2_POINTXY_OFFSET 1 11 0 1 1 1 0 1\n"
+    "EDGE_SE2_XY_CALIB 2 11 3 1 1 1 0 1\n"
+    "EDGE_SE2_TWOPOINTSXY 0 10 11 1 1 3 1 1 0 0 0 1 0 0 1 0 1\n"
+    "EDGE_POINTXY 10 11 2 0 1 0 1\n"
+    "EDGE_PRIOR_SE2 2 2.4 2.2 2.5 1 0 0 1 0 1\n"
+    "EDGE_PRIOR_SE2_XY 1 2.1 -0.2 1 0 1\n"
+    "EDGE_PRIOR_XY 10 1.1 0.8 1 0 1\n";
+
+constexpr const char* kSpace =
+    "PARAMS_SE3OFFSET 0 0.3 0 0.2 0 0 0 1\n"
+    "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 2 0 0.5 0 0 0.6 0.8\n"
+    "VERTEX_SE3:QUAT 2 2.5 2 1 0 0.28 0.96 0\n"
+    "VERTEX_TRACKXYZ 10 1 1 2\nVERTEX_TRACKXYZ 11 3 1 0\n"
+    "EDGE_SE3:QUAT 0 1 2 0 0.5 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n"
+    "EDGE_SE3_OFFSET 1 2 0 0 2 0 0.5 0 0 0.6 0.8 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n"
+    "EDGE_SE3_TRACKXYZ 0 10 0 1 1 2 1 0 0 1 0 1\n"
+    "EDGE_POINTXYZ 10 11 2 0 -2 1 0 0 1 0 1\n"
+    "EDGE_SE3_PRIOR 2 0 2.4 2.2 1 0 0 0 1 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n"
+    "EDGE_SE3_XYZ_PRIOR 1 0 2.1 -0.2 0.5 1 0 0 1 0 1\n"
+    "EDGE_POINTXYZ_PRIOR 11 3 1.4 0 1 0 0 1 0 1\n";
+
+std::unique_ptr<g2o::SparseOptimizer> read(const std::string& text) {
+  auto graph = std::make_unique<g2o::SparseOptimizer>();
+  std::istringstream in(text);
+  EXPECT_TRUE(graph->load(in));
+  return graph;
+}
+
+g2o::HyperGraphElementAction* action(const std::string& name) {
+  return g2o::HyperGraphActionLibrary::instance()->actionByName(name);
+}
+
+/// What was drawn, as words.
+struct Record : g2o::Drawing {
+  static std::string words(const g2o::Vector3& v) {
+    std::ostringstream text;
+    text << "(" << v.x() << " " << v.y() << " " << v.z() << ")";
+    return text.str();
+  }
+
+  void polyline(const std::vector<g2o::Vector3>& corners, bool isClosed, const g2o::Color&,
+                double width) override {
+    out << (isClosed ? "ring" : "line") << width;
+    for (const g2o::Vector3& c : corners) out << " " << words(c);
+    out << '\n';
+  }
+  void point(const g2o::Vector3& at, const g2o::Color&, double diameter) override {
+    out << "point" << diameter << " " << words(at) << "\n";
+  }
+  void pose(const g2o::Isometry3& pose, const g2o::Color&, double length, double width) override {
+    out << "pose" << length << "x" << width << " " << words(pose.translation()) << "\n";
+  }
+  void text(const g2o::Vector3&, const std::string& words, const g2o::Color&, double) override {
+    out << "text " << words << '\n';
+  }
+  std::ostringstream out;
+};
+
+std::string drawn(g2o::HyperGraph& graph) {
+  Record record;
+  g2o::DrawAction::Parameters parameters;
+  parameters.drawing = &record;
+  g2o::applyAction(&graph, action("draw"), &parameters);
+  return record.out.str();
+}
+
+std::string gnuplot(g2o::HyperGraph& graph) {
+  std::ostringstream out;
+  g2o::WriteGnuplotAction::Parameters parameters;
+  parameters.os = &out;
+  g2o::applyAction(&graph, action("writeGnuplot"), &parameters);
+  return out.str();
+}
+
+int count(const std::string& text, const std::string& word) {
+  int n = 0;
+  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
+  const auto graph = read(kPlane);
+  ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 17U);
+  g2o::DrawAction::Parameters draw;
+  Record record;
+  draw.drawing = &record;
+  g2o::WriteGnuplotAction::Parameters write;
+  write.os = &record.out;
+  for (auto* e : graph->edges()) {
+    EXPECT_NE((*action("draw"))(e, &draw), nullptr) << g2o::Factory::instance()->tag(e);
+    EXPECT_NE((*action("writeGnuplot"))(e, &write), nullptr) << g2o::Factory::instance()->tag(e);
+  }
+  const std::string shapes = drawn(*graph);
+  EXPECT_EQ(count(shapes, "pose"), 4);
+  EXPECT_EQ(count(shapes, "point"), 2);
+  EXPECT_THAT(shapes, HasSubstr("pose0.2x0.05 (2 0 0)"));
+  EXPECT_THAT(shapes, HasSubstr("(2.5 2 0) (2.4 2.2 0)"));  // a prior leads to its measurement
+  EXPECT_THAT(shapes,
+              Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));  // the pose of a sensor on a robot is no place
+  const std::string text = gnuplot(*graph);
+  EXPECT_THAT(text, HasSubstr("0 0 0\n2 0 1.2\n\n"));
+  EXPECT_THAT(text, HasSubstr("2.5 2\n2.4 2.2\n\n"));
+  EXPECT_THAT(text, HasSubstr("0 0\n1 1\n\n0 0\n3 1\n\n"));  // two points from one pose
+  EXPECT_EQ(count(text, "\n\n"), 12);
+}
+
+TEST(Actions, EachElementOfAFileOfSpaceIsDrawnAndWrittenForGnuplot) {
+  const auto graph = read(kSpace);
+  ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 12U);
+  const std::string shapes = drawn(*graph);
+  EXPECT_EQ(count(shapes, "pose"), 3);
+  EXPECT_EQ(count(shapes, "point"), 2);
+  EXPECT_THAT(shapes, HasSubstr("(0 0 0) (2 0 0.5)"));
+  EXPECT_THAT(shapes, HasSubstr("(3 1 0) (3 1.4 0)"));
+  const std::string text = gnuplot(*graph);
+  EXPECT_EQ(count(text, "\n\n"), 7);
+  EXPECT_THAT(text, HasSubstr("0 0 0\n1 1 2\n\n"));
+}
+
+TEST(Actions, TheSensorsOfPosesAreDrawnByTheirCaches) {
+  const auto graph = read(kPlane);
+  g2o::CacheSE2Offset* cache = nullptr;
+  auto* v = static_cast<g2o::VertexSE2*>(graph->vertex(0));
+  v->cacheContainer()->createCache(g2o::Cache::CacheKey("CACHE_SE2_OFFSET", {graph->parameter(0)}));
+  ASSERT_EQ(v->cacheContainer()->size(), 1U);
+  cache = dynamic_cast<g2o::CacheSE2Offset*>(v->cacheContainer()->begin()->second);
+  ASSERT_NE(cache, nullptr);
+  EXPECT_EQ(count(drawn(*graph), "ring"), 2);
+}
+
+TEST(Actions, WithoutDrawingOrParametersNothingHappens) {
+  const auto graph = read(kPlane);
+  g2o::DrawAction::Parameters parameters;
+  EXPECT_EQ((*action("draw"))(graph->vertex(0), &parameters), nullptr);
+  EXPECT_EQ((*action("draw"))(graph->vertex(0), nullptr), nullptr);
+  EXPECT_EQ((*action("writeGnuplot"))(graph->vertex(0), &parameters), nullptr);
+  EXPECT_EQ(action("no such action"), nullptr);
+  g2o::applyAction(graph.get(), action("no such action"));
+  EXPECT_FALSE(g2o::HyperGraphActionLibrary::instance()->registerAction(nullptr));
+  EXPECT_FALSE(g2o::HyperGraphActionLibrary::instance()->unregisterAction(nullptr));
+}
+
+TEST(Actions, PropertiesOfATypeHideAndScaleIt) {
+  const auto graph = read(kPlane);
+  const std::string pose = typeid(g2o::VertexSE2).name(), point = typeid(g2o::VertexPointXY).name();
+  Record record;
+  g2o::DrawAction::Parameters parameters;
+  parameters.drawing = &record;
+  parameters.makeProperty<g2o::FloatProperty>(pose + "::TRIANGLE_X", 0.5F);
+  parameters.makeProperty<g2o::BoolProperty>(point + "::SHOW", false);
+  g2o::applyAction(graph.get(), action("draw"), &parameters);
+  EXPECT_EQ(count(record.out.str(), "pose0.5x0.05"), 4);
+  EXPECT_EQ(count(record.out.str(), "point"), 0);
+  EXPECT_TRUE(parameters.updatePropertyFromString(point + "::SHOW", "1"));
+  g2o::applyAction(graph.get(), action("draw"), &parameters, point);
+  EXPECT_EQ(count(record.out.str(), "point"), 2);
+}
+
+TEST(Actions, AnEdgeThatMissesAPoseShowsWhereItWouldBe) {
+  const auto graph = read(kPlane);
+  auto* e = new g2o::EdgeSE2;
+  e->setVertex(0, graph->vertex(0));
+  e->setVertex(1, graph->vertex(1));
+  e->setMeasurement(g2o::SE2(0, 7, 0));
+  ASSERT_TRUE(graph->addEdge(e));
+  graph->setEdgeVertex(e, 1, nullptr);
+  EXPECT_THAT(drawn(*graph), HasSubstr("(0 7 0)"));
+  EXPECT_EQ(count(gnuplot(*graph), "\n\n"), 12);
+}
+
+TEST(Actions, AnEdgeThatMissesALandmarkShowsWhereItWasSeen) {
+  const auto plane = read(kPlane), space = read(kSpace);
+  auto* in_plane = new g2o::EdgeSE2PointXY;
+  in_plane->setVertex(0, plane->vertex(1));
+  in_plane->setVertex(1, plane->vertex(10));
+  in_plane->setMeasurement(g2o::Vector2(5, 0));
+  ASSERT_TRUE(plane->addEdge(in_plane));
+  plane->setEdgeVertex(in_plane, 1, nullptr);
+  static_cast<g2o::VertexSE2*>(plane->vertex(1))->setEstimate(g2o::SE2(2, 0, 0));
+  EXPECT_THAT(drawn(*plane), HasSubstr("point4 (7 0 0)"));
+
+  auto* in_space = new g2o::EdgeSE3PointXYZ;
+  in_space->setVertex(0, space->vertex(0));
+  in_space->setVertex(1, space->vertex(11));
+  in_space->setParameterId(0, 0);
+  in_space->setMeasurement(g2o::Vector3(5, 0, 1));
+  ASSERT_TRUE(space->addEdge(in_space));
+  space->setEdgeVertex(in_space, 1, nullptr);
+  EXPECT_THAT(drawn(*space), HasSubstr("line1 (0 0 0) (5.3 0 1.2)"));  // the sensor is at (0.3, 0, 0.2)
+}
+
+/// What a user hangs on an element, and how it is drawn.
+struct Label : g2o::HyperGraph::Data {
+  explicit Label(std::string text) : words(std::move(text)) {}
+  bool read(std::istream& is) override { return static_cast<bool>(is >> words); }
+  bool write(std::ostream& os) const override { return static_cast<bool>(os << words); }
+  std::string words;
+};
+struct DrawLabel : g2o::DrawAction {
+  DrawLabel() : g2o::DrawAction(typeid(Label).name()) {}
+  g2o::HyperGraphElementAction* operator()(g2o::HyperGraph::HyperGraphElement* element,
+                                           g2o::HyperGraphElementAction::Parameters* parameters) override {
+    if (!refreshPropertyPtrs(parameters) || !_show->value()) return nullptr;
+    _previousParams->drawing->text(g2o::Vector3::Zero(), static_cast<Label*>(element)->words, g2o::Color(),
+                                   1);
+    return this;
+  }
+};
+
+TEST(Actions, UserDataAreDrawnWithTheirVertexOrEdge) {
+  const g2o::RegisterActionProxy<DrawLabel> registered;
+  const auto graph = read(kPlane);
+  graph->vertex(0)->addUserData(new Label("start"));
+  graph->vertex(0)->addUserData(new Label("door"));
+  (*graph->edges().begin())->addUserData(new Label("measured"));
+  const std::string shapes = drawn(*graph);
+  EXPECT_EQ(count(shapes, "text "), 3);
+  EXPECT_THAT(shapes, HasSubstr("text door\ntext start\n"));
+  EXPECT_THAT(shapes, HasSubstr("text measured\n"));
+}
+
+/// An action of a user, on a type of the library.
+struct CountPoses : g2o::HyperGraphElementAction {
+  struct Parameters : g2o::HyperGraphElementAction::Parameters {
+    int poses = 0;
+  };
+  CountPoses() : g2o::HyperGraphElementAction(typeid(g2o::VertexSE2).name()) { _name = "count"; }
+  g2o::HyperGraphElementAction* operator()(g2o::HyperGraph::HyperGraphElement*,
+                                           g2o::HyperGraphElementAction::Parameters* parameters) override {
+    ++static_cast<Parameters*>(parameters)->poses;
+    return this;
+  }
+};
+
+TEST(Actions, ThoseOfUsersAreFoundByNameAndTypeWhileTheyAreRegistered) {
+  const auto graph = read(kPlane);
+  CountPoses::Parameters parameters;
+  {
+    const g2o::RegisterActionProxy<CountPoses> registered;
+    g2o::applyAction(graph.get(), action("count"), &parameters);
+    EXPECT_EQ(parameters.poses, 4);
+  }
+  g2o::applyAction(graph.get(), action("count"), &parameters);
+  EXPECT_EQ(parameters.poses, 4);
+}
+
+std::string svg(const std::string& graph) {
+  g2o::SvgDrawing picture(400);
+  g2o::DrawAction::Parameters parameters;
+  parameters.drawing = &picture;
+  g2o::applyAction(read(graph).get(), action("draw"), &parameters);
+  picture.text(g2o::Vector3(0, 0, 0), "a < b & c", g2o::Color(), 0.2);
+  std::ostringstream out;
+  EXPECT_TRUE(picture.write(out));
+  return out.str();
+}
+
+TEST(SvgDrawing, SmallGraphsBecomePictures) {
+  for (const auto& [graph, name] : {std::pair(kPlane, "plane.svg"), {kSpace, "space.svg"}}) {
+    const std::string picture = svg(graph);
+    EXPECT_EQ(count(picture, "<svg "), 1);
+    EXPECT_EQ(count(picture, "</svg>"), 1);
+    EXPECT_THAT(picture, HasSubstr(">a &lt; b &amp; c</text>"));
+    EXPECT_THAT(picture, Not(HasSubstr("nan")));
+    std::ofstream(::testing::TempDir() + name) << picture;
+  }
+}
+
+TEST(SvgDrawing, APlaneIsSeenFromAboveWithYUp) {
+  g2o::SvgDrawing picture(124);  // 100 pixels between the margins
+  picture.point(g2o::Vector3(0, 0, 0), g2o::Color{1, 0, 0, 1}, 4);
+  picture.point(g2o::Vector3(2, 1, 0), g2o::Color{1, 0, 0, 1}, 4);
+  std::ostringstream out;
+  ASSERT_TRUE(picture.write(out));
+  EXPECT_THAT(out.str(), HasSubstr("width=\"124\" height=\"74\""));
+  EXPECT_THAT(out.str(), HasSubstr("M12.0 62.0h0M112.0 12.0h0"));
+  EXPECT_THAT(out.str(), HasSubstr("stroke=\"#ff0000\""));
+}
+
+TEST(SvgDrawing, ViewsTurnThePictureAndInfinitePlacesAreLeftOut) {
+  g2o::SvgDrawing picture(124);
+  EXPECT_TRUE(picture.empty());
+  picture.line(g2o::Vector3(0, 0, 0), g2o::Vector3(0, 0, 2), g2o::Color(), 1);
+  picture.point(g2o::Vector3(0, INFINITY, 0), g2o::Color(), 4);
+  g2o::Matrix3 from_the_side;
+  from_the_side << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // the world's z points to the right
+  picture.setView(from_the_side);
+  std::ostringstream out;
+  ASSERT_TRUE(picture.write(out));
+  EXPECT_THAT(out.str(), HasSubstr("M12.0 12.0L112.0 12.0"));
+  picture.clear();
+  EXPECT_TRUE(picture.empty());
+  EXPECT_TRUE(picture.write(out));
+  EXPECT_FALSE(picture.save("/no/such/folder/x.svg"));
+}
+
+}  // namespace
