@@ -77,6 +77,13 @@ void VertexCam::setEstimate(const SBACam& cam) {
   BaseVertex<6, SBACam>::setEstimate(current);
 }
 
+void VertexCam::setToOriginImpl() {
+  SBACam cam = _estimate;
+  cam.setRotation(Quaternion::Identity());
+  cam.setTranslation(Vector3::Zero());
+  setEstimate(cam);
+}
+
 void VertexCam::oplusImpl(const double* update) {
   _estimate.update(Eigen::Map<const Vector6>(update));
 }

@@ -69,7 +69,9 @@ Vector3 CameraParameters::stereocam_uvu_map(const Vector3& trans_xyz) const {
 bool CameraParameters::read(std::istream& is) {
   boxplus::Vector<double, 4> v;
   if (!native::read_value(is, 4, v)) return false;
-  *this = CameraParameters(v[0], Vector2(v[1], v[2]), v[3]);
+  focal_length = v[0];
+  principle_point = v.segment<2>(1);
+  baseline = v[3];
   return true;
 }
 

@@ -27,7 +27,8 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   using BaseVertex<6, SBACam>::getMinimalEstimateData;
 
  protected:
-  void setToOriginImpl() override { _estimate = SBACam(); }
+  /// The camera matrix stays.
+  void setToOriginImpl() override;
   void oplusImpl(const double* update) override;
   using BaseVertex<6, SBACam>::oplusImpl;
   bool setEstimateDataImpl(const double* est) override;
