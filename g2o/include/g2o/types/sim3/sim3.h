@@ -23,7 +23,7 @@ struct G2O_TYPES_SIM3_API Sim3 {
   Sim3(const Quaternion& r_, const Vector3& t_, double s_) : r(r_), t(t_), s(s_) { normalizeRotation(); }
   Sim3(const Matrix3& R, const Vector3& t_, double s_) : r(R), t(t_), s(s_) { normalizeRotation(); }
   /// The exponential of (ω, υ, σ): rotation vector, translation, logarithm of the scale.
-  explicit Sim3(const Vector7& update);
+  Sim3(const Vector7& update);  // NOLINT: older clients convert
 
   Vector3 map(const Vector3& xyz) const { return s * (r * xyz) + t; }
   /// The inverse of the exponential.

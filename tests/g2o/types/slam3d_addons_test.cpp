@@ -22,14 +22,18 @@ Plane3D plane(double x, double y, double z, double distance) {
   return Plane3D(g2o::Vector4(n.x(), n.y(), n.z(), -distance));
 }
 
-TEST(Planes, TheLawsOfAllTypesHold) {
+TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
       "VERTEX_PLANE 2 0.48 0.6 0.64 -2 0.1 0.2 0.3\n"
       "VERTEX_PLANE 3 0.8 0 0.6 1 0.1 0.2 0.3\n"
+      "VERTEX_SE3:QUAT 4 1.3 1.1 2.2 0.5 -0.5 0.5 0.5\n"
       "EDGE_SE3_PLANE_CALIB 0 2 1 0.6 0.48 0.64 1 0.4 0.5 0.6" +
       omega(3) +
+      "\n"
+      "EDGE_SE3_CALIB 0 4 1 0.3 0.2 0.1 0.5 0.5 -0.5 0.5" +
+      omega(6) +
       "\n"
       "EDGE_PLANE 2 3 0.1 0.2 0.3 0.4" +
       omega(4) + "\n");
