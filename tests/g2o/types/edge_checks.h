@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -131,6 +132,23 @@ inline void expect_laws_of_file(const std::string& text) {
     std::ostringstream minimal;
     vertex.write(minimal);
     expect_same_words(before.str(), minimal.str());
+  }
+}
+
+/// The errors of the edges of a file, by their words.
+inline void expect_errors(const std::string& text,
+                          const std::map<std::string, std::vector<double>>& expected) {
+  g2o::SparseOptimizer optimizer;
+  ASSERT_NO_FATAL_FAILURE(load(optimizer, text));
+  EXPECT_EQ(optimizer.edges().size(), expected.size());
+  for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
+    auto& e = *static_cast<g2o::OptimizableGraph::Edge*>(u);
+    const std::string& word = g2o::Factory::instance()->tag(&e);
+    SCOPED_TRACE(word);
+    const std::vector<double>& error = expected.at(word);
+    ASSERT_EQ(static_cast<size_t>(e.dimension()), error.size());
+    e.computeError();
+    for (size_t i = 0; i < error.size(); ++i) EXPECT_NEAR(e.errorData()[i], error[i], 1e-12) << "row " << i;
   }
 }
 

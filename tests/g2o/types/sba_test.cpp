@@ -148,6 +148,71 @@ TEST(Sba, FilesHaveInverses) {
   EXPECT_NEAR(s.estimate().scale(), std::exp(-0.5), 1e-15);
 }
 
+TEST(Sba, ErrorsHaveTheSignsThatFilesMean) {
+  const std::vector<double> mono = {1, -2}, stereo = {1, -2, 0};
+  edge_checks::expect_errors(
+      "VERTEX_CAM 0 0 0 0 0 0 0 1 100 200 10 20 0.08\n"
+      "VERTEX_CAM 1 1 0 0 0 0 0 1 100 200 10 20 0.08\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_PROJECT_P2MC 2 0 34 122" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_P2SC 2 0 34 122 33" +
+          omega(3) +
+          "\n"
+          "EDGE_CAM 0 1 0 0 0 0 0 0 1" +
+          omega(6) +
+          "\n"
+          "EDGE_SCALE 0 1 3" +
+          omega(1) + "\n",
+      {{"EDGE_PROJECT_P2MC", mono},
+       {"EDGE_PROJECT_P2SC", stereo},
+       {"EDGE_CAM", {1, 0, 0, 0, 0, 0}},
+       {"EDGE_SCALE", {2}}});
+  edge_checks::expect_errors(
+      "PARAMS_CAMERAPARAMETERS 0 100 10 20 0.08\n"
+      "VERTEX_SE3:EXPMAP 0 0 0 0 0 0 0 1\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_PROJECT_XYZ2UV:EXPMAP 2 0 0 36 68" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_XYZ2UVU:EXPMAP 2 0 0 36 68 33" +
+          omega(3) +
+          "\n"
+          "EDGE_SE3_PROJECT_XYZ:EXPMAP 2 0 36 118" +
+          omega(2) +
+          " 100 200 10 20\n"
+          "EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 36 118" +
+          omega(2) +
+          " 1 2 4 100 200 10 20\n"
+          "EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP 2 0 36 118 33" +
+          omega(3) +
+          " 100 200 10 20 8\n"
+          "EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 36 118 33" +
+          omega(3) + " 1 2 4 100 200 10 20 8\n",
+      {{"EDGE_PROJECT_XYZ2UV:EXPMAP", mono},
+       {"EDGE_PROJECT_XYZ2UVU:EXPMAP", stereo},
+       {"EDGE_SE3_PROJECT_XYZ:EXPMAP", mono},
+       {"EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP", mono},
+       {"EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP", stereo},
+       {"EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP", stereo}});
+  edge_checks::expect_errors(
+      "VERTEX_SIM3:EXPMAP 0 0 0 0 0 0 0 0 100 200 10 20 50 100 5 10\n"
+      "VERTEX_SIM3:EXPMAP 1 0 0 0 0 0 0 0 100 200 10 20\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_SIM3:EXPMAP 0 1 0 0 0 0 0 0 0.5" +
+          omega(7) +
+          "\n"
+          "EDGE_PROJECT_SIM3_XYZ:EXPMAP 2 0 36 118" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP 2 0 18.5 58" +
+          omega(2) + "\n",
+      {{"EDGE_SIM3:EXPMAP", {0, 0, 0, 0, 0, 0, -0.5}},
+       {"EDGE_PROJECT_SIM3_XYZ:EXPMAP", mono},
+       {"EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP", mono}});
+}
+
 TEST(Sba, ImagesAreThoseOfPinholeCameras) {
   g2o::VertexSBAPointXYZ point;
   point.setEstimate({1, 2, 3});

@@ -39,6 +39,27 @@ TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
       omega(4) + "\n");
 }
 
+TEST(Slam3dAddons, ErrorsHaveTheSignsThatFilesMean) {
+  // The plane z has its normal at an azimuth of 0.1.
+  edge_checks::expect_errors(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 2 1.5 0 0 0 0 0 1\n"
+      "VERTEX_PLANE 3 1 0 0 -2 0 0 0\n"
+      "VERTEX_PLANE 4 0 1 0 -1 0 0 0\n"
+      "EDGE_SE3_PLANE_CALIB 0 3 1 0.9950041652780258 0.09983341664682815 0 -1 0 0 0" +
+          omega(3) +
+          "\n"
+          "EDGE_SE3_CALIB 0 2 1 0 0 0 0 0 0 1" +
+          omega(6) +
+          "\n"
+          "EDGE_PLANE 3 4 0 0 0 3" +
+          omega(4) + "\n",
+      {{"EDGE_SE3_PLANE_CALIB", {0.1, 0, 0.5}},
+       {"EDGE_SE3_CALIB", {1.5, 0, 0, 0, 0, 0}},
+       {"EDGE_PLANE", {-1, 1, 0, -2}}});
+}
+
 TEST(Planes, AStepOfZeroStays) {
   for (const Plane3D& p : {plane(1, 0, 0, 1), plane(0.3, -0.4, 0.5, -2), plane(0, 0, 1, 3)}) {
     Plane3D moved = p;
