@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <istream>
 #include <ostream>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/io/file_fields.h"
@@ -51,15 +53,30 @@ bool write_value(std::ostream& os, const T& value) {
   return os.good();
 }
 
-/// Reads a measurement of `count` fields, then Ω.
+template <class Omega>
+void read_omega(boxplus::FieldReader& in, Omega& information) {
+  const auto rows = static_cast<int>(information.rows());
+  const boxplus::Information omega = boxplus::read_information(in, rows);
+  information = boxplus::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
+}
+template <class Omega>
+int omega_fields(const Omega& information) {
+  return static_cast<int>(information.rows() * (information.rows() + 1) / 2);
+}
+template <class Omega>
+void write_omega(const Omega& information, boxplus::FieldWriter& out) {
+  for (Eigen::Index i = 0; i < information.rows(); ++i) {
+    for (Eigen::Index j = i; j < information.cols(); ++j) out.number(information(i, j));
+  }
+}
+
+/// Reads the measurement of a native edge, of `count` fields, then Ω.
 template <class E, class Omega, class Take>
 bool read_edge(std::istream& is, int count, Omega& information, Take&& take) {
-  const auto rows = static_cast<int>(information.rows());
-  return read_fields(is, count + rows * (rows + 1) / 2, [&](boxplus::FieldReader& in) {
+  return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
     const E edge = boxplus::EdgeFields<E>::read(in);
-    const boxplus::Information omega = boxplus::read_information(in, rows);
+    read_omega(in, information);
     take(edge.measurement);
-    information = boxplus::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
   });
 }
 
@@ -68,10 +85,52 @@ bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
   std::string text;
   boxplus::FieldWriter out(text);
   boxplus::EdgeFields<E>::write(edge, out);
-  for (Eigen::Index i = 0; i < information.rows(); ++i) {
-    for (Eigen::Index j = i; j < information.cols(); ++j) out.number(information(i, j));
-  }
+  write_omega(information, out);
   os << text;
+  return os.good();
+}
+
+/// The same for an edge that the engine does not have, whose measurement stands in files as a T does.
+template <class T, class Omega, class Take>
+bool read_measurement(std::istream& is, int count, Omega& information, Take&& take) {
+  return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
+    const T measurement = boxplus::FileFields<T>::read(in);
+    read_omega(in, information);
+    take(measurement);
+  });
+}
+
+template <class T, class Omega>
+bool write_measurement(std::ostream& os, const T& measurement, const Omega& information) {
+  std::string text;
+  boxplus::FieldWriter out(text);
+  boxplus::FileFields<T>::write(measurement, out);
+  write_omega(information, out);
+  os << text;
+  return os.good();
+}
+
+/// Numbers at the end of a line, which may lack them all: then they stay. False where the line has some of
+/// them, or something else.
+inline bool read_rest(std::istream& is, std::initializer_list<double*> numbers) {
+  const std::istream::int_type next = is.eof() ? std::istream::traits_type::eof() : (is >> std::ws).peek();
+  if (next == std::istream::traits_type::eof()) {
+    is.clear(std::ios::eofbit);
+    return true;
+  }
+  std::vector<double> read;
+  const bool ok = read_fields(is, static_cast<int>(numbers.size()), [&](boxplus::FieldReader& in) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) read.push_back(in.number("a number"));
+  });
+  for (std::size_t i = 0; ok && i < read.size(); ++i) *numbers.begin()[i] = read[i];
+  return ok;
+}
+
+inline bool write_rest(std::ostream& os, std::initializer_list<double> numbers) {
+  std::string text;
+  boxplus::FieldWriter out(text);
+  for (const double number : numbers) out.number(number);
+  os << ' ' << text;
   return os.good();
 }
 

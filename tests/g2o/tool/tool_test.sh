@@ -47,6 +47,8 @@ expect 0 "lambda=" -v -solver lm_var square.g2o
 expect 0 "schur= 1" -v -solver gn_fix3_2 square.g2o
 expect 0 "schur= 1" -v -marginalize square.g2o
 expect 0 "VERTEX_SE2" -listTypes
+expect 0 "EDGE_SIM3:EXPMAP" -listTypes
+expect 0 "VERTEX_PLANE" -listTypes
 expect 0 "lm_dense7_3" -listSolvers
 expect 0 "Huber" -listRobustKernels
 expect 0 "maxTrialsAfterFailure	2" -solver lm_var -solverProperties maxTrialsAfterFailure=2 -printSolverProperties square.g2o

@@ -7,6 +7,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "g2o/types/sim3/types_seven_dof_expmap.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 
 G2O_USE_TYPE_GROUP(slam2d)
@@ -26,5 +27,6 @@ int main() {
   optimizer.initializeOptimization();
   if (optimizer.optimize(10) <= 0 || !optimizer.save(std::cout)) return 1;
   const auto* v = static_cast<g2o::VertexSE2*>(optimizer.vertex(1));
+  if (g2o::VertexSim3Expmap().estimate().log().norm() != 0) return 1;
   return (v->estimate().toVector() - g2o::Vector3(1, 0, 0)).norm() < 1e-6 ? 0 : 1;
 }

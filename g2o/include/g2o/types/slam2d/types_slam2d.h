@@ -4,6 +4,7 @@
 
 #include "g2o/types/slam2d/edge_pointxy.h"
 #include "g2o/types/slam2d/edge_se2.h"
+#include "g2o/types/slam2d/edge_se2_lotsofxy.h"
 #include "g2o/types/slam2d/edge_se2_offset.h"
 #include "g2o/types/slam2d/edge_se2_pointxy.h"
 #include "g2o/types/slam2d/edge_se2_pointxy_bearing.h"

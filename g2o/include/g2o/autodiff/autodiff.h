@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Derivatives of a functor over arrays of numbers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include "g2o/autodiff/jet.h"
+
+namespace g2o {
+namespace ceres {
+namespace internal {
+
+/// Calls functor(x₀, x₁, …, error), each x an array of the sizes Dims.
+template <int Rows, int... Dims>
+class AutoDiff {
+ public:
+  static constexpr int kColumns = (0 + ... + Dims);
+  using JetType = Jet<double, kColumns>;
+  static constexpr std::size_t kArguments = sizeof...(Dims);
+
+  /// error ← f(x), and the Rows × Dims[k] derivatives by x_k, column by column, to jacobians[k]; nowhere
+  /// where that is null. False where the functor is false.
+  template <typename Functor>
+  static bool Differentiate(const Functor& functor, const double* const* parameters, double* error,
+                            double** jacobians) {
+    std::array<JetType, static_cast<std::size_t>(kColumns)> x;
+    std::array<JetType, static_cast<std::size_t>(Rows)> result;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < kArguments; ++k) {
+      for (int i = 0; i < kDims[k]; ++i, ++next) x[next] = JetType(parameters[k][i], static_cast<int>(next));
+    }
+    if (!call(functor, x.data(), result.data(), std::make_index_sequence<kArguments>())) return false;
+    for (int row = 0; row < Rows; ++row) error[row] = result[static_cast<std::size_t>(row)].a;
+    int column = 0;
+    for (std::size_t k = 0; k < kArguments; ++k) {
+      for (int i = 0; i < kDims[k]; ++i, ++column) {
+        if (jacobians[k] == nullptr) continue;
+        for (int row = 0; row < Rows; ++row)
+          jacobians[k][i * Rows + row] = result[static_cast<std::size_t>(row)].v[column];
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::array<int, kArguments> kDims{{Dims...}};
+  static constexpr int offset(std::size_t k) {
+    int sum = 0;
+    for (std::size_t i = 0; i < k; ++i) sum += kDims[i];
+    return sum;
+  }
+  template <typename Functor, std::size_t... K>
+  static bool call(const Functor& functor, const JetType* x, JetType* result, std::index_sequence<K...>) {
+    return functor((x + offset(K))..., result);
+  }
+};
+
+}  // namespace internal
+}  // namespace ceres
+}  // namespace g2o

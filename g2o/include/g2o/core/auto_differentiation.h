@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges that have their error and Jacobians from one function template:
+//
+//     class EdgeCurve : public g2o::BaseUnaryEdge<1, Eigen::Vector2d, VertexCurve> {
+//      public:
+//       template <typename T>
+//       bool operator()(const T* parameters, T* error) const { …; return true; }
+//       G2O_MAKE_AUTO_AD_FUNCTIONS
+//     };
+//
+// The template gets the estimates of the vertices as arrays of as many numbers as the vertices have
+// dimensions, and ⊞ of a vertex has to add to them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "g2o/autodiff/autodiff.h"
+#include "g2o/stuff/logger.h"
+
+namespace g2o {
+namespace internal {
+
+/// What follows from the dimensions of a BaseFixedSizedEdge and its vertices.
+template <typename Edge, std::size_t... K>
+struct AutoDifferentiationLayout {
+  static_assert(Edge::Dimension > 0, "the number of rows of the error must be known to the compiler");
+  static_assert(((Edge::template VertexXnType<K>::Dimension > 0) && ...),
+                "the dimensions of the vertices must be known to the compiler");
+  using AutoDiff = ceres::internal::AutoDiff<Edge::Dimension, Edge::template VertexXnType<K>::Dimension...>;
+  using Estimates = std::tuple<std::array<double, Edge::template VertexXnType<K>::Dimension>...>;
+};
+template <typename Edge, std::size_t... K>
+AutoDifferentiationLayout<Edge, K...> autoDifferentiationLayout(std::index_sequence<K...>);
+
+}  // namespace internal
+
+/// Hands the memory of an estimate to the template: estimate().data(), or the address of a number.
+template <typename EdgeType>
+class EstimateAccessor {
+ public:
+  template <int K>
+  const double* data(const EdgeType* edge) {
+    const auto& estimate = edge->template vertexXn<K>()->estimate();
+    if constexpr (std::is_same_v<std::decay_t<decltype(estimate)>, double>) {
+      return &estimate;
+    } else {
+      return estimate.data();
+    }
+  }
+};
+
+/// Hands a copy: what getEstimateData() writes where that has as many numbers as the vertex has dimensions,
+/// else getMinimalEstimateData().
+template <typename EdgeType>
+class EstimateAccessorGet {
+ public:
+  template <int K>
+  const double* data(const EdgeType* edge) {
+    using VertexType = typename EdgeType::template VertexXnType<K>;
+    constexpr int kDimension = VertexType::Dimension;
+    const VertexType* v = edge->template vertexXn<K>();
+    auto& copy = std::get<K>(_estimates);
+    bool ok = false;
+    if (v->estimateDimension() == kDimension) {
+      ok = v->getEstimateData(copy.data());
+    } else if (v->minimalEstimateDimension() == kDimension) {
+      ok = v->getMinimalEstimateData(copy.data());
+    }
+    if (!ok) {
+      G2O_ERROR("vertex {}: expected getEstimateData() of {} numbers", v->id(), kDimension);
+      copy.fill(0);
+    }
+    return copy.data();
+  }
+
+ private:
+  typename decltype(internal::autoDifferentiationLayout<EdgeType>(
+      std::make_index_sequence<EdgeType::_nr_of_vertices>()))::Estimates _estimates;
+};
+
+/// What the macros below call.
+template <typename Edge, typename EstimateAccess = EstimateAccessor<Edge>>
+class AutoDifferentiation {
+ public:
+  /// edge.error() ← edge(x₀, x₁, …).
+  static void computeError(Edge* that) {
+    EstimateAccess access;
+    const Arguments x = arguments(access, that, Indices());
+    static_cast<void>(call(*that, x, that->errorData(), Indices()));
+  }
+
+  /// The Jacobians of the vertices that are not fixed; zero where the template returns false.
+  static void linearize(Edge* that) {
+    if (that->allVerticesFixed()) return;
+    EstimateAccess access;
+    const Arguments x = arguments(access, that, Indices());
+    std::array<double*, kVertices> jacobians = jacobianData(that, Indices());
+    std::array<double, static_cast<std::size_t>(Edge::Dimension)> error;
+    if (!AutoDiff::Differentiate(*that, x.data(), error.data(), jacobians.data())) setZero(that, Indices());
+  }
+
+ private:
+  static constexpr std::size_t kVertices = Edge::_nr_of_vertices;
+  using Indices = std::make_index_sequence<kVertices>;
+  using Arguments = std::array<const double*, kVertices>;
+  using AutoDiff = typename decltype(internal::autoDifferentiationLayout<Edge>(Indices()))::AutoDiff;
+
+  template <std::size_t... K>
+  static Arguments arguments(EstimateAccess& access, const Edge* that, std::index_sequence<K...>) {
+    return {{access.template data<static_cast<int>(K)>(that)...}};
+  }
+  template <std::size_t... K>
+  static bool call(const Edge& edge, const Arguments& x, double* error, std::index_sequence<K...>) {
+    return edge(x[K]..., error);
+  }
+  template <std::size_t... K>
+  static std::array<double*, kVertices> jacobianData(Edge* that, std::index_sequence<K...>) {
+    return {{(that->template vertexXn<static_cast<int>(K)>()->fixed()
+                  ? nullptr
+                  : that->template jacobianOplusXn<static_cast<int>(K)>().data())...}};
+  }
+  template <std::size_t... K>
+  static void setZero(Edge* that, std::index_sequence<K...>) {
+    (that->template jacobianOplusXn<static_cast<int>(K)>().setZero(), ...);
+  }
+};
+
+}  // namespace g2o
+
+#define G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(Access)                              \
+  void computeError() override {                                                 \
+    using G2OEdge_ = std::remove_cv_t<std::remove_reference_t<decltype(*this)>>; \
+    g2o::AutoDifferentiation<G2OEdge_, Access<G2OEdge_>>::computeError(this);    \
+  }
+#define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(Access)                            \
+  void linearizeOplus() override {                                               \
+    using G2OEdge_ = std::remove_cv_t<std::remove_reference_t<decltype(*this)>>; \
+    g2o::AutoDifferentiation<G2OEdge_, Access<G2OEdge_>>::linearize(this);       \
+  }
+
+/// Within an edge: computeError() and linearizeOplus() by its operator(), over estimate().data().
+#define G2O_MAKE_AUTO_AD_COMPUTEERROR G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessor)
+#define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessor)
+#define G2O_MAKE_AUTO_AD_FUNCTIONS \
+  G2O_MAKE_AUTO_AD_COMPUTEERROR    \
+  G2O_MAKE_AUTO_AD_LINEARIZEOPLUS
+
+/// The same over getEstimateData(), for vertices whose estimate has no data().
+#define G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessorGet)
+#define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessorGet)
+#define G2O_MAKE_AUTO_AD_FUNCTIONS_BY_GET \
+  G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET    \
+  G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET

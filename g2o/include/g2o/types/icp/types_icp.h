@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pairs of points with normals (Segal, Haehnel, Thrun, "Generalized-ICP", 2009), and stereo cameras that
+// share one camera matrix.
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/icp/g2o_types_icp_api.h"
+#include "g2o/types/slam3d/types_slam3d.h"
+
+namespace g2o {
+
+/// A point of one scan and one of another that are taken for the same, with the normals of their surfaces,
+/// each in the frame of its pose.
+class G2O_TYPES_ICP_API EdgeGICP {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeGICP();
+
+  /// Brings R0 and R1 up to date, which turn the normals to the z axis.
+  void makeRot0();
+  void makeRot1();
+
+  /// Precision of a point: 1 along its normal, e across it.
+  Matrix3 prec0(double e);
+  Matrix3 prec1(double e);
+  /// Covariance of a point: e along its normal, 1 across it.
+  Matrix3 cov0(double e);
+  Matrix3 cov1(double e);
+
+  Vector3 pos0 = Vector3::Zero(), pos1 = Vector3::Zero();
+  Vector3 normal0 = Vector3(0, 0, 1), normal1 = Vector3(0, 0, 1);
+  Matrix3 R0 = Matrix3::Identity(), R1 = Matrix3::Identity();
+};
+
+/// Error: x₀⁻¹ x₁ p₁ − p₀. EDGE_V_V_GICP, whose Ω is the precision of p₀ with e = 0.01.
+class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  Edge_V_V_GICP() = default;
+
+  /// Where pl_pl, also sets Ω to that of a pair of planes: (cov0 + R cov1 Rᵀ)⁻¹.
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool pl_pl = false;
+  Matrix3 cov0 = Matrix3::Identity(), cov1 = Matrix3::Identity();
+};
+
+/// The pose of a stereo camera. All of them share one camera matrix and baseline.
+class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSCam();
+
+  /// Not to be called while another thread uses a VertexSCam.
+  static void setKcam(double fx, double fy, double cx, double cy, double tx);
+  static const Matrix3& Kcam();
+  static double baseline();
+
+  /// Brings w2n, from the world to the camera, and w2i, from the world to its image, up to date.
+  void setAll();
+  /// The images of a point of the world: u, v, and u in the right camera.
+  void mapPoint(Vector3& res, const Vector3& pt3) const;
+
+  Eigen::Matrix<double, 3, 4> w2n, w2i;
+};
+
+/// The images z of a point in a stereo camera (pixels). Error: (u, v, u_right) − z. It has no word in files.
+class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  Edge_XYZ_VSC();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/vertex_cam.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// The images z of a point in two cameras side by side (pixels): u, v, and u in the right one. Error:
+/// (u, v, u_right) − z. EDGE_PROJECT_P2SC.
+class G2O_TYPES_SBA_API EdgeProjectP2SC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexCam> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeProjectP2SC();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexCam>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/types/sba/parameter_cameraparameters.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// The image z of a point that is known by its image ψ = (x/depth, y/depth, 1/depth) in another camera, its
+/// anchor (pixels). Vertices: ψ, camera, anchor. Error: z − cam(T T_anchor⁻¹ p(ψ)). It has no word in files.
+class G2O_TYPES_SBA_API EdgeProjectPSI2UV
+    : public BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeProjectPSI2UV();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  CameraParameters* _cam = nullptr;
+};
+
+}  // namespace g2o

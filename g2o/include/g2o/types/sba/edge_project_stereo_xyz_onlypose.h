@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_unary_edge.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+
+namespace g2o {
+
+/// The images z of the known point Xw in two cameras side by side (pixels). Error: z − (u, v, u_right) of
+/// T Xw. EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP. Files have point and camera behind Ω; see
+/// EdgeStereoSE3ProjectXYZ.
+class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeStereoSE3ProjectXYZOnlyPose();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseUnaryEdge<3, Vector3, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// Whether the point lies before the cameras.
+  virtual bool isDepthPositive();
+  /// The images of a point in the frame of the left camera.
+  Vector3 cam_project(const Vector3& trans_xyz) const;
+
+  Vector3 Xw = Vector3(0, 0, 1);
+  double fx = 1, fy = 1, cx = 0, cy = 0, bf = 1;
+};
+
+}  // namespace g2o

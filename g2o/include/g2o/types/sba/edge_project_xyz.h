@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// The image z of a point in a camera (pixels). Error: z − (u, v) of T p. EDGE_SE3_PROJECT_XYZ:EXPMAP.
+/// Files have the camera behind Ω; where they do not, it is that of normalised coordinates.
+class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
+    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3ProjectXYZ();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// Whether the point lies before the camera.
+  virtual bool isDepthPositive();
+  /// The image of a point in the frame of the camera.
+  Vector2 cam_project(const Vector3& trans_xyz) const;
+
+  double fx = 1, fy = 1, cx = 0, cy = 0;
+};
+
+}  // namespace g2o

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/parameter_cameraparameters.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// The image z of a point in a camera (pixels). Error: z − cam(T p). EDGE_PROJECT_XYZ2UV:EXPMAP.
+class G2O_TYPES_SBA_API EdgeProjectXYZ2UV
+    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeProjectXYZ2UV();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  CameraParameters* _cam = nullptr;
+};
+
+}  // namespace g2o

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/parameter_cameraparameters.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// The images z of a point in two cameras side by side (pixels): u, v, and u in the right one. Error:
+/// z − stereo(T p). EDGE_PROJECT_XYZ2UVU:EXPMAP.
+class G2O_TYPES_SBA_API EdgeProjectXYZ2UVU
+    : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeProjectXYZ2UVU();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  CameraParameters* _cam = nullptr;
+};
+
+}  // namespace g2o

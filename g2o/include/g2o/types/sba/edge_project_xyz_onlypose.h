@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_unary_edge.h"
+#include "g2o/types/sba/vertex_se3_expmap.h"
+
+namespace g2o {
+
+/// The image z of the known point Xw in a camera (pixels). Error: z − (u, v) of T Xw.
+/// EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP. Files have point and camera behind Ω; see EdgeSE3ProjectXYZ.
+class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3ProjectXYZOnlyPose();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseUnaryEdge<2, Vector2, VertexSE3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// Whether the point lies before the camera.
+  virtual bool isDepthPositive();
+  /// The image of a point in the frame of the camera.
+  Vector2 cam_project(const Vector3& trans_xyz) const;
+
+  Vector3 Xw = Vector3(0, 0, 1);
+  double fx = 1, fy = 1, cx = 0, cy = 0;
+};
+
+}  // namespace g2o

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/vertex_cam.h"
+
+namespace g2o {
+
+/// The motion z from one camera to another. Error: (t, q_v) of z⁻¹ c₁⁻¹ c₂, the quaternion with w ≥ 0.
+/// EDGE_CAM.
+class G2O_TYPES_SBA_API EdgeSBACam : public BaseBinaryEdge<6, SE3Quat, VertexCam, VertexCam> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSBACam();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<6, SE3Quat, VertexCam, VertexCam>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+  void setMeasurement(const SE3Quat& meas) override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 7; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  /// Keeps the camera matrix.
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+
+ protected:
+  SE3Quat _inverseMeasurement;
+};
+
+}  // namespace g2o

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/parameter.h"
+#include "g2o/types/sba/g2o_types_sba_api.h"
+
+namespace g2o {
+
+/// A camera of one focal length, and the baseline (metres) to a second one at its right.
+/// PARAMS_CAMERAPARAMETERS.
+class G2O_TYPES_SBA_API CameraParameters : public Parameter {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  CameraParameters();
+  CameraParameters(double focalLength, const Vector2& principlePoint, double baseLine);
+
+  /// The image of a point in the frame of the camera: (u, v), or (u, v, u in the right image).
+  Vector2 cam_map(const Vector3& trans_xyz) const;
+  Vector3 stereocam_uvu_map(const Vector3& trans_xyz) const;
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  double focal_length = 1;
+  Vector2 principle_point = Vector2(0, 0);
+  double baseline = 0.5;
+};
+
+}  // namespace g2o

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/types/sba/g2o_types_sba_api.h"
+#include "g2o/types/slam3d/se3quat.h"
+
+namespace g2o {
+
+/// The pose of a camera in the world, its matrix, and the baseline to a second camera at its right (metres).
+class G2O_TYPES_SBA_API SBACam : public SE3Quat {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  SBACam();
+  SBACam(const Quaternion& r, const Vector3& t);
+  explicit SBACam(const SE3Quat& p);
+
+  /// t ← t + Δt, in the world's frame; q ← q · (q_v, √(1 − |q_v|²)), with q_v normalised where |q_v| ≥ 1.
+  void update(const Vector6& update);
+
+  /// The motion from the world's frame to that of a pose, and back, as 3×4 matrix.
+  static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
+  static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
+
+  void setKcam(double fx, double fy, double cx, double cy, double tx);
+
+  /// Brings what follows from pose and camera matrix up to date: w2n; w2i; dRdx, dRdy and dRdz.
+  void setTransform();
+  void setProjection();
+  void setDr();
+
+  Matrix3 Kcam;
+  double baseline;
+  Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
+  Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by q_v
+};
+
+G2O_TYPES_SBA_API std::ostream& operator<<(std::ostream& os, const SBACam& cam);
+
+}  // namespace g2o

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/sba/sbacam.h"
+
+namespace g2o {
+
+/// A camera of known matrix. ⊞ is SBACam::update(). VERTEX_CAM.
+class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexCam();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// Also brings what follows from the pose up to date.
+  void setEstimate(const SBACam& cam);
+
+  /// x y z qx qy qz qw; minimal: x y z qx qy qz. The camera matrix stays.
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 7; }
+  bool getMinimalEstimateData(double* est) const override;
+  int minimalEstimateDimension() const override { return 6; }
+  using BaseVertex<6, SBACam>::getEstimateData;
+  using BaseVertex<6, SBACam>::getMinimalEstimateData;
+
+ protected:
+  /// The camera matrix stays.
+  void setToOriginImpl() override;
+  void oplusImpl(const double* update) override;
+  using BaseVertex<6, SBACam>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/sba/g2o_types_sba_api.h"
+
+namespace g2o {
+
+/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four. VERTEX_INTRINSICS.
+class G2O_TYPES_SBA_API VertexIntrinsics
+    : public BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexIntrinsics();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+ protected:
+  /// 1 1 0.5 0.5 0.1.
+  void setToOriginImpl() override;
+  void oplusImpl(const double* update) override;
+  using BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>>::oplusImpl;
+};
+
+}  // namespace g2o

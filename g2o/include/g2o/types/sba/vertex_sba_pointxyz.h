@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/types/sba/g2o_types_sba_api.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+
+namespace g2o {
+
+/// A point in space, under the name that it has in older clients. VERTEX_XYZ.
+class G2O_TYPES_SBA_API VertexSBAPointXYZ : public VertexPointXYZ {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSBAPointXYZ();
+};
+
+}  // namespace g2o

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/sba/g2o_types_sba_api.h"
+#include "g2o/types/slam3d/se3quat.h"
+
+namespace g2o {
+
+/// The motion T from the world's frame to a camera's. ⊞ is exp(ω, υ) T. Files have T⁻¹: VERTEX_SE3:EXPMAP.
+class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSE3Expmap();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// x y z qx qy qz qw of T; minimal: x y z qx qy qz.
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 7; }
+  bool getMinimalEstimateData(double* est) const override;
+  int minimalEstimateDimension() const override { return 6; }
+  using BaseVertex<6, SE3Quat>::getEstimateData;
+  using BaseVertex<6, SE3Quat>::getMinimalEstimateData;
+
+ protected:
+  void setToOriginImpl() override { _estimate = SE3Quat(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<6, SE3Quat>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+  bool setMinimalEstimateDataImpl(const double* est) override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_binary_edge.h"
+#include "g2o/types/sba/types_sba.h"
+#include "g2o/types/sim3/vertex_sim3_expmap.h"
+
+namespace g2o {
+
+/// The image z of a point in the first camera (pixels). Error: z − cam1(S p). EDGE_PROJECT_SIM3_XYZ:EXPMAP.
+class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
+    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSim3ProjectXYZ();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+};
+
+/// The image z in the second camera of a point that is known in the frame of the first (pixels). Error:
+/// z − cam2(S⁻¹ p). EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
+class G2O_TYPES_SIM3_API EdgeInverseSim3ProjectXYZ
+    : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeInverseSim3ProjectXYZ();
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Similarities that move by the exponential, and images in their cameras.
+#pragma once
+
+#include "g2o/types/sba/types_sba.h"
+#include "g2o/types/sba/types_six_dof_expmap.h"
+#include "g2o/types/sim3/edge_sim3.h"
+#include "g2o/types/sim3/edge_sim3_project_xyz.h"
+#include "g2o/types/sim3/sim3.h"
+#include "g2o/types/sim3/vertex_sim3_expmap.h"

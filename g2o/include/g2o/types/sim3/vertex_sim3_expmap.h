@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/sim3/sim3.h"
+
+namespace g2o {
+
+/// The similarity S from the world's frame to a camera's, and two cameras. ⊞ is exp(ω, υ, σ) S. Files have
+/// the logarithm of S⁻¹ and the cameras: VERTEX_SIM3:EXPMAP.
+class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexSim3Expmap();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// The pixel of a point of the image plane, the third coordinate of which is one.
+  Vector2 cam_map1(const Vector2& v) const { return v.cwiseProduct(_focal_length1) + _principle_point1; }
+  Vector2 cam_map2(const Vector2& v) const { return v.cwiseProduct(_focal_length2) + _principle_point2; }
+
+  Vector2 _principle_point1 = Vector2(0, 0), _principle_point2 = Vector2(0, 0);
+  Vector2 _focal_length1 = Vector2(1, 1), _focal_length2 = Vector2(1, 1);
+  bool _fix_scale = false;  ///< ⊞ keeps the scale: σ counts as 0
+
+ protected:
+  void setToOriginImpl() override { _estimate = Sim3(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<7, Sim3>::oplusImpl;
+};
+
+}  // namespace g2o

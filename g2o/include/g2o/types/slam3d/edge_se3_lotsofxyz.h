@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_variable_sized_edge.h"
+#include "g2o/types/slam3d/vertex_pointxyz.h"
+#include "g2o/types/slam3d/vertex_se3.h"
+
+namespace g2o {
+
+/// Any number of points in the frame of a pose, with correlated noise: z = (x₁, y₁, z₁, x₂, …). The pose is
+/// the first vertex. Error: x⁻¹ pₖ − zₖ, one after the other. EDGE_SE3_LOTSOF_XYZ.
+class G2O_TYPES_SLAM3D_API EdgeSE3LotsOfXYZ : public BaseVariableSizedEdge<-1, VectorX> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3LotsOfXYZ();
+
+  /// As many vertices, one of them the pose; measurement and Ω follow where the number changes.
+  void resize(size_t size) override;
+  void setSize(int vertices);
+  /// False where the number of points is another one.
+  bool verticesFit() const override;
+
+  void computeError() override;
+  void linearizeOplus() override;
+  using BaseVariableSizedEdge<-1, VectorX>::linearizeOplus;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return static_cast<int>(_measurement.size()); }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+
+ protected:
+  unsigned int _observedPoints = 0;
+};
+
+}  // namespace g2o

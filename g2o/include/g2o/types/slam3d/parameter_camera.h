@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/types/slam3d/parameter_se3_offset.h"
+
+namespace g2o {
+
+/// A camera: where it sits on a robot, and its matrix K. PARAMS_CAMERACALIB.
+class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  ParameterCamera();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  void setKcam(double fx, double fy, double cx, double cy);
+  /// Hides that of the base class, to keep Kcam_inverseOffsetR() up to date.
+  void setOffset(const Isometry3& offset = Isometry3::Identity());
+
+  const Matrix3& Kcam() const { return _Kcam; }
+  const Matrix3& invKcam() const { return _invKcam; }
+  /// K times the rotation of the inverse offset.
+  const Matrix3& Kcam_inverseOffsetR() const { return _Kcam_inverseOffsetR; }
+
+ protected:
+  Matrix3 _Kcam = Matrix3::Identity();
+  Matrix3 _invKcam = Matrix3::Identity();
+  Matrix3 _Kcam_inverseOffsetR = Matrix3::Identity();
+};
+
+/// The pose of a camera, and the motion from the world's frame to its image: w2i = K w2n.
+class G2O_TYPES_SLAM3D_API CacheCamera : public CacheSE3Offset {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  CacheCamera();
+  void updateImpl() override;
+
+  const ParameterCamera* camParams() const { return params; }
+  const Affine3& w2i() const { return _w2i; }
+
+ protected:
+  bool resolveDependencies() override;
+
+  ParameterCamera* params = nullptr;
+  Affine3 _w2i = Affine3::Identity();
+};
+
+}  // namespace g2o

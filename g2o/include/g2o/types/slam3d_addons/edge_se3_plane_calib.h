@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_fixed_sized_edge.h"
+#include "g2o/types/slam3d/vertex_se3.h"
+#include "g2o/types/slam3d_addons/vertex_plane.h"
+
+namespace g2o {
+
+/// A plane z in the frame of a sensor whose pose O on the robot is a vertex. Vertices: x, plane, O. Error:
+/// ((x O)⁻¹ plane).ominus(z). EDGE_SE3_PLANE_CALIB.
+class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalib
+    : public BaseFixedSizedEdge<3, Plane3D, VertexSE3, VertexPlane, VertexSE3> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  EdgeSE3PlaneSensorCalib();
+
+  void computeError() override;
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// The coefficients.
+  bool setMeasurementData(const double* d) override;
+  bool getMeasurementData(double* d) const override;
+  int measurementDimension() const override { return 4; }
+  bool setMeasurementFromState() override;
+
+  double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                 OptimizableGraph::Vertex* to) override;
+  void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
+
+  Vector3 color = Vector3(0.1, 0.1, 0.1);  ///< red, green, blue in [0, 1]
+};
+
+}  // namespace g2o

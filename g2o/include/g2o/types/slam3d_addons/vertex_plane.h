@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/core/base_vertex.h"
+#include "g2o/types/slam3d_addons/plane3d.h"
+
+namespace g2o {
+
+/// A plane, with a colour to draw it in. ⊞ is Plane3D::oplus(). VERTEX_PLANE.
+class G2O_TYPES_SLAM3D_ADDONS_API VertexPlane : public BaseVertex<3, Plane3D> {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  VertexPlane();
+
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+
+  /// The coefficients.
+  bool getEstimateData(double* est) const override;
+  int estimateDimension() const override { return 4; }
+  using BaseVertex<3, Plane3D>::getEstimateData;
+
+  Vector3 color = Vector3(0.2, 0.2, 0.2);  ///< red, green, blue in [0, 1]
+
+ protected:
+  void setToOriginImpl() override { _estimate = Plane3D(); }
+  void oplusImpl(const double* update) override;
+  using BaseVertex<3, Plane3D>::oplusImpl;
+  bool setEstimateDataImpl(const double* est) override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/icp/types_icp.h"
+
+#include "g2o/core/factory.h"
+#include "types/images.h"
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+
+G2O_REGISTER_TYPE_GROUP(icp);
+G2O_REGISTER_TYPE(EDGE_V_V_GICP, Edge_V_V_GICP);
+
+namespace {
+
+using Native = boxplus::PointObservation3;
+
+/// A rotation whose third row is the normal.
+Matrix3 rotation_to_z(const Vector3& normal) {
+  const Vector3 z = normal.normalized();
+  Matrix3 R;
+  R.row(2) = z;
+  R.row(0) = z.unitOrthogonal();
+  R.row(1) = z.cross(Vector3(R.row(0)));
+  return R;
+}
+
+Matrix3 turned(const Matrix3& R, double across, double along) {
+  return R.transpose() * Vector3(across, across, along).asDiagonal() * R;
+}
+
+constexpr double kAcross = 0.01;  // of the Ω that files do not have
+
+}  // namespace
+
+EdgeGICP::EdgeGICP() = default;
+
+void EdgeGICP::makeRot0() {
+  R0 = rotation_to_z(normal0);
+}
+void EdgeGICP::makeRot1() {
+  R1 = rotation_to_z(normal1);
+}
+
+Matrix3 EdgeGICP::prec0(double e) {
+  makeRot0();
+  return turned(R0, e, 1);
+}
+Matrix3 EdgeGICP::prec1(double e) {
+  makeRot1();
+  return turned(R1, e, 1);
+}
+Matrix3 EdgeGICP::cov0(double e) {
+  makeRot0();
+  return turned(R0, 1, e);
+}
+Matrix3 EdgeGICP::cov1(double e) {
+  makeRot1();
+  return turned(R1, 1, e);
+}
+
+void Edge_V_V_GICP::computeError() {
+  const VertexSE3 &first = *vertexXn<0>(), &second = *vertexXn<1>();
+  _error = Native(_measurement.pos0)
+               .error(native::pose(first), boxplus::Vector3(native::pose(second) * _measurement.pos1));
+  if (!pl_pl) return;
+  const Matrix3 R = first.estimate().linear().transpose() * second.estimate().linear();
+  _information = (cov0 + R * cov1 * R.transpose()).inverse();
+}
+
+// A step (Δt, u) of x₁ moves x₁ p₁ by R₁ (Δt − 2 [p₁]× u).
+void Edge_V_V_GICP::linearizeOplus() {
+  const boxplus::SE3 first = native::pose(*vertexXn<0>()), second = native::pose(*vertexXn<1>());
+  const boxplus::Vector3 point = second * _measurement.pos1;
+  Matrix3 J_point;
+  native::linearize(Native(_measurement.pos0), native::Argument<boxplus::SE3>{first, _jacobianOplusXi.data()},
+                    native::Argument<boxplus::Vector3>{point, J_point.data()});
+  _jacobianOplusXj.leftCols<3>() = J_point * second.rotation();
+  _jacobianOplusXj.rightCols<3>() = -2 * _jacobianOplusXj.leftCols<3>() * skew(_measurement.pos1);
+}
+
+bool Edge_V_V_GICP::read(std::istream& is) {
+  boxplus::Vector<double, 12> v;
+  if (!native::read_value(is, 12, v)) return false;
+  EdgeGICP z;
+  z.pos0 = v.segment<3>(0);
+  z.normal0 = v.segment<3>(3);
+  z.pos1 = v.segment<3>(6);
+  z.normal1 = v.segment<3>(9);
+  z.makeRot0();
+  z.makeRot1();
+  setMeasurement(z);
+  setInformation(z.prec0(kAcross));
+  return true;
+}
+
+bool Edge_V_V_GICP::write(std::ostream& os) const {
+  boxplus::Vector<double, 12> v;
+  v << _measurement.pos0, _measurement.normal0, _measurement.pos1, _measurement.normal1;
+  return native::write_value(os, v);
+}
+
+namespace {
+
+struct StereoCamera {
+  Matrix3 K = native::camera_matrix(1, 1, 0, 0);
+  double baseline = 0;
+};
+
+StereoCamera& shared_camera() {
+  static StereoCamera camera;
+  return camera;
+}
+
+double baseline_times_focal_length() {
+  return shared_camera().K(0, 0) * shared_camera().baseline;
+}
+
+/// The point in the frame of the camera, beside zero.
+const Native kInCamera{boxplus::Vector3(0, 0, 0)};
+
+}  // namespace
+
+VertexSCam::VertexSCam() {
+  setAll();
+}
+
+void VertexSCam::setKcam(double fx, double fy, double cx, double cy, double tx) {
+  shared_camera() = {native::camera_matrix(fx, fy, cx, cy), tx};
+}
+
+const Matrix3& VertexSCam::Kcam() {
+  return shared_camera().K;
+}
+
+double VertexSCam::baseline() {
+  return shared_camera().baseline;
+}
+
+void VertexSCam::setAll() {
+  w2n = _estimate.inverse().matrix().topRows<3>();
+  w2i = Kcam() * w2n;
+}
+
+void VertexSCam::mapPoint(Vector3& res, const Vector3& pt3) const {
+  res = native::stereo_image(Kcam(), baseline_times_focal_length(),
+                             kInCamera.error(native::pose(*this), boxplus::Vector3(pt3)));
+}
+
+Edge_XYZ_VSC::Edge_XYZ_VSC() {
+  _measurement.setZero();
+}
+
+void Edge_XYZ_VSC::computeError() {
+  Vector3 image;
+  vertexXn<1>()->mapPoint(image, vertexXn<0>()->estimate());
+  _error = image - _measurement;
+}
+
+void Edge_XYZ_VSC::linearizeOplus() {
+  const boxplus::SE3 pose = native::pose(*vertexXn<1>());
+  const boxplus::Vector3 point = native::point(*vertexXn<0>());
+  native::linearize(kInCamera, native::Argument<boxplus::SE3>{pose, _jacobianOplusXj.data()},
+                    native::Argument<boxplus::Vector3>{point, _jacobianOplusXi.data()});
+  const Matrix3 D = native::stereo_image_jacobian(VertexSCam::Kcam(), baseline_times_focal_length(),
+                                                  kInCamera.error(pose, point));
+  _jacobianOplusXi = (D * _jacobianOplusXi).eval();
+  _jacobianOplusXj = (D * _jacobianOplusXj).eval();
+}
+
+bool Edge_XYZ_VSC::read(std::istream& is) {
+  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                    [this](const auto& z) { setMeasurement(z); });
+}
+
+bool Edge_XYZ_VSC::write(std::ostream& os) const {
+  return native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+}
+
+}  // namespace g2o

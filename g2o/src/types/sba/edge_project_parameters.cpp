@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images in cameras that are a parameter.
+#include "g2o/types/sba/edge_project_psi2uv.h"
+#include "g2o/types/sba/edge_project_xyz2uv.h"
+#include "g2o/types/sba/edge_project_xyz2uvu.h"
+#include "types/exponential.h"
+#include "types/images.h"
+#include "types/sba/native_sba.h"
+
+namespace g2o {
+namespace {
+
+Matrix3 camera_matrix(const CameraParameters& cam) {
+  return native::camera_matrix(cam.focal_length, cam.focal_length, cam.principle_point[0],
+                               cam.principle_point[1]);
+}
+
+/// Between a point and ψ = (x/depth, y/depth, 1/depth): the same both ways.
+Vector3 invert_depth(const Vector3& x) {
+  return x.head<2>().homogeneous() / x[2];
+}
+
+}  // namespace
+
+EdgeProjectXYZ2UV::EdgeProjectXYZ2UV() {
+  _measurement.setZero();
+  resizeParameters(1);
+  installParameter(_cam, 0);
+}
+
+void EdgeProjectXYZ2UV::computeError() {
+  _error = _measurement - _cam->cam_map(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+}
+
+void EdgeProjectXYZ2UV::linearizeOplus() {
+  const SE3Quat& T = vertexXn<1>()->estimate();
+  const Vector3 p = T.map(vertexXn<0>()->estimate());
+  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera_matrix(*_cam), p);
+  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -D * native::motion_of_point(p);
+}
+
+bool EdgeProjectXYZ2UV::read(std::istream& is) {
+  return readParamIds(is) && native::read_measurement<boxplus::Vector2>(
+                                 is, 2, _information, [this](const auto& z) { setMeasurement(z); });
+}
+
+bool EdgeProjectXYZ2UV::write(std::ostream& os) const {
+  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+}
+
+EdgeProjectXYZ2UVU::EdgeProjectXYZ2UVU() {
+  _measurement.setZero();
+  resizeParameters(1);
+  installParameter(_cam, 0);
+}
+
+void EdgeProjectXYZ2UVU::computeError() {
+  _error = _measurement - _cam->stereocam_uvu_map(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+}
+
+void EdgeProjectXYZ2UVU::linearizeOplus() {
+  const SE3Quat& T = vertexXn<1>()->estimate();
+  const Vector3 p = T.map(vertexXn<0>()->estimate());
+  const Matrix3 D =
+      native::stereo_image_jacobian(camera_matrix(*_cam), _cam->focal_length * _cam->baseline, p);
+  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -D * native::motion_of_point(p);
+}
+
+bool EdgeProjectXYZ2UVU::read(std::istream& is) {
+  return readParamIds(is) && native::read_measurement<boxplus::Vector3>(
+                                 is, 3, _information, [this](const auto& z) { setMeasurement(z); });
+}
+
+bool EdgeProjectXYZ2UVU::write(std::ostream& os) const {
+  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+}
+
+EdgeProjectPSI2UV::EdgeProjectPSI2UV() {
+  _measurement.setZero();
+  resizeParameters(1);
+  installParameter(_cam, 0);
+}
+
+void EdgeProjectPSI2UV::computeError() {
+  const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
+  _error = _measurement - _cam->cam_map(motion.map(invert_depth(vertexXn<0>()->estimate())));
+}
+
+// With q = p(ψ) in the frame of the anchor and p = A q, A = T T_anchor⁻¹, in that of the camera: a step δ of
+// the anchor makes A exp(−δ) q of it.
+void EdgeProjectPSI2UV::linearizeOplus() {
+  const Vector3& psi = vertexXn<0>()->estimate();
+  const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
+  const Vector3 q = invert_depth(psi), p = motion.map(q);
+  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera_matrix(*_cam), p);
+  const Eigen::Matrix<double, 2, 3> DR = D * motion.rotation().toRotationMatrix();
+  Matrix3 dq_dpsi = Matrix3::Identity() / psi[2];
+  dq_dpsi.col(2) = -q / psi[2];
+  std::get<0>(_jacobianOplus) = -DR * dq_dpsi;
+  std::get<1>(_jacobianOplus) = -D * native::motion_of_point(p);
+  std::get<2>(_jacobianOplus) = DR * native::motion_of_point(q);
+}
+
+bool EdgeProjectPSI2UV::read(std::istream& is) {
+  return readParamIds(is) && native::read_measurement<boxplus::Vector2>(
+                                 is, 2, _information, [this](const auto& z) { setMeasurement(z); });
+}
+
+bool EdgeProjectPSI2UV::write(std::ostream& os) const {
+  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+}
+
+}  // namespace g2o

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images in two cameras, of points that move and of points that do not.
+#include "g2o/types/sba/edge_project_stereo_xyz.h"
+
+#include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
+#include "types/exponential.h"
+#include "types/images.h"
+#include "types/sba/native_sba.h"
+
+namespace g2o {
+
+EdgeStereoSE3ProjectXYZ::EdgeStereoSE3ProjectXYZ() {
+  _measurement.setZero();
+}
+
+void EdgeStereoSE3ProjectXYZ::computeError() {
+  _error = _measurement - cam_project(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()), bf);
+}
+
+void EdgeStereoSE3ProjectXYZ::linearizeOplus() {
+  const SE3Quat& T = vertexXn<1>()->estimate();
+  const Vector3 p = T.map(vertexXn<0>()->estimate());
+  const Eigen::Matrix<double, 3, 3> D =
+      native::stereo_image_jacobian(native::camera_matrix(fx, fy, cx, cy), bf, p);
+  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -D * native::motion_of_point(p);
+}
+
+bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
+  return vertexXn<1>()->estimate().map(vertexXn<0>()->estimate())[2] > 0;
+}
+
+Vector3 EdgeStereoSE3ProjectXYZ::cam_project(const Vector3& trans_xyz, const double& baseline_fx) const {
+  return native::stereo_image(native::camera_matrix(fx, fy, cx, cy), baseline_fx, trans_xyz);
+}
+
+bool EdgeStereoSE3ProjectXYZ::read(std::istream& is) {
+  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                    [this](const auto& z) { setMeasurement(z); }) &&
+         native::read_rest(is, {&fx, &fy, &cx, &cy, &bf});
+}
+
+bool EdgeStereoSE3ProjectXYZ::write(std::ostream& os) const {
+  return native::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
+         native::write_rest(os, {fx, fy, cx, cy, bf});
+}
+
+EdgeStereoSE3ProjectXYZOnlyPose::EdgeStereoSE3ProjectXYZOnlyPose() {
+  _measurement.setZero();
+}
+
+void EdgeStereoSE3ProjectXYZOnlyPose::computeError() {
+  _error = _measurement - cam_project(vertexXn<0>()->estimate().map(Xw));
+}
+
+void EdgeStereoSE3ProjectXYZOnlyPose::linearizeOplus() {
+  const SE3Quat& T = vertexXn<0>()->estimate();
+  const Vector3 p = T.map(Xw);
+  const Eigen::Matrix<double, 3, 3> D =
+      native::stereo_image_jacobian(native::camera_matrix(fx, fy, cx, cy), bf, p);
+  _jacobianOplusXi = -D * native::motion_of_point(p);
+}
+
+bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
+  return vertexXn<0>()->estimate().map(Xw)[2] > 0;
+}
+
+Vector3 EdgeStereoSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
+  return native::stereo_image(native::camera_matrix(fx, fy, cx, cy), bf, trans_xyz);
+}
+
+bool EdgeStereoSE3ProjectXYZOnlyPose::read(std::istream& is) {
+  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                    [this](const auto& z) { setMeasurement(z); }) &&
+         native::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy, &bf});
+}
+
+bool EdgeStereoSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
+  return native::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
+         native::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy, bf});
+}
+
+}  // namespace g2o

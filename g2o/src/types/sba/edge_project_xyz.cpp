@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images in one camera, of points that move and of points that do not.
+#include "g2o/types/sba/edge_project_xyz.h"
+
+#include "g2o/types/sba/edge_project_xyz_onlypose.h"
+#include "types/exponential.h"
+#include "types/images.h"
+#include "types/sba/native_sba.h"
+
+namespace g2o {
+
+EdgeSE3ProjectXYZ::EdgeSE3ProjectXYZ() {
+  _measurement.setZero();
+}
+
+void EdgeSE3ProjectXYZ::computeError() {
+  _error = _measurement - cam_project(vertexXn<1>()->estimate().map(vertexXn<0>()->estimate()));
+}
+
+void EdgeSE3ProjectXYZ::linearizeOplus() {
+  const SE3Quat& T = vertexXn<1>()->estimate();
+  const Vector3 p = T.map(vertexXn<0>()->estimate());
+  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(native::camera_matrix(fx, fy, cx, cy), p);
+  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -D * native::motion_of_point(p);
+}
+
+bool EdgeSE3ProjectXYZ::isDepthPositive() {
+  return vertexXn<1>()->estimate().map(vertexXn<0>()->estimate())[2] > 0;
+}
+
+Vector2 EdgeSE3ProjectXYZ::cam_project(const Vector3& trans_xyz) const {
+  return native::image(native::camera_matrix(fx, fy, cx, cy), trans_xyz);
+}
+
+bool EdgeSE3ProjectXYZ::read(std::istream& is) {
+  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                    [this](const auto& z) { setMeasurement(z); }) &&
+         native::read_rest(is, {&fx, &fy, &cx, &cy});
+}
+
+bool EdgeSE3ProjectXYZ::write(std::ostream& os) const {
+  return native::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
+         native::write_rest(os, {fx, fy, cx, cy});
+}
+
+EdgeSE3ProjectXYZOnlyPose::EdgeSE3ProjectXYZOnlyPose() {
+  _measurement.setZero();
+}
+
+void EdgeSE3ProjectXYZOnlyPose::computeError() {
+  _error = _measurement - cam_project(vertexXn<0>()->estimate().map(Xw));
+}
+
+void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
+  const SE3Quat& T = vertexXn<0>()->estimate();
+  const Vector3 p = T.map(Xw);
+  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(native::camera_matrix(fx, fy, cx, cy), p);
+  _jacobianOplusXi = -D * native::motion_of_point(p);
+}
+
+bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
+  return vertexXn<0>()->estimate().map(Xw)[2] > 0;
+}
+
+Vector2 EdgeSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
+  return native::image(native::camera_matrix(fx, fy, cx, cy), trans_xyz);
+}
+
+bool EdgeSE3ProjectXYZOnlyPose::read(std::istream& is) {
+  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                    [this](const auto& z) { setMeasurement(z); }) &&
+         native::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy});
+}
+
+bool EdgeSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
+  return native::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
+         native::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
+}
+
+}  // namespace g2o

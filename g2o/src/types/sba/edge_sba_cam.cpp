@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Edges between two cameras.
+#include "g2o/types/sba/edge_sba_cam.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "g2o/types/sba/edge_sba_scale.h"
+#include "types/sba/native_sba.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::Between<boxplus::SE3>;
+
+/// The camera, elsewhere.
+SBACam moved(const SBACam& cam, const SE3Quat& pose) {
+  SBACam result = cam;
+  result.setRotation(pose.rotation());
+  result.setTranslation(pose.translation());
+  return result;
+}
+
+}  // namespace
+
+EdgeSBACam::EdgeSBACam() = default;
+
+void EdgeSBACam::computeError() {
+  _error = Native(native::pose(_measurement))
+               .error(native::pose(vertexXn<0>()->estimate()), native::pose(vertexXn<1>()->estimate()));
+}
+
+// Cameras add their translation in the world's frame, the engine's poses in their own.
+void EdgeSBACam::linearizeOplus() {
+  const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
+  native::linearize(Native(native::pose(_measurement)),
+                    native::Argument<boxplus::SE3>{native::pose(from), _jacobianOplusXi.data()},
+                    native::Argument<boxplus::SE3>{native::pose(to), _jacobianOplusXj.data()});
+  _jacobianOplusXi.leftCols<3>() *= from.w2n.leftCols<3>();
+  _jacobianOplusXj.leftCols<3>() *= to.w2n.leftCols<3>();
+}
+
+bool EdgeSBACam::read(std::istream& is) {
+  return native::read_edge<Native>(is, 7, _information,
+                                   [this](const auto& z) { setMeasurement(native::to_quaternion_face(z)); });
+}
+
+bool EdgeSBACam::write(std::ostream& os) const {
+  return native::write_edge(os, Native(native::pose(_measurement)), _information);
+}
+
+void EdgeSBACam::setMeasurement(const SE3Quat& meas) {
+  _measurement = meas;
+  _inverseMeasurement = meas.inverse();
+}
+
+bool EdgeSBACam::setMeasurementData(const double* d) {
+  setMeasurement(SE3Quat(Eigen::Map<const Vector7>(d)));
+  return true;
+}
+
+bool EdgeSBACam::getMeasurementData(double* d) const {
+  const Vector7 v = _measurement.toVector();
+  std::copy_n(v.data(), 7, d);
+  return true;
+}
+
+bool EdgeSBACam::setMeasurementFromState() {
+  setMeasurement(vertexXn<0>()->estimate().inverse() * vertexXn<1>()->estimate());
+  return true;
+}
+
+double EdgeSBACam::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeSBACam::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
+  VertexCam *first = vertexXn<0>(), *second = vertexXn<1>();
+  if (from.count(_vertices[0]) > 0) {
+    second->setEstimate(moved(second->estimate(), first->estimate() * _measurement));
+  } else {
+    first->setEstimate(moved(first->estimate(), second->estimate() * _inverseMeasurement));
+  }
+}
+
+EdgeSBAScale::EdgeSBAScale() {
+  _measurement = 0;
+}
+
+void EdgeSBAScale::computeError() {
+  _error[0] = _measurement -
+              (vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation()).norm();
+}
+
+void EdgeSBAScale::linearizeOplus() {
+  const Vector3 d = vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation();
+  _jacobianOplusXi.setZero();
+  _jacobianOplusXi.leftCols<3>() = d.stableNormalized().transpose();
+  _jacobianOplusXj = -_jacobianOplusXi;
+}
+
+bool EdgeSBAScale::read(std::istream& is) {
+  return native::read_measurement<double>(is, 1, _information, [this](double z) { setMeasurement(z); });
+}
+
+bool EdgeSBAScale::write(std::ostream& os) const {
+  return native::write_measurement(os, _measurement, _information);
+}
+
+bool EdgeSBAScale::setMeasurementData(const double* d) {
+  setMeasurement(*d);
+  return true;
+}
+
+bool EdgeSBAScale::getMeasurementData(double* d) const {
+  *d = _measurement;
+  return true;
+}
+
+bool EdgeSBAScale::setMeasurementFromState() {
+  setMeasurement((vertexXn<1>()->estimate().translation() - vertexXn<0>()->estimate().translation()).norm());
+  return true;
+}
+
+double EdgeSBAScale::initialEstimatePossible(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
+  return 1.;
+}
+
+void EdgeSBAScale::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
+  VertexCam *known = vertexXn<0>(), *to = vertexXn<1>();
+  if (from.count(known) == 0) std::swap(known, to);
+  const Vector3 direction =
+      (to->estimate().translation() - known->estimate().translation()).stableNormalized();
+  SBACam cam = to->estimate();
+  cam.setTranslation(known->estimate().translation() + _measurement * direction);
+  to->setEstimate(cam);
+}
+
+}  // namespace g2o

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam3d_addons/edge_se3_calib.h"
+
+#include <algorithm>
+
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+namespace {
+
+using Native = boxplus::OffsetBetween<boxplus::SE3>;
+
+}  // namespace
+
+EdgeSE3Calib::EdgeSE3Calib() {
+  _measurement.setIdentity();
+}
+
+void EdgeSE3Calib::computeError() {
+  _error =
+      Native(native::pose(_measurement, rotation_.get(_measurement)))
+          .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()), native::pose(*vertexXn<2>()));
+}
+
+void EdgeSE3Calib::linearizeOplus() {
+  native::linearize(
+      Native(native::pose(_measurement, rotation_.get(_measurement))),
+      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      native::Argument<boxplus::SE3>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
+      native::Argument<boxplus::SE3>{native::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
+}
+
+bool EdgeSE3Calib::read(std::istream& is) {
+  return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+    setMeasurement(native::to_face(z));
+    rotation_.set(native::quaternion(z), _measurement.linear());
+  });
+}
+
+bool EdgeSE3Calib::write(std::ostream& os) const {
+  return native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
+                            _information);
+}
+
+bool EdgeSE3Calib::setMeasurementData(const double* d) {
+  setMeasurement(internal::fromVectorQT(Eigen::Map<const Vector7>(d)));
+  return true;
+}
+
+bool EdgeSE3Calib::getMeasurementData(double* d) const {
+  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  return true;
+}
+
+bool EdgeSE3Calib::setMeasurementFromState() {
+  const Isometry3& sensor = vertexXn<2>()->estimate();
+  setMeasurement((vertexXn<0>()->estimate() * sensor).inverse() * (vertexXn<1>()->estimate() * sensor));
+  return true;
+}
+
+double EdgeSE3Calib::initialEstimatePossible(const OptimizableGraph::VertexSet& from,
+                                             OptimizableGraph::Vertex* to) {
+  return from.count(_vertices[2]) > 0 && to != _vertices[2] ? 1. : -1.;
+}
+
+void EdgeSE3Calib::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex* to) {
+  const Isometry3& sensor = vertexXn<2>()->estimate();
+  const Isometry3 motion = sensor * _measurement * sensor.inverse();
+  if (to == vertexXn<1>()) {
+    vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * motion);
+  } else {
+    vertexXn<0>()->setEstimate(vertexXn<1>()->estimate() * motion.inverse());
+  }
+}
+
+}  // namespace g2o

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/types/slam3d_addons/types_slam3d_addons.h"
+
+#include "g2o/core/factory.h"
+
+namespace g2o {
+
+G2O_REGISTER_TYPE_GROUP(slam3d_addons);
+
+G2O_REGISTER_TYPE(VERTEX_PLANE, VertexPlane);
+G2O_REGISTER_TYPE(EDGE_PLANE, EdgePlane);
+G2O_REGISTER_TYPE(EDGE_SE3_CALIB, EdgeSE3Calib);
+G2O_REGISTER_TYPE(EDGE_SE3_PLANE_CALIB, EdgeSE3PlaneSensorCalib);
+
+}  // namespace g2o

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for every edge, and for every word of a file.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "g2o/core/base_edge.h"
+#include "g2o/core/factory.h"
+#include "g2o/core/sparse_optimizer.h"
+
+namespace edge_checks {
+
+inline g2o::OptimizableGraph::Vertex& vertex(g2o::OptimizableGraph::Edge& e, size_t i) {
+  return *static_cast<g2o::OptimizableGraph::Vertex*>(e.vertices()[i]);
+}
+
+inline double error_norm(g2o::OptimizableGraph::Edge& e) {
+  e.computeError();
+  return Eigen::Map<const g2o::VectorX>(e.errorData(), e.dimension()).norm();
+}
+
+/// linearizeOplus() fills in what central differences find.
+inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
+  g2o::JacobianWorkspace workspace;
+  workspace.updateSize(&e);
+  ASSERT_TRUE(workspace.allocate());
+  for (size_t i = 0; i < e.vertices().size(); ++i)
+    std::fill_n(workspace.workspaceForVertex(static_cast<int>(i)), e.dimension() * vertex(e, i).dimension(),
+                77.);
+  e.computeError();
+  e.linearizeOplus(workspace);
+  for (size_t i = 0; i < e.vertices().size(); ++i) {
+    g2o::MatrixX numeric(e.dimension(), vertex(e, i).dimension());
+    g2o::internal::numericJacobian(e, vertex(e, i), numeric.data());
+    const Eigen::Map<const g2o::MatrixX> filled(workspace.workspaceForVertex(static_cast<int>(i)),
+                                                numeric.rows(), numeric.cols());
+    EXPECT_LT((filled - numeric).cwiseAbs().maxCoeff(), 1e-7 * std::max(1., numeric.cwiseAbs().maxCoeff()))
+        << "vertex " << i << "\n"
+        << filled << "\n\nnumeric\n"
+        << numeric;
+  }
+}
+
+/// A measurement that is given back has the same error; one that is taken from the estimates has none.
+inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
+  const double before = error_norm(e);
+  if (e.measurementDimension() > 0) {
+    std::vector<double> data(static_cast<size_t>(e.measurementDimension()));
+    ASSERT_TRUE(e.getMeasurementData(data.data()));
+    ASSERT_TRUE(e.setMeasurementData(data.data()));
+    EXPECT_NEAR(error_norm(e), before, 1e-12 * std::max(1., before));
+  }
+  if (e.setMeasurementFromState()) {
+    EXPECT_LT(error_norm(e), 1e-12);
+  }
+}
+
+/// A vertex that an edge can place from the others comes where the edge has no error.
+inline void expect_guesses(g2o::OptimizableGraph::Edge& e) {
+  for (size_t i = 0; i < e.vertices().size(); ++i) {
+    g2o::OptimizableGraph::VertexSet from(e.vertices().begin(), e.vertices().end());
+    from.erase(e.vertices()[i]);
+    if (e.initialEstimatePossible(from, &vertex(e, i)) <= 0) continue;
+    vertex(e, i).push();
+    vertex(e, i).oplus(std::vector<double>(static_cast<size_t>(vertex(e, i).dimension()), 0.1).data());
+    e.initialEstimate(from, &vertex(e, i));
+    EXPECT_LT(error_norm(e), 1e-12) << "vertex " << i;
+    vertex(e, i).pop();
+  }
+}
+
+/// The words of both texts are the same, or numbers that are to rounding.
+inline void expect_same_words(const std::string& expected, const std::string& actual) {
+  std::istringstream a(expected), b(actual);
+  for (std::string x, y; a >> x;) {
+    ASSERT_TRUE(b >> y) << "after " << x << " of\n" << expected;
+    if (x == y) continue;
+    char *end_x = nullptr, *end_y = nullptr;
+    const double p = std::strtod(x.c_str(), &end_x), q = std::strtod(y.c_str(), &end_y);
+    ASSERT_TRUE(*end_x == '\0' && *end_y == '\0') << x << " became " << y;
+    EXPECT_NEAR(p, q, 1e-12 * std::max(1., std::abs(p)));
+  }
+  std::string rest;
+  EXPECT_FALSE(b >> rest) << rest;
+}
+
+/// Reads a graph; there is nothing to complain about.
+inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
+  std::string messages;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& message) { messages += message + "\n"; });
+  std::istringstream in(text);
+  EXPECT_TRUE(optimizer.load(in));
+  g2o::logging::setSink({});
+  ASSERT_EQ(messages, "");
+}
+
+/// Reads a graph, lines in the order of writing; it is written as it was, and all of the above holds.
+inline void expect_laws_of_file(const std::string& text) {
+  g2o::SparseOptimizer optimizer;
+  ASSERT_NO_FATAL_FAILURE(load(optimizer, text));
+  std::ostringstream out;
+  ASSERT_TRUE(optimizer.save(out));
+  expect_same_words(text, out.str());
+  for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
+    auto& e = *static_cast<g2o::OptimizableGraph::Edge*>(u);
+    SCOPED_TRACE(g2o::Factory::instance()->tag(&e));
+    EXPECT_GT(error_norm(e), 1e-3) << "the measurement should not fit, else signs go unseen";
+    expect_exact_jacobians(e);
+    expect_measurement_laws(e);
+    expect_guesses(e);
+  }
+  for (const auto& [id, v] : optimizer.vertices()) {
+    auto& vertex = *static_cast<g2o::OptimizableGraph::Vertex*>(v);
+    SCOPED_TRACE(g2o::Factory::instance()->tag(&vertex));
+    std::vector<double> data;
+    if (!vertex.getEstimateData(data)) continue;
+    std::ostringstream before, after;
+    vertex.write(before);
+    vertex.setToOrigin();
+    ASSERT_TRUE(vertex.setEstimateData(data));
+    vertex.write(after);
+    expect_same_words(before.str(), after.str());
+    if (!vertex.getMinimalEstimateData(data)) continue;
+    ASSERT_TRUE(vertex.setMinimalEstimateData(data));
+    std::ostringstream minimal;
+    vertex.write(minimal);
+    expect_same_words(before.str(), minimal.str());
+  }
+}
+
+/// The errors of the edges of a file, by their words.
+inline void expect_errors(const std::string& text,
+                          const std::map<std::string, std::vector<double>>& expected) {
+  g2o::SparseOptimizer optimizer;
+  ASSERT_NO_FATAL_FAILURE(load(optimizer, text));
+  EXPECT_EQ(optimizer.edges().size(), expected.size());
+  for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
+    auto& e = *static_cast<g2o::OptimizableGraph::Edge*>(u);
+    const std::string& word = g2o::Factory::instance()->tag(&e);
+    SCOPED_TRACE(word);
+    const std::vector<double>& error = expected.at(word);
+    ASSERT_EQ(static_cast<size_t>(e.dimension()), error.size());
+    e.computeError();
+    for (size_t i = 0; i < error.size(); ++i) EXPECT_NEAR(e.errorData()[i], error[i], 1e-12) << "row " << i;
+  }
+}
+
+/// Ω = 2 I as files have it.
+inline std::string omega(int rows) {
+  std::string text;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = i; j < rows; ++j) text += i == j ? " 2" : " 0";
+  }
+  return text;
+}
+
+}  // namespace edge_checks

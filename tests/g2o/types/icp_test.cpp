@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/solvers/dense/linear_solver_dense.h"
+#include "g2o/types/edge_checks.h"
+#include "g2o/types/icp/types_icp.h"
+
+G2O_USE_TYPE_GROUP(slam3d);
+G2O_USE_TYPE_GROUP(icp);
+
+namespace {
+
+g2o::Isometry3 motion(double size) {
+  g2o::Vector6 v;
+  v << 1, -2, 0.5, 0.3, 0.1, -0.2;
+  return g2o::internal::fromVectorMQT(size * v);
+}
+
+TEST(Icp, TheLawsOfAllTypesHold) {
+  edge_checks::expect_laws_of_file(
+      "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
+      "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
+      "EDGE_V_V_GICP 0 1 1 2 3 0 0.6 0.8 -1 0.5 2 0.6 0 0.8\n");
+}
+
+TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
+  g2o::EdgeGICP pair;
+  pair.normal0 = g2o::Vector3(0, 0.6, 0.8);
+  pair.normal1 = g2o::Vector3(0.6, 0, -0.8);
+  const g2o::Vector3 across(1, 0, 0);
+  EXPECT_LT((pair.prec0(0.01) * pair.normal0 - pair.normal0).norm(), 1e-14);
+  EXPECT_LT((pair.prec0(0.01) * across - 0.01 * across).norm(), 1e-14);
+  EXPECT_LT((pair.cov1(0.01) * pair.normal1 - 0.01 * pair.normal1).norm(), 1e-14);
+  EXPECT_NEAR(pair.R0.determinant(), 1, 1e-14);
+  EXPECT_LT((pair.R1 * pair.normal1 - g2o::Vector3::UnitZ()).norm(), 1e-14);
+}
+
+TEST(Icp, APairOfPlanesWeighsAcrossBoth) {
+  g2o::SparseOptimizer optimizer;
+  for (int id : {0, 1}) {
+    auto* v = new g2o::VertexSE3;
+    v->setId(id);
+    v->setEstimate(motion(id));
+    optimizer.addVertex(v);
+  }
+  auto* e = new g2o::Edge_V_V_GICP;
+  e->setVertex(0, optimizer.vertex(0));
+  e->setVertex(1, optimizer.vertex(1));
+  g2o::EdgeGICP pair;
+  e->cov0 = pair.cov0(0.001);
+  e->cov1 = pair.cov1(0.001);
+  e->pl_pl = true;
+  e->setMeasurement(pair);
+  ASSERT_TRUE(optimizer.addEdge(e));
+  e->computeError();
+  const g2o::Matrix3 R = motion(1).linear();
+  EXPECT_LT((e->information() * (e->cov0 + R * e->cov1 * R.transpose()) - g2o::Matrix3::Identity()).norm(),
+            1e-12);
+  EXPECT_LT((e->error() - motion(1).translation()).norm(), 1e-14);
+}
+
+TEST(Icp, TwoScansAreAligned) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  g2o::SparseOptimizer optimizer;
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(
+      new g2o::BlockSolverX(new g2o::LinearSolverDense<g2o::BlockSolverX::PoseMatrixType>())));
+  for (int id : {0, 1}) {
+    auto* v = new g2o::VertexSE3;
+    v->setId(id);
+    v->setEstimate(motion(0.9 * id));
+    v->setFixed(id == 0);
+    optimizer.addVertex(v);
+  }
+  for (int i = 0; i < 100; ++i) {
+    g2o::EdgeGICP pair;
+    pair.pos0 = 10 * g2o::Vector3(uniform(random), uniform(random), uniform(random));
+    pair.pos1 = motion(1).inverse() * pair.pos0;
+    pair.normal0 = g2o::Vector3(uniform(random), uniform(random), uniform(random)).normalized();
+    auto* e = new g2o::Edge_V_V_GICP;
+    e->setVertex(0, optimizer.vertex(0));
+    e->setVertex(1, optimizer.vertex(1));
+    e->setMeasurement(pair);
+    e->setInformation(pair.prec0(0.01));
+    ASSERT_TRUE(optimizer.addEdge(e));
+  }
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_GT(optimizer.optimize(10), 0);
+  const auto* v = static_cast<g2o::VertexSE3*>(optimizer.vertex(1));
+  EXPECT_LT((v->estimate().matrix() - motion(1).matrix()).norm(), 1e-7);
+}
+
+TEST(Icp, StereoCamerasShareTheirMatrix) {
+  g2o::VertexSCam::setKcam(100, 200, 10, 20, 0.08);
+  g2o::SparseOptimizer optimizer;
+  auto* camera = new g2o::VertexSCam;
+  camera->setId(0);
+  g2o::Isometry3 pose = g2o::Isometry3::Identity();
+  pose.translation().z() = -1;
+  camera->setEstimate(pose);
+  camera->setAll();
+  auto* point = new g2o::VertexPointXYZ;
+  point->setId(1);
+  point->setEstimate({1, 2, 3});
+  optimizer.addVertex(camera);
+  optimizer.addVertex(point);
+  auto* e = new g2o::Edge_XYZ_VSC;
+  e->setVertex(0, point);
+  e->setVertex(1, camera);
+  e->setMeasurement({34, 122, 33});
+  ASSERT_TRUE(optimizer.addEdge(e));
+  e->computeError();
+  EXPECT_LT((e->error() - g2o::Vector3(1, -2, 0)).norm(), 1e-12);
+  const g2o::Vector3 image = camera->w2i * g2o::Vector4(1, 2, 3, 1);
+  EXPECT_NEAR(image[0] / image[2], 35, 1e-12);
+  camera->setEstimate(motion(0.1));
+  edge_checks::expect_exact_jacobians(*e);
+}
+
+}  // namespace

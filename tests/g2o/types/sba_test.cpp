@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "g2o/types/edge_checks.h"
+#include "g2o/types/types_seven_dof_expmap.h"
+#include "g2o/types/types_six_dof_expmap.h"
+
+G2O_USE_TYPE_GROUP(slam3d);
+G2O_USE_TYPE_GROUP(sba);
+G2O_USE_TYPE_GROUP(expmap);
+G2O_USE_TYPE_GROUP(sim3);
+
+namespace {
+
+using edge_checks::omega;
+
+TEST(Sba, TheLawsOfCamerasHold) {
+  edge_checks::expect_laws_of_file(
+      "VERTEX_CAM 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7 500 510 320 240 0.12\n"
+      "VERTEX_CAM 1 1.1 0.1 0.3 0.5 -0.5 0.5 0.5 400 410 310 230 0.2\n"
+      "VERTEX_XYZ 2 0.5 -0.4 3\n"
+      "VERTEX_TRACKXYZ 3 -0.3 0.4 4\n"
+      "EDGE_PROJECT_P2MC 2 0 300 200" +
+      omega(2) +
+      "\n"
+      "EDGE_PROJECT_P2SC 3 0 290 210 250" +
+      omega(3) +
+      "\n"
+      "EDGE_PROJECT_P2MC 3 1 300 200" +
+      omega(2) +
+      "\n"
+      "EDGE_CAM 0 1 0.3 0.2 0.1 0.1 -0.1 0.7 0.7" +
+      omega(6) +
+      "\n"
+      "EDGE_SCALE 0 1 2.5" +
+      omega(1) + "\n");
+}
+
+TEST(Sba, TheLawsOfTheExponentialMapHold) {
+  edge_checks::expect_laws_of_file(
+      "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
+      "VERTEX_SE3:EXPMAP 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7\n"
+      "VERTEX_SE3:EXPMAP 1 1.1 0.1 0.3 0.5 -0.5 0.5 0.5\n"
+      "VERTEX_XYZ 2 0.5 -0.4 3\n"
+      "VERTEX_TRACKXYZ 3 -0.3 0.4 4\n"
+      "EDGE_SE3:EXPMAP 0 1 0.3 0.2 0.1 0.5 0.5 -0.5 0.5" +
+      omega(6) +
+      "\n"
+      "EDGE_PROJECT_XYZ2UV:EXPMAP 2 0 0 300 200" +
+      omega(2) +
+      "\n"
+      "EDGE_PROJECT_XYZ2UVU:EXPMAP 3 1 0 300 200 250" +
+      omega(3) +
+      "\n"
+      "EDGE_SE3_PROJECT_XYZ:EXPMAP 2 0 300 200" +
+      omega(2) +
+      " 500 510 320 240\n"
+      "EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 300 200" +
+      omega(2) +
+      " 0.1 0.2 3 500 510 320 240\n"
+      "EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP 3 1 300 200 250" +
+      omega(3) +
+      " 500 510 320 240 50\n"
+      "EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 300 200 250" +
+      omega(3) + " 0.1 0.2 3 500 510 320 240 50\n");
+}
+
+TEST(Sba, TheLawsOfSimilaritiesHold) {
+  edge_checks::expect_laws_of_file(
+      "VERTEX_SIM3:EXPMAP 0 0.3 -0.2 0.1 0.4 0.5 -0.2 0.1 500 510 320 240 400 410 310 230\n"
+      "VERTEX_SIM3:EXPMAP 1 -0.3 0.4 0.2 0.1 -0.5 0.3 -0.2 500 510 320 240 400 410 310 230\n"
+      "VERTEX_XYZ 2 0.5 -0.4 3\n"
+      "EDGE_SIM3:EXPMAP 0 1 0.1 0.2 -0.1 0.3 0.1 -0.2 0.05" +
+      omega(7) +
+      "\n"
+      "EDGE_PROJECT_SIM3_XYZ:EXPMAP 2 0 300 200" +
+      omega(2) +
+      "\n"
+      "EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP 2 0 300 200" +
+      omega(2) + "\n");
+}
+
+TEST(Sba, AFixedScaleHasNoDerivative) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_SIM3:EXPMAP 0 0.3 -0.2 0.1 0.4 0.5 -0.2 0.1 500 510 320 240\n"
+      "VERTEX_SIM3:EXPMAP 1 -0.3 0.4 0.2 0.1 -0.5 0.3 -0.2 500 510 320 240\n"
+      "VERTEX_XYZ 2 0.5 -0.4 3\n"
+      "EDGE_SIM3:EXPMAP 0 1 0.1 0.2 -0.1 0.3 0.1 -0.2 0.05" +
+      omega(7) +
+      "\n"
+      "EDGE_PROJECT_SIM3_XYZ:EXPMAP 2 0 300 200" +
+      omega(2) +
+      "\n"
+      "EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP 2 0 3 2" +
+      omega(2) + "\n");
+  ASSERT_TRUE(optimizer.load(in));
+  for (int id : {0, 1}) static_cast<g2o::VertexSim3Expmap*>(optimizer.vertex(id))->_fix_scale = true;
+  for (g2o::HyperGraph::Edge* e : optimizer.edges())
+    edge_checks::expect_exact_jacobians(*static_cast<g2o::OptimizableGraph::Edge*>(e));
+}
+
+TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
+      "VERTEX_SE3:EXPMAP 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7\n"
+      "VERTEX_SE3:EXPMAP 1 1.1 0.1 0.3 0.5 -0.5 0.5 0.5\n"
+      "VERTEX_XYZ 2 0.1 -0.2 0.3\n");
+  ASSERT_TRUE(optimizer.load(in));
+  auto* e = new g2o::EdgeProjectPSI2UV;
+  e->resize(3);
+  e->setVertex(0, optimizer.vertex(2));
+  e->setVertex(1, optimizer.vertex(0));
+  e->setVertex(2, optimizer.vertex(1));
+  e->setParameterId(0, 0);
+  e->setMeasurement({300, 200});
+  ASSERT_TRUE(optimizer.addEdge(e));
+  edge_checks::expect_exact_jacobians(*e);
+  // (0.1, −0.2, 1)/0.3 in the frame of the anchor.
+  const auto pose = [&](int id) {
+    return static_cast<g2o::VertexSE3Expmap*>(optimizer.vertex(id))->estimate();
+  };
+  const g2o::Vector3 p = pose(0) * (pose(1).inverse() * g2o::Vector3(1. / 3, -2. / 3, 1 / 0.3));
+  e->computeError();
+  EXPECT_NEAR(e->error()[0], 300 - (450 * p.x() / p.z() + 300), 1e-9);
+  EXPECT_NEAR(e->error()[1], 200 - (450 * p.y() / p.z() + 200), 1e-9);
+}
+
+TEST(Sba, FilesHaveInverses) {
+  g2o::VertexSE3Expmap v;
+  std::istringstream in("1 2 3 0 0 0 1");
+  ASSERT_TRUE(v.read(in));
+  EXPECT_LT((v.estimate().translation() - g2o::Vector3(-1, -2, -3)).norm(), 1e-15);
+  g2o::EdgeSE3Expmap e;
+  std::istringstream measurement("1 0 0 0 0 0 1" + omega(6));
+  ASSERT_TRUE(e.read(measurement));
+  g2o::VertexSE3Expmap a, b;
+  e.setVertex(0, &a);
+  e.setVertex(1, &b);
+  e.computeError();
+  g2o::Vector6 expected;
+  expected << 0, 0, 0, -1, 0, 0;
+  EXPECT_LT((e.error() - expected).norm(), 1e-15);
+  g2o::VertexSim3Expmap s;
+  std::istringstream similarity("0 0 0 0 0 0 0.5 1 1 0 0");
+  ASSERT_TRUE(s.read(similarity));
+  EXPECT_NEAR(s.estimate().scale(), std::exp(-0.5), 1e-15);
+}
+
+TEST(Sba, ErrorsHaveTheSignsThatFilesMean) {
+  const std::vector<double> mono = {1, -2}, stereo = {1, -2, 0};
+  edge_checks::expect_errors(
+      "VERTEX_CAM 0 0 0 0 0 0 0 1 100 200 10 20 0.08\n"
+      "VERTEX_CAM 1 1 0 0 0 0 0 1 100 200 10 20 0.08\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_PROJECT_P2MC 2 0 34 122" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_P2SC 2 0 34 122 33" +
+          omega(3) +
+          "\n"
+          "EDGE_CAM 0 1 0 0 0 0 0 0 1" +
+          omega(6) +
+          "\n"
+          "EDGE_SCALE 0 1 3" +
+          omega(1) + "\n",
+      {{"EDGE_PROJECT_P2MC", mono},
+       {"EDGE_PROJECT_P2SC", stereo},
+       {"EDGE_CAM", {1, 0, 0, 0, 0, 0}},
+       {"EDGE_SCALE", {2}}});
+  edge_checks::expect_errors(
+      "PARAMS_CAMERAPARAMETERS 0 100 10 20 0.08\n"
+      "VERTEX_SE3:EXPMAP 0 0 0 0 0 0 0 1\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_PROJECT_XYZ2UV:EXPMAP 2 0 0 36 68" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_XYZ2UVU:EXPMAP 2 0 0 36 68 33" +
+          omega(3) +
+          "\n"
+          "EDGE_SE3_PROJECT_XYZ:EXPMAP 2 0 36 118" +
+          omega(2) +
+          " 100 200 10 20\n"
+          "EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 36 118" +
+          omega(2) +
+          " 1 2 4 100 200 10 20\n"
+          "EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP 2 0 36 118 33" +
+          omega(3) +
+          " 100 200 10 20 8\n"
+          "EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP 0 36 118 33" +
+          omega(3) + " 1 2 4 100 200 10 20 8\n",
+      {{"EDGE_PROJECT_XYZ2UV:EXPMAP", mono},
+       {"EDGE_PROJECT_XYZ2UVU:EXPMAP", stereo},
+       {"EDGE_SE3_PROJECT_XYZ:EXPMAP", mono},
+       {"EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP", mono},
+       {"EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP", stereo},
+       {"EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP", stereo}});
+  edge_checks::expect_errors(
+      "VERTEX_SIM3:EXPMAP 0 0 0 0 0 0 0 0 100 200 10 20 50 100 5 10\n"
+      "VERTEX_SIM3:EXPMAP 1 0 0 0 0 0 0 0 100 200 10 20\n"
+      "VERTEX_XYZ 2 1 2 4\n"
+      "EDGE_SIM3:EXPMAP 0 1 0 0 0 0 0 0 0.5" +
+          omega(7) +
+          "\n"
+          "EDGE_PROJECT_SIM3_XYZ:EXPMAP 2 0 36 118" +
+          omega(2) +
+          "\n"
+          "EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP 2 0 18.5 58" +
+          omega(2) + "\n",
+      {{"EDGE_SIM3:EXPMAP", {0, 0, 0, 0, 0, 0, -0.5}},
+       {"EDGE_PROJECT_SIM3_XYZ:EXPMAP", mono},
+       {"EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP", mono}});
+}
+
+TEST(Sba, ImagesAreThoseOfPinholeCameras) {
+  g2o::VertexSBAPointXYZ point;
+  point.setEstimate({1, 2, 3});
+  g2o::VertexSE3Expmap pose;
+  pose.setEstimate(g2o::SE3Quat(g2o::Quaternion::Identity(), {0, 0, 1}));
+  g2o::EdgeStereoSE3ProjectXYZ e;
+  e.setVertex(0, &point);
+  e.setVertex(1, &pose);
+  e.fx = 100;
+  e.fy = 200;
+  e.cx = 10;
+  e.cy = 20;
+  e.bf = 8;
+  e.setMeasurement({36, 118, 33});
+  e.computeError();
+  EXPECT_LT((e.error() - g2o::Vector3(1, -2, 0)).norm(), 1e-12);
+  EXPECT_TRUE(e.isDepthPositive());
+  EXPECT_LT((e.cam_project({1, 2, 4}, 16) - g2o::Vector3(35, 120, 31)).norm(), 1e-12);
+  point.setEstimate({1, 2, -3});
+  EXPECT_FALSE(e.isDepthPositive());
+  const g2o::CameraParameters camera(100, {10, 20}, 0.08);
+  EXPECT_LT((camera.stereocam_uvu_map({1, 2, 4}) - g2o::Vector3(35, 70, 33)).norm(), 1e-12);
+}
+
+TEST(Sba, ACameraMovesInTheWorldAndTurnsInItsOwnFrame) {
+  g2o::VertexCam v;
+  const g2o::Quaternion quarter(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
+  g2o::SBACam cam(quarter, {1, 0, 0});
+  cam.setKcam(300, 300, 320, 240, 0.1);
+  v.setEstimate(cam);
+  const double step[] = {0.5, 0, 0, 0.1, 0, 0};
+  v.oplus(step);
+  EXPECT_LT((v.estimate().translation() - g2o::Vector3(1.5, 0, 0)).norm(), 1e-15);
+  const g2o::Quaternion turned = quarter * g2o::Quaternion(std::sqrt(0.99), 0.1, 0, 0);
+  EXPECT_LT((v.estimate().rotation().coeffs() - turned.coeffs()).norm(), 1e-15);
+  EXPECT_LT((v.estimate().w2n * g2o::Vector4(1.5, 0, 0, 1)).norm(), 1e-15);
+  EXPECT_NEAR(v.estimate().Kcam(0, 2), 320, 0);
+}
+
+TEST(Sba, ACameraOfAFileMayLackItsMatrix) {
+  g2o::VertexCam v;
+  std::istringstream without("1 2 3 0 0 0 1"), half("1 2 3 0 0 0 1 500 500");
+  ASSERT_TRUE(v.read(without));
+  EXPECT_FALSE(without.fail());
+  EXPECT_EQ(v.estimate().Kcam(0, 0), 300);
+  EXPECT_EQ(v.estimate().baseline, 0.1);
+  EXPECT_FALSE(v.read(half));
+}
+
+TEST(Sim3, TheExponentialAndTheLogarithmAreInverse) {
+  g2o::Vector7 v;
+  v << 0.3, -0.2, 0.5, 1, -2, 3, 0.4;
+  for (const double size : {0., 1e-9, 1e-3, 1., 4.}) {
+    EXPECT_LT((g2o::Sim3(g2o::Vector7(size * v)).log() - size * v).norm(), 1e-11 * (1 + size));
+  }
+}
+
+TEST(Sim3, AProductMapsByOneAfterTheOther) {
+  g2o::Vector7 v;
+  v << 0.3, -0.2, 0.5, 1, -2, 3, 0.4;
+  const g2o::Sim3 a(v), b(g2o::Vector7(-0.7 * v.reverse()));
+  const g2o::Vector3 p(1, 2, 3);
+  EXPECT_LT(((a * b).map(p) - a.map(b.map(p))).norm(), 1e-13);
+  EXPECT_LT((a.inverse().map(a.map(p)) - p).norm(), 1e-13);
+  EXPECT_EQ(a[7], a.scale());
+  EXPECT_EQ(a[3], a.rotation().w());
+  EXPECT_EQ(a[4], a.translation().x());
+}
+
+}  // namespace

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/solvers/dense/linear_solver_dense.h"
+#include "g2o/types/edge_checks.h"
+#include "g2o/types/slam3d_addons/types_slam3d_addons.h"
+
+G2O_USE_TYPE_GROUP(slam3d);
+G2O_USE_TYPE_GROUP(slam3d_addons);
+
+namespace {
+
+using edge_checks::omega;
+using g2o::Plane3D;
+
+Plane3D plane(double x, double y, double z, double distance) {
+  const g2o::Vector3 n = g2o::Vector3(x, y, z).normalized();
+  return Plane3D(g2o::Vector4(n.x(), n.y(), n.z(), -distance));
+}
+
+TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
+  edge_checks::expect_laws_of_file(
+      "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
+      "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
+      "VERTEX_PLANE 2 0.48 0.6 0.64 -2 0.1 0.2 0.3\n"
+      "VERTEX_PLANE 3 0.8 0 0.6 1 0.1 0.2 0.3\n"
+      "VERTEX_SE3:QUAT 4 1.3 1.1 2.2 0.5 -0.5 0.5 0.5\n"
+      "EDGE_SE3_PLANE_CALIB 0 2 1 0.6 0.48 0.64 1 0.4 0.5 0.6" +
+      omega(3) +
+      "\n"
+      "EDGE_SE3_CALIB 0 4 1 0.3 0.2 0.1 0.5 0.5 -0.5 0.5" +
+      omega(6) +
+      "\n"
+      "EDGE_PLANE 2 3 0.1 0.2 0.3 0.4" +
+      omega(4) + "\n");
+}
+
+TEST(Slam3dAddons, ErrorsHaveTheSignsThatFilesMean) {
+  // The plane z has its normal at an azimuth of 0.1.
+  edge_checks::expect_errors(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
+      "VERTEX_SE3:QUAT 2 1.5 0 0 0 0 0 1\n"
+      "VERTEX_PLANE 3 1 0 0 -2 0 0 0\n"
+      "VERTEX_PLANE 4 0 1 0 -1 0 0 0\n"
+      "EDGE_SE3_PLANE_CALIB 0 3 1 0.9950041652780258 0.09983341664682815 0 -1 0 0 0" +
+          omega(3) +
+          "\n"
+          "EDGE_SE3_CALIB 0 2 1 0 0 0 0 0 0 1" +
+          omega(6) +
+          "\n"
+          "EDGE_PLANE 3 4 0 0 0 3" +
+          omega(4) + "\n",
+      {{"EDGE_SE3_PLANE_CALIB", {0.1, 0, 0.5}},
+       {"EDGE_SE3_CALIB", {1.5, 0, 0, 0, 0, 0}},
+       {"EDGE_PLANE", {-1, 1, 0, -2}}});
+}
+
+TEST(Planes, AStepOfZeroStays) {
+  for (const Plane3D& p : {plane(1, 0, 0, 1), plane(0.3, -0.4, 0.5, -2), plane(0, 0, 1, 3)}) {
+    Plane3D moved = p;
+    moved.oplus(g2o::Vector3::Zero());
+    EXPECT_LT((moved.coeffs() - p.coeffs()).norm(), 1e-15);
+  }
+}
+
+// ominus() counts the distance the other way.
+TEST(Planes, AStepLeadsFromOneToAnother) {
+  const Plane3D from = plane(0.3, -0.4, 0.5, -2), to = plane(-0.1, 0.7, 0.2, 1.5);
+  const g2o::Vector3 d = from.ominus(to);
+  Plane3D moved = from;
+  moved.oplus(g2o::Vector3(d[0], d[1], -d[2]));
+  EXPECT_LT((moved.coeffs() - to.coeffs()).norm(), 1e-14);
+  EXPECT_NEAR(d[2], -3.5, 1e-15);
+}
+
+TEST(Planes, APointOfAPlaneStaysOnItThroughAMotion) {
+  g2o::Vector6 v;
+  v << 1, 2, 3, 0.1, -0.2, 0.3;
+  const g2o::Isometry3 t = g2o::internal::fromVectorMQT(v);
+  const Plane3D p = plane(0.3, -0.4, 0.5, -2), moved = t * p;
+  const g2o::Vector3 point = p.distance() * p.normal();
+  EXPECT_NEAR(moved.normal().dot(t * point) + moved.coeffs()[3], 0, 1e-14);
+  EXPECT_LT((p.coeffs() - plane(0.6, -0.8, 1, -2).coeffs()).norm(), 1e-15);
+}
+
+TEST(Planes, AreMappedWhileTheSensorIsCalibrated) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  g2o::SparseOptimizer optimizer;
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(
+      new g2o::BlockSolverX(new g2o::LinearSolverDense<g2o::BlockSolverX::PoseMatrixType>())));
+  const auto vector = [&](double size) {
+    g2o::Vector6 v;
+    for (double& x : v) x = size * uniform(random);
+    return v;
+  };
+  const g2o::Isometry3 truth = g2o::internal::fromVectorMQT(vector(0.2));
+  auto* offset = new g2o::VertexSE3;
+  offset->setId(0);
+  offset->setEstimate(truth * g2o::internal::fromVectorMQT(vector(0.03)));
+  optimizer.addVertex(offset);
+  const std::vector<Plane3D> planes = {plane(1, 0.1, 0, 3), plane(0, 1, 0.2, 4), plane(0.1, -0.2, 1, 2)};
+  for (size_t j = 0; j < planes.size(); ++j) {
+    auto* v = new g2o::VertexPlane;
+    v->setId(static_cast<int>(j) + 1);
+    Plane3D estimate = planes[j];
+    estimate.oplus(vector(0.03).head<3>());
+    v->setEstimate(estimate);
+    v->color = g2o::Vector3(1, 0, 0);
+    optimizer.addVertex(v);
+  }
+  for (int i = 0; i < 12; ++i) {
+    auto* pose = new g2o::VertexSE3;
+    pose->setId(10 + i);
+    pose->setEstimate(g2o::internal::fromVectorMQT(vector(0.5)));
+    pose->setFixed(true);
+    optimizer.addVertex(pose);
+    for (size_t j = 0; j < planes.size(); ++j) {
+      auto* e = new g2o::EdgeSE3PlaneSensorCalib;
+      e->setVertex(0, pose);
+      e->setVertex(1, optimizer.vertex(static_cast<int>(j) + 1));
+      e->setVertex(2, offset);
+      e->setMeasurement((pose->estimate() * truth).inverse() * planes[j]);
+      ASSERT_TRUE(optimizer.addEdge(e));
+    }
+  }
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_GT(optimizer.optimize(20), 0);
+  EXPECT_LT((offset->estimate().matrix() - truth.matrix()).norm(), 1e-6);
+  for (size_t j = 0; j < planes.size(); ++j) {
+    const auto* v = static_cast<g2o::VertexPlane*>(optimizer.vertex(static_cast<int>(j) + 1));
+    EXPECT_LT((v->estimate().coeffs() - planes[j].coeffs()).norm(), 1e-6);
+  }
+}
+
+}  // namespace
