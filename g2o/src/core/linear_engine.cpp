@@ -12,7 +12,8 @@ struct LinearEngine::State {
   EngineSettings settings;
   boxplus::BlockStructure structure;
   std::vector<double> values;
-  std::unique_ptr<boxplus::LinearSolver> solver;  // analysed for the structure
+  std::unique_ptr<boxplus::AssembledSystem> system;  // of these; iterative solvers look into it
+  std::unique_ptr<boxplus::LinearSolver> solver;     // analysed for the structure
   int iterations = 0;
 };
 
@@ -54,12 +55,13 @@ bool LinearEngine::factorize(const std::vector<int>& dims, const std::vector<Eng
     std::copy_n(block.values, s.structure.value_start[k + 1] - s.structure.value_start[k],
                 s.values.begin() + s.structure.value_start[k]);
   }
-  const boxplus::AssembledSystem system(s.structure, s.values);
-  return s.solver->factorize(system, {}).status == boxplus::LinearStatus::kOk;
+  s.system = std::make_unique<boxplus::AssembledSystem>(s.structure, s.values);
+  return s.solver->factorize(*s.system, {}).status == boxplus::LinearStatus::kOk;
 }
 
 bool LinearEngine::solve(const double* b, double* x) {
-  const boxplus::SolveResult result = state_->solver->solve(b, 1, x, solve_control(state_->settings));
+  const boxplus::SolveControl control = solve_control(state_->settings, b, state_->structure.scalars());
+  const boxplus::SolveResult result = state_->solver->solve(b, 1, x, control);
   state_->iterations = result.iterations;
   return result.status == boxplus::LinearStatus::kOk || result.status == boxplus::LinearStatus::kNotConverged;
 }

@@ -71,8 +71,17 @@ class Loader {
     }
   }
 
+  /// Whether nothing, or a comment, is left of the line.
+  bool at_end(const std::string& word, std::istream& fields) {
+    std::string rest;
+    if (!(fields >> rest) || rest[0] == '#') return true;
+    complain("{}: expected the end of the line, got {}", word, rest);
+    return false;
+  }
+
   void fix(std::istream& fields, const std::string* line_to_wait) {
-    for (int id = 0; fields >> id;) {
+    int id = 0;
+    while (fields >> id) {
       if (OptimizableGraph::Vertex* v = graph_.vertex(id)) {
         v->setFixed(true);
       } else if (line_to_wait != nullptr) {
@@ -82,6 +91,8 @@ class Loader {
         complain("FIX: there is no vertex {}", id);
       }
     }
+    fields.clear();
+    at_end("FIX", fields);
   }
 
   void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
@@ -91,6 +102,7 @@ class Loader {
     if (!(fields >> id) || id < 0) return complain("{}: expected the id of a parameter", word);
     p->setId(id);
     if (!p->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!at_end(word, fields)) return;
     if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
   }
@@ -101,6 +113,7 @@ class Loader {
     int id = -1;
     if (!(fields >> id) || id < 0) return complain("{}: expected the id of a vertex", word);
     if (!v->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!at_end(word, fields)) return;
     v->setId(id);
     if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
@@ -130,10 +143,7 @@ class Loader {
     if (!read_ids(fields, arity, ids)) return complain("{}: expected the ids of vertices", word);
     if (arity == 0) e->resize(ids.size());
     for (size_t i = 0; i < ids.size(); ++i) {
-      if (ids[i] == HyperGraph::UnassignedId) {
-        G2O_WARN("line {}: {} has a vertex that is not assigned, skipped", number_, word);
-        return;
-      }
+      if (ids[i] == HyperGraph::UnassignedId) continue;
       OptimizableGraph::Vertex* v = graph_.vertex(ids[i]);
       if (v == nullptr) {
         if (line_to_wait == nullptr) return complain("{}: there is no vertex {}", word, ids[i]);
@@ -143,13 +153,14 @@ class Loader {
       e->setVertex(i, v);
     }
     if (!e->read(fields) || fields.fail()) return complain("{}: expected more numbers", word);
+    if (!at_end(word, fields)) return;
     const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
     const std::vector<int>& parameters = e->parameterIds();
     if (line_to_wait != nullptr && std::any_of(parameters.begin(), parameters.end(), is_missing)) {
       pending_.emplace_back(number_, *line_to_wait);
       return;
     }
-    if (!graph_.addEdge(e)) return complain("{}: the edge does not fit the graph", word);
+    if (!graph_.addUnassignedEdge(e)) return complain("{}: the edge does not fit the graph", word);
     static_cast<void>(element.release());
     last_ = e;
     last_data_ = nullptr;

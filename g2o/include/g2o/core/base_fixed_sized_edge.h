@@ -170,7 +170,9 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
 
   template <std::size_t... N>
   bool verticesFit(std::index_sequence<N...>) const {
-    return ((dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) && ...);
+    return ((this->_vertices[N] == nullptr ||
+             dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) &&
+            ...);
   }
   template <std::size_t... N>
   bool allVerticesFixed(std::index_sequence<N...>) const {

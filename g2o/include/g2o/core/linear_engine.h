@@ -13,12 +13,14 @@
 namespace g2o {
 namespace internal {
 
-enum class EngineSolver { kNone, kCholesky, kDense, kPcg };
+/// kScalarCholesky orders scalars, kCholesky blocks.
+enum class EngineSolver { kNone, kCholesky, kScalarCholesky, kDense, kPcg };
 
 struct EngineSettings {
   EngineSolver solver = EngineSolver::kNone;
-  double tolerance = 1e-10;  ///< kPcg: relative to the right-hand side
-  int maxIterations = 0;     ///< kPcg; 0: of the engine's choice
+  double tolerance = 1e-10;        ///< kPcg: relative to the right-hand side
+  bool absoluteTolerance = false;  ///< kPcg: a residual of `tolerance` is small enough, too
+  int maxIterations = 0;           ///< kPcg; 0: of the engine's choice
 };
 
 /// A block of a symmetric matrix, row ≥ column: rows × cols numbers, column by column.
