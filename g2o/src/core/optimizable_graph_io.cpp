@@ -13,6 +13,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/stuff/logger.h"
+#include "g2o/stuff/string_tools.h"
 
 namespace g2o {
 namespace {
@@ -191,11 +192,6 @@ class Loader {
   bool ok_ = true;
 };
 
-std::string without_blanks(const std::string& text) {
-  const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
 }  // namespace
 
 bool OptimizableGraph::load(std::istream& is) {
@@ -325,10 +321,10 @@ void OptimizableGraph::setRenamedTypesFromString(const std::string& types) {
   for (std::string pair; std::getline(in, pair, ',');) {
     const size_t sign = pair.find('=');
     if (sign == std::string::npos) {
-      if (!without_blanks(pair).empty()) G2O_ERROR("expected old=new, got {}", pair);
+      if (!trim(pair).empty()) G2O_ERROR("expected old=new, got {}", pair);
       continue;
     }
-    const std::string from = without_blanks(pair.substr(0, sign)), to = without_blanks(pair.substr(sign + 1));
+    const std::string from = trim(pair.substr(0, sign)), to = trim(pair.substr(sign + 1));
     if (!Factory::instance()->knowsTag(to)) {
       G2O_ERROR("expected a known word after =, got {}", to);
       continue;
