@@ -85,6 +85,23 @@ bool LinearEngine::inverse(const std::vector<std::pair<int, int>>& blocks,
   return true;
 }
 
+bool LinearEngine::save(const std::string& fileName) const {
+  const State& s = *state_;
+  if (!s.system) return false;
+  std::vector<int> ends(s.structure.offset.begin() + 1, s.structure.offset.end());
+  const auto n = static_cast<int>(ends.size());
+  SparseBlockMatrix<MatrixX> A(ends.data(), ends.data(), n, n);
+  for (std::uint32_t c = 0; c < s.structure.blocks(); ++c) {
+    for (std::uint32_t k = s.structure.column_start[c]; k < s.structure.column_start[c + 1]; ++k) {
+      const std::uint32_t r = s.structure.row[k];
+      const Eigen::Map<const MatrixX> block(s.values.data() + s.structure.value_start[k], s.structure.dim(r),
+                                            s.structure.dim(c));
+      *A.block(static_cast<int>(c), static_cast<int>(r), true) = block.transpose();
+    }
+  }
+  return A.writeOctave(fileName.c_str(), true);
+}
+
 int LinearEngine::iterations() const {
   return state_->iterations;
 }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,8 @@ class G2O_CORE_API LinearEngine {
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
                const std::function<void(size_t, const double*)>& take);
   int iterations() const;
+  /// Writes the matrix of the last factorize() for Octave; false where there was none.
+  bool save(const std::string& fileName) const;
 
   /// The same for the upper triangle of blocks of A.
   template <class MatrixType>
