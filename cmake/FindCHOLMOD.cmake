@@ -1,4 +1,5 @@
-# CHOLMOD of SuiteSparse, as target CHOLMOD::CHOLMOD. A peer of bench/; the library never links it.
+# CHOLMOD of SuiteSparse, as target CHOLMOD::CHOLMOD. GPL and LGPL: a peer of bench/, and of the g2o
+# face only the plug-in solver_cholmod links it.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)

@@ -34,7 +34,15 @@ std::vector<std::string> folders(const std::vector<const char*>& variables, cons
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path folder = (error ? fs::path(program) : self).parent_path();
-  return {folder.string(), (folder / ".." / "lib").string()};
+  const fs::path above = folder / "..";
+  std::vector<std::string> result = {folder.string()};
+  for (const fs::path library : {"lib", G2O_LIBRARY_FOLDER}) {
+    for (const fs::path& candidate : {above / library, above / library / "g2o"}) {
+      const bool is_new = std::find(result.begin(), result.end(), candidate.string()) == result.end();
+      if (is_new) result.push_back(candidate.string());
+    }
+  }
+  return result;
 }
 
 void load_matching(const std::vector<std::string>& named, const std::vector<std::string>& in_folders,

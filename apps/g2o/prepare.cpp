@@ -43,7 +43,8 @@ bool add_robust_kernels(g2o::SparseOptimizer& optimizer, const Options& options)
   if (creator == nullptr) return false;
   for (g2o::HyperGraph::Edge* e : optimizer.edges()) {
     const auto& vertices = e->vertices();
-    const bool sequential = vertices.size() >= 2 && std::abs(vertices[0]->id() - vertices[1]->id()) == 1;
+    const bool sequential = vertices.size() >= 2 && e->numUndefinedVertices() == 0 &&
+                            std::abs(vertices[0]->id() - vertices[1]->id()) == 1;
     if (options.non_sequential && sequential) continue;
     g2o::RobustKernel* kernel = creator->construct();
     if (options.robust_kernel_width > 0) kernel->setDelta(options.robust_kernel_width);

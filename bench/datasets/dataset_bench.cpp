@@ -45,6 +45,11 @@ Arguments parse(int count, char** words) {
   return arguments;
 }
 
+/// The files that the goals of the g2o face are about.
+bool compares_faces(const std::string& name) {
+  return name == "sphere2500" || name == "torus3D";
+}
+
 DatasetResults measure(const Dataset& dataset, const Arguments& arguments) {
   DatasetResults results{.dataset = dataset};
   const std::string path = std::filesystem::path(arguments.folder) / dataset.path;
@@ -55,6 +60,7 @@ DatasetResults measure(const Dataset& dataset, const Arguments& arguments) {
     results.whole =
         run_whole_duel(arguments.programs, path, results.solve->ceres_settings_index, dataset.target());
     results.threads = run_thread_duel(file.graph);
+    if (compares_faces(dataset.name())) results.faces = run_face_duel(path);
   } catch (const std::exception& error) {
     results.trouble = error.what();
     fmt::print(stderr, "{}: {}\n", dataset.name(), error.what());

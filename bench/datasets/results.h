@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "datasets/datasets.h"
+#include "datasets/face_duel.h"
 #include "datasets/linear_duel.h"
 #include "datasets/scale.h"
 #include "datasets/solve_duel.h"
@@ -23,6 +24,7 @@ struct DatasetResults {
   std::optional<SolveDuel> solve = {};
   std::optional<WholeDuel> whole = {};
   std::optional<ThreadDuel> threads = {};
+  std::optional<FaceDuel> faces = {};
   std::string trouble = {};
 };
 

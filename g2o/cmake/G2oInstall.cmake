@@ -2,6 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
 get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
+get_property(G2O_FOREIGN_NAMES GLOBAL PROPERTY G2O_FOREIGN_NAMES)
 
 install(TARGETS g2o_headers EXPORT g2o)
 foreach(name IN LISTS G2O_LIBRARY_NAMES)
@@ -15,4 +16,5 @@ configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_D
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake VERSION 1.0.0
                                  COMPATIBILITY AnyNewerVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/g2oConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake ${PROJECT_SOURCE_DIR}/cmake/FindCXSparse.cmake
         DESTINATION ${g2o_package_dir})

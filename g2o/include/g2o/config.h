@@ -15,6 +15,10 @@
 #define G2O_API_EXPORT __attribute__((visibility("default")))
 #endif
 
+// LinearSolverCholmod and LinearSolverCSparse are always there.
+#define G2O_HAVE_CHOLMOD 1
+#define G2O_HAVE_CSPARSE 1
+
 #define G2O_ABI_JOIN_(align) g2o_abi_1_##align
 #define G2O_ABI_JOIN(align) G2O_ABI_JOIN_(align)
 #define G2O_ABI_SYMBOL G2O_ABI_JOIN(EIGEN_MAX_ALIGN_BYTES)

@@ -24,7 +24,7 @@ struct BlockSolverEngine::State {
   std::vector<OptimizableGraph::Vertex*> vertices;  // by Hessian index
   std::uint32_t kept = 0, eliminated = 0;           // blocks
   BlockStructure structure;                         // of H, the eliminated blocks first
-  std::vector<double> values;
+  std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
   std::unique_ptr<boxplus::Schur> schur;
   std::unique_ptr<boxplus::BlockSystem> full, reduced;
   std::unique_ptr<boxplus::LinearSolver> solver;
@@ -35,6 +35,7 @@ struct BlockSolverEngine::State {
   std::vector<double> damped_diagonal;
   bool ready = false;  // schur and solver are made for the structure
 
+  std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
     const auto h = static_cast<std::uint32_t>(hessian_index);
     return h < kept ? eliminated + h : h - kept;
@@ -106,8 +107,8 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
   BlockStructure made = boxplus::make_block_structure(dims, pairs);
   if (full && made == structure && eliminated == eliminated_before) return true;
   structure = std::move(made);
-  values.assign(structure.nonzero_values(), 0.0);
-  full = std::make_unique<boxplus::AssembledSystem>(structure, values);
+  memory = std::make_shared<std::vector<double>>(structure.nonzero_values(), 0.0);
+  full = std::make_unique<boxplus::AssembledSystem>(structure, values());
   ready = false;
   engine_b.resize(structure.scalars());
   engine_x.resize(structure.scalars());
@@ -121,7 +122,7 @@ void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
   }
   for (OptimizableGraph::Vertex* v : vertices) {
     const std::uint32_t block = block_of(v->hessianIndex());
-    v->mapHessianMemory(values.data() + structure.value_start[structure.column_start[block]]);
+    v->mapHessianMemory(values().data() + structure.value_start[structure.column_start[block]]);
     const std::uint32_t column = structure.offset[block];
     const std::uint32_t first = structure.scalars() - eliminated_scalars();
     v->setColInHessian(static_cast<int>(block < eliminated ? first + column : column - eliminated_scalars()));
@@ -138,7 +139,7 @@ void BlockSolverEngine::State::map_pair(OptimizableGraph::Edge& edge, int i, int
   }
   const std::uint32_t a = block_of(index_i), b = block_of(index_j);
   const std::uint32_t k = structure.find(std::max(a, b), std::min(a, b));
-  edge.mapHessianMemory(values.data() + structure.value_start[k], i, j, a < b);
+  edge.mapHessianMemory(values().data() + structure.value_start[k], i, j, a < b);
 }
 
 void BlockSolverEngine::State::map_edges(const SparseOptimizer& optimizer) {
@@ -185,6 +186,7 @@ bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
     state_.reset();
     return false;
   }
+  optimizer.hessian_memory_ = state_->memory;
   state_->map_vertices(optimizer);
   state_->map_edges(optimizer);
   state_->make_solver(settings);
@@ -201,7 +203,7 @@ size_t BlockSolverEngine::scalars() const {
 
 void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   State& s = *state_;
-  std::fill(s.values.begin(), s.values.end(), 0.0);
+  std::fill(s.values().begin(), s.values().end(), 0.0);
   for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
   JacobianWorkspace& workspace = optimizer.jacobianWorkspace();
   for (OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
@@ -231,7 +233,7 @@ bool BlockSolverEngine::State::factorize(double lambda) {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   if (schur) {
     const ScopeTime time(statistics ? &statistics->timeSchurComplement : nullptr);
-    const boxplus::FactorResult result = schur->eliminate(values, damping);
+    const boxplus::FactorResult result = schur->eliminate(values(), damping);
     if (result.status != LinearStatus::kOk) return complain(result, 0);
   }
   if (solver == nullptr) return true;
@@ -246,15 +248,16 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
   State& s = *state_;
   s.make_solver(settings);
   if (!s.factorize(lambda)) return false;
-  const boxplus::SolveControl control = solve_control(settings);
   s.to_engine(b, s.engine_b.data());
   boxplus::SolveResult result;
   if (s.schur) {
     s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
-    result = s.solver->solve(s.reduced_b.data(), 1, s.reduced_x.data(), control);
+    result = s.solver->solve(s.reduced_b.data(), 1, s.reduced_x.data(),
+                             solve_control(settings, s.reduced_b.data(), s.reduced_b.size()));
     s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
   } else {
-    result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data(), control);
+    result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data(),
+                             solve_control(settings, s.engine_b.data(), s.engine_b.size()));
   }
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->iterationsLinearSolver = result.iterations;
@@ -326,8 +329,8 @@ bool BlockSolverEngine::save(const std::string& fileName) const {
   for (std::uint32_t c = 0; c < s.structure.blocks(); ++c) {
     for (std::uint32_t k = s.structure.column_start[c]; k < s.structure.column_start[c + 1]; ++k) {
       const std::uint32_t r = s.structure.row[k];
-      const Eigen::Map<const MatrixX> block(s.values.data() + s.structure.value_start[k], s.structure.dim(r),
-                                            s.structure.dim(c));
+      const Eigen::Map<const MatrixX> block(s.values().data() + s.structure.value_start[k],
+                                            s.structure.dim(r), s.structure.dim(c));
       const int i = index_of(r), j = index_of(c);
       if (i <= j) {
         *H.block(i, j, true) = block;
@@ -345,7 +348,7 @@ bool BlockSolverEngine::reduce(double lambda, const double* b) {
   if (!s.factorize(lambda)) return false;
   s.to_engine(b, s.engine_b.data());
   const BlockStructure& left = s.schur ? s.schur->reduced_structure() : s.structure;
-  const double* values = s.schur ? s.schur->reduced_values().data() : s.values.data();
+  const double* values = s.schur ? s.schur->reduced_values().data() : s.values().data();
   s.reduced_b.resize(left.scalars());
   s.reduced_x.assign(left.scalars(), 0.0);
   if (s.schur) {

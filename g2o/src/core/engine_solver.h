@@ -11,6 +11,8 @@ namespace internal {
 
 inline boxplus::LinearSolverKind engine_kind(EngineSolver solver) {
   switch (solver) {
+    case EngineSolver::kScalarCholesky:
+      return boxplus::LinearSolverKind::kEigenSparse;
     case EngineSolver::kDense:
       return boxplus::LinearSolverKind::kDense;
     case EngineSolver::kPcg:
@@ -28,8 +30,14 @@ inline boxplus::AnalyzeHints analyze_hints() {
   return hints;
 }
 
-inline boxplus::SolveControl solve_control(const EngineSettings& settings) {
-  return {settings.tolerance, settings.maxIterations};
+/// How exactly to solve for the right-hand side b of n numbers.
+inline boxplus::SolveControl solve_control(const EngineSettings& settings, const double* b, std::size_t n) {
+  double tolerance = settings.tolerance;
+  if (settings.absoluteTolerance) {
+    const double norm = Eigen::Map<const VectorX>(b, static_cast<Eigen::Index>(n)).norm();
+    if (norm > 0 && norm < 1) tolerance /= norm;
+  }
+  return {tolerance, settings.maxIterations};
 }
 
 }  // namespace internal

@@ -12,7 +12,8 @@ struct LinearEngine::State {
   EngineSettings settings;
   boxplus::BlockStructure structure;
   std::vector<double> values;
-  std::unique_ptr<boxplus::LinearSolver> solver;  // analysed for the structure
+  std::unique_ptr<boxplus::AssembledSystem> system;  // of these; iterative solvers look into it
+  std::unique_ptr<boxplus::LinearSolver> solver;     // analysed for the structure
   int iterations = 0;
 };
 
@@ -54,12 +55,13 @@ bool LinearEngine::factorize(const std::vector<int>& dims, const std::vector<Eng
     std::copy_n(block.values, s.structure.value_start[k + 1] - s.structure.value_start[k],
                 s.values.begin() + s.structure.value_start[k]);
   }
-  const boxplus::AssembledSystem system(s.structure, s.values);
-  return s.solver->factorize(system, {}).status == boxplus::LinearStatus::kOk;
+  s.system = std::make_unique<boxplus::AssembledSystem>(s.structure, s.values);
+  return s.solver->factorize(*s.system, {}).status == boxplus::LinearStatus::kOk;
 }
 
 bool LinearEngine::solve(const double* b, double* x) {
-  const boxplus::SolveResult result = state_->solver->solve(b, 1, x, solve_control(state_->settings));
+  const boxplus::SolveControl control = solve_control(state_->settings, b, state_->structure.scalars());
+  const boxplus::SolveResult result = state_->solver->solve(b, 1, x, control);
   state_->iterations = result.iterations;
   return result.status == boxplus::LinearStatus::kOk || result.status == boxplus::LinearStatus::kNotConverged;
 }
@@ -81,6 +83,23 @@ bool LinearEngine::inverse(const std::vector<std::pair<int, int>>& blocks,
     values += static_cast<size_t>(s.structure.dim(wanted[k].row)) * s.structure.dim(wanted[k].column);
   }
   return true;
+}
+
+bool LinearEngine::save(const std::string& fileName) const {
+  const State& s = *state_;
+  if (!s.system) return false;
+  std::vector<int> ends(s.structure.offset.begin() + 1, s.structure.offset.end());
+  const auto n = static_cast<int>(ends.size());
+  SparseBlockMatrix<MatrixX> A(ends.data(), ends.data(), n, n);
+  for (std::uint32_t c = 0; c < s.structure.blocks(); ++c) {
+    for (std::uint32_t k = s.structure.column_start[c]; k < s.structure.column_start[c + 1]; ++k) {
+      const std::uint32_t r = s.structure.row[k];
+      const Eigen::Map<const MatrixX> block(s.values.data() + s.structure.value_start[k], s.structure.dim(r),
+                                            s.structure.dim(c));
+      *A.block(static_cast<int>(c), static_cast<int>(r), true) = block.transpose();
+    }
+  }
+  return A.writeOctave(fileName.c_str(), true);
 }
 
 int LinearEngine::iterations() const {

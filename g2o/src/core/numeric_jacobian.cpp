@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/pushed_estimates.h"
 #include "g2o/core/base_edge.h"
 
 namespace g2o {
@@ -17,12 +18,12 @@ void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& ver
   before.assign(edge.errorData(), edge.errorData() + rows);
   step.assign(cols, 0.0);
   const auto evaluate = [&](size_t column, double delta) {
-    vertex.push();
+    PushedEstimates<OptimizableGraph::Vertex> pushed(vertex);
     step[column] = delta;
     vertex.oplus(step.data());
     step[column] = 0;
     edge.computeError();
-    vertex.pop();
+    pushed.restore();
   };
   for (size_t column = 0; column < cols; ++column, jacobian += rows) {
     evaluate(column, kStep);

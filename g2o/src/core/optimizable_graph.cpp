@@ -209,9 +209,37 @@ bool OptimizableGraph::addEdge(OptimizableGraph::Edge* e) {
   return true;
 }
 
+bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
+  if (e == nullptr || e->numUndefinedVertices() == 0) return addEdge(e);
+  VertexContainer assigned;
+  for (HyperGraph::Vertex* v : e->vertices()) {
+    if (v != nullptr) assigned.push_back(as_vertex(v));
+  }
+  for (const OptimizableGraph::Vertex* v : assigned) {
+    if (vertex(v->id()) == v && std::count(assigned.begin(), assigned.end(), v) == 1) continue;
+    G2O_ERROR("addUnassignedEdge: expected distinct vertices of the graph, {} is not", v->id());
+    return false;
+  }
+  if (!e->verticesFit()) {
+    G2O_ERROR("addUnassignedEdge: the edge was made for vertices of other types");
+    return false;
+  }
+  if (!_edges.insert(e).second) return false;
+  for (OptimizableGraph::Vertex* v : assigned) v->edges().insert(e);
+  e->_internalId = _nextEdgeId++;
+  return true;
+}
+
 bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
+  if (pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
+  HyperGraph::Vertex* before = e->vertex(static_cast<size_t>(pos));
   if (!HyperGraph::setEdgeVertex(e, pos, v)) return false;
   auto* edge = static_cast<OptimizableGraph::Edge*>(e);
+  if (!edge->verticesFit()) {
+    G2O_ERROR("setEdgeVertex: the edge was made for vertices of other types");
+    HyperGraph::setEdgeVertex(e, pos, before);
+    return false;
+  }
   if (v == nullptr || edge->numUndefinedVertices() > 0) return true;
   _jacobianWorkspace.updateSize(edge);
   return edge->resolveParameters() && edge->resolveCaches();

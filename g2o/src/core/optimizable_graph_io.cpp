@@ -13,6 +13,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/stuff/logger.h"
+#include "g2o/stuff/string_tools.h"
 
 namespace g2o {
 namespace {
@@ -71,8 +72,17 @@ class Loader {
     }
   }
 
+  /// Whether nothing, or a comment, is left of the line.
+  bool at_end(const std::string& word, std::istream& fields) {
+    std::string rest;
+    if (!(fields >> rest) || rest[0] == '#') return true;
+    complain("{}: expected the end of the line, got {}", word, rest);
+    return false;
+  }
+
   void fix(std::istream& fields, const std::string* line_to_wait) {
-    for (int id = 0; fields >> id;) {
+    int id = 0;
+    while (fields >> id) {
       if (OptimizableGraph::Vertex* v = graph_.vertex(id)) {
         v->setFixed(true);
       } else if (line_to_wait != nullptr) {
@@ -82,6 +92,8 @@ class Loader {
         complain("FIX: there is no vertex {}", id);
       }
     }
+    fields.clear();
+    at_end("FIX", fields);
   }
 
   void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
@@ -91,6 +103,7 @@ class Loader {
     if (!(fields >> id) || id < 0) return complain("{}: expected the id of a parameter", word);
     p->setId(id);
     if (!p->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!at_end(word, fields)) return;
     if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
   }
@@ -101,6 +114,7 @@ class Loader {
     int id = -1;
     if (!(fields >> id) || id < 0) return complain("{}: expected the id of a vertex", word);
     if (!v->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!at_end(word, fields)) return;
     v->setId(id);
     if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
@@ -130,10 +144,7 @@ class Loader {
     if (!read_ids(fields, arity, ids)) return complain("{}: expected the ids of vertices", word);
     if (arity == 0) e->resize(ids.size());
     for (size_t i = 0; i < ids.size(); ++i) {
-      if (ids[i] == HyperGraph::UnassignedId) {
-        G2O_WARN("line {}: {} has a vertex that is not assigned, skipped", number_, word);
-        return;
-      }
+      if (ids[i] == HyperGraph::UnassignedId) continue;
       OptimizableGraph::Vertex* v = graph_.vertex(ids[i]);
       if (v == nullptr) {
         if (line_to_wait == nullptr) return complain("{}: there is no vertex {}", word, ids[i]);
@@ -143,13 +154,14 @@ class Loader {
       e->setVertex(i, v);
     }
     if (!e->read(fields) || fields.fail()) return complain("{}: expected more numbers", word);
+    if (!at_end(word, fields)) return;
     const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
     const std::vector<int>& parameters = e->parameterIds();
     if (line_to_wait != nullptr && std::any_of(parameters.begin(), parameters.end(), is_missing)) {
       pending_.emplace_back(number_, *line_to_wait);
       return;
     }
-    if (!graph_.addEdge(e)) return complain("{}: the edge does not fit the graph", word);
+    if (!graph_.addUnassignedEdge(e)) return complain("{}: the edge does not fit the graph", word);
     static_cast<void>(element.release());
     last_ = e;
     last_data_ = nullptr;
@@ -179,11 +191,6 @@ class Loader {
   int number_ = 0;
   bool ok_ = true;
 };
-
-std::string without_blanks(const std::string& text) {
-  const size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
 
 }  // namespace
 
@@ -314,10 +321,10 @@ void OptimizableGraph::setRenamedTypesFromString(const std::string& types) {
   for (std::string pair; std::getline(in, pair, ',');) {
     const size_t sign = pair.find('=');
     if (sign == std::string::npos) {
-      if (!without_blanks(pair).empty()) G2O_ERROR("expected old=new, got {}", pair);
+      if (!trim(pair).empty()) G2O_ERROR("expected old=new, got {}", pair);
       continue;
     }
-    const std::string from = without_blanks(pair.substr(0, sign)), to = without_blanks(pair.substr(sign + 1));
+    const std::string from = trim(pair.substr(0, sign)), to = trim(pair.substr(sign + 1));
     if (!Factory::instance()->knowsTag(to)) {
       G2O_ERROR("expected a known word after =, got {}", to);
       continue;

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <utility>
 
+#include "core/pushed_estimates.h"
 #include "g2o/core/sparse_optimizer.h"
 
 namespace g2o {
@@ -31,10 +32,8 @@ bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   bool solved = false;
   if (_wasPDInAllIterations) _currentLambda = _initialLambda->value();
   do {
-    if (!_wasPDInAllIterations) _solver.setLambda(_currentLambda, true);
-    solved = solveSystem();
+    solved = _wasPDInAllIterations ? solveSystem() : solveDamped(_currentLambda);
     if (!_wasPDInAllIterations) {
-      _solver.restoreDiagonal();
       const double factor = _lamdbaFactor->value();
       _currentLambda = solved ? std::max(1e-12, _currentLambda / (0.5 * factor)) : _currentLambda * factor;
     }
@@ -92,16 +91,16 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     blend(gaussNewton);
     block_solver_.multiplyHessian(_auxVector.data(), _hdl.data());
     const double promise = 2 * b.dot(_hdl) - _hdl.dot(_auxVector);
-    _optimizer->push();
+    internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
     _optimizer->update(_hdl.data());
     _optimizer->computeActiveErrors();
     const double trial = _optimizer->activeRobustChi2();
     const double gain = (chi2 - trial) / promise;
     const bool good = gain > 0 && std::isfinite(trial);
     if (good) {
-      _optimizer->discardTop();
+      pushed.keep();
     } else {
-      _optimizer->pop();
+      pushed.restore();
     }
     if (gain > 0.75) {
       _delta = std::max(_delta, 3 * _hdl.norm());

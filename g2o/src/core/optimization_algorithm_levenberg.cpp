@@ -7,6 +7,7 @@
 #include <ostream>
 #include <utility>
 
+#include "core/pushed_estimates.h"
 #include "g2o/core/sparse_optimizer.h"
 
 namespace g2o {
@@ -36,28 +37,26 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int it
   double gain = 0;
   _levenbergIterations = 0;
   do {
-    _optimizer->push();
-    _solver.setLambda(_currentLambda, true);
-    const bool solved = solveSystem();
+    internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
+    const bool solved = solveDamped(_currentLambda);
     double trial = std::numeric_limits<double>::max();
     if (solved) {
       _optimizer->update(_solver.x());
       _optimizer->computeActiveErrors();
       trial = _optimizer->activeRobustChi2();
     }
-    _solver.restoreDiagonal();
     gain = solved ? (chi2 - trial) / computeScale() : -1;
     ++_levenbergIterations;
     if (gain > 0 && std::isfinite(trial)) {
       const double shrink = 1 - std::pow(2 * gain - 1, 3);
       _currentLambda *= std::max(_goodStepLowerScale, std::min(_goodStepUpperScale, shrink));
       _ni = 2;
-      _optimizer->discardTop();
+      pushed.keep();
     } else {
       if (!std::isfinite(trial)) gain = -1;
       _currentLambda *= _ni;
       _ni *= 2;
-      _optimizer->pop();
+      pushed.restore();
       if (!std::isfinite(_currentLambda)) break;
     }
   } while (gain < 0 && _levenbergIterations < _maxTrialsAfterFailure->value() && !_optimizer->terminate());

@@ -66,4 +66,17 @@ bool OptimizationAlgorithmWithHessian::solveSystem() {
   return _solver.solve();
 }
 
+bool OptimizationAlgorithmWithHessian::solveDamped(double lambda) {
+  _solver.setLambda(lambda, true);
+  bool solved = false;
+  try {
+    solved = solveSystem();
+  } catch (...) {
+    _solver.restoreDiagonal();
+    throw;
+  }
+  _solver.restoreDiagonal();
+  return solved;
+}
+
 }  // namespace g2o

@@ -33,6 +33,34 @@ class StatisticsScope {
   G2OBatchStatistics* before_;
 };
 
+/// Saves estimates, and brings them back in the end.
+class Restored {
+ public:
+  Restored() = default;
+  Restored(const Restored&) = delete;
+  Restored& operator=(const Restored&) = delete;
+  ~Restored() {
+    for (OptimizableGraph::Vertex* v : vertices_) {
+      try {
+        v->pop();
+      } catch (...) {  // client code; the others come back all the same
+      }
+    }
+  }
+  void add(OptimizableGraph::Vertex* v) {
+    vertices_.push_back(v);
+    try {
+      v->push();
+    } catch (...) {
+      vertices_.pop_back();
+      throw;
+    }
+  }
+
+ private:
+  std::vector<OptimizableGraph::Vertex*> vertices_;
+};
+
 bool takes_part(const OptimizableGraph::Edge& edge, int level) {
   return (level < 0 || edge.level() == level) && edge.numUndefinedVertices() == 0 && !edge.allVerticesFixed();
 }
@@ -65,8 +93,10 @@ void SparseOptimizer::clearIndexMapping() {
   _ivMap.clear();
 }
 
+/// The next structure may lay H out elsewhere; a vertex that takes no part in it then has no block.
 void SparseOptimizer::forgetInitialization() {
   clearIndexMapping();
+  for (OptimizableGraph::Vertex* v : _activeVertices) v->mapHessianMemory(nullptr);
   _activeVertices.clear();
   _activeEdges.clear();
 }
@@ -172,15 +202,16 @@ void SparseOptimizer::computeInitialGuess() {
 }
 
 void SparseOptimizer::computeInitialGuess(EstimatePropagatorCost& propagator) {
-  OptimizableGraph::VertexSet known, outside;
+  OptimizableGraph::VertexSet known, seen;
+  Restored outside;
   for (HyperGraph::Edge* e : edges()) {
     for (HyperGraph::Vertex* u : e->vertices()) {
       if (u == nullptr) continue;
       OptimizableGraph::Vertex* v = as_vertex(u);
       if (v->fixed()) {
         known.insert(v);
-      } else if (v->hessianIndex() == -1 && outside.insert(v).second) {
-        v->push();
+      } else if (v->hessianIndex() == -1 && seen.insert(v).second) {
+        outside.add(v);
       }
     }
   }
@@ -194,7 +225,6 @@ void SparseOptimizer::computeInitialGuess(EstimatePropagatorCost& propagator) {
     }
   }
   EstimatePropagator(this).propagate(known, propagator);
-  for (HyperGraph::Vertex* v : outside) as_vertex(v)->pop();
 }
 
 void SparseOptimizer::setToOrigin() {
@@ -368,7 +398,13 @@ SparseOptimizer::EdgeContainer::const_iterator SparseOptimizer::findActiveEdge(
 }
 
 void SparseOptimizer::push(VertexContainer& vlist) {
-  for (Vertex* v : vlist) v->push();
+  size_t pushed = 0;
+  try {
+    for (; pushed < vlist.size(); ++pushed) vlist[pushed]->push();
+  } catch (...) {
+    while (pushed > 0) vlist[--pushed]->discardTop();
+    throw;
+  }
 }
 
 void SparseOptimizer::pop(VertexContainer& vlist) {

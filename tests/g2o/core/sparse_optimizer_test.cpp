@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm_dogleg.h"
 #include "g2o/core/robust_kernel_impl.h"
@@ -249,6 +251,36 @@ TEST_F(Optimizer, TheHessianOfAVertexIsMappedAndItsGradientVanishesAtTheMinimum)
     for (int j = 0; j < 3; ++j) EXPECT_EQ(v->hessian(i, j), H(v->colInHessian() + i, v->colInHessian() + j));
     EXPECT_NEAR(v->b(i), 0, 1e-9);
   }
+}
+
+TEST_F(Optimizer, TheHessianOfAVertexStaysReadableWhenTheSolverIsReplaced) {
+  add_square(optimizer);
+  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0))) << "nothing was optimised";
+  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessianDeterminant()));
+  use_gauss_newton();
+  optimizer.initializeOptimization();
+  optimizer.optimize(1);
+  const double before = optimizer.vertex(2)->hessian(0, 0);
+  EXPECT_GT(before, 0);
+  use_levenberg();
+  EXPECT_EQ(optimizer.vertex(2)->hessian(0, 0), before);
+  optimizer.setAlgorithm(nullptr);
+  EXPECT_EQ(optimizer.vertex(2)->hessian(0, 0), before);
+  use_levenberg();
+  optimizer.optimize(1);
+  EXPECT_GT(optimizer.vertex(2)->hessian(0, 0), 0);
+}
+
+TEST_F(Optimizer, AVertexThatTakesNoPartAnyMoreHasNoHessian) {
+  add_square(optimizer);
+  use_gauss_newton();
+  optimizer.initializeOptimization();
+  optimizer.optimize(1);
+  g2o::HyperGraph::VertexSet two{optimizer.vertex(0), optimizer.vertex(1)};
+  ASSERT_TRUE(optimizer.initializeOptimization(two));
+  EXPECT_EQ(optimizer.optimize(1), 1);
+  EXPECT_GT(optimizer.vertex(1)->hessian(0, 0), 0);
+  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0)));
 }
 
 TEST_F(Optimizer, AnInitialGuessFollowsTheEdgesFromTheFixedVertices) {

@@ -50,6 +50,16 @@ expect 0 "VERTEX_SE2" -listTypes
 expect 0 "EDGE_SIM3:EXPMAP" -listTypes
 expect 0 "VERTEX_PLANE" -listTypes
 expect 0 "lm_dense7_3" -listSolvers
+expect 0 "2dlinear" -listSolvers
+grep -v VERTEX_XY square.g2o | grep -v EDGE_SE2_XY > poses.g2o
+expect 0 "final chi2" -solver 2dlinear poses.g2o
+for plugin in cholmod csparse; do  # where they were built, the tool finds them beside itself
+  if [[ -e $(dirname "$tool")/../lib/g2o/libg2o_solver_$plugin.so ]]; then
+    expect 0 "lm_fix7_3_$plugin" -listSolvers
+    expect 0 "schur= 1" -v -solver lm_fix3_2_$plugin square.g2o
+    expect 0 "step=" -v -solver dl_var_$plugin square.g2o
+  fi
+done
 expect 0 "Huber" -listRobustKernels
 expect 0 "maxTrialsAfterFailure	2" -solver lm_var -solverProperties maxTrialsAfterFailure=2 -printSolverProperties square.g2o
 expect 0 "Vertices 1 2" -computeMarginals square.g2o

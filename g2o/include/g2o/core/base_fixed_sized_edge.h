@@ -133,7 +133,13 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   }
 
   OptimizableGraph::Vertex* createVertex(int i) override {
-    return createVertex(i, std::index_sequence_for<VertexTypes...>());
+    return createVertexAt(i, std::index_sequence_for<VertexTypes...>());
+  }
+  /// The same from the arguments of its constructor; nullptr where the type at position i has none for them.
+  template <typename First, typename... Rest>
+  OptimizableGraph::Vertex* createVertex(int i, First&& first, Rest&&... rest) {
+    return createVertexAt(i, std::index_sequence_for<VertexTypes...>(), std::forward<First>(first),
+                          std::forward<Rest>(rest)...);
   }
 
  protected:
@@ -170,7 +176,9 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
 
   template <std::size_t... N>
   bool verticesFit(std::index_sequence<N...>) const {
-    return ((dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) && ...);
+    return ((this->_vertices[N] == nullptr ||
+             dynamic_cast<const VertexXnType<N>*>(this->_vertices[N]) != nullptr) &&
+            ...);
   }
   template <std::size_t... N>
   bool allVerticesFixed(std::index_sequence<N...>) const {
@@ -249,16 +257,19 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     }
   }
 
-  template <std::size_t... N>
-  OptimizableGraph::Vertex* createVertex(int i, std::index_sequence<N...>) {
+  template <std::size_t... N, typename... Arguments>
+  OptimizableGraph::Vertex* createVertexAt(int i, std::index_sequence<N...>, Arguments&&... arguments) {
     OptimizableGraph::Vertex* made = nullptr;
-    ((i == static_cast<int>(N) ? void(made = newVertex<VertexXnType<N>>()) : void()), ...);
+    ((i == static_cast<int>(N)
+          ? void(made = newVertex<VertexXnType<N>>(std::forward<Arguments>(arguments)...))
+          : void()),
+     ...);
     return made;
   }
-  template <class V>
-  static OptimizableGraph::Vertex* newVertex() {
-    if constexpr (std::is_default_constructible_v<V>) {
-      return new V();
+  template <class V, typename... Arguments>
+  static OptimizableGraph::Vertex* newVertex(Arguments&&... arguments) {
+    if constexpr (std::is_constructible_v<V, Arguments...>) {
+      return new V(std::forward<Arguments>(arguments)...);
     } else {
       return nullptr;
     }

@@ -12,6 +12,16 @@
 #include "g2o/core/optimizable_graph.h"
 
 namespace g2o {
+namespace internal {
+
+/// The entries of a block that is not mapped.
+inline double& unmappedEntry() {
+  thread_local double entry;
+  entry = std::numeric_limits<double>::quiet_NaN();
+  return entry;
+}
+
+}  // namespace internal
 
 /// A vertex with an estimate of type T that moves in D dimensions (Eigen::Dynamic: chosen at run time, see
 /// BaseDynamicVertex). What is left to implement: oplusImpl, setToOriginImpl, read and write.
@@ -32,9 +42,15 @@ class BaseVertex : public OptimizableGraph::Vertex {
   BaseVertex(const BaseVertex&) = delete;
   BaseVertex& operator=(const BaseVertex&) = delete;
 
-  const double& hessian(int i, int j) const override { return _hessian(i, j); }
-  double& hessian(int i, int j) override { return _hessian(i, j); }
-  double hessianDeterminant() const override { return _hessian.determinant(); }
+  const double& hessian(int i, int j) const override {
+    return _hessian.data() == nullptr ? internal::unmappedEntry() : _hessian(i, j);
+  }
+  double& hessian(int i, int j) override {
+    return _hessian.data() == nullptr ? internal::unmappedEntry() : _hessian(i, j);
+  }
+  double hessianDeterminant() const override {
+    return _hessian.data() == nullptr ? internal::unmappedEntry() : _hessian.determinant();
+  }
   double* hessianData() override { return _hessian.data(); }
 
   void mapHessianMemory(double* d) override {
@@ -52,6 +68,7 @@ class BaseVertex : public OptimizableGraph::Vertex {
   void clearQuadraticForm() override { _b.setZero(); }
 
   double solveDirect(double lambda = 0) override {
+    if (_hessian.data() == nullptr) return internal::unmappedEntry();
     MatrixX damped = _hessian;
     damped.diagonal().array() += lambda;
     const double determinant = damped.determinant();

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,12 +14,14 @@
 namespace g2o {
 namespace internal {
 
-enum class EngineSolver { kNone, kCholesky, kDense, kPcg };
+/// kScalarCholesky orders scalars, kCholesky blocks.
+enum class EngineSolver { kNone, kCholesky, kScalarCholesky, kDense, kPcg };
 
 struct EngineSettings {
   EngineSolver solver = EngineSolver::kNone;
-  double tolerance = 1e-10;  ///< kPcg: relative to the right-hand side
-  int maxIterations = 0;     ///< kPcg; 0: of the engine's choice
+  double tolerance = 1e-10;        ///< kPcg: relative to the right-hand side
+  bool absoluteTolerance = false;  ///< kPcg: a residual of `tolerance` is small enough, too
+  int maxIterations = 0;           ///< kPcg; 0: of the engine's choice
 };
 
 /// A block of a symmetric matrix, row ≥ column: rows × cols numbers, column by column.
@@ -46,6 +49,8 @@ class G2O_CORE_API LinearEngine {
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
                const std::function<void(size_t, const double*)>& take);
   int iterations() const;
+  /// Writes the matrix of the last factorize() for Octave; false where there was none.
+  bool save(const std::string& fileName) const;
 
   /// The same for the upper triangle of blocks of A.
   template <class MatrixType>

@@ -69,7 +69,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       updateCache();
     }
 
-    /// The (i, j) entry of the vertex' block of the Hessian, its determinant and memory.
+    /// The (i, j) entry of the vertex' block of the Hessian, its determinant and memory. NaN and null until
+    /// optimize() has laid it out; valid until the next initializeOptimization().
     virtual const double& hessian(int i, int j) const = 0;
     virtual double& hessian(int i, int j) = 0;
     virtual double hessianDeterminant() const = 0;
@@ -264,7 +265,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool read(std::istream& is) = 0;
     virtual bool write(std::ostream& os) const = 0;
 
-    /// Whether the vertices are of the types that the edge was made for.
+    /// Whether the vertices that are assigned are of the types that the edge was made for.
     virtual bool verticesFit() const { return true; }
 
     /// When the edge was added.
@@ -335,6 +336,11 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool addEdge(HyperGraph::Edge* e) override;
   bool addEdge(OptimizableGraph::Edge* e);
 
+  /// Takes an edge up of which vertices are not assigned yet (data without association, id −1 in files). It
+  /// is saved, and takes no part until setEdgeVertex() has given it all of them.
+  bool addUnassignedEdge(OptimizableGraph::Edge* e);
+
+  /// False, and nothing changes, where the vertex is in the edge already or is not of the type that it needs.
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
 
   /// Σ ρ-free eᵀΩe over all edges, of the errors as last computed.

@@ -38,6 +38,8 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
   bool linearize(int iteration, bool online);
   /// Solves and times it.
   bool solveSystem();
+  /// The same with λ on the diagonal of H, which is as it was in the end.
+  bool solveDamped(double lambda);
 
  private:
   std::unique_ptr<Solver> owned_solver_;

@@ -12,8 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "g2o/core/block_layout.h"
 #include "g2o/core/eigen_types.h"
 #include "g2o/core/matrix_structure.h"
+#include "g2o/core/sparse_block_matrix_ccs.h"
+#include "g2o/core/sparse_block_matrix_diagonal.h"
 
 namespace g2o {
 
@@ -78,10 +81,10 @@ class SparseBlockMatrix {
     return found == column.end() ? nullptr : found->second;
   }
 
-  int rowsOfBlock(int r) const { return size(_rowBlockIndices, r); }
-  int colsOfBlock(int c) const { return size(_colBlockIndices, c); }
-  int rowBaseOfBlock(int r) const { return r > 0 ? _rowBlockIndices[static_cast<size_t>(r - 1)] : 0; }
-  int colBaseOfBlock(int c) const { return c > 0 ? _colBlockIndices[static_cast<size_t>(c - 1)] : 0; }
+  int rowsOfBlock(int r) const { return internal::blockSize(_rowBlockIndices, r); }
+  int colsOfBlock(int c) const { return internal::blockSize(_colBlockIndices, c); }
+  int rowBaseOfBlock(int r) const { return internal::blockBase(_rowBlockIndices, r); }
+  int colBaseOfBlock(int c) const { return internal::blockBase(_colBlockIndices, c); }
 
   /// The number of scalars in blocks.
   size_t nonZeros() const {
@@ -277,6 +280,34 @@ class SparseBlockMatrix {
     return count;
   }
 
+  /// Lets `blockCCS`, which has the same ends, list the blocks of this matrix; returns their number.
+  int fillSparseBlockMatrixCCS(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
+    auto& columns = blockCCS.blockCols();
+    columns.assign(_blockCols.size(), {});
+    for_each_block(
+        [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(c)].emplace_back(r, b); });
+    return static_cast<int>(nonZeroBlocks());
+  }
+  /// The same by rows: row r of this matrix is column r of `blockCCS`. The blocks are not transposed.
+  int fillSparseBlockMatrixCCSTransposed(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
+    auto& columns = blockCCS.blockCols();
+    columns.assign(_rowBlockIndices.size(), {});
+    for_each_block(
+        [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(r)].emplace_back(c, b); });
+    return static_cast<int>(nonZeroBlocks());
+  }
+  /// Takes the blocks of `hashMatrix`, which has the same ends, in the place of its own; nothing is left
+  /// there.
+  void takePatternFromHash(SparseBlockMatrixHashMap<MatrixType>& hashMatrix) {
+    clear(true);
+    _blockCols.resize(_colBlockIndices.size());
+    for (size_t c = 0; c < hashMatrix.blockCols().size(); ++c) {
+      auto& from = hashMatrix.blockCols()[c];
+      _blockCols[c].insert(from.begin(), from.end());
+      from.clear();
+    }
+  }
+
   /// Writes the matrix as a sparse one for Octave. `upperTriangle`: the lower triangle is its mirror image.
   bool writeOctave(const char* filename, bool upperTriangle = true) const {
     std::ofstream out(filename);
@@ -313,10 +344,6 @@ class SparseBlockMatrix {
   bool _hasStorage;
 
  private:
-  static int size(const std::vector<int>& ends, int i) {
-    const auto at = static_cast<size_t>(i);
-    return at > 0 ? ends[at] - ends[at - 1] : ends[at];
-  }
   static void allocate(double*& dest, int count) {
     if (dest == nullptr) dest = new double[static_cast<size_t>(count)]();
   }
@@ -327,26 +354,21 @@ class SparseBlockMatrix {
     std::swap(_hasStorage, other._hasStorage);
   }
   template <class F>
-  void for_each(F&& f) const {
+  void for_each_block(F&& f) const {
     for (size_t c = 0; c < _blockCols.size(); ++c) {
-      for (const auto& entry : _blockCols[c]) f(entry.first, static_cast<int>(c), *entry.second);
+      for (const auto& entry : _blockCols[c]) f(entry.first, static_cast<int>(c), entry.second);
     }
   }
-  template <class Column, class Value>
-  void visitScalars(bool upperTriangle, Column&& begin, Value&& visit) const {
-    for (size_t c = 0; c < _blockCols.size(); ++c) {
-      const int base = colBaseOfBlock(static_cast<int>(c));
-      for (int j = 0; j < colsOfBlock(static_cast<int>(c)); ++j) {
-        begin(base + j);
-        for (const auto& entry : _blockCols[c]) {
-          const int row = rowBaseOfBlock(entry.first);
-          for (int i = 0; i < entry.second->rows(); ++i) {
-            if (upperTriangle && row + i > base + j) break;
-            visit(row + i, (*entry.second)(i, j));
-          }
-        }
-      }
-    }
+  template <class F>
+  void for_each(F&& f) const {
+    for_each_block([&](int r, int c, const SparseMatrixBlock* b) { f(r, c, *b); });
+  }
+  template <class Begin, class Take>
+  void visitScalars(bool upperTriangle, Begin&& begin, Take&& take) const {
+    internal::visitScalars(
+        _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
+        [](const auto& entry) { return entry.first; },
+        [](const auto& entry) -> const SparseMatrixBlock& { return *entry.second; }, begin, take);
   }
 };
 

@@ -15,6 +15,9 @@ namespace g2o {
 class EstimatePropagatorCost;
 class OptimizationAlgorithm;
 class Solver;
+namespace internal {
+class BlockSolverEngine;
+}
 
 /// A graph that can be optimised. Choose an algorithm, initialise what takes part, optimise.
 class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
@@ -131,6 +134,11 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   void clearIndexMapping();
 
  private:
+  friend class internal::BlockSolverEngine;
+  /// What the active vertices are mapped into: it outlives the solver, so that their hessian() stays
+  /// readable.
+  std::shared_ptr<const void> hessian_memory_;
+
   bool startOptimization();
   void forgetInitialization();
   void writeVerboseLine(int iteration, double seconds, double total) const;

@@ -20,13 +20,20 @@ class EngineLinearSolver : public LinearSolverCCS<MatrixType> {
     return true;
   }
   bool solve(const SparseBlockMatrix<MatrixType>& A, double* x, double* b) override {
-    engine_.setSettings(engine());
+    engine_.setSettings(settings());
     return engine_.factorize(A) && engine_.solve(b, x);
   }
-  EngineSettings engine() const override { return settings_; }
+  EngineSettings engine() const override { return settings(); }
 
  protected:
+  EngineSettings settings() const {
+    EngineSettings settings = settings_;
+    if (settings.solver == EngineSolver::kCholesky && !this->blockOrdering())
+      settings.solver = EngineSolver::kScalarCholesky;
+    return settings;
+  }
   bool inverseBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) {
+    engine_.setSettings(settings());
     if (!engine_.factorize(A)) return false;
     if (blocks == nullptr) this->allocateBlocks(A, blocks);
     std::vector<std::pair<int, int>> diagonal;
@@ -38,6 +45,7 @@ class EngineLinearSolver : public LinearSolverCCS<MatrixType> {
   }
   bool inversePattern(SparseBlockMatrix<MatrixX>& spinv, const std::vector<std::pair<int, int>>& blockIndices,
                       const SparseBlockMatrix<MatrixType>& A) {
+    engine_.setSettings(settings());
     if (!engine_.factorize(A)) return false;
     std::vector<int> dims;
     for (int i = 0; i < static_cast<int>(A.rowBlockIndices().size()); ++i) dims.push_back(A.rowsOfBlock(i));

@@ -7,14 +7,15 @@
 
 namespace g2o {
 
-/// Sparse Cholesky: the engine's.
+/// Sparse Cholesky: the engine's, which orders blocks; without setBlockOrdering(), Eigen's, which orders
+/// scalars.
 template <typename MatrixType>
 class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
   /// Not in the place of a derived class, which may solve otherwise.
   internal::EngineSettings engine() const override {
-    return typeid(*this) == typeid(LinearSolverEigen) ? this->settings_ : internal::EngineSettings();
+    return typeid(*this) == typeid(LinearSolverEigen) ? this->settings() : internal::EngineSettings();
   }
   bool solveBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) override {
     return this->inverseBlocks(blocks, A);

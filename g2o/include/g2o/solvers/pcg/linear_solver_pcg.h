@@ -13,6 +13,7 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverPCG() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kPcg) {
     this->settings_.tolerance = _tolerance;
+    this->settings_.absoluteTolerance = _absoluteTolerance;
   }
   /// Not in the place of a derived class, which may solve otherwise.
   internal::EngineSettings engine() const override {
@@ -30,8 +31,13 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
     _maxIter = maxIter;
     this->settings_.maxIterations = maxIter > 0 ? maxIter : 0;
   }
+  /// Whether a residual of tolerance() itself is small enough, too, so that the systems of the last
+  /// iterations, whose right-hand sides vanish, are not solved more exactly than that.
   bool absoluteTolerance() const { return _absoluteTolerance; }
-  void setAbsoluteTolerance(bool absoluteTolerance) { _absoluteTolerance = absoluteTolerance; }
+  void setAbsoluteTolerance(bool absoluteTolerance) {
+    _absoluteTolerance = absoluteTolerance;
+    this->settings_.absoluteTolerance = absoluteTolerance;
+  }
   bool verbose() const { return _verbose; }
   void setVerbose(bool verbose) { _verbose = verbose; }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the blocks of a block matrix begin and end, and its scalars.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace g2o {
+namespace internal {
+
+/// The size of block i, of blocks that end at the given rows (or columns).
+inline int blockSize(const std::vector<int>& ends, int i) {
+  const auto at = static_cast<std::size_t>(i);
+  return at > 0 ? ends[at] - ends[at - 1] : ends[at];
+}
+
+/// Where block i begins.
+inline int blockBase(const std::vector<int>& ends, int i) {
+  return i > 0 ? ends[static_cast<std::size_t>(i - 1)] : 0;
+}
+
+/// Visits the scalars of a block matrix column by column: `begin` is told the number of each, `take` its rows
+/// and values. `rowOf` and `blockOf` say where an entry of a column of blocks stands, and what it is.
+/// `upperTriangle`: without the scalars below the diagonal.
+template <class Columns, class RowOf, class BlockOf, class Begin, class Take>
+void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const std::vector<int>& colEnds,
+                  bool upperTriangle, RowOf&& rowOf, BlockOf&& blockOf, Begin&& begin, Take&& take) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const int base = blockBase(colEnds, static_cast<int>(c));
+    for (int j = 0; j < blockSize(colEnds, static_cast<int>(c)); ++j) {
+      begin(base + j);
+      for (const auto& entry : columns[c]) {
+        const auto& block = blockOf(entry);
+        const int row = blockBase(rowEnds, rowOf(entry));
+        for (int i = 0; i < block.rows(); ++i) {
+          if (upperTriangle && row + i > base + j) break;
+          take(row + i, block(i, j));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Products of a block with parts of a vector.
+#pragma once
+
+#include "g2o/core/eigen_types.h"
+
+namespace g2o {
+namespace internal {
+
+/// The rows of y from yoff on gain A times those of x from xoff on.
+template <typename MatrixType>
+inline void axpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int xoff, Eigen::Map<VectorX>& y,
+                 int yoff) {
+  y.segment(yoff, A.rows()).noalias() += A * x.segment(xoff, A.cols());
+}
+
+/// The same with Aᵀ.
+template <typename MatrixType>
+inline void atxpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int xoff, Eigen::Map<VectorX>& y,
+                  int yoff) {
+  y.segment(yoff, A.cols()).noalias() += A.transpose() * x.segment(xoff, A.rows());
+}
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The blocks of a matrix in compressed columns: contiguous lists instead of maps.
+#pragma once
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+#include "g2o/core/block_layout.h"
+#include "g2o/core/eigen_types.h"
+#include "g2o/core/matrix_operations.h"
+
+namespace g2o {
+
+/// A view: it does not own its blocks, and refers to the ends of another matrix, which must outlive it.
+template <class MatrixType>
+class SparseBlockMatrixCCS {
+ public:
+  using SparseMatrixBlock = MatrixType;
+
+  struct RowBlock {
+    int row = -1;
+    MatrixType* block = nullptr;
+    RowBlock() = default;
+    RowBlock(int r, MatrixType* b) : row(r), block(b) {}
+    bool operator<(const RowBlock& other) const { return row < other.row; }
+  };
+  using SparseColumn = std::vector<RowBlock>;
+
+  SparseBlockMatrixCCS(const std::vector<int>& rowIndices, const std::vector<int>& colIndices)
+      : _rowBlockIndices(rowIndices), _colBlockIndices(colIndices) {}
+
+  int cols() const { return _colBlockIndices.empty() ? 0 : _colBlockIndices.back(); }
+  int rows() const { return _rowBlockIndices.empty() ? 0 : _rowBlockIndices.back(); }
+  int rowsOfBlock(int r) const { return internal::blockSize(_rowBlockIndices, r); }
+  int colsOfBlock(int c) const { return internal::blockSize(_colBlockIndices, c); }
+  int rowBaseOfBlock(int r) const { return internal::blockBase(_rowBlockIndices, r); }
+  int colBaseOfBlock(int c) const { return internal::blockBase(_colBlockIndices, c); }
+
+  const std::vector<SparseColumn>& blockCols() const { return _blockCols; }
+  std::vector<SparseColumn>& blockCols() { return _blockCols; }
+  const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
+  const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
+
+  /// dest ← dest + thisᵀ · src. A null dest is allocated with new[].
+  void rightMultiply(double*& dest, const double* src) const {
+    const int size = cols();
+    if (dest == nullptr) dest = new double[static_cast<size_t>(size)]();
+    Eigen::Map<VectorX> to(dest, size);
+    const Eigen::Map<const VectorX> from(src, rows());
+    for (size_t c = 0; c < _blockCols.size(); ++c) {
+      const int base = colBaseOfBlock(static_cast<int>(c));
+      for (const RowBlock& entry : _blockCols[c])
+        internal::atxpy(*entry.block, from, rowBaseOfBlock(entry.row), to, base);
+    }
+  }
+
+  /// Lets the blocks of each column stand by row.
+  void sortColumns() {
+    for (SparseColumn& column : _blockCols) std::sort(column.begin(), column.end());
+  }
+
+  /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
+  /// diagonal.
+  int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
+    int count = 0;
+    visit(
+        upperTriangle, [&](int column) { Cp[column] = count; },
+        [&](int row, double value) {
+          Ci[count] = row;
+          Cx[count++] = value;
+        });
+    Cp[cols()] = count;
+    return count;
+  }
+  /// Only the values, in the same order.
+  int fillCCS(double* Cx, bool upperTriangle = false) const {
+    int count = 0;
+    visit(
+        upperTriangle, [](int) {}, [&](int, double value) { Cx[count++] = value; });
+    return count;
+  }
+
+ protected:
+  const std::vector<int>& _rowBlockIndices;
+  const std::vector<int>& _colBlockIndices;
+  std::vector<SparseColumn> _blockCols;
+
+ private:
+  template <class Begin, class Take>
+  void visit(bool upperTriangle, Begin&& begin, Take&& take) const {
+    internal::visitScalars(
+        _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
+        [](const RowBlock& entry) { return entry.row; },
+        [](const RowBlock& entry) -> const MatrixType& { return *entry.block; }, begin, take);
+  }
+};
+
+/// A matrix of which only the pattern grows: blocks are found by hashing.
+template <class MatrixType>
+class SparseBlockMatrixHashMap {
+ public:
+  using SparseMatrixBlock = MatrixType;
+  using SparseColumn = std::unordered_map<int, MatrixType*>;
+
+  /// Refers to the ends of another matrix, which must outlive it; the blocks are their taker's (see
+  /// SparseBlockMatrix::takePatternFromHash), and those that are not taken its own.
+  SparseBlockMatrixHashMap(const std::vector<int>& rowIndices, const std::vector<int>& colIndices)
+      : _rowBlockIndices(rowIndices), _colBlockIndices(colIndices) {}
+  SparseBlockMatrixHashMap(const SparseBlockMatrixHashMap&) = delete;
+  SparseBlockMatrixHashMap& operator=(const SparseBlockMatrixHashMap&) = delete;
+  ~SparseBlockMatrixHashMap() {
+    for (const SparseColumn& column : _blockCols) {
+      for (const auto& entry : column) delete entry.second;
+    }
+  }
+
+  int cols() const { return _colBlockIndices.empty() ? 0 : _colBlockIndices.back(); }
+  int rows() const { return _rowBlockIndices.empty() ? 0 : _rowBlockIndices.back(); }
+  int rowsOfBlock(int r) const { return internal::blockSize(_rowBlockIndices, r); }
+  int colsOfBlock(int c) const { return internal::blockSize(_colBlockIndices, c); }
+  int rowBaseOfBlock(int r) const { return internal::blockBase(_rowBlockIndices, r); }
+  int colBaseOfBlock(int c) const { return internal::blockBase(_colBlockIndices, c); }
+
+  const std::vector<SparseColumn>& blockCols() const { return _blockCols; }
+  std::vector<SparseColumn>& blockCols() { return _blockCols; }
+  const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
+  const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
+
+  /// The block at (r, c), which is made where there is none; its numbers are zero then, or not set.
+  MatrixType* addBlock(int r, int c, bool zeroBlock = false) {
+    if (_blockCols.size() <= static_cast<size_t>(c)) _blockCols.resize(_colBlockIndices.size());
+    MatrixType*& block = _blockCols[static_cast<size_t>(c)][r];
+    if (block == nullptr) {
+      block = new MatrixType(rowsOfBlock(r), colsOfBlock(c));
+      if (zeroBlock) block->setZero();
+    }
+    return block;
+  }
+
+ protected:
+  const std::vector<int>& _rowBlockIndices;
+  const std::vector<int>& _colBlockIndices;
+  std::vector<SparseColumn> _blockCols;
+};
+
+}  // namespace g2o

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <typeinfo>
+
+#include "g2o/solvers/eigen/linear_solver_eigen.h"
+
+namespace g2o {
+
+/// Sparse Cholesky under the name that clients of CHOLMOD use: the engine's, as LinearSolverEigen. Needs no
+/// third-party library; the algorithms of the library solver_cholmod (gn_var_cholmod, …) run CHOLMOD itself.
+template <typename MatrixType>
+class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
+ public:
+  internal::EngineSettings engine() const override {
+    return typeid(*this) == typeid(LinearSolverCholmod) ? this->settings() : internal::EngineSettings();
+  }
+  /// Writes the matrix of the last solve() for Octave; false where there is none. (Below a BlockSolver the
+  /// matrix is H: Solver::saveHessian().)
+  virtual bool saveMatrix(const std::string& fileName) { return this->engine_.save(fileName); }
+};
+
+}  // namespace g2o

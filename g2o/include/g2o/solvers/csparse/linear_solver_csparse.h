@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <typeinfo>
+
+#include "g2o/solvers/eigen/linear_solver_eigen.h"
+
+namespace g2o {
+
+/// Sparse Cholesky under the name that clients of CSparse use: the engine's, as LinearSolverEigen. Needs no
+/// third-party library; the algorithms of the library solver_csparse (gn_var_csparse, …) run CSparse itself.
+template <typename MatrixType>
+class LinearSolverCSparse : public LinearSolverEigen<MatrixType> {
+ public:
+  internal::EngineSettings engine() const override {
+    return typeid(*this) == typeid(LinearSolverCSparse) ? this->settings() : internal::EngineSettings();
+  }
+};
+
+}  // namespace g2o

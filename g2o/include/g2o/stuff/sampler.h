@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Random numbers and vectors.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <random>
+
+#include "g2o/stuff/g2o_stuff_api.h"
+
+namespace g2o {
+
+/// A normal (uniform) number of the given generator; nullptr: of one that all callers of a thread share.
+G2O_STUFF_API double sampleGaussian(std::mt19937* generator = nullptr);
+G2O_STUFF_API double sampleUniform(double min = 0., double max = 1., std::mt19937* generator = nullptr);
+
+/// Normal vectors of mean zero.
+template <class SampleType, class CovarianceType>
+class GaussianSampler {
+ public:
+  GaussianSampler() = default;
+  GaussianSampler(const GaussianSampler&) = delete;
+  GaussianSampler& operator=(const GaussianSampler&) = delete;
+
+  /// `cov` is positive definite.
+  void setDistribution(const CovarianceType& cov) { _cholesky = cov.llt().matrixL(); }
+  SampleType generateSample() {
+    SampleType s(_cholesky.rows());
+    for (Eigen::Index i = 0; i < s.size(); ++i) s(i) = sampleGaussian(&_generator);
+    return SampleType(_cholesky * s);
+  }
+  void seed(unsigned int s) { _generator.seed(s); }
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+
+ protected:
+  CovarianceType _cholesky;
+  std::mt19937 _generator;
+};
+
+/// The generator that a thread shares.
+class G2O_STUFF_API Sampler {
+ public:
+  static double gaussRand(double mean, double sigma) { return mean + sampleGaussian() * sigma; }
+  static double uniformRand(double lowerBndr, double upperBndr) {
+    return sampleUniform(lowerBndr, upperBndr);
+  }
+  /// From the clock, or from a number.
+  static void seedRand();
+  static void seedRand(unsigned int seed);
+};
+
+}  // namespace g2o

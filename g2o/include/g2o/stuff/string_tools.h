@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Text: blanks, parts, case, numbers, lines.
+#pragma once
+
+#include <cstdarg>
+#include <istream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "g2o/stuff/g2o_stuff_api.h"
+#include "g2o/stuff/macros.h"
+
+namespace g2o {
+
+/// Without the blanks (space, tab, line feed, carriage return) at both ends, or at one.
+G2O_STUFF_API std::string trim(const std::string& s);
+G2O_STUFF_API std::string trimLeft(const std::string& s);
+G2O_STUFF_API std::string trimRight(const std::string& s);
+
+/// The case of ASCII letters.
+G2O_STUFF_API std::string strToLower(const std::string& s);
+G2O_STUFF_API std::string strToUpper(const std::string& s);
+
+/// As printf does; strPrintf returns the number of characters, or −1 where the format is none.
+G2O_STUFF_API std::string formatString(const char* fmt, ...) G2O_ATTRIBUTE_FORMAT12;
+G2O_STUFF_API int strPrintf(std::string& str, const char* fmt, ...) G2O_ATTRIBUTE_FORMAT23;
+
+/// The parts between the characters of `delim`; empty parts count but for one at the end.
+G2O_STUFF_API std::vector<std::string> strSplit(const std::string& s, const std::string& delim);
+
+G2O_STUFF_API bool strStartsWith(const std::string& s, const std::string& start);
+G2O_STUFF_API bool strEndsWith(const std::string& s, const std::string& end);
+
+/// A leading ~ becomes the home directory, and $NAME and ${NAME} environment variables, empty where not set.
+G2O_STUFF_API std::string strExpandFilename(const std::string& filename);
+
+/// The next line, without its end, into currentLine, which is cleared before. The number of characters, or −1
+/// at the end of the stream.
+G2O_STUFF_API int readLine(std::istream& is, std::stringstream& currentLine);
+/// Ignores what is left of the line.
+G2O_STUFF_API void skipLine(std::istream& is);
+
+/// Reads x from text. False where there is none, or, with failIfLeftoverChars, more than that.
+template <typename T>
+bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) {
+  std::istringstream in(s);
+  T value;
+  if (!(in >> value)) return false;
+  char rest;
+  if (failIfLeftoverChars && in >> rest) return false;
+  x = value;
+  return true;
+}
+
+/// The same; throws std::runtime_error where it fails.
+template <typename T>
+T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
+  T x{};
+  if (!convertString(s, x, failIfLeftoverChars))
+    throw std::runtime_error("stringToType: expected a value, got \"" + s + "\"");
+  return x;
+}
+
+}  // namespace g2o

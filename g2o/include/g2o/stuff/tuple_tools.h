@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace g2o {
+
+template <typename F, typename T, std::size_t... I>
+void tuple_apply_i_(F&& f, T& t, int i, std::index_sequence<I...>) {
+  ((i == static_cast<int>(I) ? static_cast<void>(f(std::get<I>(t))) : void()), ...);
+}
+
+/// Calls f with the element of the tuple at a position that is known at run time.
+template <typename F, typename T>
+void tuple_apply_i(F&& f, T& t, int i) {
+  tuple_apply_i_(f, t, i, std::make_index_sequence<std::tuple_size_v<std::decay_t<T>>>());
+}
+
+}  // namespace g2o

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cholmod.h>
+
+#include <vector>
+
+#include "solvers/sparse_factor.h"
+
+namespace g2o {
+namespace internal {
+
+/// CHOLMOD: simplicial or supernodal, as it finds fit.
+class CholmodFactor {
+ public:
+  CholmodFactor();
+  CholmodFactor(const CholmodFactor&) = delete;
+  CholmodFactor& operator=(const CholmodFactor&) = delete;
+  ~CholmodFactor();
+
+  bool analyze(const UpperTriangle& A, const std::vector<int>& order);
+  bool factorize(const UpperTriangle& A);
+  bool solve(const double* b, double* x);
+  LowerFactor lower();
+  size_t nonZeros() const { return static_cast<size_t>(common_.lnz); }
+
+ private:
+  cholmod_common common_;
+  cholmod_sparse* matrix_ = nullptr;
+  cholmod_factor* factor_ = nullptr;
+  cholmod_factor* simplicial_ = nullptr;  // a copy for lower()
+  std::vector<int> place_;
+};
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/stuff/sampler.h"
+
+#include <chrono>
+
+namespace g2o {
+namespace {
+
+std::mt19937& shared_generator() {
+  thread_local std::mt19937 generator;
+  return generator;
+}
+
+}  // namespace
+
+// A distribution of its own for each number: one that were kept would hold back every second one of them,
+// so that a seed would not begin anew.
+double sampleGaussian(std::mt19937* generator) {
+  std::normal_distribution<double> gaussian;
+  return gaussian(generator != nullptr ? *generator : shared_generator());
+}
+
+double sampleUniform(double min, double max, std::mt19937* generator) {
+  std::uniform_real_distribution<double> uniform(min, max);
+  return uniform(generator != nullptr ? *generator : shared_generator());
+}
+
+void Sampler::seedRand() {
+  seedRand(static_cast<unsigned int>(std::chrono::system_clock::now().time_since_epoch().count()));
+}
+
+void Sampler::seedRand(unsigned int seed) {
+  shared_generator().seed(seed);
+}
+
+}  // namespace g2o

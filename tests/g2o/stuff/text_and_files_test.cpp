@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "g2o/stuff/color_macros.h"
+#include "g2o/stuff/filesys_tools.h"
+#include "g2o/stuff/string_tools.h"
+#include "g2o/stuff/tuple_tools.h"
+
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Text, BlanksAreTrimmedAtEitherEnd) {
+  EXPECT_EQ(g2o::trim(" \t a b\r\n"), "a b");
+  EXPECT_EQ(g2o::trimLeft("  a "), "a ");
+  EXPECT_EQ(g2o::trimRight("  a "), "  a");
+  EXPECT_EQ(g2o::trim(" \n"), "");
+}
+
+TEST(Text, PartsStandBetweenDelimiters) {
+  EXPECT_THAT(g2o::strSplit("a,b;c", ",;"), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(g2o::strSplit("a,,b,", ","), ElementsAre("a", "", "b"));
+  EXPECT_THAT(g2o::strSplit("", ","), ElementsAre());
+}
+
+TEST(Text, HasCaseBeginningAndEnd) {
+  EXPECT_EQ(g2o::strToUpper("vertex_Se2 ä"), "VERTEX_SE2 ä");
+  EXPECT_EQ(g2o::strToLower("EDGE"), "edge");
+  EXPECT_TRUE(g2o::strStartsWith("edge_se2", "edge"));
+  EXPECT_FALSE(g2o::strStartsWith("ed", "edge"));
+  EXPECT_TRUE(g2o::strEndsWith("graph.g2o", ".g2o"));
+  EXPECT_FALSE(g2o::strEndsWith("g2o", ".g2o"));
+}
+
+TEST(Text, IsFormattedAsByPrintf) {
+  EXPECT_EQ(g2o::formatString("%d of %s", 3, "many"), "3 of many");
+  std::string text;
+  EXPECT_EQ(g2o::strPrintf(text, "%05.1f", 2.5), 5);
+  EXPECT_EQ(text, "002.5");
+}
+
+TEST(Text, NumbersAreConvertedWithoutLeftovers) {
+  int i = 7;
+  EXPECT_FALSE(g2o::convertString("12x", i));
+  EXPECT_EQ(i, 7);
+  EXPECT_TRUE(g2o::convertString("12x", i, false));
+  EXPECT_EQ(i, 12);
+  EXPECT_EQ(g2o::stringToType<double>(" 1.5 "), 1.5);
+  EXPECT_THROW(g2o::stringToType<int>("one"), std::runtime_error);
+}
+
+TEST(Text, LinesAreReadOneByOne) {
+  std::istringstream in("one two\n\nskipped\nlast");
+  std::stringstream line;
+  EXPECT_EQ(g2o::readLine(in, line), 7);
+  std::string word;
+  line >> word >> word;
+  EXPECT_EQ(word, "two");
+  EXPECT_EQ(g2o::readLine(in, line), 0);
+  g2o::skipLine(in);
+  EXPECT_EQ(g2o::readLine(in, line), 4);
+  EXPECT_EQ(line.str(), "last");
+  EXPECT_EQ(g2o::readLine(in, line), -1);
+}
+
+TEST(Text, NamesOfFilesAreExpanded) {
+  setenv("HOME", "/home/me", 1);
+  setenv("G2O_TEST_FOLDER", "maps", 1);
+  unsetenv("G2O_TEST_NOTHING");
+  EXPECT_EQ(g2o::strExpandFilename("~/$G2O_TEST_FOLDER/${G2O_TEST_FOLDER}2"), "/home/me/maps/maps2");
+  EXPECT_EQ(g2o::strExpandFilename("~"), "/home/me");
+  EXPECT_EQ(g2o::strExpandFilename("~you/a"), "~you/a");
+  EXPECT_EQ(g2o::strExpandFilename("a$G2O_TEST_NOTHING/b$"), "a/b$");
+  EXPECT_EQ(g2o::strExpandFilename("${G2O_TEST_FOLDER"), "${G2O_TEST_FOLDER");
+}
+
+TEST(FileNames, ComeApartAndTogether) {
+  EXPECT_EQ(g2o::getFileExtension("/a.b/c.tar.gz"), "gz");
+  EXPECT_EQ(g2o::getFileExtension("/a.b/c"), "");
+  EXPECT_EQ(g2o::getPureFilename("/a.b/c.tar.gz"), "/a.b/c.tar");
+  EXPECT_EQ(g2o::getPureFilename("/a.b/c"), "/a.b/c");
+  EXPECT_EQ(g2o::getBasename("/a.b/c.gz"), "c.gz");
+  EXPECT_EQ(g2o::getDirname("/a.b/c.gz"), "/a.b");
+  EXPECT_EQ(g2o::getDirname("c.gz"), "");
+  EXPECT_EQ(g2o::changeFileExtension("a.g2o", "graph"), "a.graph");
+  EXPECT_EQ(g2o::changeFileExtension("a.g2o", ".graph", true), "a.graph");
+  EXPECT_EQ(g2o::changeFileExtension("a", "graph"), "a");
+}
+
+TEST(FileNames, FilesAreFoundByPattern) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "g2o_files";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"b.g2o", "a.g2o", "c.txt"}) std::ofstream(folder / name) << "text";
+  EXPECT_TRUE(g2o::fileExists((folder / "a.g2o").c_str(), true));
+  EXPECT_TRUE(g2o::fileExists(folder.c_str()));
+  EXPECT_FALSE(g2o::fileExists(folder.c_str(), true));
+  EXPECT_FALSE(g2o::fileExists((folder / "d").c_str()));
+  EXPECT_THAT(g2o::getFilesByPattern((folder / "*.g2o").c_str()),
+              ElementsAre((folder / "a.g2o").string(), (folder / "b.g2o").string()));
+  EXPECT_THAT(g2o::getFilesByPattern((folder / "none*").c_str()), ElementsAre());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Text, ColoursOfATerminalAreEscapeSequences) {
+  std::ostringstream out;
+  out << CL_RED("stop" << 1);
+  EXPECT_EQ(out.str(), "\033[31mstop1\033[0m");
+}
+
+TEST(Tuples, AnElementIsReachedByAPositionOfRunTime) {
+  std::tuple<int, double> pair(1, 2.5);
+  for (int i = 0; i < 3; ++i) g2o::tuple_apply_i([](auto& x) { x *= 2; }, pair, i);
+  EXPECT_EQ(pair, std::make_tuple(2, 5.0));
+}
+
+}  // namespace
