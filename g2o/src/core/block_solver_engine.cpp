@@ -9,6 +9,7 @@
 #include "boxplus/linear/linear_solver.h"
 #include "boxplus/linearize/schur.h"
 #include "core/engine_solver.h"
+#include "core/prefetch.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
@@ -206,10 +207,10 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   std::fill(s.values().begin(), s.values().end(), 0.0);
   for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
   JacobianWorkspace& workspace = optimizer.jacobianWorkspace();
-  for (OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
-    edge->linearizeOplus(workspace);
-    edge->constructQuadraticForm();
-  }
+  for_each_ahead(optimizer.activeEdges(), [&](OptimizableGraph::Edge& edge) {
+    edge.linearizeOplus(workspace);
+    edge.constructQuadraticForm();
+  });
   for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
 }
 
