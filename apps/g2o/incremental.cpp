@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "outputs.h"
+
 namespace g2o_tool {
 namespace {
 
@@ -36,8 +38,9 @@ int grow(g2o::SparseOptimizer& optimizer, const Options& options) {
     if (++waiting < options.update_every && v != vertices.back()) continue;
     waiting = 0;
     if (optimizer.terminate()) break;
-    if (optimizer.initializeOptimization(there))
-      iterations += std::max(0, optimizer.optimize(options.iterations > 0 ? options.iterations : 1));
+    if (!optimizer.initializeOptimization(there)) continue;
+    iterations += std::max(0, optimizer.optimize(options.iterations > 0 ? options.iterations : 1));
+    if (options.gui_output) stream_gnuplot(optimizer);
   }
   optimizer.initializeOptimization();
   return iterations;

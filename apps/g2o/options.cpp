@@ -37,6 +37,7 @@ Options read_options(int argc, char** argv) {
   args.param("guessOdometry", o.guess_odometry, false, "start from an initial guess along the odometry");
   args.param("inc", o.incremental, false, "add the vertices by and by");
   args.param("update", o.update_every, 10, "optimise after every n vertices, with -inc");
+  args.param("guiout", o.gui_output, false, "write commands for gnuplot to the standard output, with -inc");
   args.param("marginalize", o.marginalize, false,
              "eliminate all vertices of less than the largest dimension");
   args.param("printSolverProperties", o.print_solver_properties, false,

@@ -16,6 +16,7 @@ struct Options {
   bool verbose = false, guess = false, guess_odometry = false;
   bool incremental = false;
   int update_every = 10;
+  bool gui_output = false;
   bool marginalize = false;
   bool print_solver_properties = false;
   std::string solver_properties;

@@ -45,13 +45,17 @@ bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& option
 
 /// Writes the elements that `wanted` chooses, with the action "writeGnuplot" of their types.
 template <class Elements, class Wanted>
-bool write_gnuplot(const Elements& elements, const std::string& path, Wanted&& wanted) {
+void write_gnuplot(const Elements& elements, std::ostream& out, Wanted&& wanted) {
   auto* action = g2o::HyperGraphActionLibrary::instance()->actionByName("writeGnuplot");
-  std::ofstream out(path);
   g2o::WriteGnuplotAction::Parameters parameters;
   parameters.os = &out;
   for (auto* element : elements)
     if (action != nullptr && wanted(*element)) (*action)(element, &parameters);
+}
+template <class Elements, class Wanted>
+bool write_gnuplot(const Elements& elements, const std::string& path, Wanted&& wanted) {
+  std::ofstream out(path);
+  write_gnuplot(elements, out, wanted);
   return out.good();
 }
 
@@ -91,6 +95,15 @@ bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, cons
   }
   if (options.output == "-") return optimizer.save(std::cout);
   return options.output.empty() || optimizer.save(options.output);
+}
+
+// Poses of the plane have three dimensions, those of space six.
+void stream_gnuplot(const g2o::SparseOptimizer& optimizer) {
+  const bool in_space = optimizer.maxDimension() > 3;
+  std::cout << (in_space ? "set view equal xyz\nsplot" : "set size ratio -1\nplot")
+            << " \"-\" with lines title \"" << optimizer.activeEdges().size() << " edges\"\n";
+  write_gnuplot(optimizer.activeEdges(), std::cout, [](const auto&) { return true; });
+  std::cout << "e\n" << std::flush;
 }
 
 void print_marginals(g2o::SparseOptimizer& optimizer) {

@@ -14,6 +14,8 @@ struct Run {
 
 /// False, with a message, where a file cannot be written.
 bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, const Run& run);
+/// Writes commands for gnuplot that draw the active edges to the standard output.
+void stream_gnuplot(const g2o::SparseOptimizer& optimizer);
 /// Prints the diagonal blocks of the covariance, and those beside them.
 void print_marginals(g2o::SparseOptimizer& optimizer);
 

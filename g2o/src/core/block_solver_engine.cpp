@@ -9,6 +9,7 @@
 #include "boxplus/linear/linear_solver.h"
 #include "boxplus/linearize/schur.h"
 #include "core/engine_solver.h"
+#include "core/prefetch.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
@@ -163,7 +164,7 @@ void BlockSolverEngine::State::make_schur(bool explicit_values) {
 }
 
 void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
-  const bool same_kind = new_settings.solver == settings.solver;
+  const bool same_kind = new_settings.solver == settings.solver && new_settings.exact == settings.exact;
   settings = new_settings;
   if (same_kind && ready) return;
   ready = true;
@@ -176,7 +177,7 @@ void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
   const ScopeTime time(G2OBatchStatistics::globalStats() == nullptr
                            ? nullptr
                            : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
-  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints());
+  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints(settings));
 }
 
 bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
@@ -206,10 +207,10 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   std::fill(s.values().begin(), s.values().end(), 0.0);
   for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
   JacobianWorkspace& workspace = optimizer.jacobianWorkspace();
-  for (OptimizableGraph::Edge* edge : optimizer.activeEdges()) {
-    edge->linearizeOplus(workspace);
-    edge->constructQuadraticForm();
-  }
+  for_each_ahead(optimizer.activeEdges(), [&](OptimizableGraph::Edge& edge) {
+    edge.linearizeOplus(workspace);
+    edge.constructQuadraticForm();
+  });
   for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
 }
 
@@ -250,14 +251,20 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
   if (!s.factorize(lambda)) return false;
   s.to_engine(b, s.engine_b.data());
   boxplus::SolveResult result;
+  const auto control = [&](const double* of, std::size_t n) {
+    boxplus::SolveControl how = solve_control(settings, of, n);
+    if (settings.solver == EngineSolver::kCholesky)
+      how.relative_tolerance = std::max(how.relative_tolerance, kStepTolerance);
+    return how;
+  };
   if (s.schur) {
     s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
     result = s.solver->solve(s.reduced_b.data(), 1, s.reduced_x.data(),
-                             solve_control(settings, s.reduced_b.data(), s.reduced_b.size()));
+                             control(s.reduced_b.data(), s.reduced_b.size()));
     s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
   } else {
     result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data(),
-                             solve_control(settings, s.engine_b.data(), s.engine_b.size()));
+                             control(s.engine_b.data(), s.engine_b.size()));
   }
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->iterationsLinearSolver = result.iterations;
@@ -290,7 +297,9 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
     size += static_cast<size_t>(s.structure.dim(a)) * s.structure.dim(b);
   }
   const auto solver = boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky);
-  solver->analyze(s.structure, analyze_hints());
+  EngineSettings exact = s.settings;
+  exact.exact = true;  // there is nothing to refine
+  solver->analyze(s.structure, analyze_hints(exact));
   const boxplus::FactorResult factor = solver->factorize(*s.full, {});
   if (factor.status != LinearStatus::kOk) return s.complain(factor, 0);
   std::vector<double> out(size);

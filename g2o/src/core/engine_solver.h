@@ -22,13 +22,15 @@ inline boxplus::LinearSolverKind engine_kind(EngineSolver solver) {
   }
 }
 
-inline boxplus::AnalyzeHints analyze_hints() {
+inline boxplus::AnalyzeHints analyze_hints(const EngineSettings& settings) {
   boxplus::AnalyzeHints hints;
-  hints.precision =
-      boxplus::Precision::kDouble;  // a client may compare each step with that of another solver
+  if (settings.exact) hints.precision = boxplus::Precision::kDouble;
   hints.threads = boxplus::hardware_threads();
   return hints;
 }
+
+/// Enough for a step of Newton's method.
+inline constexpr double kStepTolerance = 1e-6;
 
 /// How exactly to solve for the right-hand side b of n numbers.
 inline boxplus::SolveControl solve_control(const EngineSettings& settings, const double* b, std::size_t n) {

@@ -63,7 +63,9 @@ void Factory::unregisterType(const std::string& tag) {
 
 HyperGraph::HyperGraphElement* Factory::construct(const std::string& tag) const {
   const auto found = _creator.find(tag);
-  return found == _creator.end() ? nullptr : found->second->creator->construct();
+  if (found != _creator.end()) return found->second->creator->construct();
+  G2O_WARN("no type is registered under the word {}", tag);
+  return nullptr;
 }
 
 HyperGraph::HyperGraphElement* Factory::construct(const std::string& tag,

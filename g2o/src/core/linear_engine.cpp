@@ -29,7 +29,7 @@ void LinearEngine::reset() {
 
 void LinearEngine::setSettings(const EngineSettings& settings) {
   if (settings.solver == EngineSolver::kNone) return;
-  if (settings.solver != state_->settings.solver) reset();
+  if (settings.solver != state_->settings.solver || settings.exact != state_->settings.exact) reset();
   state_->settings = settings;
 }
 
@@ -46,7 +46,7 @@ bool LinearEngine::factorize(const std::vector<int>& dims, const std::vector<Eng
   if (!s.solver) {
     s.structure = std::move(made);
     s.solver = boxplus::make_linear_solver(engine_kind(s.settings.solver));
-    s.solver->analyze(s.structure, analyze_hints());
+    s.solver->analyze(s.structure, analyze_hints(s.settings));
   }
   s.values.assign(s.structure.nonzero_values(), 0.0);
   for (const EngineBlock& block : blocks) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 #include <sstream>
+#include <typeinfo>
 #include <utility>
 
 #include "core/shortest_numbers.h"
@@ -53,7 +54,9 @@ class Loader {
     if (!(fields >> word) || word[0] == '#') return;
     if (word == "FIX") return fix(fields, may_wait ? &line : nullptr);
     if (const auto renamed = renames_.find(word); renamed != renames_.end()) word = renamed->second;
-    std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(word));
+    const bool known = Factory::instance()->knowsTag(word);
+    std::unique_ptr<HyperGraph::HyperGraphElement> element(known ? Factory::instance()->construct(word)
+                                                                 : nullptr);
     if (element == nullptr) {
       if (unknown_.insert(word).second) G2O_WARN("line {}: unknown word {}, skipped", number_, word);
       return;
@@ -192,6 +195,13 @@ class Loader {
   bool ok_ = true;
 };
 
+/// The word of an element; empty, with a message, where its type is not registered.
+const std::string& tag_of(const HyperGraph::HyperGraphElement* element) {
+  const std::string& tag = Factory::instance()->tag(element);
+  if (tag.empty()) G2O_ERROR("save: no word is registered for the type {}", typeid(*element).name());
+  return tag;
+}
+
 }  // namespace
 
 bool OptimizableGraph::load(std::istream& is) {
@@ -269,7 +279,7 @@ bool OptimizableGraph::saveSubset(std::ostream& os, HyperGraph::EdgeSet& eset) {
 }
 
 bool OptimizableGraph::saveVertex(std::ostream& os, Vertex* v) const {
-  const std::string& tag = Factory::instance()->tag(v);
+  const std::string& tag = tag_of(v);
   if (tag.empty()) return false;
   ShortestNumbers out(os);
   out.stream() << tag << " " << v->id() << " ";
@@ -282,7 +292,7 @@ bool OptimizableGraph::saveVertex(std::ostream& os, Vertex* v) const {
 }
 
 bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
-  const std::string& tag = Factory::instance()->tag(p);
+  const std::string& tag = tag_of(p);
   if (tag.empty()) return false;
   ShortestNumbers out(os);
   out.stream() << tag << " " << p->id() << " ";
@@ -292,7 +302,7 @@ bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
 }
 
 bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
-  const std::string& tag = Factory::instance()->tag(e);
+  const std::string& tag = tag_of(e);
   if (tag.empty()) return false;
   ShortestNumbers out(os);
   out.stream() << tag << " ";

@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <ostream>
 
+#include "g2o/stuff/logger.h"
+
 namespace g2o {
 namespace {
 
@@ -53,7 +55,10 @@ void OptimizationAlgorithmFactory::unregisterSolver(
 OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
     const std::string& tag, OptimizationAlgorithmProperty& solverProperty) const {
   const auto found = findSolver(tag);
-  if (found == _creator.end()) return nullptr;
+  if (found == _creator.end()) {
+    G2O_WARN("no algorithm is registered under the name {}", tag);
+    return nullptr;
+  }
   solverProperty = (*found)->property();
   return (*found)->construct();
 }

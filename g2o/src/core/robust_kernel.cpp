@@ -7,6 +7,7 @@
 #include "boxplus/robust/redescending.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
+#include "g2o/stuff/logger.h"
 
 namespace g2o {
 namespace {
@@ -139,7 +140,9 @@ void RobustKernelFactory::unregisterType(const std::string& tag) {
 
 RobustKernel* RobustKernelFactory::construct(const std::string& tag) const {
   const auto found = _creator.find(tag);
-  return found == _creator.end() ? nullptr : found->second->construct();
+  if (found != _creator.end()) return found->second->construct();
+  G2O_WARN("no robust kernel is registered under the name {}", tag);
+  return nullptr;
 }
 
 AbstractRobustKernelCreator::Ptr RobustKernelFactory::creator(const std::string& tag) const {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <set>
 
+#include "core/prefetch.h"
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm.h"
 #include "g2o/core/robust_kernel.h"
@@ -444,7 +445,7 @@ void SparseOptimizer::clear() {
 
 void SparseOptimizer::computeActiveErrors() {
   for (HyperGraphAction* action : _graphActions[AT_COMPUTEACTIVERROR]) (*action)(this);
-  for (OptimizableGraph::Edge* e : _activeEdges) e->computeError();
+  internal::for_each_ahead(_activeEdges, [](OptimizableGraph::Edge& e) { e.computeError(); });
 }
 
 void SparseOptimizer::update(const double* update) {

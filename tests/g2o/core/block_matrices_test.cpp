@@ -60,6 +60,7 @@ TEST(BlockMatrices, CompressedColumnsListTheBlocksOfTheirMatrix) {
 
 TEST(BlockMatrices, TransposedCompressedColumnsListTheBlocksByRow) {
   Matrix m = sample();
+  delete m.block(1, 0);
   m.blockCols()[0].erase(1);
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());
   m.fillSparseBlockMatrixCCSTransposed(ccs);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "g2o/core/factory.h"
+#include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/small_graph.h"
@@ -112,13 +113,29 @@ TEST_F(Misuse, TwoMarginalisedVerticesOfOneEdgeAreRefused) {
 
 TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
   EXPECT_EQ(g2o::Factory::instance()->construct("NO_SUCH_WORD"), nullptr);
+  expect_message("word NO_SUCH_WORD");
   EXPECT_EQ(g2o::RobustKernelFactory::instance()->construct("NoSuchKernel"), nullptr);
+  expect_message("name NoSuchKernel");
+  g2o::OptimizationAlgorithmProperty property;
+  EXPECT_EQ(g2o::OptimizationAlgorithmFactory::instance()->construct("lm_nonsense", property), nullptr);
+  expect_message("name lm_nonsense");
   std::istringstream file("NO_SUCH_WORD 1 2 3\nVERTEX_SE2 0 1 2 3\n");
   EXPECT_TRUE(optimizer.load(file));
   expect_message("unknown word NO_SUCH_WORD");
   EXPECT_NE(optimizer.vertex(0), nullptr);
   EXPECT_FALSE(optimizer.load("/no/such/file.g2o"));
   expect_message("cannot be opened");
+}
+
+TEST_F(Misuse, ATypeWithoutAWordIsNotSavedInSilence) {
+  struct Unregistered : g2o::VertexSE2 {};
+  auto* v = new Unregistered;
+  v->setId(3);
+  ASSERT_TRUE(optimizer.addVertex(v));
+  std::ostringstream out;
+  EXPECT_FALSE(optimizer.save(out));
+  expect_message("no word is registered");
+  EXPECT_EQ(out.str(), "");
 }
 
 TEST_F(Misuse, LinesThatCannotBeReadAreNamedAndTheOthersRead) {

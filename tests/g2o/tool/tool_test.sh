@@ -69,6 +69,12 @@ expect 0 "fixed by vertex 0" square.g2o
 expect 0 "final chi2" -gaugeId 2 -guess square.g2o
 if grep -q "fixed by" err.txt; then echo "-gaugeId fixes the gauge" >&2; exit 1; fi
 expect 0 "final chi2" -inc -update 2 square.g2o
+expect 0 "final chi2" -inc -update 2 -guiout square.g2o
+if (($(grep -c "^plot " out.txt) != 3 || $(grep -c "^e$" out.txt) != 3)); then
+  echo "expected three plots for gnuplot:" >&2
+  cat out.txt >&2
+  exit 1
+fi
 expect 0 "final chi2" -i -1 -gain 1e-4 -stats stats.txt -summary summary.csv square.g2o
 lines=$(wc -l < stats.txt)
 if ((lines < 2 || lines > 20)) || ! grep -q "chi2= " stats.txt || (($(wc -l < summary.csv) != 2)); then

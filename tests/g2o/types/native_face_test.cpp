@@ -40,8 +40,10 @@ Chi2 native_chi2(boxplus::Graph& graph) {
 }
 
 Chi2 face_chi2(g2o::SparseOptimizer& optimizer) {
-  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(std::make_unique<g2o::BlockSolverX>(
-      std::make_unique<g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>>())));
+  auto linear = std::make_unique<g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>>();
+  linear->setExact(true);
+  optimizer.setAlgorithm(
+      new g2o::OptimizationAlgorithmGaussNewton(std::make_unique<g2o::BlockSolverX>(std::move(linear))));
   int lowest = optimizer.vertices().begin()->first;
   for (const auto& [id, v] : optimizer.vertices()) lowest = std::min(lowest, id);
   optimizer.vertex(lowest)->setFixed(true);

@@ -22,6 +22,7 @@ struct EngineSettings {
   double tolerance = 1e-10;        ///< kPcg: relative to the right-hand side
   bool absoluteTolerance = false;  ///< kPcg: a residual of `tolerance` is small enough, too
   int maxIterations = 0;           ///< kPcg; 0: of the engine's choice
+  bool exact = false;              ///< kCholesky: never a factor in float, whose solutions are refined
 };
 
 /// A block of a symmetric matrix, row ≥ column: rows × cols numbers, column by column.

@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-class AbstractRobustKernelCreator {
+class G2O_CORE_API AbstractRobustKernelCreator {
  public:
   virtual ~AbstractRobustKernelCreator() = default;
   virtual RobustKernel* construct() = 0;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "g2o/core/optimizable_graph.h"
+
+namespace g2o {
+namespace internal {
+
+/// Asks the memory for the first `bytes` of an object.
+inline void prefetch(const void* object, std::size_t bytes) {
+#if defined(__GNUC__)
+  constexpr std::size_t kLine = 64;
+  for (std::size_t at = 0; at < bytes; at += kLine) __builtin_prefetch(static_cast<const char*>(object) + at);
+#else
+  static_cast<void>(object);
+  static_cast<void>(bytes);
+#endif
+}
+
+/// Calls f for each of the edges. They and their vertices are objects of their own, anywhere in memory: those
+/// of the edges to come are asked for ahead.
+template <class F>
+void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
+  constexpr std::size_t kEdgesAhead = 6, kVerticesAhead = 3;
+  constexpr std::size_t kEdgeBytes = 1024, kVertexBytes = 512;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (k + kEdgesAhead < edges.size()) prefetch(edges[k + kEdgesAhead], kEdgeBytes);
+    if (k + kVerticesAhead < edges.size()) {
+      for (const HyperGraph::Vertex* v : edges[k + kVerticesAhead]->vertices()) prefetch(v, kVertexBytes);
+    }
+    f(*edges[k]);
+  }
+}
+
+}  // namespace internal
+}  // namespace g2o
