@@ -10,8 +10,33 @@
 namespace boxplus {
 namespace {
 
-/// Below this many active edges a second worker costs more than it brings.
-constexpr std::uint32_t kEdgesPerWorker = 500;
+/// A worker with less to do costs more than it brings.
+constexpr double kWorthAWorker = 60e3;  // ns
+
+/// What linearising is predicted to take: about so much per entry of the Jacobian.
+double nanoseconds_per_entry(JacobianSource source) {
+  switch (source) {
+    case JacobianSource::kAnalytic:
+      return 2.5;
+    case JacobianSource::kAutomatic:
+      return 15;
+    default:
+      return 50;
+  }
+}
+
+double predicted_nanoseconds(const Graph& graph, const Plan& plan) {
+  double total = 0;
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const double per_entry = nanoseconds_per_entry(pool.jacobian_source());
+    for (const std::uint32_t edge : list.edges) {
+      const EdgeShape shape = pool.shape(edge);
+      total += per_entry * shape.rows * shape.cols;
+    }
+  }
+  return total;
+}
 
 /// Blocks of an edge's vertices, in order; ActiveSet::kInactive for those that do not move.
 void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& active,
@@ -221,8 +246,8 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   plan.structure = hessian_structure(graph, active);
   list_vertices(active, plan);
   list_edges(graph, active, plan);
-  const int workers =
-      std::clamp(static_cast<int>(plan.edge_count / kEdgesPerWorker), 1, std::max(1, request.threads));
+  const double worth = std::min(predicted_nanoseconds(graph, plan) / kWorthAWorker, 1.0 * request.threads);
+  const int workers = std::max(1, static_cast<int>(worth));
   const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers);
   for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
     plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, bounds[c], bounds[c + 1]).build());

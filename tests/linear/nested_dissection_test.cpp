@@ -36,6 +36,7 @@ TEST(NestedDissection, NamesEveryBlockOnceForGraphsOfAllShapes) {
     std::vector<std::uint32_t> order = nested_dissection(structure), all(structure.blocks());
     std::iota(all.begin(), all.end(), 0u);
     EXPECT_EQ(order, nested_dissection(structure)) << "another order in the second run";
+    for (const int threads : {2, 3}) EXPECT_EQ(order, nested_dissection(structure, {}, threads));
     std::sort(order.begin(), order.end());
     EXPECT_EQ(order, all);
   }

@@ -33,7 +33,7 @@ class BlockCholesky final : public LinearSolver {
   /// analyze(), where `accepts` does the prediction; else nothing but the prediction.
   template <class Accepts>
   Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints) {
-    const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering);
+    const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads);
     const Forecast forecast = forecast_of(outline);
     if (accepts(forecast)) complete(outline, structure, hints);
     return forecast;

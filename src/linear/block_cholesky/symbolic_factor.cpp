@@ -296,17 +296,18 @@ std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const
 }
 
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                             const AmalgamationRule& rule, Ordering ordering) {
+                             const AmalgamationRule& rule, Ordering ordering, int threads) {
   const auto keep = static_cast<std::uint32_t>(last.size());
   const auto outline = [&](const Ordered& best, Ordering taken) {
     return FactorOutline{best.order, partition_columns(best.parent, best.counts, best.dims, keep, rule),
                          best.flops, taken};
   };
   if (ordering == Ordering::kNestedDissection)
-    return outline({structure, nested_dissection(structure, last), keep}, Ordering::kNestedDissection);
+    return outline({structure, nested_dissection(structure, last, threads), keep},
+                   Ordering::kNestedDissection);
   const Ordered by_degree(structure, amd_ordering(structure, last), keep);
   if (ordering == Ordering::kAutomatic && dissection_pays(structure, by_degree.flops, rule)) {
-    const Ordered dissected(structure, nested_dissection(structure, last), keep);
+    const Ordered dissected(structure, nested_dissection(structure, last, threads), keep);
     if (dissected.flops < by_degree.flops) return outline(dissected, Ordering::kNestedDissection);
   }
   return outline(by_degree, Ordering::kMinimumDegree);
@@ -323,7 +324,7 @@ SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutl
 
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule, int threads, Ordering ordering) {
-  return complete_factor(structure, outline_factor(structure, last, rule, ordering), rule, threads);
+  return complete_factor(structure, outline_factor(structure, last, rule, ordering, threads), rule, threads);
 }
 
 }  // namespace boxplus

@@ -95,7 +95,8 @@ struct FactorOutline {
 
 /// Orders the blocks and forms the supernodes.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                             const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree);
+                             const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree,
+                             int threads = 1);
 /// Finds all indices and lays out the memory.
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
                                const AmalgamationRule& rule = {}, int threads = 1);

@@ -2,7 +2,10 @@
 #include "linear/ordering/nested_dissection.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
+#include "boxplus/base/parallel.h"
 #include "linear/ordering/amd_ordering.h"
 #include "linear/ordering/vertex_separator.h"
 
@@ -65,34 +68,62 @@ WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side,
   return part;
 }
 
-/// Numbers the separators of a graph, each higher than those of its parts; the rest keeps rank 0. Returns the
-/// highest rank given.
-int rank_separators(const WeightedGraph& graph, const std::vector<std::uint32_t>& block_of, int rank,
-                    std::vector<int>& rank_of) {
-  if (graph.vertices() <= kLeaf) return rank;
+/// A part of the graph, and what becomes of it.
+struct Piece {
+  WeightedGraph graph;
+  std::vector<std::uint32_t> block_of;
+  std::vector<std::uint32_t> separator;  // blocks; empty where nothing parts the piece
+  std::vector<Piece> parts;
+};
+
+void part(Piece& piece) {
+  const WeightedGraph& graph = piece.graph;
+  if (graph.vertices() <= kLeaf) return;
   const std::vector<Side> side = find_separator(graph);
   const auto count = [&](Side wanted) { return std::count(side.begin(), side.end(), wanted); };
-  if (count(kLeft) == 0 || count(kRight) == 0) return rank;  // nothing parts it
+  if (count(kLeft) == 0 || count(kRight) == 0) return;
   for (const Side wanted : {kLeft, kRight}) {
-    std::vector<std::uint32_t> part_block_of;
-    const WeightedGraph part = part_of(graph, side, wanted, block_of, part_block_of);
-    rank = rank_separators(part, part_block_of, rank, rank_of);
+    Piece& half = piece.parts.emplace_back();
+    half.graph = part_of(graph, side, wanted, piece.block_of, half.block_of);
   }
-  ++rank;
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
-    if (side[v] == kSeparator) rank_of[block_of[v]] = rank;
+    if (side[v] == kSeparator) piece.separator.push_back(piece.block_of[v]);
   }
-  return rank;
+}
+
+/// The separators, those of larger pieces first. Pieces of one level are parted side by side.
+std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads) {
+  std::vector<std::vector<std::uint32_t>> separators;
+  std::vector<Piece> level;
+  level.push_back(std::move(whole));
+  while (!level.empty()) {
+    const std::size_t tasks = std::min(level.size(), static_cast<std::size_t>(std::max(1, threads)));
+    parallel_tasks(static_cast<int>(tasks), [&](int task) {
+      for (auto k = static_cast<std::size_t>(task); k < level.size(); k += tasks) part(level[k]);
+    });
+    std::vector<Piece> next;
+    for (Piece& piece : level) {
+      if (!piece.separator.empty()) separators.push_back(std::move(piece.separator));
+      std::move(piece.parts.begin(), piece.parts.end(), std::back_inserter(next));
+    }
+    level = std::move(next);
+  }
+  return separators;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
-                                             std::span<const std::uint32_t> last) {
-  std::vector<std::uint32_t> block_of;
-  const WeightedGraph graph = graph_of(structure, last, block_of);
-  std::vector<int> rank_of(structure.blocks(), 0);
-  int rank = rank_separators(graph, block_of, 0, rank_of);
+                                             std::span<const std::uint32_t> last, int threads) {
+  Piece whole;
+  whole.graph = graph_of(structure, last, whole.block_of);
+  const auto separators = find_separators(std::move(whole), threads);
+  std::vector<int> rank_of(structure.blocks(), 0);  // what is no separator comes first
+  int rank = 0;
+  for (auto separator = separators.rbegin(); separator != separators.rend(); ++separator) {
+    ++rank;
+    for (const std::uint32_t block : *separator) rank_of[block] = rank;
+  }
   for (const std::uint32_t block : last) rank_of[block] = ++rank;
   return constrained_amd_ordering(structure, rank_of);
 }
