@@ -19,10 +19,15 @@ namespace boxplus {
 inline constexpr double kLostPivot = 1e-14;
 inline constexpr double kSuspiciousPivot = 1e-6;
 
-/// In float no pivot is looked into: where 45 ε are not enough, a factor in double decides.
 template <class Scalar>
 inline constexpr Scalar kLostPivotOf = kLostPivot;
+template <class Scalar>
+inline constexpr Scalar kSuspiciousPivotOf = kSuspiciousPivot;
+/// In float, where 5 ε is the least that finds what has no digits left: such a pivot is for a factor in
+/// double to judge.
 template <>
-inline constexpr float kLostPivotOf<float> = 5e-6F;
+inline constexpr float kLostPivotOf<float> = 3e-7F;
+template <>
+inline constexpr float kSuspiciousPivotOf<float> = 1e-2F;
 
 }  // namespace boxplus

@@ -126,6 +126,11 @@ StepResult BatchSystem::solve_full(const Damping& damping, std::span<double> ste
   }
   const TimeAdder adder(timings_->solve_s);
   const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
+  if (solved.status ==
+      LinearStatus::kNotPositiveDefinite) {  // found late: which block it is, factorize() tells
+    const FactorResult factor = solver_->factorize(assembled_, damping);
+    if (factor.status != LinearStatus::kOk) return fail(factor, 0);
+  }
   const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is a step
   return {usable ? LinearStatus::kOk : solved.status, solved.iterations};
 }
@@ -142,6 +147,10 @@ StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> 
   schur_->reduce(right_hand_side_.data(), reduced_right_hand_side_.data());
   const SolveResult solved =
       solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
+  if (solved.status == LinearStatus::kNotPositiveDefinite) {
+    const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping));
+    if (factor.status != LinearStatus::kOk) return fail(factor, plan_->eliminated_blocks);
+  }
   if (solved.status == LinearStatus::kNotFinite || solved.status == LinearStatus::kStopped) {
     return {solved.status, solved.iterations};
   }

@@ -42,7 +42,7 @@ std::string solver_text(const Report& report) {
   std::string text(report.linear_solver);
   const LinearStatistics& linear = report.linear;
   if (linear.precision == Precision::kMixed) text += " (in float, refined in double)";
-  if (linear.left_mixed) text += " (in double, since float did not pay)";
+  if (linear.left_mixed) text += " (in double, as float did not do)";
   if (linear.refused_factor_bytes == 0) return text;
   return text + fmt::format(" (since the factor would take {} and {} s each time, a rough solution {} s)",
                             bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),

@@ -54,13 +54,16 @@ RunResult minimize_from_other(Run& run, const RunResult& first, double other_chi
   return first;
 }
 
-/// The better of the estimates at kStartLevel, whose chi2 is given, and the chordal guess, in the graph.
+/// From the chordal guess, in the graph, where its chi2 is lower than that of the estimates as they came;
+/// else from those at kStartLevel, which are these or what they have become, with the given chi2. From the
+/// other too, where the result disappoints.
 RunResult minimize_from_better(Run& run, double chi2_current) {
-  const double chi2_guess = run.report().start.chi2_guess;
-  const bool guess_first = chi2_guess < chi2_current || !std::isfinite(chi2_current);
+  const double chi2_guess = run.report().start.chi2_guess, chi2_initial = run.report().chi2_initial;
+  const bool guess_first =
+      std::isfinite(chi2_guess) && (chi2_guess < chi2_initial || !std::isfinite(chi2_initial));
   if (!guess_first) swap_with_saved(run, VertexPool::kStartLevel);  // now the guess waits at kStartLevel
   run.report().start.used = guess_first ? Start::kChordal : Start::kCurrent;
-  const RunResult first = run.minimize(std::min(chi2_guess, chi2_current));
+  const RunResult first = run.minimize(guess_first ? chi2_guess : chi2_current);
   const double other_chi2 = guess_first ? chi2_current : chi2_guess;
   const bool good = first.status == Status::kConverged && !(first.chi2 > other_chi2);
   const bool may_go_on = !is_interruption(first.reason) && run.may_go_on();
@@ -78,11 +81,23 @@ double degrees_of_freedom(Run& run) {
   return rows - run.system().plan().scalars();
 }
 
-/// A trust region's "very good": the model holds as far as the minimum, and so the estimates lie in its
-/// valley.
+/// A trust region's "very good", on either side: the model holds as far as the minimum, and so the estimates
+/// lie in its valley.
 bool keeps_promise(const IterationRecord& step) {
-  constexpr double kVeryGood = 0.75;
-  return step.tries == 1 && step.chi2_decrease >= kVeryGood * step.promise;
+  constexpr double kLeast = 0.75, kMost = 1.25;
+  const double kept = step.chi2_decrease / step.promise;
+  return step.tries == 1 && kept >= kLeast && kept <= kMost;
+}
+
+/// Robust kernels bound chi2, and flatten the model: neither tells anything about a minimum then.
+bool has_robust_kernels(Run& run) {
+  for (const EdgeList& list : run.system().plan().edges) {
+    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
+    for (const std::uint32_t edge : list.edges) {
+      if (pool.kernel(edge) != nullptr) return true;
+    }
+  }
+  return false;
 }
 
 /// Whether chi2 is what noise explains: a local minimum far from the best one is hardly so good.
@@ -92,15 +107,15 @@ bool is_plausible(Run& run, double chi2) {
 }
 
 /// Runs from the current estimates; gives up, with Reason::kCallback, after a first step that does not do
-/// what the model promises, or where it does not arrive soon.
+/// what the model promises, or where it does not arrive soon: Gauss-Newton does, in the right valley.
 RunResult try_current(Run& run, bool& gave_up) {
-  constexpr int kSoon = 10;
+  constexpr int kSoon = 9;  // iterations
   const auto wanted = [&](const IterationRecord& step) {
     if (step.iteration == 0) {
       run.report().start.first_step_kept = step.chi2_decrease / step.promise;
       gave_up = !keeps_promise(step);
-    } else if (step.iteration == kSoon) {
-      gave_up = !is_plausible(run, step.chi2);
+    } else if (step.iteration + 1 == kSoon) {
+      gave_up = true;
     }
     return !gave_up;
   };
@@ -133,15 +148,21 @@ RunResult compare_with_guess(Run& run, const RunResult& first) {
 /// Start::kAutomatic.
 RunResult minimize_automatically(Run& run) {
   double chi2 = run.report().chi2_initial;
-  if (std::isfinite(chi2) && run.options().max_iterations > 1) {
+  run.system().save(VertexPool::kStartLevel);
+  if (std::isfinite(chi2) && run.options().max_iterations > 1 && !has_robust_kernels(run)) {
     bool gave_up = false;
     const RunResult result = try_current(run, gave_up);
     const bool is_good = result.status == Status::kConverged && is_plausible(run, result.chi2);
     const bool may_go_on = !is_interruption(result.reason) && run.may_go_on();
     if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(run, result);
-    chi2 = result.chi2;
+    if (result.chi2 < chi2) {
+      run.system().save(VertexPool::kStartLevel);
+      chi2 = result.chi2;
+    } else {
+      run.system().restore(VertexPool::kStartLevel);
+      run.report().records.clear();
+    }
   }
-  run.system().save(VertexPool::kStartLevel);
   if (!replace_by_guess(run)) return run.minimize(chi2);
   run.report().records.clear();
   return minimize_from_better(run, chi2);

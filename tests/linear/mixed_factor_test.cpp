@@ -85,6 +85,32 @@ TEST(AMixedFactor, IsLeftWithinASolveWhoseToleranceItDoesNotReach) {
   EXPECT_TRUE(solution.statistics.left_mixed);
 }
 
+TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
+  // A chain that hangs on one block by its translation only: it may turn about that block.
+  TestSystem system(std::vector<std::uint32_t>(400, 3), chain_edges(400));
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d lever = identity;
+  lever(1, 2) = 1;  // x moves with the angle of its neighbour
+  for (std::uint32_t k = 0; k + 1 < 400; ++k) {
+    if (k == 200) {
+      system.add_edge(k, k + 1, identity.topRows(2), -identity.topRows(2));
+    } else {
+      system.add_edge(k, k + 1, lever, -identity);
+    }
+  }
+  system.block(0, 0) += identity;
+  std::vector<FactorResult> results;
+  for (const Precision precision : {Precision::kDouble, Precision::kMixed}) {
+    BlockCholesky solver;
+    solver.analyze(system.structure, {.precision = precision});
+    results.push_back(solver.factorize(system.view(), {}, {}));
+    EXPECT_EQ(solver.statistics().left_mixed, precision == Precision::kMixed);
+  }
+  EXPECT_EQ(results[0].status, LinearStatus::kNotPositiveDefinite);
+  EXPECT_EQ(results[1].status, LinearStatus::kNotPositiveDefinite);
+  EXPECT_EQ(results[1].failed_block, results[0].failed_block);
+}
+
 TEST(AMixedFactor, IsTakenAgainAfterANewAnalysis) {
   TestSystem bad = loose_grid(1e-7), good = loose_grid(1);
   BlockCholesky solver;

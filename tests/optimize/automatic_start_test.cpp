@@ -102,6 +102,28 @@ TEST(TheAutomaticStart, CallsBackForEveryIterationAndEndsWhereThatSaysSo) {
   EXPECT_LT(report.start.chi2_guess, 0);
 }
 
+TEST(TheAutomaticStart, TrustsNoFirstStepUnderRobustKernels) {
+  Graph graph;
+  add_noisy_grid(graph, 4);
+  for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Tukey(3.0));
+  const Report report = optimize(graph, kAutomaticStart);
+  EXPECT_TRUE(std::isnan(report.start.first_step_kept));
+  EXPECT_GE(report.start.chi2_guess, 0);
+}
+
+TEST(TheAutomaticStart, GoesOnWhereTheGuessIsNotFinite) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 60);
+  int turn = 0;
+  for (const auto pose : poses) graph.set_estimate(pose, SE2(10, 0, 2.0 * turn++));
+  // Finite at the estimates only.
+  graph.add_edge([]<class S>(const BasicSE2<S>& pose) { return S(0.1) * sqrt(pose.x() - S(9)); }, poses[30]);
+  const Report report =
+      optimize(graph, {.algorithm = AlgorithmKind::kLevenbergMarquardt, .start = Start::kAutomatic});
+  EXPECT_NE(report.reason, Reason::kNotFinite) << report;
+  EXPECT_LT(report.chi2_final, report.chi2_initial);
+}
+
 TEST(TheAutomaticStart, IsAsGoodAsEitherStartOnSimulatedGraphs) {
   std::set<Start> used;
   for (const World world : {World::kManhattan, World::kTorus, World::kSphere, World::kCity}) {

@@ -87,32 +87,12 @@ FactorResult BlockCholesky::factorize_in_double(const double* values, const Damp
   factorized_ = false;
   const FrontsResult fronts = factorize_fronts(symbolic_, *structure_, values, damping, stop(), factor_);
   if (fronts.status == LinearStatus::kStopped) return {fronts.status};
-  const std::uint32_t lost = fronts.status == LinearStatus::kOk ? find_lost_pivot() : fronts.lost_pivot;
+  const std::uint32_t lost = fronts.status == LinearStatus::kOk
+                                 ? find_lost_pivot(symbolic_, *structure_, factor_)
+                                 : fronts.lost_pivot;
   if (lost != structure_->scalars()) return failure(lost, values, damping);
   factorized_ = true;
   return {};
-}
-
-/// Applies the test of kLostPivot to the suspects; returns the first lost one, or the number of scalars.
-std::uint32_t BlockCholesky::find_lost_pivot() {
-  const auto suspects = factor_.suspects.list();
-  std::sort(suspects.begin(), suspects.end(), [](auto a, auto b) { return a.scalar < b.scalar; });
-  for (const auto [scalar, ratio] : suspects) {
-    const auto above = std::upper_bound(symbolic_.offset.begin(), symbolic_.offset.end(), scalar);
-    const std::uint32_t s =
-        symbolic_.front_of[static_cast<std::size_t>(above - symbolic_.offset.begin()) - 1];
-    const Front& front = symbolic_.fronts[s];
-    const std::size_t column = scalar - symbolic_.offset[front.first_block];
-    const double root = factor_.arena()[front.panel + column * (front.leading + 1)];
-    double* const x = factor_.x();
-    std::fill_n(x, structure_->scalars(), 0.0);
-    x[scalar] = root;
-    solve_upper_from(symbolic_, factor_.arena(), s, x, factor_.work());
-    double noise = 0;
-    for (std::uint32_t i = 0; i <= scalar; ++i) noise += factor_.minimum_pivot()[i] * x[i] * x[i];
-    if (!(root * root > noise)) return scalar;
-  }
-  return structure_->scalars();
 }
 
 FactorResult BlockCholesky::failure(std::uint32_t permuted_scalar, const double* values,

@@ -49,7 +49,6 @@ class BlockCholesky final : public LinearSolver {
   void leave_mixed();
   FactorResult factorize_in_double(const double* values, const Damping& damping);
   FactorResult factorize_again_in_double();
-  std::uint32_t find_lost_pivot();
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
   bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;
 

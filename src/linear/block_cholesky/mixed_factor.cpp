@@ -34,7 +34,11 @@ LinearStatus MixedFactor::factorize(std::span<const double> values, const Dampin
                                     const StopToken& stop) {
   system_.emplace(*structure_, values);
   for (std::uint32_t i = 0; i < structure_->scalars(); ++i) damping_[i] = damping(i);
-  return factorize_fronts(*symbolic_, *structure_, values.data(), damping, stop, factor_).status;
+  const LinearStatus status =
+      factorize_fronts(*symbolic_, *structure_, values.data(), damping, stop, factor_).status;
+  if (status != LinearStatus::kOk) return status;
+  const bool lost = find_lost_pivot(*symbolic_, *structure_, factor_) != structure_->scalars();
+  return lost ? LinearStatus::kNotPositiveDefinite : LinearStatus::kOk;
 }
 
 SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& control,

@@ -8,6 +8,7 @@
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
 #include "linear/block_cholesky/parallel_front.h"
+#include "linear/block_cholesky/triangular_solve.h"
 
 namespace boxplus {
 namespace {
@@ -52,13 +53,14 @@ void load_panel(const SymbolicFactor& symbolic, const BlockStructure& structure,
   }
 }
 
-void collect_suspects(const Front& front, std::uint32_t first_scalar, const double* panel,
-                      const double* minimum_pivot, Suspects& suspects) {
-  constexpr double kScale = kSuspiciousPivot / kLostPivot;
+template <class Scalar>
+void collect_suspects(const Front& front, std::uint32_t first_scalar, const Scalar* panel,
+                      const Scalar* minimum_pivot, Suspects& suspects) {
+  constexpr double kScale = double{kSuspiciousPivotOf<Scalar>} / kLostPivotOf<Scalar>;
   for (std::uint32_t j = 0; j < front.columns; ++j) {
-    const double root = panel[std::size_t{j} * (front.leading + 1)];
+    const double root = panel[std::size_t{j} * (front.leading + 1)], limit = minimum_pivot[j];
     const double pivot = root * root;
-    if (pivot < kScale * minimum_pivot[j]) suspects.add({first_scalar + j, pivot / minimum_pivot[j]});
+    if (pivot < kScale * limit) suspects.add({first_scalar + j, pivot / limit});
   }
 }
 
@@ -100,8 +102,7 @@ FrontsResult factor_front(const Context<Scalar>& context, const Front& front, in
   if (good == kPanelStopped) return kStoppedResult;
   if (good < columns)
     return {LinearStatus::kNotPositiveDefinite, first_scalar + static_cast<std::uint32_t>(good)};
-  if constexpr (std::is_same_v<Scalar, double>)
-    collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
+  collect_suspects(front, first_scalar, panel, minimum_pivot, suspects);
   if (!set_to_minus_square_with(threads, stop, update, below, panel + columns, leading, below, columns))
     return kStoppedResult;
   for (const std::uint32_t c : symbolic.children_of(front)) {
@@ -195,10 +196,34 @@ FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructu
   return factor_in_order(context, factor.suspects);
 }
 
+template <class Scalar>
+std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                              NumericFactor<Scalar>& factor) {
+  const auto suspects = factor.suspects.list();
+  std::sort(suspects.begin(), suspects.end(), [](auto a, auto b) { return a.scalar < b.scalar; });
+  for (const auto [scalar, ratio] : suspects) {
+    const auto above = std::upper_bound(symbolic.offset.begin(), symbolic.offset.end(), scalar);
+    const std::uint32_t s = symbolic.front_of[static_cast<std::size_t>(above - symbolic.offset.begin()) - 1];
+    const Front& front = symbolic.fronts[s];
+    const std::size_t column = scalar - symbolic.offset[front.first_block];
+    const Scalar root = factor.arena()[front.panel + column * (front.leading + 1)];
+    Scalar* const x = factor.x();
+    std::fill_n(x, structure.scalars(), Scalar{0});
+    x[scalar] = root;
+    solve_upper_from(symbolic, factor.arena(), s, x, factor.work());
+    double noise = 0;
+    for (std::uint32_t i = 0; i <= scalar; ++i) noise += double{factor.minimum_pivot()[i]} * x[i] * x[i];
+    if (!(double{root} * root > noise)) return scalar;
+  }
+  return structure.scalars();
+}
+
 template class NumericFactor<double>;
+template std::uint32_t find_lost_pivot(const SymbolicFactor&, const BlockStructure&, NumericFactor<double>&);
 template FrontsResult factorize_fronts(const SymbolicFactor&, const BlockStructure&, const double*,
                                        const Damping&, const StopToken&, NumericFactor<double>&);
 template class NumericFactor<float>;
+template std::uint32_t find_lost_pivot(const SymbolicFactor&, const BlockStructure&, NumericFactor<float>&);
 template FrontsResult factorize_fronts(const SymbolicFactor&, const BlockStructure&, const double*,
                                        const Damping&, const StopToken&, NumericFactor<float>&);
 

@@ -49,7 +49,7 @@ class NumericFactor {
   /// As many columns of the largest front.
   Scalar* work() const { return work_; }
 
-  Suspects suspects;                         // of a factor in double
+  Suspects suspects;
   std::vector<Suspects> suspects_of_thread;  // one per thread
   std::vector<LinearStatus> status_of_thread;
 
@@ -68,6 +68,12 @@ struct FrontsResult {
 template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
+                              NumericFactor<Scalar>& factor);
+
+/// Applies the test of kLostPivot to the suspects of a factorisation; returns the first lost one, as a
+/// permuted scalar, or the number of scalars.
+template <class Scalar>
+std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               NumericFactor<Scalar>& factor);
 
 }  // namespace boxplus
