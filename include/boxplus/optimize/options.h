@@ -31,10 +31,10 @@ enum class Start : std::uint8_t {
   kOdometry,      ///< chained along edges between consecutive ids
   kSpanningTree,  ///< propagated along a minimum spanning tree from the fixed vertices
   kChordal,       ///< one joint linear problem in relaxed rotations, positions and landmarks
-  /// At the current estimates where their first step does what the model promises. Else at these or at the
-  /// chordal guess, whichever has the lower chi2. If that run does not converge, ends above the other start's
-  /// chi2 or, from the current estimates, far above what the noise explains, the other start is run too, and
-  /// the better result is kept.
+  /// At the current estimates where their first step does what the model promises and they arrive soon (never
+  /// with robust kernels). Else at these or at the chordal guess, whichever has the lower chi2. If that run
+  /// does not converge, ends above the other start's chi2 or, from the current estimates, far above what the
+  /// noise explains, the other start is run too, and the better result is kept.
   kAutomatic
 };
 std::string_view to_string(Start start);
