@@ -25,6 +25,14 @@ constexpr double kRefinedTolerance = 1e-6;
 /// The diagonal that damping is scaled by stays above this fraction of its largest entry.
 constexpr double kDiagonalFloor = 1e-12;
 
+/// Where only solve() finds that a matrix is not positive definite, as with a factor in float: factorize(),
+/// which names the block.
+FactorResult find_late_failure(LinearSolver& solver, const SolveResult& solved, const BlockSystem& system,
+                               const Damping& damping) {
+  return solved.status == LinearStatus::kNotPositiveDefinite ? solver.factorize(system, damping)
+                                                             : FactorResult();
+}
+
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
@@ -126,11 +134,8 @@ StepResult BatchSystem::solve_full(const Damping& damping, std::span<double> ste
   }
   const TimeAdder adder(timings_->solve_s);
   const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
-  if (solved.status ==
-      LinearStatus::kNotPositiveDefinite) {  // found late: which block it is, factorize() tells
-    const FactorResult factor = solver_->factorize(assembled_, damping);
-    if (factor.status != LinearStatus::kOk) return fail(factor, 0);
-  }
+  const FactorResult late = find_late_failure(*solver_, solved, assembled_, damping);
+  if (late.status != LinearStatus::kOk) return fail(late, 0);
   const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is a step
   return {usable ? LinearStatus::kOk : solved.status, solved.iterations};
 }
@@ -147,10 +152,8 @@ StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> 
   schur_->reduce(right_hand_side_.data(), reduced_right_hand_side_.data());
   const SolveResult solved =
       solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
-  if (solved.status == LinearStatus::kNotPositiveDefinite) {
-    const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping));
-    if (factor.status != LinearStatus::kOk) return fail(factor, plan_->eliminated_blocks);
-  }
+  const FactorResult late = find_late_failure(*solver_, solved, *reduced_, schur_->reduced_damping(damping));
+  if (late.status != LinearStatus::kOk) return fail(late, plan_->eliminated_blocks);
   if (solved.status == LinearStatus::kNotFinite || solved.status == LinearStatus::kStopped) {
     return {solved.status, solved.iterations};
   }

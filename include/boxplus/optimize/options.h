@@ -58,7 +58,7 @@ struct IterationRecord {
   double gradient_max = 0;    ///< largest entry of the gradient before the step
   double control = 0;         ///< λ (Levenberg-Marquardt) or trust radius (dogleg) of the step
   int tries = 0;              ///< steps evaluated
-  int linear_iterations = 0;  ///< of an iterative linear solver
+  int linear_iterations = 0;  ///< of an iterative linear solver, or steps of refinement
   double time_s = 0;          ///< since the start of optimize()
 };
 
@@ -90,8 +90,8 @@ struct Options {
   double initial_lambda =
       0;  ///< Levenberg-Marquardt; 0: 1e-5 times the largest diagonal entry of what is damped
   double initial_radius = 0;  ///< dogleg; 0: unbounded, so that the first trial is the Gauss-Newton step
-  /// Forcing term of iterative linear solvers. Where kAutomatic had to take pcg, it is at least 0.1: rough
-  /// steps are so much cheaper that they arrive sooner.
+  /// Forcing term of iterative linear solvers and of refinement: with a factor in float at least 1e-6; where
+  /// kAutomatic had to take pcg, at least 0.1: rough steps are so much cheaper that they arrive sooner.
   double linear_tolerance = 1e-10;
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)

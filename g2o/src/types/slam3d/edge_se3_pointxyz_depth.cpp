@@ -3,27 +3,16 @@
 
 #include <algorithm>
 
-#include "types/images.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/depth_image.h"
 
 namespace g2o {
 namespace {
 
-/// The point in the frame of the camera, beside zero.
-using Native = boxplus::OffsetPointObservation3;
-const Native kInCamera{boxplus::Vector3(0, 0, 0)};
-
-Vector3 measure(const Matrix3& K, const Vector3& p) {
-  Vector3 z;
-  z << native::image(K, p), p[2];
-  return z;
-}
-
-Matrix3 derivative(const Matrix3& K, const Vector3& p) {
-  Matrix3 D;
-  D << native::image_jacobian(K, p), Vector3::UnitZ().transpose();
-  return D;
-}
+/// The depth itself.
+struct Depth {
+  static double of(double depth) { return depth; }
+  static double derivative(double) { return 1; }
+};
 
 }  // namespace
 
@@ -34,20 +23,14 @@ EdgeSE3PointXYZDepth::EdgeSE3PointXYZDepth() {
 }
 
 void EdgeSE3PointXYZDepth::computeError() {
-  const Vector3 p =
-      kInCamera.error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()), native::pose(*params));
-  _error = measure(params->Kcam(), p) - _measurement;
+  _error = native::depth_image<Depth>(params->Kcam(),
+                                      native::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
+           _measurement;
 }
 
 void EdgeSE3PointXYZDepth::linearizeOplus() {
-  const boxplus::SE3 pose = native::pose(*vertexXn<0>()), offset = native::pose(*params);
-  const boxplus::Vector3 point = native::point(*vertexXn<1>());
-  native::linearize(kInCamera, native::Argument<boxplus::SE3>{pose, _jacobianOplusXi.data()},
-                    native::Argument<boxplus::Vector3>{point, _jacobianOplusXj.data()},
-                    native::Argument<boxplus::SE3>{offset, nullptr});
-  const Matrix3 D = derivative(params->Kcam(), kInCamera.error(pose, point, offset));
-  _jacobianOplusXi = (D * _jacobianOplusXi).eval();
-  _jacobianOplusXj = (D * _jacobianOplusXj).eval();
+  native::linearize_depth_image<Depth>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
+                                       _jacobianOplusXj);
 }
 
 bool EdgeSE3PointXYZDepth::read(std::istream& is) {
@@ -70,7 +53,7 @@ bool EdgeSE3PointXYZDepth::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE3PointXYZDepth::setMeasurementFromState() {
-  setMeasurement(measure(
+  setMeasurement(native::depth_image<Depth>(
       params->Kcam(), (vertexXn<0>()->estimate() * params->offset()).inverse() * vertexXn<1>()->estimate()));
   return true;
 }

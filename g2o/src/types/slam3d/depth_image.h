@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What EDGE_PROJECT_DEPTH and EDGE_PROJECT_DISPARITY have in common: the image of a point in a camera on a
+// robot, and one more number that its depth tells.
+#pragma once
+
+#include "types/images.h"
+#include "types/slam3d/native_slam3d.h"
+
+namespace g2o {
+namespace native {
+
+/// The point in the frame of the camera, beside zero.
+inline const boxplus::OffsetPointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
+
+/// (u, v, Third::of(depth)) of a point in the frame of the camera.
+template <class Third>
+Vector3 depth_image(const Matrix3& K, const Vector3& p) {
+  Vector3 z;
+  z << image(K, p), Third::of(p[2]);
+  return z;
+}
+
+/// Its Jacobian with respect to the point.
+template <class Third>
+Matrix3 depth_image_jacobian(const Matrix3& K, const Vector3& p) {
+  Matrix3 D;
+  D << image_jacobian(K, p), Third::derivative(p[2]) * Vector3::UnitZ().transpose();
+  return D;
+}
+
+inline Vector3 point_in_camera(const VertexSE3& robot, const VertexPointXYZ& point_vertex,
+                               const ParameterCamera& camera) {
+  return kInCamera.error(pose(robot), point(point_vertex), pose(camera));
+}
+
+/// The Jacobians of depth_image() with respect to the robot's pose and the point.
+template <class Third, class Xi, class Xj>
+void linearize_depth_image(const VertexSE3& robot, const VertexPointXYZ& point_vertex,
+                           const ParameterCamera& camera, Xi& xi, Xj& xj) {
+  const boxplus::SE3 from = pose(robot), offset = pose(camera);
+  const boxplus::Vector3 to = point(point_vertex);
+  linearize(kInCamera, Argument<boxplus::SE3>{from, xi.data()}, Argument<boxplus::Vector3>{to, xj.data()},
+            Argument<boxplus::SE3>{offset, nullptr});
+  const Matrix3 D = depth_image_jacobian<Third>(camera.Kcam(), kInCamera.error(from, to, offset));
+  xi = (D * xi).eval();
+  xj = (D * xj).eval();
+}
+
+}  // namespace native
+}  // namespace g2o
