@@ -101,10 +101,11 @@ void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
 void EdgePool::reserve_slots(std::size_t edges) {
   const double growth = slots() == 0 ? 1 : static_cast<double>(edges) / slots();
   if (growth <= 1) return;
-  vertex_slots_.reserve(static_cast<std::size_t>(growth * static_cast<double>(vertex_slots_.size())));
-  flags_.reserve(edges);
-  generations_.reserve(edges);
-  if (uniform_arity_ < 0) vertex_start_.reserve(edges + 1);
+  boxplus::reserve(vertex_slots_,
+                   static_cast<std::size_t>(growth * static_cast<double>(vertex_slots_.size())));
+  boxplus::reserve(flags_, edges);
+  boxplus::reserve(generations_, edges);
+  if (uniform_arity_ < 0) boxplus::reserve(vertex_start_, edges + 1);
   information_.reserve(growth);
 }
 

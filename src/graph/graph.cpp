@@ -49,10 +49,9 @@ Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char*
 }
 
 VertexRef Graph::lookup(const IdMap& ids, Id id, const char* what) const {
-  const auto found = ids.find(id);
-  if (found == ids.end())
-    throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
-  return found->second;
+  const VertexRef* found = ids.find(id);
+  if (!found) throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
+  return *found;
 }
 
 void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
@@ -115,13 +114,13 @@ void Graph::mark_parameter(VertexRef vertex) {
 }
 
 std::optional<VertexRef> Graph::find_vertex(Id id) const {
-  const auto found = vertex_ids_.find(id);
-  return found == vertex_ids_.end() ? std::nullopt : std::optional(found->second);
+  const VertexRef* found = vertex_ids_.find(id);
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 std::optional<VertexRef> Graph::find_parameter(Id id) const {
-  const auto found = parameter_ids_.find(id);
-  return found == parameter_ids_.end() ? std::nullopt : std::optional(found->second);
+  const VertexRef* found = parameter_ids_.find(id);
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 Id Graph::id(VertexRef vertex) const {
@@ -136,9 +135,9 @@ void Graph::change_id(VertexRef vertex, Id new_id) {
   IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
   Id unused = 0;
   claim_id(ids, unused, new_id, pool.parameter(vertex.slot) ? "parameter" : "vertex");
-  auto entry = ids.extract(pool.id(vertex.slot));
-  entry.key() = new_id;
-  ids.insert(std::move(entry));
+  ids.make_room();
+  ids.erase(pool.id(vertex.slot));
+  ids.insert(new_id, vertex);
   pool.ids_[vertex.slot] = new_id;
   ++revision_;
 }
@@ -358,25 +357,12 @@ std::size_t Graph::edge_count() const {
   return count;
 }
 
-namespace {
-
-std::vector<VertexRef> by_id(const std::unordered_map<Id, VertexRef>& ids) {
-  std::vector<std::pair<Id, VertexRef>> sorted(ids.begin(), ids.end());
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<VertexRef> result;
-  result.reserve(sorted.size());
-  for (const auto& [id, vertex] : sorted) result.push_back(vertex);
-  return result;
-}
-
-}  // namespace
-
 std::vector<VertexRef> Graph::all_vertices() const {
-  return by_id(vertex_ids_);
+  return vertex_ids_.by_id();
 }
 
 std::vector<VertexRef> Graph::all_parameters() const {
-  return by_id(parameter_ids_);
+  return parameter_ids_.by_id();
 }
 
 std::vector<EdgeRef> Graph::all_edges() const {

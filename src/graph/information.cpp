@@ -116,12 +116,17 @@ Eigen::MatrixXd InformationView::matrix() const {
   return full;
 }
 
+Information::Information(InformationKind kind, int rows, std::span<const double> values)
+    : kind_(kind), rows_(rows), count_(values.size()) {
+  if (count_ <= kNear) {
+    std::copy(values.begin(), values.end(), near_.begin());
+  } else {
+    far_.assign(values.begin(), values.end());
+  }
+}
+
 Information Information::diagonal(std::span<const double> values) {
-  Information result;
-  result.kind_ = InformationKind::kDiagonal;
-  result.rows_ = static_cast<int>(values.size());
-  result.values_.assign(values.begin(), values.end());
-  return result;
+  return {InformationKind::kDiagonal, static_cast<int>(values.size()), values};
 }
 
 Information Information::upper_triangle(std::span<const double> values, int rows) {
@@ -137,19 +142,11 @@ Information Information::upper_triangle(std::span<const double> values, int rows
     scalar = scalar && on_diagonal == values[0];
     for (int j = i + 1; j < rows; ++j) diagonal = (*value++ == 0) && diagonal;
   }
-  Information result;
-  result.rows_ = rows;
-  if (diagonal && scalar) {
-    result.kind_ = InformationKind::kScalar;
-    result.values_.assign(1, values[0]);
-  } else if (diagonal) {
-    result.kind_ = InformationKind::kDiagonal;
-    for (int i = 0; i < rows; ++i)
-      result.values_.push_back(values[static_cast<std::size_t>(triangle_index(i, i, rows))]);
-  } else {
-    result.kind_ = InformationKind::kFull;
-    result.values_.assign(values.begin(), values.end());
-  }
+  if (diagonal && scalar) return {InformationKind::kScalar, rows, values.first(1)};
+  if (!diagonal) return {InformationKind::kFull, rows, values};
+  Information result(InformationKind::kDiagonal, rows, values.first(static_cast<std::size_t>(rows)));
+  double* out = result.far_.empty() ? result.near_.data() : result.far_.data();
+  for (int i = 0; i < rows; ++i) *out++ = values[static_cast<std::size_t>(triangle_index(i, i, rows))];
   return result;
 }
 
@@ -177,23 +174,24 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
 }
 
 std::string Information::complaint(int rows) const {
-  if (values_.empty()) return "information: expected at least one row, got none";
+  const std::span<const double> values = this->values();
+  if (values.empty()) return "information: expected at least one row, got none";
   if (rows_ != 0 && rows_ != rows) {
     return "information: expected " + std::to_string(rows) + " rows like the error, got " +
            std::to_string(rows_);
   }
-  for (double v : values_) {
+  for (double v : values) {
     if (!std::isfinite(v)) return "information: expected finite numbers, got " + std::to_string(v);
   }
   if (kind_ != InformationKind::kFull) {
-    for (double v : values_) {
+    for (double v : values) {
       if (v < 0)
         return "information: expected a positive semi-definite matrix, got the diagonal entry " +
                std::to_string(v);
     }
     return {};
   }
-  const InformationView omega{kind_, rows_, values_.data()};
+  const InformationView omega{kind_, rows_, values.data()};
   return rows_ <= kSmall
              ? complaint_about<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>>(
                    omega)
@@ -201,8 +199,8 @@ std::string Information::complaint(int rows) const {
 }
 
 void InformationStore::reserve(double growth) {
-  entries_.reserve(static_cast<std::size_t>(growth * static_cast<double>(entries_.size())));
-  values_.reserve(static_cast<std::size_t>(growth * static_cast<double>(values_.size())));
+  boxplus::reserve(entries_, static_cast<std::size_t>(growth * static_cast<double>(entries_.size())));
+  boxplus::reserve(values_, static_cast<std::size_t>(growth * static_cast<double>(values_.size())));
 }
 
 void InformationStore::append(const Information& information, int rows) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "boxplus/graph/make_room.h"
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
 #include "io/characters.h"
@@ -80,7 +81,7 @@ class GraphReader {
     if (neighbour_.kind != Neighbour::Kind::kEdge || edges == 0) return;
     const std::size_t expected = file_.edges.size() + edges * (text_.count() - blocks_taken_);
     if (expected <= file_.edges.capacity()) return;
-    file_.edges.reserve(expected + expected / 16);
+    reserve(file_.edges, expected + expected / 16);
     file_.graph.reserve_edges(file_.edges.back(), expected + expected / 16);
   }
 

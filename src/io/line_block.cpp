@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
 
 #include "io/characters.h"
+#include "io/decimal.h"
 
 namespace boxplus {
 namespace {
@@ -17,8 +17,8 @@ bool ends_field(const char* at, const char* end) {
   return at == end || is_blank(*at);
 }
 
-/// An integer that a double holds exactly, from `at` to the end of its field; `at` moves behind it.
-std::optional<double> read_integer(const char*& at, const char* end) {
+/// An integer that a double holds exactly.
+Decimal read_integer(const char* at, const char* end) {
   constexpr std::ptrdiff_t kMostDigits = 15;
   const bool negative = *at == '-';
   const char* const digits = at + negative;
@@ -27,17 +27,17 @@ std::optional<double> read_integer(const char*& at, const char* end) {
   for (; digit != end && *digit >= '0' && *digit <= '9' && digit - digits < kMostDigits; ++digit) {
     value = 10 * value + (*digit - '0');
   }
-  if (digit == digits || !ends_field(digit, end)) return std::nullopt;
-  at = digit;
-  return negative ? -static_cast<double>(value) : static_cast<double>(value);
+  if (digit == digits || !ends_field(digit, end)) return {};
+  return {negative ? -static_cast<double>(value) : static_cast<double>(value), digit, true};
 }
 
-std::optional<double> read_number(const char*& at, const char* end) {
-  double value = 0;
-  const auto [stopped, error] = fast_float::from_chars(at, end, value);
-  if (error != std::errc() || !ends_field(stopped, end) || !std::isfinite(value)) return std::nullopt;
-  at = stopped;
-  return value;
+/// The finite number that is the whole field at `at`; no `end` where there is none.
+Decimal read_any_number(const char* at, const char* end) {
+  if (const Decimal integer = read_integer(at, end); integer.end) return integer;
+  Decimal number;
+  const auto [stopped, error] = fast_float::from_chars(at, end, number.value);
+  if (error == std::errc() && ends_field(stopped, end) && std::isfinite(number.value)) number.end = stopped;
+  return number;
 }
 
 const char* skip_blanks(const char* at, const char* end) {
@@ -53,6 +53,7 @@ void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words
   line_count_ = 0;
   last_word_ = {};
   values_.clear();
+  text_end_ = text.data() + text.size();
   while (!text.empty()) {
     const std::size_t newline = text.find('\n');
     const std::string_view line = text.substr(0, newline);
@@ -109,15 +110,14 @@ bool LineBlock::read_fields(const char* at, const char* end, std::size_t& intege
   bool integers_only = true;
   std::size_t count = 0;
   for (at = skip_blanks(at, end); at != end && *at != '#'; at = skip_blanks(at, end)) {
-    std::optional<double> value = read_integer(at, end);
-    if (!value) {
-      integers_only = false;
-      value = read_number(at, end);
-      if (!value) return false;
-    }
-    if (++count > kMost) return false;
-    values_.push_back(*value);
+    Decimal number;
+    if (text_end_ - at >= kDecimalRoom) number = read_decimal(at);
+    if (!number.end || !ends_field(number.end, end)) number = read_any_number(at, end);
+    if (!number.end || ++count > kMost) return false;
+    integers_only = integers_only && number.is_integer;
+    values_.push_back(number.value);
     integers += integers_only;
+    at = number.end;
   }
   return true;
 }

@@ -66,7 +66,8 @@ class LineBlock {
   std::vector<double> values_;  // the fields of all numeric lines
   std::vector<Line> lines_;
   std::int64_t line_count_ = 0;
-  std::string_view last_word_;  // most lines begin like the one before
+  const char* text_end_ = nullptr;  // of the block: up to there one may read
+  std::string_view last_word_;      // most lines begin like the one before
   const Tag* last_tag_ = nullptr;
 };
 

@@ -40,7 +40,8 @@ struct ToroEdge3 {
   static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
   static Information read_information(FieldReader& in, int rows) {
     const std::int64_t column = in.column();
-    const std::span<double> triangle = read_triangle(in, rows);
+    const std::span<const double> read = read_triangle(in, rows);
+    std::vector<double> triangle(read.begin(), read.end());
     const auto scale = [](int row) { return row < 3 ? 1 : 2; };
     auto value = triangle.begin();
     for (int i = 0; i < rows; ++i) {

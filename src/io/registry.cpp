@@ -21,9 +21,11 @@ bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const Verte
 
 }  // namespace
 
-std::span<double> read_triangle(FieldReader& in, int rows) {
+std::span<const double> read_triangle(FieldReader& in, int rows) {
+  const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
+  if (const auto converted = in.converted(count); !converted.empty()) return converted;
   auto& values = thread_scratch<std::vector<double>, struct Triangle>();
-  values.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2);
+  values.resize(count);
   for (double& value : values) value = in.number("an entry of the information matrix");
   return values;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/graph/id_map.h"
 #include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/graph/typed_vertex_pool.h"
 
@@ -254,7 +255,6 @@ class Graph {
   std::unique_ptr<Cache>& cache() { return cache_; }
 
  private:
-  using IdMap = std::unordered_map<Id, VertexRef>;
   struct Saved {
     std::vector<std::vector<std::uint32_t>> slots;        // per pool
     std::vector<std::vector<std::uint32_t>> generations;  // per pool
@@ -312,17 +312,12 @@ class Graph {
   VertexHandle<T> register_vertex(T estimate, Id id, IdMap& ids) {
     const std::uint32_t index = require_vertex_pool<T>();
     auto& pool = static_cast<TypedVertexPool<T>&>(*vertex_pools_[index]);
-    const auto entry = ids.emplace(id, VertexRef{}).first;
-    try {
-      const std::uint32_t slot = pool.add(std::move(estimate), id);
-      const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
-      entry->second = handle;
-      ++revision_;
-      return handle;
-    } catch (...) {
-      ids.erase(entry);
-      throw;
-    }
+    ids.make_room();
+    const std::uint32_t slot = pool.add(std::move(estimate), id);
+    const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
+    ids.insert(id, handle);
+    ++revision_;
+    return handle;
   }
 
   /// How the error functions of an edge pool are reached by one who knows E, but not the types of the

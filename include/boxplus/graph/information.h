@@ -2,6 +2,7 @@
 // The information matrix Ω of an edge: scalar, diagonal or full; stored once, as read.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -33,7 +34,7 @@ struct InformationView {
 class Information {
  public:
   /// value · I, for an error of any size.
-  Information(double value) : kind_(InformationKind::kScalar), values_{value} {}
+  Information(double value) : Information(InformationKind::kScalar, 0, std::span(&value, 1)) {}
   /// A symmetric n × n matrix. Throws InvalidArgument where it is not square or not symmetric.
   template <class Derived>
   Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
@@ -42,19 +43,25 @@ class Information {
   static Information upper_triangle(std::span<const double> values, int rows);
 
   InformationKind kind() const { return kind_; }
-  std::span<const double> values() const { return values_; }
+  std::span<const double> values() const {
+    return count_ <= kNear ? std::span(near_.data(), count_) : std::span(far_);
+  }
   /// Number of rows, or 0 for a scalar, which fits any.
   int rows() const { return rows_; }
   /// What is wrong with this Ω for an error of `rows` rows (size, NaN, indefinite), or an empty string.
   std::string complaint(int rows) const;
 
  private:
-  Information() = default;
+  Information(InformationKind kind, int rows, std::span<const double> values);
   static Information from_matrix(const Eigen::MatrixXd& matrix);
 
-  InformationKind kind_ = InformationKind::kScalar;
-  int rows_ = 0;
-  std::vector<double> values_;
+  /// Up to six rows need no memory of their own.
+  static constexpr std::size_t kNear = 21;
+  InformationKind kind_;
+  int rows_;
+  std::size_t count_;
+  std::array<double, kNear> near_;
+  std::vector<double> far_;  // all values, where they are more
 };
 
 /// The Ω of all edges of a pool, one after the other.

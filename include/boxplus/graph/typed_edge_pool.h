@@ -81,8 +81,8 @@ class TypedEdgePool final : public EdgePool {
 
   void reserve(std::size_t edges) override {
     reserve_slots(edges);
-    edges_.reserve(edges);
-    if constexpr (kRows == kDynamic) rows_.reserve(edges);
+    boxplus::reserve(edges_, edges);
+    if constexpr (kRows == kDynamic) boxplus::reserve(rows_, edges);
   }
 
   const E& value(std::uint32_t edge) const { return edges_[edge]; }

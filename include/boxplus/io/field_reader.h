@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "boxplus/base/abi.h"
 
@@ -44,6 +45,11 @@ class FieldReader {
   /// The next field, a finite number.
   double number(std::string_view what) { return next_ != end_ ? *next_++ : number_from_text(what); }
   void numbers(double* out, int count, std::string_view what);
+  /// The next `count` fields where they have been converted already; none otherwise.
+  std::span<const double> converted(std::size_t count) {
+    if (static_cast<std::size_t>(end_ - next_) < count) return {};
+    return {std::exchange(next_, next_ + count), count};
+  }
   std::int64_t integer(std::string_view what) {
     return next_ < integers_end_ ? static_cast<std::int64_t>(*next_++) : integer_from_text(what);
   }

@@ -53,8 +53,8 @@ struct Tag {
 /// Ω as the n(n+1)/2 numbers of its upper triangle by rows: 11 12 … 1n 22 … Throws InputError where it is
 /// indefinite or zero.
 Information read_information(FieldReader& in, int rows);
-/// The numbers alone, in the order of the file. They last until the next call on this thread.
-std::span<double> read_triangle(FieldReader& in, int rows);
+/// The numbers alone, in the order of the file. They last until the next call on this thread, and the line.
+std::span<const double> read_triangle(FieldReader& in, int rows);
 /// The Ω of an upper triangle that began at `column`. Throws InputError as above.
 Information checked_information(FieldReader& in, std::int64_t column, std::span<const double> triangle,
                                 int rows);

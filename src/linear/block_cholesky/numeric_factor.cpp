@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "boxplus/base/large_pages.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/kernel_table.h"
 #include "linear/block_cholesky/parallel_front.h"
@@ -173,8 +174,9 @@ template <class Scalar>
 void NumericFactor<Scalar>::allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int batch) {
   const std::size_t columns = static_cast<std::size_t>(batch);
   const std::size_t factor_size = symbolic.panel_size + symbolic.update_size;
-  memory_ = std::make_unique_for_overwrite<Scalar[]>(factor_size + scalars +
-                                                     columns * (scalars + symbolic.largest_front));
+  const std::size_t size = factor_size + scalars + columns * (scalars + symbolic.largest_front);
+  memory_ = std::make_unique_for_overwrite<Scalar[]>(size);
+  prefer_large_pages(memory_.get(), size * sizeof(Scalar));
   minimum_pivot_ = memory_.get() + factor_size;
   x_ = minimum_pivot_ + scalars;
   work_ = x_ + columns * scalars;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Decimal numbers as graph files are full of: up to 19 digits, no exponent. In a header, for the sake of the
+// loop that reads a line.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace boxplus {
+
+struct Decimal {
+  double value = 0;
+  const char* end = nullptr;  ///< behind the last digit; nullptr: not such a number, and nothing else is said
+  bool is_integer = false;
+};
+
+/// Up to so many characters from `at` on are looked at.
+inline constexpr std::ptrdiff_t kDecimalRoom = 56;
+
+namespace decimal {
+
+#if defined(__SIZEOF_INT128__)
+inline constexpr bool kHasWideIntegers = true;
+__extension__ using Wide = unsigned __int128;
+#else
+inline constexpr bool kHasWideIntegers = false;
+using Wide = std::uint64_t;
+#endif
+
+inline constexpr int kLanes = 8;          // characters of a word
+inline constexpr int kMostDecimals = 27;  // 5²⁷ fits into a word
+
+template <int Base, int Most>
+inline constexpr auto kPowers = [] {
+  std::array<std::uint64_t, Most + 1> powers{1};
+  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = Base * powers[k - 1];
+  return powers;
+}();
+
+inline constexpr std::uint64_t in_all_lanes(std::uint64_t byte) {
+  return byte * 0x0101'0101'0101'0101;
+}
+
+/// Eight characters, a digit as its value 0 … 9. The first lies in the lowest lane.
+inline std::uint64_t load(const char* at) {
+  std::uint64_t word = 0;
+  std::memcpy(&word, at, sizeof word);
+  return word ^ in_all_lanes('0');
+}
+
+/// The top bit of each lane that holds no digit; lanes above the first such one may be wrong. 0: all are.
+inline std::uint64_t not_digits(std::uint64_t word) {
+  return ((word + in_all_lanes(0x80 - 10)) | word) & in_all_lanes(0x80);
+}
+
+inline int count_before(std::uint64_t lane_bits) {
+  return std::countr_zero(lane_bits) / 8;
+}
+
+/// The number of eight digits. Neighbours are joined: ones to twos, to fours, to eight.
+inline std::uint64_t joined(std::uint64_t word) {
+  word = (word * 10 + (word >> 8)) & 0x00FF'00FF'00FF'00FF;
+  word = (word * 100 + (word >> 16)) & 0x0000'FFFF'0000'FFFF;
+  return (word * 10000 + (word >> 32)) & 0xFFFF'FFFF;
+}
+
+/// The number of the first `count` digits, which move up, so that zeros come in front of them.
+inline std::uint64_t joined(std::uint64_t word, int count) {
+  return count == 0 ? 0 : joined(word << (8 * (kLanes - count)));
+}
+
+/// w · 10^count + digits; false where that is too large.
+inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
+  const std::uint64_t power = kPowers<10, kLanes>[static_cast<std::size_t>(count)];
+  return !__builtin_mul_overflow(w, power, &w) && !__builtin_add_overflow(w, digits, &w);
+}
+
+/// w / 10^k, correctly rounded.
+inline double rounded_quotient(std::uint64_t w, int k) {
+  if (w == 0) return 0;
+  // With both shifted up to their top bits, their quotient has 62 or 63 bits: more than a double. The lowest
+  // also stands for what is left.
+  constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
+  const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
+  const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
+  const Wide dividend = Wide{w << shift_w} << kShift;
+  const std::uint64_t divisor = five << shift_five;
+  const auto quotient = static_cast<std::uint64_t>(dividend / divisor);
+  const bool has_remainder = static_cast<std::uint64_t>(dividend) != quotient * divisor;
+  const auto rounded = static_cast<double>(static_cast<std::int64_t>(quotient | has_remainder));
+  const int exponent = shift_five - shift_w - kShift - k;
+  return rounded * std::bit_cast<double>(static_cast<std::uint64_t>(kBias + exponent) << kFractionBits);
+}
+
+inline double with_sign(double magnitude, bool is_negative) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(magnitude) | std::uint64_t{is_negative} << 63);
+}
+
+}  // namespace decimal
+
+/// The number of the form -?d+(.d+)? that begins at `at`, correctly rounded: the nearest double. Where it has
+/// more than seven digits before the point, or too many behind it, or where no number begins, a general
+/// reader is to be asked.
+///
+/// Digits are taken eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
+/// full-word instructions, 1975). They are divided by their power of five in integers; the remainder says how
+/// to round. No case takes another way, which would be hard to predict.
+inline Decimal read_decimal(const char* at) {
+  using namespace decimal;
+  if constexpr (!kHasWideIntegers || std::endian::native != std::endian::little) return {};
+  const auto first = static_cast<unsigned char>(*at - '0');
+  if (first <= 9 && at[1] == ' ') return {static_cast<double>(first), at + 1, true};  // most of Ω is 0
+  const bool is_negative = *at == '-';
+  at += is_negative;
+  std::uint64_t word = load(at), others = not_digits(word);
+  if (others == 0) return {};
+  int count = count_before(others);
+  if (count == 0) return {};
+  std::uint64_t w = joined(word, count);
+  at += count;
+  if (*at != '.') return {with_sign(static_cast<double>(w), is_negative), at, true};
+  const char* const decimals = ++at;
+  for (word = load(at); (others = not_digits(word)) == 0; word = load(at)) {
+    if (!append(w, kLanes, joined(word)) || at - decimals > kMostDecimals) return {};
+    at += kLanes;  // a constant, so that the next word is looked at before the length of this one is known
+  }
+  count = count_before(others);
+  if (!append(w, count, joined(word, count))) return {};
+  at += count;
+  const std::ptrdiff_t decimal_count = at - decimals;
+  if (decimal_count == 0 || decimal_count > kMostDecimals) return {};
+  return {with_sign(rounded_quotient(w, static_cast<int>(decimal_count)), is_negative), at, false};
+}
+
+}  // namespace boxplus
