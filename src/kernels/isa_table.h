@@ -19,7 +19,8 @@ constexpr FactorKernels<Scalar> kFactorKernels{factor_panel<Scalar>,     set_to_
                                                subtract_product<Scalar>, divide_by_transposed<Scalar>,
                                                divide_by<Scalar>,        solve_forward<Scalar>,
                                                solve_backward<Scalar>,   gather_runs<Scalar>,
-                                               scatter_runs<Scalar>,     extend_add<Scalar>};
+                                               scatter_runs<Scalar>,     add_runs<Scalar>,
+                                               extend_add<Scalar>};
 
 const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          kNanosecondsPerFlop,

@@ -87,6 +87,8 @@ struct FactorKernels {
   /// work[source…] = x[destination…] for each run, and back.
   void (*gather_runs)(const Run* runs, int count, const Scalar* x, Scalar* work);
   void (*scatter_runs)(const Run* runs, int count, const Scalar* work, Scalar* x);
+  /// to[destination…] += from[source…] for each run.
+  void (*add_runs)(const Run* runs, int count, const Scalar* from, Scalar* to);
   void (*extend_add)(const ExtendAdd<Scalar>& task);
 };
 

@@ -61,6 +61,12 @@ void scatter_runs(const Run* runs, int count, const Scalar* work, Scalar* x) {
 }
 
 template <class Scalar>
+void add_runs(const Run* runs, int count, const Scalar* from, Scalar* to) {
+  for (const Run* run = runs; run != runs + count; ++run)
+    add_numbers(from + run->source, to + run->destination, static_cast<int>(run->length));
+}
+
+template <class Scalar>
 void extend_add(const ExtendAdd<Scalar>& task) {
   const long below = task.below, leading = task.leading;
   for (const Run* c = task.columns; c != task.columns_end; ++c) {

@@ -174,7 +174,8 @@ template <class Scalar>
 void NumericFactor<Scalar>::allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int batch) {
   const std::size_t columns = static_cast<std::size_t>(batch);
   const std::size_t factor_size = symbolic.panel_size + symbolic.update_size;
-  const std::size_t size = factor_size + scalars + columns * (scalars + symbolic.largest_front);
+  const std::size_t work_size = std::max<std::size_t>(columns * symbolic.largest_front, symbolic.all_rows);
+  const std::size_t size = factor_size + scalars + columns * scalars + work_size;
   memory_ = std::make_unique_for_overwrite<Scalar[]>(size);
   prefer_large_pages(memory_.get(), size * sizeof(Scalar));
   minimum_pivot_ = memory_.get() + factor_size;

@@ -46,7 +46,7 @@ class NumericFactor {
   Scalar* minimum_pivot() const { return minimum_pivot_; }
   /// Right-hand sides: those of one scalar are contiguous.
   Scalar* x() const { return x_; }
-  /// As many columns of the largest front.
+  /// As many columns of the largest front, or one column of the rows of all fronts.
   Scalar* work() const { return work_; }
 
   Suspects suspects;

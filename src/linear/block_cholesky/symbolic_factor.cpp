@@ -212,6 +212,8 @@ class Builder {
       if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 numbers");
       front.panel = f_.panel_size;
       f_.panel_size += size;
+      front.first_row = f_.all_rows;
+      f_.all_rows += front.rows();
       f_.largest_front = std::max(f_.largest_front, front.rows());
       f_.most_columns = std::max(f_.most_columns, front.columns);
       f_.most_below = std::max(f_.most_below, front.below);

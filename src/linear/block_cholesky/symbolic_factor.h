@@ -40,6 +40,7 @@ struct Front {
                 run_end = 0;  // into runs: update rows → scalars of the parent's front;
                               // those before run_split are pivots of the parent
   std::uint32_t row_run_begin = 0, row_run_end = 0;  // into row_runs: update rows → permuted scalars
+  std::uint64_t first_row = 0;                       // among the rows of all fronts
   std::uint32_t rows() const { return columns + below; }
 };
 
@@ -55,6 +56,7 @@ struct SymbolicFactor {
   std::vector<BlockCopy> copies;
   std::vector<ScalarRun> runs, row_runs;
   std::uint64_t panel_size = 0, update_size = 0;  // numbers in the arena
+  std::uint64_t all_rows = 0;                     // of all fronts
   std::uint32_t largest_front = 0, most_columns = 0, most_below = 0;
   double flops = 0;  // of the factor without added zeros
 

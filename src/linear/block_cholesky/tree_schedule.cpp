@@ -2,46 +2,139 @@
 #include "linear/block_cholesky/tree_schedule.h"
 
 #include <algorithm>
+#include <functional>
+#include <queue>
+#include <utility>
 
 #include "linear/block_cholesky/symbolic_factor.h"
 
 namespace boxplus {
 namespace {
 
-constexpr double kWorthThreads = 300e3;   // ns
-constexpr double kSubtreesPerThread = 8;  // at least, so that the shares come out even
+using Subtree = TreeSchedule::Subtree;
 
-/// The largest subtrees below the limit that are contiguous (those of kept blocks may not be).
-std::vector<TreeSchedule::Subtree> find_subtrees(std::span<const Front> fronts, const AmalgamationRule& rule,
-                                                 int threads, std::vector<std::uint32_t>& top) {
+constexpr double kWorthThreads = 300e3;   // ns
+constexpr double kSubtreesPerThread = 8;  // smaller ones bring nothing
+constexpr double kSerialShare = 0.2;      // of a front that several threads work on
+constexpr double kJoin = 20e3;            // ns that they lose by waiting for each other
+
+/// The fronts in two parts: subtrees, the longest first, and those above them.
+struct Parts {
+  std::vector<Subtree> subtrees;
+  std::vector<std::uint32_t> top;
+  double top_time = 0;  // with all threads on each of them
+};
+
+double time_together(double time_alone, int threads) {
+  const double shared = time_alone * (kSerialShare + (1 - kSerialShare) / threads) + kJoin;
+  return std::min(time_alone, shared);
+}
+
+/// A forest of fronts that is taken apart from the top.
+class Forest {
+ public:
+  Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int threads);
+
+  double total() const { return total_; }
+  const Parts& parts() const { return parts_; }
+  /// Takes the root of the largest subtree away; false where none is larger than `limit`.
+  bool split(double limit);
+
+ private:
+  void add(std::uint32_t root);
+  void take(std::uint32_t root);
+
+  std::vector<double> own_;
+  std::vector<Subtree> of_;  // the subtree of each front
+  std::vector<std::uint32_t> size_, first_child_, next_sibling_;
+  int threads_;
+  Parts parts_;
+  double total_ = 0;
+};
+
+Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int threads)
+    : size_(fronts.size(), 1),
+      first_child_(fronts.size(), kNoParent),
+      next_sibling_(first_child_),
+      threads_(threads) {
   const auto count = static_cast<std::uint32_t>(fronts.size());
-  std::vector<TreeSchedule::Subtree> subtree(count), chosen;
-  std::vector<std::uint32_t> size(count, 1);
-  double total = 0;
-  for (std::uint32_t s = 0; s < count; ++s) subtree[s] = {s, s + 1, 0};
   for (std::uint32_t s = 0; s < count; ++s) {
-    const double own = predicted_time(rule, fronts[s].columns, fronts[s].below);
-    total += own;
-    subtree[s].time += own;
-    if (const std::uint32_t p = fronts[s].parent; p != kNoParent) {
-      subtree[p].begin = std::min(subtree[p].begin, subtree[s].begin);
-      subtree[p].time += subtree[s].time;
-      size[p] += size[s];
+    own_.push_back(predicted_time(rule, fronts[s].columns, fronts[s].below));
+    of_.push_back({s, s + 1, own_[s]});
+    total_ += own_[s];
+  }
+  for (std::uint32_t s = 0; s < count; ++s) {
+    const std::uint32_t p = fronts[s].parent;
+    if (p == kNoParent) continue;
+    of_[p].begin = std::min(of_[p].begin, of_[s].begin);
+    of_[p].time += of_[s].time;
+    size_[p] += size_[s];
+    next_sibling_[s] = first_child_[p];
+    first_child_[p] = s;
+  }
+  for (std::uint32_t s = 0; s < count; ++s) {
+    if (fronts[s].parent == kNoParent) add(s);
+  }
+}
+
+/// A subtree that is not contiguous (there may be some above kept blocks) cannot be handed out as a whole.
+void Forest::add(std::uint32_t root) {
+  if (size_[root] != of_[root].end - of_[root].begin) return take(root);
+  const auto longer = [](const Subtree& a, const Subtree& b) {
+    return a.time > b.time || (a.time == b.time && a.begin < b.begin);
+  };
+  auto& subtrees = parts_.subtrees;
+  subtrees.insert(std::upper_bound(subtrees.begin(), subtrees.end(), of_[root], longer), of_[root]);
+}
+
+void Forest::take(std::uint32_t root) {
+  parts_.top.push_back(root);
+  parts_.top_time += time_together(own_[root], threads_);
+  for (std::uint32_t c = first_child_[root]; c != kNoParent; c = next_sibling_[c]) add(c);
+}
+
+bool Forest::split(double limit) {
+  auto& subtrees = parts_.subtrees;
+  if (subtrees.empty() || subtrees.front().time <= limit) return false;
+  const std::uint32_t root = subtrees.front().end - 1;
+  subtrees.erase(subtrees.begin());
+  take(root);
+  return true;
+}
+
+/// The longest first, each to the thread with the least to do. Returns how long the busiest takes.
+double share_out(const std::vector<Subtree>& subtrees, int threads,
+                 std::vector<std::vector<Subtree>>* shares = nullptr) {
+  using Load = std::pair<double, std::size_t>;
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (std::size_t t = 0; t < static_cast<std::size_t>(threads); ++t) loads.push({0, t});
+  double most = 0;
+  for (const Subtree& subtree : subtrees) {
+    auto [load, thread] = loads.top();
+    loads.pop();
+    if (shares) (*shares)[thread].push_back(subtree);
+    load += subtree.time;
+    most = std::max(most, load);
+    loads.push({load, thread});
+  }
+  return most;
+}
+
+/// Splits subtrees as long as that makes the whole faster.
+Parts best_parts(Forest& forest, int threads) {
+  const double limit = forest.total() / (kSubtreesPerThread * threads);
+  const auto predicted = [&] {
+    return share_out(forest.parts().subtrees, threads) + forest.parts().top_time;
+  };
+  Parts best = forest.parts();
+  double least = predicted();
+  while (forest.split(limit)) {
+    if (const double time = predicted(); time < least) {
+      least = time;
+      best = forest.parts();
     }
   }
-  if (total < kWorthThreads) return {};
-  const double limit = total / (kSubtreesPerThread * threads);
-  for (std::uint32_t s = count; s-- > 0;) {
-    if (!chosen.empty() && s >= chosen.back().begin && s < chosen.back().end) continue;
-    const bool contiguous = size[s] == subtree[s].end - subtree[s].begin;
-    if (contiguous && subtree[s].time <= limit) {
-      chosen.push_back(subtree[s]);
-    } else {
-      top.push_back(s);
-    }
-  }
-  std::reverse(top.begin(), top.end());
-  return chosen;
+  return best;
 }
 
 }  // namespace
@@ -49,20 +142,16 @@ std::vector<TreeSchedule::Subtree> find_subtrees(std::span<const Front> fronts, 
 TreeSchedule make_schedule(std::span<const Front> fronts, const AmalgamationRule& rule, int threads) {
   TreeSchedule schedule;
   if (threads <= 1) return schedule;
-  auto subtrees = find_subtrees(fronts, rule, threads, schedule.top);
-  if (subtrees.empty()) return {};
-  std::stable_sort(subtrees.begin(), subtrees.end(),
-                   [](const auto& a, const auto& b) { return a.time > b.time; });
+  Forest forest(fronts, rule, threads);
+  if (forest.total() < kWorthThreads) return schedule;
+  Parts parts = best_parts(forest, threads);
   schedule.threads.resize(static_cast<std::size_t>(threads));
-  std::vector<double> load(schedule.threads.size(), 0);
-  for (const auto& subtree : subtrees) {  // longest first, to the thread with the least
-    const auto least = static_cast<std::size_t>(std::min_element(load.begin(), load.end()) - load.begin());
-    schedule.threads[least].push_back(subtree);
-    load[least] += subtree.time;
-  }
+  share_out(parts.subtrees, threads, &schedule.threads);
   for (auto& share : schedule.threads) {
     std::sort(share.begin(), share.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
   }
+  schedule.top = std::move(parts.top);
+  std::sort(schedule.top.begin(), schedule.top.end());
   return schedule;
 }
 

@@ -12,8 +12,9 @@ struct Front;
 struct AmalgamationRule;
 
 /// Disjoint subtrees, shared out to the threads by predicted time; the fronts above them come afterwards, one
-/// by one. A front's arithmetic is the same wherever it is done, so that the factor does not depend on the
-/// schedule.
+/// by one, each on all threads. Which they are: Geist and Ng, Task scheduling for parallel sparse Cholesky
+/// factorization, 1989. A front's arithmetic is the same wherever it is done, so that the factor does not
+/// depend on the schedule.
 struct TreeSchedule {
   /// A whole subtree: the fronts [begin, end).
   struct Subtree {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "boxplus/base/parallel.h"
 #include "kernels/dense_kernels.h"
 #include "kernels/kernel_table.h"
 
@@ -42,47 +43,95 @@ struct FrontView {
         pivots(x + symbolic.offset[front.first_block] * stride) {}
 };
 
-/// One right-hand side: the rows of a front, side by side in `work`.
+/// One right-hand side. Each front has its rows of it side by side in memory of its own: forward, what its
+/// children subtract from rows that come later arrives there in their order, whoever works on them.
 template <class Scalar>
-class FrontRows {
+class Substitution {
  public:
-  FrontRows(const SymbolicFactor& symbolic, const Front& front)
-      : pivots_{0, symbolic.offset[front.first_block], front.columns},
-        below_(symbolic.row_runs_of(front)),
-        columns_(front.columns) {}
-  void gather(const Scalar* x, Scalar* work) const {
-    kernels_.gather_runs(&pivots_, 1, x, work);
-    kernels_.gather_runs(below_.data(), static_cast<int>(below_.size()), x, work + columns_);
+  Substitution(const SymbolicFactor& symbolic, const Scalar* panels, Scalar* x, Scalar* work)
+      : symbolic_(symbolic), panels_(panels), x_(x), work_(work) {}
+
+  void forward(const Front& front) const {
+    const FrontView<Scalar> f(symbolic_, front, panels_, 1, x_);
+    Scalar* const rows = work_ + front.first_row;
+    const ScalarRun pivots = pivots_of(front);
+    kernels_.gather_runs(&pivots, 1, x_, rows);
+    std::fill_n(rows + f.columns, f.below, Scalar{0});
+    for (const std::uint32_t c : symbolic_.children_of(front)) {
+      const Front& child = symbolic_.fronts[c];
+      const auto runs = symbolic_.all_runs(child);
+      kernels_.add_runs(runs.data(), static_cast<int>(runs.size()), work_ + child.first_row + child.columns,
+                        rows);
+    }
+    dense::solve_forward(f.panel, f.columns + f.below, f.columns, f.leading, rows);
+    kernels_.scatter_runs(&pivots, 1, rows, x_);
   }
-  void scatter_pivots(const Scalar* work, Scalar* x) const { kernels_.scatter_runs(&pivots_, 1, work, x); }
-  void scatter(const Scalar* work, Scalar* x) const {
-    scatter_pivots(work, x);
-    kernels_.scatter_runs(below_.data(), static_cast<int>(below_.size()), work + columns_, x);
+
+  void backward(const Front& front) const {
+    const FrontView<Scalar> f(symbolic_, front, panels_, 1, x_);
+    Scalar* const rows = work_ + front.first_row;
+    const ScalarRun pivots = pivots_of(front);
+    const auto below = symbolic_.row_runs_of(front);
+    kernels_.gather_runs(&pivots, 1, x_, rows);
+    kernels_.gather_runs(below.data(), static_cast<int>(below.size()), x_, rows + f.columns);
+    dense::solve_backward(f.panel, f.columns + f.below, f.columns, f.leading, rows);
+    kernels_.scatter_runs(&pivots, 1, rows, x_);
+  }
+
+  void forward_all() const {
+    if (!in_parallel()) {
+      for (const Front& front : symbolic_.fronts) forward(front);
+      return;
+    }
+    for_each_share([&](const TreeSchedule::Subtree& subtree) {
+      for (std::uint32_t s = subtree.begin; s < subtree.end; ++s) forward(symbolic_.fronts[s]);
+    });
+    for (const std::uint32_t s : symbolic_.schedule.top) forward(symbolic_.fronts[s]);
+  }
+
+  void backward_all() const {
+    if (!in_parallel()) return backward_from(static_cast<std::uint32_t>(symbolic_.fronts.size()) - 1);
+    const auto& top = symbolic_.schedule.top;
+    std::for_each(top.rbegin(), top.rend(), [&](std::uint32_t s) { backward(symbolic_.fronts[s]); });
+    for_each_share([&](const TreeSchedule::Subtree& subtree) {
+      for (std::uint32_t s = subtree.end; s-- > subtree.begin;) backward(symbolic_.fronts[s]);
+    });
+  }
+
+  void backward_from(std::uint32_t last) const {
+    for (std::uint32_t s = last + 1; s-- > 0;) backward(symbolic_.fronts[s]);
   }
 
  private:
-  const dense::FactorKernels<Scalar>& kernels_ = dense::factor_kernels<Scalar>();
-  ScalarRun pivots_;
-  std::span<const ScalarRun> below_;
-  std::uint32_t columns_;
-};
-
-template <class Scalar>
-void solve_lower_one(const SymbolicFactor& symbolic, const Scalar* panels, Scalar* x, Scalar* work) {
-  for (const Front& front : symbolic.fronts) {
-    const FrontView<Scalar> f(symbolic, front, panels, 1, x);
-    const FrontRows<Scalar> rows(symbolic, front);
-    rows.gather(x, work);
-    dense::solve_forward(f.panel, f.columns + f.below, f.columns, f.leading, work);
-    rows.scatter(work, x);
+  bool in_parallel() const {
+    constexpr std::uint64_t kWorthThreads = 200'000;  // numbers of the factor, about 50 µs
+    return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kWorthThreads;
   }
-}
+
+  /// The subtrees of each thread, side by side.
+  template <class F>
+  void for_each_share(F&& work_on) const {
+    const auto& shares = symbolic_.schedule.threads;
+    parallel_tasks(static_cast<int>(shares.size()), [&](int thread) {
+      for (const auto& subtree : shares[static_cast<std::size_t>(thread)]) work_on(subtree);
+    });
+  }
+
+  ScalarRun pivots_of(const Front& front) const {
+    return {0, symbolic_.offset[front.first_block], front.columns};
+  }
+
+  const SymbolicFactor& symbolic_;
+  const Scalar* panels_;
+  Scalar *x_, *work_;
+  const dense::FactorKernels<Scalar>& kernels_ = dense::factor_kernels<Scalar>();
+};
 
 }  // namespace
 
 template <class Scalar>
 void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work) {
-  if (columns == 1) return solve_lower_one(symbolic, panels, x, work);
+  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work).forward_all();
   const auto stride = static_cast<std::size_t>(columns);
   for (const Front& front : symbolic.fronts) {
     const FrontView<Scalar> f(symbolic, front, panels, stride, x);
@@ -97,22 +146,14 @@ void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int colum
 template <class Scalar>
 void solve_upper_from(const SymbolicFactor& symbolic, const Scalar* panels, std::uint32_t last_front,
                       Scalar* x, Scalar* work) {
-  for (std::uint32_t s = last_front + 1; s-- > 0;) {
-    const Front& front = symbolic.fronts[s];
-    const FrontView<Scalar> f(symbolic, front, panels, 1, x);
-    const FrontRows<Scalar> rows(symbolic, front);
-    rows.gather(x, work);
-    dense::solve_backward(f.panel, f.columns + f.below, f.columns, f.leading, work);
-    rows.scatter_pivots(work, x);
-  }
+  Substitution<Scalar>(symbolic, panels, x, work).backward_from(last_front);
 }
 
 template <class Scalar>
 void solve_upper(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work) {
-  const auto count = static_cast<std::uint32_t>(symbolic.fronts.size());
-  if (columns == 1) return solve_upper_from(symbolic, panels, count - 1, x, work);
+  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work).backward_all();
   const auto stride = static_cast<std::size_t>(columns);
-  for (std::uint32_t s = count; s-- > 0;) {
+  for (auto s = static_cast<std::uint32_t>(symbolic.fronts.size()); s-- > 0;) {
     const Front& front = symbolic.fronts[s];
     const FrontView<Scalar> f(symbolic, front, panels, stride, x);
     gather(symbolic, front, stride, x, work);

@@ -11,7 +11,8 @@
 namespace boxplus {
 
 /// x ← L⁻¹ x or L⁻ᵀ x for `columns` right-hand sides; x is columns × scalars: the values of one scalar are
-/// contiguous. `work` holds columns · largest_front numbers. `panels` is the arena.
+/// contiguous. `work` is that of the factor, `panels` its arena. A single
+/// right-hand side is solved for on the threads of the schedule, to the same bits.
 template <class Scalar>
 void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work);
 template <class Scalar>
