@@ -24,6 +24,30 @@ void add_transposed_product(const double* a, std::uint32_t rows, std::uint32_t c
   }
 }
 
+/// Both for a Size × Size block, which is read once: y_i += A x_j and y_j += Aᵀ x_i.
+template <std::uint32_t Size>
+void add_both_products(const double* a, const double* xi, const double* xj, double* yi, double* yj) {
+  double sums[Size];
+  std::copy_n(yi, Size, sums);
+  for (std::uint32_t j = 0; j < Size; ++j, a += Size) {
+    double sum = 0;
+    for (std::uint32_t i = 0; i < Size; ++i) {
+      sums[i] += a[i] * xj[j];
+      sum += a[i] * xi[i];
+    }
+    yj[j] += sum;
+  }
+  std::copy_n(sums, Size, yi);
+}
+
+void add_both_products(const double* a, std::uint32_t rows, std::uint32_t columns, const double* xi,
+                       const double* xj, double* yi, double* yj) {
+  if (rows == columns && rows == 3) return add_both_products<3>(a, xi, xj, yi, yj);
+  if (rows == columns && rows == 6) return add_both_products<6>(a, xi, xj, yi, yj);
+  add_product(a, rows, columns, xj, yi);
+  add_transposed_product(a, rows, columns, xi, yj);
+}
+
 }  // namespace
 
 void AssembledSystem::multiply(const double* x, double* y) const {
@@ -34,8 +58,12 @@ void AssembledSystem::multiply(const double* x, double* y) const {
     for (std::uint32_t k = s.column_start[j]; k < s.column_start[j + 1]; ++k) {
       const std::uint32_t i = s.row[k];
       const double* block = values_.data() + s.value_start[k];
-      add_product(block, s.dim(i), columns, x + s.offset[j], y + s.offset[i]);
-      if (i != j) add_transposed_product(block, s.dim(i), columns, x + s.offset[i], y + s.offset[j]);
+      const double *xi = x + s.offset[i], *xj = x + s.offset[j];
+      if (i == j) {
+        add_product(block, columns, columns, xj, y + s.offset[j]);
+      } else {
+        add_both_products(block, s.dim(i), columns, xi, xj, y + s.offset[i], y + s.offset[j]);
+      }
     }
   }
 }

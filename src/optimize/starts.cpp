@@ -20,7 +20,8 @@ bool make_guess(Run& run, Start start) {
       : start == Start::kSpanningTree
           ? guess_spanning_tree(run.graph(), run.system().plan())
           : guess_chordal(run.graph(), run.system().plan(),
-                          {run.stop(), run.options().max_factor_bytes, resolved_threads(run.options())});
+                          {run.stop(), run.options().max_factor_bytes, resolved_threads(run.options()),
+                           run.system().elimination_order()});
   run.report().start.note = guess.note;
   return guess.made;
 }

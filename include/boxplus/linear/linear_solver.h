@@ -71,6 +71,9 @@ struct AnalyzeHints {
   /// LinearSolverKind::kAutomatic: the most memory that a Cholesky factor may take; 0: half of the machine's.
   std::uint64_t max_factor_bytes = 0;
   Ordering ordering = Ordering::kAutomatic;
+  /// An elimination order of all blocks to take rather than to look for one: that of another structure with
+  /// the same or almost the same pattern. Empty: none. Read during analyze() alone; not used with `last`.
+  std::span<const std::uint32_t> order = {};
   Precision precision = Precision::kAutomatic;
 };
 
@@ -123,6 +126,8 @@ class LinearSolver {
     return false;
   }
   virtual LinearStatistics statistics() const { return {}; }
+  /// The order in which the blocks are eliminated; empty where there is none. Valid until the next analyze().
+  virtual std::span<const std::uint32_t> elimination_order() const { return {}; }
 
   /// By default nothing stops factorize() and solve(). Holds until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }

@@ -37,6 +37,10 @@ class BatchSystem final : public System {
   const Plan& plan() const { return *plan_; }
   Linearizer& linearizer() { return linearizer_; }
   const LinearSolver& linear_solver() const { return *solver_; }
+  /// Of the plan's blocks; empty where the solver has none, or solves the Schur complement.
+  std::span<const std::uint32_t> elimination_order() const {
+    return schur_ ? std::span<const std::uint32_t>() : solver_->elimination_order();
+  }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
   const LinearizeOptions& linearize_options() const { return linearize_options_; }

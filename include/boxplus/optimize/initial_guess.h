@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "boxplus/base/stop_token.h"
@@ -37,11 +38,13 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan);
 /// O(n log n).
 GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
 
-/// Bounds of what a guess may take.
+/// Bounds of what a guess may take, and what helps it.
 struct GuessLimits {
   StopToken stop = {};                 ///< once raised, no guess is made
   std::uint64_t max_factor_bytes = 0;  ///< as AnalyzeHints::max_factor_bytes
-  int threads = 1;                     ///< of its factorisations; the result does not depend on it
+  int threads = 1;                     ///< the result does not depend on it
+  /// An order in which to eliminate the blocks of the plan, or some of them; empty: it looks for one.
+  std::span<const std::uint32_t> order = {};
 };
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,

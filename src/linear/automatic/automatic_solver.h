@@ -20,6 +20,7 @@ class AutomaticSolver final : public LinearSolver {
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
   LinearStatistics statistics() const override;
+  std::span<const std::uint32_t> elimination_order() const override { return chosen_->elimination_order(); }
 
  private:
   std::unique_ptr<LinearSolver> chosen_ = std::make_unique<BlockCholesky>();

@@ -33,13 +33,15 @@ class BlockCholesky final : public LinearSolver {
   /// analyze(), where `accepts` does the prediction; else nothing but the prediction.
   template <class Accepts>
   Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints) {
-    const FactorOutline outline = outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads);
+    const FactorOutline outline =
+        outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads, hints.order);
     const Forecast forecast = forecast_of(outline);
     if (accepts(forecast)) complete(outline, structure, hints);
     return forecast;
   }
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
   LinearStatistics statistics() const override;
+  std::span<const std::uint32_t> elimination_order() const override { return symbolic_.order; }
 
   const SymbolicFactor& symbolic() const { return symbolic_; }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/memory_plan.h"
@@ -278,6 +279,16 @@ struct Ordered {
   }
 };
 
+void check_order(std::span<const std::uint32_t> order, std::uint32_t blocks) {
+  std::vector<bool> seen(blocks);
+  for (const std::uint32_t block : order) {
+    if (block < blocks) seen[block] = true;
+  }
+  if (order.size() != blocks || std::find(seen.begin(), seen.end(), false) != seen.end())
+    throw InvalidArgument("block Cholesky: expected an elimination order of all " + std::to_string(blocks) +
+                          " blocks");
+}
+
 /// Whether nested dissection is predicted to save more time than it takes, in nanoseconds. Where it wins, it
 /// saves a fifth to a third of the operations.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
@@ -298,12 +309,17 @@ std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const
 }
 
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                             const AmalgamationRule& rule, Ordering ordering, int threads) {
+                             const AmalgamationRule& rule, Ordering ordering, int threads,
+                             std::span<const std::uint32_t> order) {
   const auto keep = static_cast<std::uint32_t>(last.size());
   const auto outline = [&](const Ordered& best, Ordering taken) {
     return FactorOutline{best.order, partition_columns(best.parent, best.counts, best.dims, keep, rule),
                          best.flops, taken};
   };
+  if (!order.empty() && last.empty()) {
+    check_order(order, structure.blocks());
+    return outline({structure, {order.begin(), order.end()}, keep}, ordering);
+  }
   if (ordering == Ordering::kNestedDissection)
     return outline({structure, nested_dissection(structure, last, threads), keep},
                    Ordering::kNestedDissection);

@@ -95,10 +95,11 @@ struct FactorOutline {
   Ordering ordering = Ordering::kMinimumDegree;  // that was taken
 };
 
-/// Orders the blocks and forms the supernodes.
+/// Orders the blocks, unless `order` does, and forms the supernodes. Throws InvalidArgument where `order` is
+/// neither empty nor an order of all blocks.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
                              const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree,
-                             int threads = 1);
+                             int threads = 1, std::span<const std::uint32_t> order = {});
 /// Finds all indices and lays out the memory.
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
                                const AmalgamationRule& rule = {}, int threads = 1);

@@ -17,8 +17,11 @@
 // measured lengths, which do not, then pull at them; so rotation rows weigh kRotationEmphasis times more. Of
 // the factors 0.1 … 10⁴ tried on public pose graphs and landmark maps, 10 gave a lower chi2 than 1 on each of
 // them, and more is better without landmarks but worse with them.
+#include <algorithm>
+#include <atomic>
 #include <utility>
 
+#include "boxplus/base/parallel.h"
 #include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/components.h"
 #include "optimize/initial_guess/nearest_rotation.h"
@@ -44,7 +47,8 @@ SmallMatrix stacked(const Frame& frame) {
 /// The guess for all vertices of one dimension d.
 class Chordal {
  public:
-  Chordal(const FrameGraph& frames, const Components& components, int d, const GuessLimits& limits);
+  Chordal(const FrameGraph& frames, const Plan& plan, const Components& components, int d,
+          const GuessLimits& limits);
 
   /// Finds all frames without moving anything.
   LinearStatus solve();
@@ -65,9 +69,12 @@ class Chordal {
   Frame frame(Node node) const;
   template <class F>
   LinearStatus for_each(std::size_t count, F&& work) const;
+  template <class F>
+  LinearStatus for_each_in_parallel(std::size_t count, F&& work) const;
 
   const FrameGraph& frames_;
-  const GuessLimits& limits_;
+  GuessLimits limits_;
+  std::vector<std::uint32_t> order_;  // in which to eliminate the blocks; empty: to be found
   int d_;
   std::vector<const Measurement*> measurements_;
   std::vector<std::uint32_t> block_;  // per node
@@ -76,7 +83,8 @@ class Chordal {
   bool anchored_ = false;
 };
 
-Chordal::Chordal(const FrameGraph& frames, const Components& components, int d, const GuessLimits& limits)
+Chordal::Chordal(const FrameGraph& frames, const Plan& plan, const Components& components, int d,
+                 const GuessLimits& limits)
     : frames_(frames), limits_(limits), d_(d), block_(frames.nodes(), kConstant) {
   for (const Measurement& m : frames.measurements()) {
     if (frames.dimension(m.to) == d && !components.left_for_alignment(m)) measurements_.push_back(&m);
@@ -89,6 +97,13 @@ Chordal::Chordal(const FrameGraph& frames, const Components& components, int d, 
     unknowns_.push_back(node);
     found_.push_back(frames.frame(node));
   }
+  for (const std::uint32_t block : limits.order) {
+    const VertexRef& vertex = plan.block_vertex[block];
+    const std::uint32_t mine = block_[frames.node(vertex.pool, vertex.slot)];
+    if (mine != kConstant) order_.push_back(mine);
+  }
+  if (order_.size() != unknowns_.size()) order_.clear();
+  limits_.order = order_;
 }
 
 Frame Chordal::frame(Node node) const {
@@ -104,6 +119,21 @@ LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
     work(k);
   }
   return LinearStatus::kOk;
+}
+
+/// The same on all threads, in any order.
+template <class F>
+LinearStatus Chordal::for_each_in_parallel(std::size_t count, F&& work) const {
+  constexpr std::size_t kWorthAThread = 500;
+  const std::size_t most = static_cast<std::size_t>(std::max(1, limits_.threads));
+  const std::size_t parts = std::clamp<std::size_t>(count / kWorthAThread, 1, most);
+  std::atomic<bool> stopped = false;
+  parallel_tasks(static_cast<int>(parts), [&](int part) {
+    const std::size_t p = static_cast<std::size_t>(part), begin = count * p / parts;
+    const auto status = for_each(count * (p + 1) / parts - begin, [&](std::size_t k) { work(begin + k); });
+    if (status != LinearStatus::kOk) stopped = true;
+  });
+  return stopped ? LinearStatus::kStopped : LinearStatus::kOk;
 }
 
 LinearStatus Chordal::solve() {
@@ -143,7 +173,7 @@ LinearStatus Chordal::solve_joint() {
       for_each(measurements_.size(), [&](std::size_t k) { add_joint_term(*measurements_[k], system); });
   if (status == LinearStatus::kOk) status = solve_or_anchor(system, false);
   if (status != LinearStatus::kOk) return status;
-  return for_each(unknowns_.size(), [&](std::size_t k) {
+  return for_each_in_parallel(unknowns_.size(), [&](std::size_t k) {
     if (!frames_.pose(unknowns_[k])) return;
     const SmallMatrix relaxed = system.block(static_cast<std::uint32_t>(k)).topRows(d_).transpose();
     if (const auto rotation = nearest_rotation(relaxed)) set_rotation(found_[k], *rotation);
@@ -217,7 +247,7 @@ GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& lim
   if (frames.measurements().empty()) return {false, kNothingMeasured};
   const Components components(frames);
   if (limits.stop.raised()) return {false, kStopped};
-  Chordal plane(frames, components, 2, limits), space(frames, components, 3, limits);
+  Chordal plane(frames, plan, components, 2, limits), space(frames, plan, components, 3, limits);
   for (Chordal* part : {&plane, &space}) {
     const LinearStatus status = part->solve();
     if (status != LinearStatus::kOk) return {false, why_not_solved(status)};

@@ -43,6 +43,7 @@ class FrameGraph {
   std::span<const std::uint32_t> touching(Node node) const;
 
   Node nodes() const { return first_.back(); }
+  Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
   /// Taking part: touched by a measurement.
   bool used(Node node) const { return (flags_[node] & kUsed) != 0; }
   bool movable(Node node) const { return (flags_[node] & kMovable) != 0; }
@@ -59,7 +60,6 @@ class FrameGraph {
  private:
   enum Flag : std::uint8_t { kSeen = 1, kUsed = 2, kMovable = 4, kPose = 8, kPoint = 16, kPlanar = 32 };
 
-  Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
   void mark_movable(const Plan& plan);
   void read_edges(const Plan& plan, const StopToken& stop);
   void read_edge(std::uint32_t pool, std::uint32_t edge);

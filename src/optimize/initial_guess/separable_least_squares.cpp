@@ -57,6 +57,7 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   hints.max_factor_bytes = limits.max_factor_bytes;
   hints.threads = limits.threads;
   hints.ordering = Ordering::kMinimumDegree;  // a single factorisation pays for no dissection
+  hints.order = limits.order;
   solver->set_stop(limits.stop);
   solver->analyze(structure_, hints);
   const AssembledSystem system(structure_, values_);  // some solvers refer to it

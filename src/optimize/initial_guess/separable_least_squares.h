@@ -26,7 +26,8 @@ class SeparableLeastSquares {
   /// One term; the A (B) of a constant block is not used. `weight`: the diagonal of W.
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
-  /// May be called again after more add() where the matrix was not positive definite.
+  /// limits.order, where it is not empty, is that of all blocks. May be called again after more add() where
+  /// the matrix was not positive definite.
   LinearStatus solve(const GuessLimits& limits = {});
   double largest_diagonal() const;
   /// X_i, after solve().
