@@ -121,8 +121,12 @@ std::vector<int> CholmodPeer::order_blocks() {
   return scalars;
 }
 
-void CholmodPeer::analyze() {
+void CholmodPeer::forget() {
   cholmod_free_factor(&factor_, &common_);
+}
+
+void CholmodPeer::analyze() {
+  forget();
   if (settings_.on_blocks) {
     std::vector<int> order = order_blocks();
     factor_ = cholmod_analyze_p(matrix_, order.data(), nullptr, 0, &common_);

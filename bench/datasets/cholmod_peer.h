@@ -32,6 +32,8 @@ class CholmodPeer {
   CholmodPeer& operator=(const CholmodPeer&) = delete;
 
   const CholmodSettings& settings() const { return settings_; }
+  /// Gives back the memory of the factor.
+  void forget();
   /// Each throws std::runtime_error where CHOLMOD reports a failure.
   void analyze();
   void factorize();

@@ -96,6 +96,31 @@ TestSystem large_grid() {
   return random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
 }
 
+TEST(BlockCholesky, TakesTheOrderThatItIsGiven) {
+  std::mt19937 random(3);
+  const TestSystem grid = random_system(std::vector<std::uint32_t>(100, 3), grid_edges(10, 10), random);
+  BlockCholesky first, second;
+  first.analyze(grid.structure, {.ordering = Ordering::kNestedDissection});
+  const std::vector<std::uint32_t> order(first.elimination_order().begin(), first.elimination_order().end());
+  second.analyze(grid.structure, {.order = order});
+  EXPECT_EQ(second.statistics().factor_flops, first.statistics().factor_flops);
+  const std::vector<double> b(grid.structure.scalars(), 1.0);
+  ASSERT_EQ(second.factorize(grid.view(), {}, {}).status, LinearStatus::kOk);
+  std::vector<double> x = solve(second, b), y(b.size());
+  grid.view().multiply(x.data(), y.data());
+  EXPECT_LT(difference(y, b), 1e-9);
+}
+
+TEST(BlockCholesky, RefusesAnOrderThatIsNotOneOfAllBlocks) {
+  const auto chain = make_block_structure(std::vector<std::uint32_t>(3, 2), chain_edges(3));
+  for (const std::vector<std::uint32_t>& order :
+       {std::vector<std::uint32_t>{0, 1}, std::vector<std::uint32_t>{0, 1, 1},
+        std::vector<std::uint32_t>{0, 1, 3}, std::vector<std::uint32_t>{0, 1, 2, 2}}) {
+    BlockCholesky solver;
+    EXPECT_THROW(solver.analyze(chain, {.order = order}), InvalidArgument);
+  }
+}
+
 TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   const TestSystem system = large_grid();
   const std::vector<double> b(system.structure.scalars(), 1.0);
@@ -104,6 +129,7 @@ TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
     BlockCholesky solver;
     solver.analyze(system.structure, {.threads = threads});
     EXPECT_EQ(solver.symbolic().schedule.is_parallel(), threads > 1);
+    EXPECT_GT(solver.symbolic().panel_size, 200'000u) << "enough for threads to solve with";
     for (int repeat = 0; repeat < 2; ++repeat) {
       ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
       solutions.push_back(solve(solver, b));

@@ -25,6 +25,10 @@ struct Parts {
   double top_time = 0;  // with all threads on each of them
 };
 
+bool is_longer(const Subtree& a, const Subtree& b) {
+  return a.time > b.time || (a.time == b.time && a.begin < b.begin);
+}
+
 double time_together(double time_alone, int threads) {
   const double shared = time_alone * (kSerialShare + (1 - kSerialShare) / threads) + kJoin;
   return std::min(time_alone, shared);
@@ -41,7 +45,7 @@ class Forest {
   bool split(double limit);
 
  private:
-  void add(std::uint32_t root);
+  bool is_contiguous(std::uint32_t root) const { return size_[root] == of_[root].end - of_[root].begin; }
   void take(std::uint32_t root);
 
   std::vector<double> own_;
@@ -73,24 +77,33 @@ Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int 
     first_child_[p] = s;
   }
   for (std::uint32_t s = 0; s < count; ++s) {
-    if (fronts[s].parent == kNoParent) add(s);
+    if (fronts[s].parent != kNoParent) continue;
+    if (is_contiguous(s)) {
+      parts_.subtrees.push_back(of_[s]);
+    } else {
+      take(s);
+    }
   }
+  std::sort(parts_.subtrees.begin(), parts_.subtrees.end(), is_longer);
 }
 
-/// A subtree that is not contiguous (there may be some above kept blocks) cannot be handed out as a whole.
-void Forest::add(std::uint32_t root) {
-  if (size_[root] != of_[root].end - of_[root].begin) return take(root);
-  const auto longer = [](const Subtree& a, const Subtree& b) {
-    return a.time > b.time || (a.time == b.time && a.begin < b.begin);
-  };
-  auto& subtrees = parts_.subtrees;
-  subtrees.insert(std::upper_bound(subtrees.begin(), subtrees.end(), of_[root], longer), of_[root]);
-}
-
+/// The subtrees of the children come instead of that of the root. One that is not contiguous (there may be
+/// some above kept blocks) cannot be handed out as a whole.
 void Forest::take(std::uint32_t root) {
-  parts_.top.push_back(root);
-  parts_.top_time += time_together(own_[root], threads_);
-  for (std::uint32_t c = first_child_[root]; c != kNoParent; c = next_sibling_[c]) add(c);
+  std::vector<std::uint32_t> waiting{root};
+  while (!waiting.empty()) {
+    const std::uint32_t taken = waiting.back();
+    waiting.pop_back();
+    parts_.top.push_back(taken);
+    parts_.top_time += time_together(own_[taken], threads_);
+    for (std::uint32_t c = first_child_[taken]; c != kNoParent; c = next_sibling_[c]) {
+      if (is_contiguous(c)) {
+        parts_.subtrees.push_back(of_[c]);
+      } else {
+        waiting.push_back(c);
+      }
+    }
+  }
 }
 
 bool Forest::split(double limit) {
@@ -98,7 +111,11 @@ bool Forest::split(double limit) {
   if (subtrees.empty() || subtrees.front().time <= limit) return false;
   const std::uint32_t root = subtrees.front().end - 1;
   subtrees.erase(subtrees.begin());
+  const auto old_count = static_cast<std::ptrdiff_t>(subtrees.size());
   take(root);
+  const auto first_new = subtrees.begin() + old_count;
+  std::sort(first_new, subtrees.end(), is_longer);
+  std::inplace_merge(subtrees.begin(), first_new, subtrees.end(), is_longer);
   return true;
 }
 

@@ -11,16 +11,16 @@ namespace {
 template <int D>
 using Square = Eigen::Matrix<double, D, D>;
 
-/// The orthogonal factor of a matrix of positive determinant, by Newton's iteration X ← (X + X⁻ᵀ) / 2, scaled
-/// at first (Higham, Computing the polar decomposition, 1986): quadratic, and far cheaper than singular
-/// values. False where it is not there soon, as with an almost singular matrix.
+/// The orthogonal factor of a matrix of norm 1 and positive determinant, by Newton's iteration
+/// X ← (X + X⁻ᵀ) / 2, scaled at first (Higham, Computing the polar decomposition, 1986): quadratic, and far
+/// cheaper than singular values. False where the matrix is too close to a singular one.
 template <int D>
 bool polar_factor(Square<D>& x) {
   constexpr int kMostSteps = 12;
-  constexpr double kUnscaled = 1e-2, kEnough = 1e-14;
-  for (int step = 0, scaled = true; step < kMostSteps; ++step) {
-    const double determinant = x.determinant();
-    if (!(determinant > 0)) return false;
+  constexpr double kRegular = 1e-3, kUnscaled = 1e-2, kEnough = 1e-14;
+  if (!(x.determinant() > kRegular)) return false;
+  bool scaled = true;
+  for (int step = 0; step < kMostSteps; ++step) {
     const Square<D> inverse = x.inverse().transpose();
     const double scale = scaled ? std::sqrt(inverse.norm() / x.norm()) : 1;
     const Square<D> next = 0.5 * (scale * x + inverse / scale);

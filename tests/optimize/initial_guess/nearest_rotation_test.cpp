@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +21,20 @@ TEST(NearestRotation, KeepsARotationAndUndoesItsScale) {
   const SmallMatrix r = plane_rotation(2.5);
   EXPECT_LT((*nearest_rotation(r) - r).norm(), 1e-15);
   EXPECT_LT((*nearest_rotation(1e-8 * r) - r).norm(), 1e-15);
+}
+
+TEST(NearestRotation, IsTheOrthogonalFactorOfAnyMatrix) {
+  std::srand(1);
+  for (int k = 0; k < 200; ++k) {
+    const SmallMatrix m = SmallMatrix::Random(3, 3);
+    const SmallMatrix r = *nearest_rotation(m), stretch = r.transpose() * m;
+    EXPECT_LT((r.transpose() * r - SmallMatrix::Identity(3, 3)).norm(), 1e-14);
+    EXPECT_NEAR(Eigen::Matrix3d(r).determinant(), 1, 1e-14);
+    EXPECT_LT((stretch - stretch.transpose()).norm(), 1e-13) << "M = R S with a symmetric S";
+    // Of all rotations it has the largest trace(Rᵀ M): no other sign of S's eigenvalues does better.
+    const Eigen::Vector3d s = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stretch).eigenvalues();
+    EXPECT_GE(s[0] + s[1], -1e-13);
+  }
 }
 
 TEST(NearestRotation, TurnsAReflectionIntoTheClosestProperRotation) {
