@@ -121,7 +121,7 @@ TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
   expect_message("name lm_nonsense");
   std::istringstream file("NO_SUCH_WORD 1 2 3\nVERTEX_SE2 0 1 2 3\n");
   EXPECT_TRUE(optimizer.load(file));
-  expect_message("unknown word NO_SUCH_WORD");
+  expect_message("unknown word 'NO_SUCH_WORD'");
   EXPECT_NE(optimizer.vertex(0), nullptr);
   EXPECT_FALSE(optimizer.load("/no/such/file.g2o"));
   expect_message("cannot be opened");

@@ -32,7 +32,7 @@ expected="3.000 4.000"
 cp "$types" "$work/installed/lib"
 [[ $(run) == "$expected" ]]
 rm "$work/installed/lib/$(basename "$types")"
-[[ -z $(run) ]] && grep -q "unknown word VERTEX_BEACON" "$work/err.txt"
+[[ -z $(run) ]] && grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"
 
 "$compiler" -std=c++17 -shared -fPIC -DEIGEN_MAX_ALIGN_BYTES=32 -I "$work/installed/include" -isystem /usr/include/eigen3 \
   "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
