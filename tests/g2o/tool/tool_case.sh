@@ -47,7 +47,7 @@ complain() {
 expect() {
   local code="$1" text="$2"
   shift 2
-  "$tool" "$@" > out.txt 2> err.txt
+  timeout 100 "$tool" "$@" > out.txt 2> err.txt
   local ended=$?
   if [[ $ended != "$code" ]] || ! grep -qF -e "$text" err.txt; then
     complain "g2o $*: expected to end with $code and to say '$text'; it ended with $ended and said:" err.txt
