@@ -23,27 +23,56 @@ void estimate(g2o::OptimizableGraph::Vertex* v, const g2o::HyperGraph::VertexSet
   }
 }
 
+bool is_absolute(const g2o::HyperGraph::Edge* e) {
+  return e->vertices().size() == 1;
+}
+
+/// Fixes the first of the largest vertices while it lives, where nothing else holds the part of the graph
+/// that is there yet.
+class Hold {
+ public:
+  explicit Hold(const std::vector<g2o::OptimizableGraph::Vertex*>& there) {
+    for (g2o::OptimizableGraph::Vertex* v : there) {
+      if (v->fixed() || std::any_of(v->edges().begin(), v->edges().end(), is_absolute)) {
+        held_ = nullptr;
+        return;
+      }
+      if (held_ == nullptr || v->dimension() > held_->dimension()) held_ = v;
+    }
+    if (held_ != nullptr) held_->setFixed(true);
+  }
+  ~Hold() {
+    if (held_ != nullptr) held_->setFixed(false);
+  }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+ private:
+  g2o::OptimizableGraph::Vertex* held_ = nullptr;
+};
+
 }  // namespace
 
-int grow(g2o::SparseOptimizer& optimizer, const Options& options) {
-  std::vector<g2o::OptimizableGraph::Vertex*> vertices;
+void grow(g2o::SparseOptimizer& optimizer, const Options& options, Run& run) {
+  std::vector<g2o::OptimizableGraph::Vertex*> vertices, there;
   for (const auto& [id, v] : optimizer.vertices())
     vertices.push_back(static_cast<g2o::OptimizableGraph::Vertex*>(v));
   std::sort(vertices.begin(), vertices.end(), g2o::OptimizableGraph::VertexIDCompare());
-  g2o::HyperGraph::VertexSet there;
-  int iterations = 0, waiting = 0;
+  g2o::HyperGraph::VertexSet part;
+  int waiting = 0;
   for (g2o::OptimizableGraph::Vertex* v : vertices) {
-    estimate(v, there);
-    there.insert(v);
+    estimate(v, part);
+    part.insert(v);
+    there.push_back(v);
     if (++waiting < options.update_every && v != vertices.back()) continue;
     waiting = 0;
     if (optimizer.terminate()) break;
-    if (!optimizer.initializeOptimization(there)) continue;
-    iterations += std::max(0, optimizer.optimize(options.iterations > 0 ? options.iterations : 1));
+    const Hold hold(there);
+    if (!optimizer.initializeOptimization(part)) continue;
+    iterate(optimizer, options, options.iterations_given ? options.iterations : 1, run);
     if (options.gui_output) stream_gnuplot(optimizer);
   }
   optimizer.initializeOptimization();
-  return iterations;
 }
 
 }  // namespace g2o_tool

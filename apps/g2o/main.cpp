@@ -2,20 +2,18 @@
 // The command line interface of the g2o document: loads a graph, optimises it, saves it.
 //
 // Ends with 0 (also without input, and for an unknown algorithm), 1 where a file cannot be opened or written,
-// 2 where it cannot be read or nothing can be fixed, 3 where the algorithm does not suit the graph.
-#include <csignal>
-#include <cstdlib>
+// 2 where it has lines that cannot be read, no vertices, or not the vertex to fix, 3 where the algorithm does
+// not suit the graph.
 #include <fstream>
 #include <iostream>
-#include <memory>
 
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/factory.h"
 #include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/robust_kernel_factory.h"
-#include "g2o/core/sparse_optimizer_terminate_action.h"
 #include "g2o/stuff/logger.h"
 #include "incremental.h"
+#include "iterate.h"
 #include "options.h"
 #include "outputs.h"
 #include "plugins.h"
@@ -31,16 +29,6 @@ G2O_USE_OPTIMIZATION_LIBRARY(slam2d_linear)
 
 namespace g2o_tool {
 namespace {
-
-bool stop = false;
-
-/// The first two interrupts ask for the end of the optimisation, the third ends the program.
-extern "C" void on_interrupt(int) {
-  static volatile std::sig_atomic_t count = 0;
-  stop = true;
-  count = count + 1;
-  if (count == 3) std::_Exit(1);
-}
 
 void list(const Options& options) {
   if (options.list_types) g2o::Factory::instance()->printRegisteredTypes(std::cerr, true);
@@ -66,12 +54,17 @@ int load(g2o::SparseOptimizer& optimizer, const Options& options) {
   optimizer.setRenamedTypesFromString(options.rename_types);
   std::ifstream file;
   if (options.input != "-") file.open(options.input);
-  if (options.input != "-" && !file) {
+  const bool unreadable = options.input != "-" && (!file || (file.peek(), file.bad()));  // as folders are
+  if (unreadable) {
     std::cerr << "g2o: " << options.input << " cannot be opened\n";
     return 1;
   }
   if (!optimizer.load(options.input == "-" ? std::cin : file)) {
     std::cerr << "g2o: " << options.input << " has lines that cannot be read\n";
+    return 2;
+  }
+  if (optimizer.vertices().empty()) {
+    std::cerr << "g2o: " << options.input << " has no vertices\n";
     return 2;
   }
   std::cerr << "# loaded " << optimizer.vertices().size() << " vertices and " << optimizer.edges().size()
@@ -88,22 +81,24 @@ void make_initial_guess(g2o::SparseOptimizer& optimizer, const Options& options)
   }
 }
 
-int iterate(g2o::SparseOptimizer& optimizer, const Options& options) {
-  if (options.iterations >= 0) return optimizer.optimize(options.iterations);
-  g2o::SparseOptimizerTerminateAction terminate;
-  terminate.setGainThreshold(options.gain);
-  terminate.setMaxIterations(options.gain_iterations);
-  optimizer.addPostIterationAction(&terminate);
-  const int iterations = optimizer.optimize(options.gain_iterations);
-  optimizer.removePostIterationAction(&terminate);
-  return iterations;
+/// Of all edges, also those that take no part.
+double chi2_of_all(g2o::SparseOptimizer& optimizer) {
+  double sum = 0;
+  for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
+    auto* e = static_cast<g2o::OptimizableGraph::Edge*>(u);
+    if (e->numUndefinedVertices() > 0) continue;
+    e->computeError();
+    sum += e->chi2();
+  }
+  return sum;
 }
 
-int optimize(g2o::SparseOptimizer& optimizer, const Options& options) {
+Run optimize(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm, const Options& options) {
   Run run;
   if (!optimizer.initializeOptimization()) {
-    std::cerr << "g2o: there is nothing to optimise\n";
-    return 2;
+    std::cerr << "# there is nothing to optimise: no edge has a vertex that is not fixed\n";
+    run.chi2_loaded = run.chi2_initial = run.chi2_final = chi2_of_all(optimizer);
+    return run;
   }
   run.chi2_loaded = chi2(optimizer);
   make_initial_guess(optimizer, options);
@@ -111,14 +106,17 @@ int optimize(g2o::SparseOptimizer& optimizer, const Options& options) {
   std::cerr << "# initial chi2 = " << run.chi2_initial << '\n';
   optimizer.setVerbose(options.verbose);
   optimizer.setComputeBatchStatistics(!options.statistics.empty());
-  optimizer.setForceStopFlag(&stop);
-  run.iterations = options.incremental ? grow(optimizer, options) : iterate(optimizer, options);
-  if (options.iterations != 0 && run.iterations == 0 && !stop)
-    std::cerr << "# the algorithm failed; the result may be no minimum\n";
+  stop_at_interrupts(optimizer);
+  if (options.incremental) {
+    grow(optimizer, options, run);
+  } else {
+    iterate(optimizer, options, options.iterations, run);
+  }
+  if (run.failures > 0) std::cerr << "# the algorithm failed; the result may be no minimum\n";
   run.chi2_final = chi2(optimizer);
   std::cerr << "# final chi2 = " << run.chi2_final << '\n';
-  if (options.compute_marginals) print_marginals(optimizer);
-  return write_outputs(optimizer, options, run) ? 0 : 1;
+  if (options.compute_marginals) print_marginals(optimizer, algorithm);
+  return run;
 }
 
 int run(const Options& options) {
@@ -129,19 +127,22 @@ int run(const Options& options) {
   }
   g2o::SparseOptimizer optimizer;
   g2o::OptimizationAlgorithmProperty property;
-  std::unique_ptr<g2o::OptimizationAlgorithm> algorithm(
-      g2o::OptimizationAlgorithmFactory::instance()->construct(options.solver, property));
+  g2o::OptimizationAlgorithm* algorithm =
+      g2o::OptimizationAlgorithmFactory::instance()->construct(options.solver, property);
   if (algorithm == nullptr) {
-    std::cerr << "g2o: there is no solver " << options.solver << "; see -listSolvers\n";
+    std::cerr << "g2o: there is no solver " << options.solver
+              << "; see -listSolvers, and -solverlib for those of plug-ins\n";
     return 0;
   }
+  optimizer.setAlgorithm(algorithm);
   if (!options.solver_properties.empty() && !algorithm->updatePropertiesFromString(options.solver_properties))
     std::cerr << "g2o: not all of the properties could be set: " << options.solver_properties << '\n';
   if (options.print_solver_properties) algorithm->printProperties(std::cerr);
-  optimizer.setAlgorithm(std::move(algorithm));
   if (const int code = load(optimizer, options); code != 0) return code;
   if (!optimizer.isSolverSuitable(property)) {
-    std::cerr << "g2o: the solver " << options.solver << " does not suit vertices of these dimensions\n";
+    std::cerr << "g2o: the solver " << options.solver << " does not suit vertices of these dimensions:";
+    for (const int dimension : optimizer.dimensions()) std::cerr << ' ' << dimension;
+    std::cerr << '\n';
     return 3;
   }
   if (property.requiresMarginalize || options.marginalize) marginalize_landmarks(optimizer);
@@ -149,7 +150,7 @@ int run(const Options& options) {
   warn_about_unconnected(optimizer);
   if (!options.robust_kernel.empty() && !add_robust_kernels(optimizer, options))
     std::cerr << "g2o: there is no robust kernel " << options.robust_kernel << "; see -listRobustKernels\n";
-  return optimize(optimizer, options);
+  return write_outputs(optimizer, options, optimize(optimizer, *algorithm, options)) ? 0 : 1;
 }
 
 }  // namespace
@@ -158,7 +159,6 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
   g2o::logging::setSink(
       [](g2o::logging::Level, const std::string& text) { std::cerr << "g2o: " << text << '\n'; });
-  std::signal(SIGINT, g2o_tool::on_interrupt);
   const g2o_tool::Options options = g2o_tool::read_options(argc, argv);
   g2o_tool::load_type_libraries(options.type_libraries, argv[0]);
   g2o_tool::load_solver_libraries(options.solver_libraries, argv[0]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include <cstdlib>
+#include <iostream>
 #include <limits>
 
 namespace g2o_tool {
@@ -9,7 +11,7 @@ namespace {
 /// Takes every "-name value" out of the arguments: CommandArgs knows parameters that are given once.
 std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name) {
   std::vector<std::string> values;
-  for (size_t i = 0; i + 1 < arguments.size();) {
+  for (size_t i = 1; i + 1 < arguments.size();) {
     if (arguments[i] != "-" + name && arguments[i] != "--" + name) {
       ++i;
       continue;
@@ -19,6 +21,13 @@ std::vector<std::string> take_repeated(std::vector<std::string>& arguments, cons
                     arguments.begin() + static_cast<std::ptrdiff_t>(i) + 2);
   }
   return values;
+}
+
+/// Ends the program where a number is out of its range.
+void require(bool in_range, const char* name, const char* expected) {
+  if (in_range) return;
+  std::cerr << "parameter -" << name << ": expected " << expected << '\n';
+  std::exit(EXIT_FAILURE);
 }
 
 }  // namespace
@@ -36,7 +45,8 @@ Options read_options(int argc, char** argv) {
   args.param("guess", o.guess, false, "start from an initial guess along a spanning tree");
   args.param("guessOdometry", o.guess_odometry, false, "start from an initial guess along the odometry");
   args.param("inc", o.incremental, false, "add the vertices by and by");
-  args.param("update", o.update_every, 10, "optimise after every n vertices, with -inc");
+  args.param("update", o.update_every, 10,
+             "optimise after every n vertices, with -inc; one iteration if there is no -i");
   args.param("guiout", o.gui_output, false, "write commands for gnuplot to the standard output, with -inc");
   args.param("marginalize", o.marginalize, false,
              "eliminate all vertices of less than the largest dimension");
@@ -63,10 +73,16 @@ Options read_options(int argc, char** argv) {
   args.param("listRobustKernels", o.list_kernels, false, "list the robust kernels");
   args.param("renameTypes", o.rename_types, "", "read the types A and C as B and D: A=B,C=D");
   args.paramLeftOver("graph-input", o.input, "", "the file; - is the standard input", true);
-  std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+  std::vector<std::string> arguments(argv, argv + argc);
   o.solver_libraries = take_repeated(arguments, "solverlib");
   o.type_libraries = take_repeated(arguments, "typeslib");
-  args.parseArgs(arguments);
+  std::vector<char*> rest;
+  for (std::string& argument : arguments) rest.push_back(argument.data());
+  args.parseArgs(static_cast<int>(rest.size()), rest.data());
+  o.iterations_given = args.parsedParam("i");
+  require(o.gain >= 0, "gain", "0 or more");
+  require(o.gain_iterations >= 0, "ig", "0 or more");
+  require(o.update_every > 0, "update", "1 or more");
   return o;
 }
 

@@ -11,6 +11,7 @@ namespace g2o_tool {
 /// What the command line says.
 struct Options {
   int iterations = 5;
+  bool iterations_given = false;
   double gain = 1e-6;
   int gain_iterations = 0;
   bool verbose = false, guess = false, guess_odometry = false;

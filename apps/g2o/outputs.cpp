@@ -10,14 +10,15 @@
 
 #include "g2o/core/factory.h"
 #include "g2o/core/hyper_graph_action.h"
+#include "g2o/core/optimization_algorithm_with_hessian.h"
 
 namespace g2o_tool {
 namespace {
 
-bool write_statistics(const g2o::SparseOptimizer& optimizer, const std::string& path) {
+bool write_statistics(const Run& run, const std::string& path) {
   std::ofstream out(path);
-  for (const g2o::G2OBatchStatistics& statistics : optimizer.batchStatistics()) out << statistics << '\n';
-  return out.good();
+  for (const g2o::G2OBatchStatistics& statistics : run.statistics) out << statistics << '\n';
+  return out.flush().good();
 }
 
 bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
@@ -34,13 +35,12 @@ bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& option
   for (const std::string& type : edge_types) types += (types.empty() ? "" : " ") + type;
   if (is_new)
     out << "filename, n_vertices, n_edges, n_poses, n_landmarks, edge_types, load_chi, init_chi, final_chi, "
-           "solver, "
-           "robustKernel, maxIterations, realIterations\n";
+           "solver, robustKernel, maxIterations, realIterations\n";
   out << options.input << ", " << optimizer.vertices().size() << ", " << optimizer.edges().size() << ", "
       << optimizer.vertices().size() - landmarks << ", " << landmarks << ", " << types << ", "
       << run.chi2_loaded << ", " << run.chi2_initial << ", " << run.chi2_final << ", " << options.solver
       << ", " << options.robust_kernel << ", " << options.iterations << ", " << run.iterations << '\n';
-  return out.good();
+  return out.flush().good();
 }
 
 /// Writes the elements that `wanted` chooses, with the action "writeGnuplot" of their types.
@@ -56,10 +56,18 @@ template <class Elements, class Wanted>
 bool write_gnuplot(const Elements& elements, const std::string& path, Wanted&& wanted) {
   std::ofstream out(path);
   write_gnuplot(elements, out, wanted);
-  return out.good();
+  return out.flush().good();
 }
 
 bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& prefix) {
+  std::vector<const g2o::OptimizableGraph::Vertex*> vertices;
+  std::vector<const g2o::OptimizableGraph::Edge*> edges;
+  for (const auto& [id, v] : optimizer.vertices())
+    vertices.push_back(static_cast<const g2o::OptimizableGraph::Vertex*>(v));
+  for (const g2o::HyperGraph::Edge* e : optimizer.edges())
+    if (e->numUndefinedVertices() == 0) edges.push_back(static_cast<const g2o::OptimizableGraph::Edge*>(e));
+  std::sort(vertices.begin(), vertices.end(), g2o::OptimizableGraph::VertexIDCompare());
+  std::sort(edges.begin(), edges.end(), g2o::OptimizableGraph::EdgeIDCompare());
   const int largest = optimizer.maxDimension();
   const auto is_landmark = [&](const g2o::HyperGraph::Vertex* v) {
     return static_cast<const g2o::OptimizableGraph::Vertex*>(v)->dimension() < largest;
@@ -68,8 +76,6 @@ bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& pre
     return std::any_of(e.vertices().begin(), e.vertices().end(), is_landmark);
   };
   const auto all = [](const auto&) { return true; };
-  const auto& vertices = optimizer.activeVertices();
-  const auto& edges = optimizer.activeEdges();
   return write_gnuplot(vertices, prefix + "_vertices", all) && write_gnuplot(edges, prefix + "_edges", all) &&
          write_gnuplot(edges, prefix + "_landmarks_edges", sees_landmark) &&
          write_gnuplot(edges, prefix + "_odom_edges", [&](const g2o::HyperGraph::Edge& e) {
@@ -78,23 +84,29 @@ bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& pre
          });
 }
 
+bool save_graph(const g2o::SparseOptimizer& optimizer, const std::string& path) {
+  if (path != "-") return optimizer.save(path.c_str());  // has a message of its own
+  if (optimizer.save(std::cout) && std::cout.flush()) return true;
+  std::cerr << "g2o: the graph cannot be written to the standard output\n";
+  return false;
+}
+
+bool said_if_not(bool written, const std::string& path) {
+  if (!written) std::cerr << "g2o: " << path << " cannot be written\n";
+  return written;
+}
+
 }  // namespace
 
-bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
-  if (!options.statistics.empty() && !write_statistics(optimizer, options.statistics)) {
-    std::cerr << "g2o: " << options.statistics << " cannot be written\n";
-    return false;
-  }
-  if (!options.gnuplot.empty() && !write_gnuplot(optimizer, options.gnuplot)) {
-    std::cerr << "g2o: files for gnuplot cannot be written: " << options.gnuplot << '\n';
-    return false;
-  }
-  if (!options.summary.empty() && !append_summary(optimizer, options, run)) {
-    std::cerr << "g2o: " << options.summary << " cannot be written\n";
-    return false;
-  }
-  if (options.output == "-") return optimizer.save(std::cout);
-  return options.output.empty() || optimizer.save(options.output);
+bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run) {
+  bool ok = options.output.empty() || save_graph(optimizer, options.output);
+  if (!options.statistics.empty())
+    ok = said_if_not(write_statistics(run, options.statistics), options.statistics) && ok;
+  if (!options.gnuplot.empty())
+    ok = said_if_not(write_gnuplot(optimizer, options.gnuplot), options.gnuplot) && ok;
+  if (!options.summary.empty())
+    ok = said_if_not(append_summary(optimizer, options, run), options.summary) && ok;
+  return ok;
 }
 
 // Poses of the plane have three dimensions, those of space six.
@@ -106,7 +118,10 @@ void stream_gnuplot(const g2o::SparseOptimizer& optimizer) {
   std::cout << "e\n" << std::flush;
 }
 
-void print_marginals(g2o::SparseOptimizer& optimizer) {
+void print_marginals(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm) {
+  auto* newton = dynamic_cast<g2o::OptimizationAlgorithmWithHessian*>(&algorithm);
+  bool ready = newton != nullptr && newton->init() && newton->buildLinearStructure();
+  if (ready) newton->updateLinearSystem();
   std::vector<std::pair<int, int>> indices;
   const auto count = static_cast<int>(optimizer.indexMapping().size());
   for (int i = 0; i < count; ++i) {
@@ -114,7 +129,8 @@ void print_marginals(g2o::SparseOptimizer& optimizer) {
     if (i + 1 < count) indices.emplace_back(i, i + 1);
   }
   g2o::SparseBlockMatrix<g2o::MatrixX> covariance;
-  if (!optimizer.computeMarginals(covariance, indices)) {
+  ready = ready && optimizer.computeMarginals(covariance, indices);
+  if (!ready) {
     std::cerr << "g2o: the covariances cannot be computed\n";
     return;
   }

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "g2o/core/optimization_algorithm.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "iterate.h"
 #include "options.h"
 
 namespace g2o_tool {
 
-/// What a line of the summary tells.
-struct Run {
-  double chi2_loaded = 0, chi2_initial = 0, chi2_final = 0;
-  int iterations = 0;
-};
-
-/// False, with a message, where a file cannot be written.
-bool write_outputs(g2o::SparseOptimizer& optimizer, const Options& options, const Run& run);
+/// Writes all that the options ask for. False, with a message, where one of the files cannot be written.
+bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run);
 /// Writes commands for gnuplot that draw the active edges to the standard output.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer);
-/// Prints the diagonal blocks of the covariance, and those beside them.
-void print_marginals(g2o::SparseOptimizer& optimizer);
+/// Prints the diagonal blocks of the covariance at the estimates, and those beside them.
+void print_marginals(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm);
 
 }  // namespace g2o_tool

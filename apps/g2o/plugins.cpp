@@ -14,9 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loaded libraries stay until the end of the process: what they registered is theirs.
+/// Loaded libraries stay until the end of the process: what they registered is theirs. A name without a
+/// folder is that of a file here, or else one that the loader looks for.
 void load(const std::string& path) {
-  if (dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
+  std::error_code error;
+  const bool is_here = path.find('/') == std::string::npos && fs::exists(path, error);
+  if (dlopen((is_here ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
     std::cerr << "g2o: " << path << " cannot be loaded: " << dlerror() << '\n';
 }
 

@@ -96,7 +96,7 @@ bool HyperGraph::changeId(Vertex* v, int newId) {
 }
 
 bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
-  if (pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
+  if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
   const auto at = static_cast<size_t>(pos);
   VertexContainer changed = e->vertices();
   changed[at] = v;
@@ -108,6 +108,7 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
 }
 
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
+  if (big == nullptr || small == nullptr) return false;
   if (vertex(big->id()) != big || vertex(small->id()) != small || big == small) return false;
   const EdgeSet edges = small->edges();
   for (Edge* e : edges) {
@@ -119,7 +120,7 @@ bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
 }
 
 bool HyperGraph::detachVertex(Vertex* v) {
-  if (vertex(v->id()) != v) return false;
+  if (v == nullptr || vertex(v->id()) != v) return false;
   const EdgeSet edges = v->edges();
   for (Edge* e : edges) {
     for (size_t i = 0; i < e->vertices().size(); ++i) {

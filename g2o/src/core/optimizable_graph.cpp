@@ -231,7 +231,7 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
 }
 
 bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
-  if (pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
+  if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
   HyperGraph::Vertex* before = e->vertex(static_cast<size_t>(pos));
   if (!HyperGraph::setEdgeVertex(e, pos, v)) return false;
   auto* edge = static_cast<OptimizableGraph::Edge*>(e);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // .g2o files with the types of the Factory.
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <istream>
-#include <locale>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
 #include <typeinfo>
 #include <utility>
 
+#include "core/line_stream.h"
 #include "core/shortest_numbers.h"
 #include "g2o/core/factory.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/string_tools.h"
+#include "io/characters.h"
 
 namespace g2o {
 namespace {
@@ -30,11 +33,16 @@ class Loader {
       ++number_;
       read_line(line, true);
     }
+    if (is.bad()) {
+      ++number_;
+      complain("it cannot be read");
+    }
     last_ = nullptr;
     for (auto& [number, line] : std::exchange(pending_, {})) {
       number_ = number;
       read_line(line, false);
     }
+    report_unknown_words();
     return ok_;
   }
 
@@ -48,8 +56,7 @@ class Loader {
   }
 
   void read_line(const std::string& line, bool may_wait) {
-    std::istringstream fields(line);
-    fields.imbue(std::locale::classic());
+    internal::LineStream fields(line);
     std::string word;
     if (!(fields >> word) || word[0] == '#') return;
     if (word == "FIX") return fix(fields, may_wait ? &line : nullptr);
@@ -58,7 +65,8 @@ class Loader {
     std::unique_ptr<HyperGraph::HyperGraphElement> element(known ? Factory::instance()->construct(word)
                                                                  : nullptr);
     if (element == nullptr) {
-      if (unknown_.insert(word).second) G2O_WARN("line {}: unknown word {}, skipped", number_, word);
+      Unknown& unknown = unknown_[word];
+      if (unknown.count++ == 0) unknown.first_line = number_;
       return;
     }
     switch (element->elementType()) {
@@ -75,15 +83,47 @@ class Loader {
     }
   }
 
+  /// The words that come first are shown, and the others counted: a file of another kind is full of them.
+  void report_unknown_words() const {
+    constexpr size_t kShown = 5;
+    std::vector<std::pair<std::string, Unknown>> words(unknown_.begin(), unknown_.end());
+    std::sort(words.begin(), words.end(),
+              [](const auto& a, const auto& b) { return a.second.first_line < b.second.first_line; });
+    int others = 0;
+    for (size_t i = 0; i < words.size(); ++i) {
+      const auto& [word, unknown] = words[i];
+      if (i >= kShown) {
+        others += unknown.count;
+      } else if (unknown.count == 1) {
+        G2O_WARN("line {}: unknown word {}, skipped", unknown.first_line, boxplus::quoted(word));
+      } else {
+        G2O_WARN("line {}: unknown word {}, skipped with {} more of its lines", unknown.first_line,
+                 boxplus::quoted(word), unknown.count - 1);
+      }
+    }
+    if (others > 0)
+      G2O_WARN("{} more lines with {} other unknown words, skipped", others, words.size() - kShown);
+  }
+
+  /// What is wrong with a line whose fields could not be read.
+  static std::string problem_of(internal::LineStream& fields) {
+    if (!fields.problem.empty()) return fields.problem;
+    if (!fields.fail()) return "its fields are not accepted";
+    fields.clear();
+    std::string next;
+    if (!(fields >> next)) return "expected more fields, got the end of the line";
+    return "expected a number, got " + boxplus::quoted(next);
+  }
+
   /// Whether nothing, or a comment, is left of the line.
-  bool at_end(const std::string& word, std::istream& fields) {
+  bool at_end(const std::string& word, internal::LineStream& fields) {
     std::string rest;
     if (!(fields >> rest) || rest[0] == '#') return true;
-    complain("{}: expected the end of the line, got {}", word, rest);
+    complain("{}: expected the end of the line, got {}", word, boxplus::quoted(rest));
     return false;
   }
 
-  void fix(std::istream& fields, const std::string* line_to_wait) {
+  void fix(internal::LineStream& fields, const std::string* line_to_wait) {
     int id = 0;
     while (fields >> id) {
       if (OptimizableGraph::Vertex* v = graph_.vertex(id)) {
@@ -100,23 +140,23 @@ class Loader {
   }
 
   void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
-                      std::istream& fields) {
+                      internal::LineStream& fields) {
     auto* p = static_cast<Parameter*>(element.get());
     int id = -1;
-    if (!(fields >> id) || id < 0) return complain("{}: expected the id of a parameter", word);
+    if (!read_id(word, "the id of a parameter", 0, fields, id)) return;
     p->setId(id);
-    if (!p->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!p->read(fields) || fields.fail()) return complain("{} {}: {}", word, id, problem_of(fields));
     if (!at_end(word, fields)) return;
     if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
   }
 
   void read_vertex(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
-                   std::istream& fields) {
+                   internal::LineStream& fields) {
     auto* v = static_cast<OptimizableGraph::Vertex*>(element.get());
     int id = -1;
-    if (!(fields >> id) || id < 0) return complain("{}: expected the id of a vertex", word);
-    if (!v->read(fields) || fields.fail()) return complain("{} {}: expected more numbers", word, id);
+    if (!read_id(word, "the id of a vertex", 0, fields, id)) return;
+    if (!v->read(fields) || fields.fail()) return complain("{} {}: {}", word, id, problem_of(fields));
     if (!at_end(word, fields)) return;
     v->setId(id);
     if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
@@ -125,26 +165,42 @@ class Loader {
     last_data_ = nullptr;
   }
 
+  bool read_id(const std::string& word, const char* what, int lowest, std::istream& fields, int& id) {
+    std::string text;
+    fields >> text;
+    return read_id(word, what, lowest, text, id);
+  }
+  bool read_id(const std::string& word, const char* what, int lowest, const std::string& text, int& id) {
+    const char* const end = text.data() + text.size();
+    const auto [read_to, error] = std::from_chars(text.data(), end, id);
+    if (error == std::errc() && read_to == end && id >= lowest) return true;
+    complain("{}: expected {}, got {}", word, what, boxplus::quoted(text));
+    return false;
+  }
+
   /// The ids of the edge's vertices: as many as its type has, or up to "||". False where there are too few.
-  static bool read_ids(std::istream& fields, size_t count, std::vector<int>& ids) {
-    if (count > 0) {
-      ids.resize(count);
-      for (int& id : ids) fields >> id;
-      return !fields.fail();
+  bool read_ids(const std::string& word, internal::LineStream& fields, size_t count, std::vector<int>& ids) {
+    constexpr const char* kWhat = "the id of a vertex";
+    ids.resize(count);
+    for (int& id : ids) {
+      if (!read_id(word, kWhat, HyperGraph::UnassignedId, fields, id)) return false;
     }
-    for (std::string field; fields >> field && field != "||";) {
-      std::istringstream number(field);
-      if (!(number >> ids.emplace_back())) return false;
+    if (count > 0) return true;
+    std::string field;
+    while (fields >> field && field != "||") {
+      if (!read_id(word, kWhat, HyperGraph::UnassignedId, field, ids.emplace_back())) return false;
     }
-    return !fields.fail() && !ids.empty();
+    if (!fields.fail() && !ids.empty()) return true;
+    complain("{}: expected the ids of vertices, then ||", word);
+    return false;
   }
 
   void read_edge(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
-                 std::istream& fields, const std::string* line_to_wait) {
+                 internal::LineStream& fields, const std::string* line_to_wait) {
     auto* e = static_cast<OptimizableGraph::Edge*>(element.get());
     std::vector<int> ids;
     const size_t arity = e->vertices().size();
-    if (!read_ids(fields, arity, ids)) return complain("{}: expected the ids of vertices", word);
+    if (!read_ids(word, fields, arity, ids)) return;
     if (arity == 0) e->resize(ids.size());
     for (size_t i = 0; i < ids.size(); ++i) {
       if (ids[i] == HyperGraph::UnassignedId) continue;
@@ -156,7 +212,7 @@ class Loader {
       }
       e->setVertex(i, v);
     }
-    if (!e->read(fields) || fields.fail()) return complain("{}: expected more numbers", word);
+    if (!e->read(fields) || fields.fail()) return complain("{}: {}", word, problem_of(fields));
     if (!at_end(word, fields)) return;
     const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
     const std::vector<int>& parameters = e->parameterIds();
@@ -171,9 +227,9 @@ class Loader {
   }
 
   void read_data(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
-                 std::istream& fields) {
+                 internal::LineStream& fields) {
     auto* d = static_cast<HyperGraph::Data*>(element.get());
-    if (!d->read(fields)) return complain("{}: expected more fields", word);
+    if (!d->read(fields)) return complain("{}: {}", word, problem_of(fields));
     if (last_ == nullptr) return complain("{}: there is no vertex or edge before it", word);
     static_cast<void>(element.release());
     if (last_data_ == nullptr) {
@@ -188,7 +244,10 @@ class Loader {
   OptimizableGraph& graph_;
   const std::map<std::string, std::string>& renames_;
   std::vector<std::pair<int, std::string>> pending_;
-  std::set<std::string> unknown_;
+  struct Unknown {
+    int first_line = 0, count = 0;
+  };
+  std::map<std::string, Unknown> unknown_;
   HyperGraph::DataContainer* last_ = nullptr;
   HyperGraph::Data* last_data_ = nullptr;
   int number_ = 0;
@@ -210,7 +269,7 @@ bool OptimizableGraph::load(std::istream& is) {
 
 bool OptimizableGraph::load(const char* filename) {
   std::ifstream file(filename);
-  if (!file) {
+  if (!file || (file.peek(), file.bad())) {  // a folder can be opened, but not read
     G2O_ERROR("{} cannot be opened", filename);
     return false;
   }
@@ -223,7 +282,10 @@ bool OptimizableGraph::save(const char* filename, int level) const {
     G2O_ERROR("{} cannot be written", filename);
     return false;
   }
-  return save(file, level);
+  const bool ok = save(file, level);
+  if (file.flush()) return ok;
+  G2O_ERROR("{} cannot be written", filename);
+  return false;
 }
 
 bool OptimizableGraph::save(std::ostream& os, int level) const {
@@ -287,8 +349,7 @@ bool OptimizableGraph::saveVertex(std::ostream& os, Vertex* v) const {
   out.stream() << '\n';
   bool ok = saveUserData(os, v->userData());
   if (v->fixed()) out.stream() << "FIX " << v->id() << '\n';
-  ok = ok && os.good();
-  return ok;
+  return ok && out.good();
 }
 
 bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
@@ -298,7 +359,7 @@ bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
   out.stream() << tag << " " << p->id() << " ";
   p->write(out.stream());
   out.stream() << '\n';
-  return os.good();
+  return out.good();
 }
 
 bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
@@ -310,19 +371,21 @@ bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
     out.stream() << (v == nullptr ? HyperGraph::UnassignedId : v->id()) << " ";
   e->write(out.stream());
   out.stream() << '\n';
-  return saveUserData(os, e->userData()) && os.good();
+  return saveUserData(os, e->userData()) && out.good();
 }
 
 bool OptimizableGraph::saveUserData(std::ostream& os, HyperGraph::Data* d) const {
   ShortestNumbers out(os);
+  bool ok = true;
   for (; d != nullptr; d = d->next()) {
-    const std::string& tag = Factory::instance()->tag(d);
+    const std::string& tag = tag_of(d);
+    ok = ok && !tag.empty();
     if (tag.empty()) continue;
     out.stream() << tag << " ";
     d->write(out.stream());
     out.stream() << '\n';
   }
-  return os.good();
+  return ok && out.good();
 }
 
 void OptimizableGraph::setRenamedTypesFromString(const std::string& types) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <sstream>
+#include <typeinfo>
 
 #include "core/shortest_numbers.h"
 #include "g2o/core/factory.h"
@@ -73,14 +74,19 @@ bool ParameterContainer::read(std::istream& is, const std::map<std::string, std:
 
 bool ParameterContainer::write(std::ostream& os) const {
   ShortestNumbers out(os);
+  bool ok = true;
   for (const auto& [id, p] : *this) {
     const std::string& tag = Factory::instance()->tag(p);
-    if (tag.empty()) continue;
+    if (tag.empty()) {
+      G2O_ERROR("save: no word is registered for the type {}", typeid(*p).name());
+      ok = false;
+      continue;
+    }
     out.stream() << tag << " " << id << " ";
     p->write(out.stream());
     out.stream() << '\n';
   }
-  return os.good();
+  return ok && out.good();
 }
 
 }  // namespace g2o

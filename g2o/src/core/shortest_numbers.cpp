@@ -20,8 +20,11 @@ class Facet final : public std::num_put<char> {
 
 }  // namespace
 
-ShortestNumbers::ShortestNumbers(std::ostream& os) : stream_(os.rdbuf()) {
+// The locale comes first: a stream hands it on to its buffer, which would be flushed, and be of no use any
+// more where that fails.
+ShortestNumbers::ShortestNumbers(std::ostream& os) : to_(os), stream_(nullptr) {
   stream_.imbue(std::locale(std::locale::classic(), new Facet));
+  stream_.rdbuf(os.rdbuf());
 }
 
 }  // namespace g2o

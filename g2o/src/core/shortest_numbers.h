@@ -11,8 +11,11 @@ class ShortestNumbers {
  public:
   explicit ShortestNumbers(std::ostream& os);
   std::ostream& stream() { return stream_; }
+  /// Whether all has been written so far.
+  bool good() const { return stream_.good() && to_.good(); }
 
  private:
+  const std::ostream& to_;
   std::ostream stream_;
 };
 

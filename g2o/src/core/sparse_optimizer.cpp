@@ -289,18 +289,28 @@ void SparseOptimizer::writeVerboseLine(int iteration, double seconds, double tot
 
 bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                        const std::vector<std::pair<int, int>>& blockIndices) {
-  return _algorithm != nullptr && _algorithm->computeMarginals(spinv, blockIndices);
+  if (_algorithm == nullptr || _ivMap.empty()) {
+    G2O_ERROR("computeMarginals: expected an optimiser with an algorithm that has optimised");
+    return false;
+  }
+  return _algorithm->computeMarginals(spinv, blockIndices);
 }
 
 bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex) {
-  if (vertex->hessianIndex() < 0) return false;
+  if (vertex == nullptr || vertex->hessianIndex() < 0) {
+    G2O_ERROR("computeMarginals: expected a vertex that was optimised");
+    return false;
+  }
   return computeMarginals(spinv,
                           std::vector<std::pair<int, int>>{{vertex->hessianIndex(), vertex->hessianIndex()}});
 }
 
 bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const VertexContainer& vertices) {
   std::vector<std::pair<int, int>> indices;
-  for (const Vertex* v : vertices) indices.emplace_back(v->hessianIndex(), v->hessianIndex());
+  for (const Vertex* v : vertices) {
+    const int index = v == nullptr ? -1 : v->hessianIndex();
+    indices.emplace_back(index, index);
+  }
   return computeMarginals(spinv, indices);
 }
 

@@ -23,7 +23,7 @@ HyperGraphAction* SparseOptimizerTerminateAction::operator()(const HyperGraph* g
     setOptimizerStopFlag(optimizer, false);
   } else {
     const double gain = (_lastChi - chi2) / chi2;
-    const bool converged = (gain >= 0 && gain < _gainThreshold) || chi2 == 0;
+    const bool converged = (gain >= 0 && gain <= _gainThreshold) || chi2 == 0;
     if (converged || iteration->iteration >= _maxIterations) setOptimizerStopFlag(optimizer, true);
   }
   _lastChi = chi2;

@@ -12,12 +12,29 @@ namespace g2o {
 
 struct CommandArgs::CommandArgument {
   std::string name, description, default_text;
+  const char* expected = "";                    // what a value is
   std::function<bool(const std::string&)> set;  // from the text of a value
   std::function<void()> turn_over;              // flags only
   bool optional = true, parsed = false;
 };
 
 namespace {
+
+constexpr const char* what(int) {
+  return "an integer";
+}
+constexpr const char* what(double) {
+  return "a number";
+}
+const char* what(const std::string&) {
+  return "a value";
+}
+const char* what(const std::vector<int>&) {
+  return "integers separated by commas";
+}
+const char* what(const std::vector<double>&) {
+  return "numbers separated by commas";
+}
 
 template <class T>
 bool read(const std::string& text, T& value) {
@@ -65,11 +82,11 @@ std::string to_text(const std::vector<T>& values) {
 CommandArgs::CommandArgs() = default;
 CommandArgs::~CommandArgs() = default;
 
-#define G2O_VALUE_PARAMETER_(Type, Default)                                                                 \
-  void CommandArgs::param(const std::string& name, Type& p, Default defValue, const std::string& desc) {    \
-    p = defValue;                                                                                           \
-    _args.push_back(                                                                                        \
-        {name, desc, to_text(defValue), [&p](const std::string& text) { return read(text, p); }, nullptr}); \
+#define G2O_VALUE_PARAMETER_(Type, Default)                                                              \
+  void CommandArgs::param(const std::string& name, Type& p, Default defValue, const std::string& desc) { \
+    p = defValue;                                                                                        \
+    _args.push_back({name, desc, to_text(defValue), what(p),                                             \
+                     [&p](const std::string& text) { return read(text, p); }, nullptr});                 \
   }
 G2O_VALUE_PARAMETER_(int, int)
 G2O_VALUE_PARAMETER_(float, float)
@@ -81,14 +98,14 @@ G2O_VALUE_PARAMETER_(std::vector<double>, const std::vector<double>&)
 
 void CommandArgs::param(const std::string& name, bool& p, bool defValue, const std::string& desc) {
   p = defValue;
-  _args.push_back({name, desc, defValue ? "on" : "off", nullptr, [&p, defValue] { p = !defValue; }});
+  _args.push_back({name, desc, defValue ? "on" : "off", "", nullptr, [&p, defValue] { p = !defValue; }});
 }
 
 void CommandArgs::paramLeftOver(const std::string& name, std::string& p, const std::string& defValue,
                                 const std::string& desc, bool optional) {
   p = defValue;
-  _leftOvers.push_back(
-      {name, desc, defValue, [&p](const std::string& text) { return read(text, p); }, nullptr, optional});
+  _leftOvers.push_back({name, desc, defValue, "a value",
+                        [&p](const std::string& text) { return read(text, p); }, nullptr, optional});
 }
 
 bool CommandArgs::parseArgs(int argc, char** argv, bool exitOnError) {
@@ -129,9 +146,9 @@ bool CommandArgs::parse(const std::vector<std::string>& args) {
     argument->parsed = true;
     if (argument->turn_over) {
       argument->turn_over();
-    } else if (i + 1 == args.size() || !argument->set(args[++i])) {
-      error_ =
-          "parameter " + text + ": expected a value, got " + (i == args.size() - 1 ? args[i] : "nothing");
+    } else if (++i == args.size() || !argument->set(args[i])) {
+      error_ = "parameter " + text + ": expected " + argument->expected + ", got " +
+               (i == args.size() ? "nothing" : "'" + args[i] + "'");
       return false;
     }
   }

@@ -102,7 +102,34 @@ class DrawElementAction : public DrawAction {
       drawing.pose(pose, faint, property("GHOST_TRIANGLE_X", .2F), property("GHOST_TRIANGLE_Y", .05F));
     for (const Isometry3& pose : sketch.sensors)
       drawing.cube(pose, sketch.color, property("CUBE_SIDE", .05F), 1);
+    for (const Isometry3& pose : sketch.cameras)
+      draw_camera(pose, sketch.color, property("CAMERA_Z", .05F), property("CAMERA_SIDE", .05F));
+    for (const Isometry3& plane : sketch.planes)
+      draw_plane(plane, sketch.color, property("PLANE_WIDTH", sketch.plane_side),
+                 property("PLANE_HEIGHT", sketch.plane_side));
     for (const Vector3& point : sketch.points) drawing.point(point, sketch.color, property("POINT_SIZE", 4));
+  }
+
+  /// A pyramid from the centre of projection to the image.
+  void draw_camera(const Isometry3& pose, const Color& color, double depth, double side) {
+    const double half = side / 2;
+    const std::vector<Vector3> image{pose * Vector3(-half, -half, depth), pose * Vector3(half, -half, depth),
+                                     pose * Vector3(half, half, depth), pose * Vector3(-half, half, depth)};
+    Drawing& drawing = *_previousParams->drawing;
+    drawing.polyline(image, true, color, property("LINE_WIDTH", 1));
+    for (const Vector3& corner : image)
+      drawing.line(pose.translation(), corner, color, property("LINE_WIDTH", 1));
+  }
+
+  /// A rectangle and its normal.
+  void draw_plane(const Isometry3& plane, const Color& color, double width, double height) {
+    const double x = width / 2, y = height / 2;
+    Drawing& drawing = *_previousParams->drawing;
+    drawing.polyline({plane * Vector3(-x, -y, 0), plane * Vector3(x, -y, 0), plane * Vector3(x, y, 0),
+                      plane * Vector3(-x, y, 0)},
+                     true, color, property("LINE_WIDTH", 1));
+    drawing.line(plane.translation(), plane * Vector3(0, 0, std::min(x, y) / 2), color,
+                 property("LINE_WIDTH", 1));
   }
 };
 

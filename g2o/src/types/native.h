@@ -14,13 +14,21 @@
 #include "boxplus/graph/differentiate.h"
 #include "boxplus/io/file_fields.h"
 #include "boxplus/io/registry.h"
-#include "g2o/stuff/logger.h"
+#include "core/line_stream.h"
 
 namespace g2o {
 namespace native {
 
-/// Takes the next `count` words of a stream and has `read` read them as fields. False, with a message, where
-/// they are too few or not what they should be.
+/// What an error of the engine says after its place.
+inline std::string without_place(const std::string& file, const boxplus::InputError& error) {
+  const std::string place =
+      file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": ";
+  const std::string text = error.what();
+  return text.compare(0, place.size(), place) == 0 ? text.substr(place.size()) : text;
+}
+
+/// Takes the next `count` words of a stream and has `read` read them as fields. False where they are too few,
+/// or, with a complaint, not what they should be.
 template <class Read>
 bool read_fields(std::istream& is, int count, Read&& read) {
   std::string text, word;
@@ -30,13 +38,15 @@ bool read_fields(std::istream& is, int count, Read&& read) {
     text += ' ';
   }
   try {
-    boxplus::FieldReader in("fields", 1, text);
+    boxplus::FieldReader in("", 1, text);
     read(in);
     return true;
+  } catch (const boxplus::InputError& error) {
+    internal::complain(is, without_place("", error));
   } catch (const boxplus::Error& error) {
-    G2O_ERROR("{}", error.what());
-    return false;
+    internal::complain(is, error.what());
   }
+  return false;
 }
 
 template <class T>
@@ -53,9 +63,22 @@ bool write_value(std::ostream& os, const T& value) {
   return os.good();
 }
 
+/// Whether the next `count` fields are zeros.
+inline bool are_zeros(boxplus::FieldReader in, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (in.number("an entry of the information matrix") != 0) return false;
+  }
+  return true;
+}
+
+/// Zeros only, which the engine refuses, are an edge without weight.
 template <class Omega>
 void read_omega(boxplus::FieldReader& in, Omega& information) {
   const auto rows = static_cast<int>(information.rows());
+  if (are_zeros(in, rows * (rows + 1) / 2)) {
+    information.setZero();
+    return;
+  }
   const boxplus::Information omega = boxplus::read_information(in, rows);
   information = boxplus::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
 }

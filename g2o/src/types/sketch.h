@@ -23,6 +23,12 @@ struct Sketch {
   /// Where a measurement sees a pose that the edge does not have.
   std::vector<Isometry3> ghosts;
   std::vector<Isometry3> sensors;
+  /// They look along their z.
+  std::vector<Isometry3> cameras;
+  /// Pieces of planes, whose normals are z.
+  std::vector<Isometry3> planes;
+  /// How long the sides of these are (metres), unless a property tells.
+  float plane_side = 3;
   std::vector<Vector3> points;
   std::vector<std::array<Vector3, 2>> lines;
   Color color;
@@ -43,6 +49,12 @@ struct Sketch {
     Sketch sketch;
     sketch.sensors = {pose};
     sketch.color = kSensorColor;
+    return sketch;
+  }
+  static Sketch of_camera(const Isometry3& pose, const Color& color) {
+    Sketch sketch;
+    sketch.cameras = {pose};
+    sketch.color = color;
     return sketch;
   }
   static Sketch of_line(const Vector3& from, const Vector3& to, const Color& color) {

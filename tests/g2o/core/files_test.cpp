@@ -2,10 +2,12 @@
 // What .g2o files may hold beside complete lines in order.
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "g2o/core/base_vertex.h"
 #include "g2o/core/factory.h"
 #include "g2o/core/small_graph.h"
 #include "g2o/stuff/logger.h"
@@ -98,6 +100,107 @@ TEST(Files, ALineMayEndWithACommentOrACarriageReturn) {
   std::istringstream file("VERTEX_SE2 0 0 0 0 # the start\nVERTEX_XY 6 1 0\r\nFIX 0 # it stays\n");
   EXPECT_TRUE(optimizer.load(file));
   EXPECT_EQ(optimizer.vertices().size(), 2u);
+}
+
+/// What load() says of a text, and whether it took it.
+std::vector<std::string> messages_of(const std::string& text, bool expected) {
+  std::vector<std::string> messages;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });
+  g2o::SparseOptimizer optimizer;
+  std::istringstream file(text);
+  EXPECT_EQ(optimizer.load(file), expected);
+  g2o::logging::setSink({});
+  return messages;
+}
+
+TEST(Files, AMessageNamesTheLineWhatWasExpectedAndWhatCame) {
+  using testing::ElementsAre;
+  EXPECT_THAT(messages_of("VERTEX_SE2 1 0 nan 0\n", false),
+              ElementsAre("line 1: VERTEX_SE2 1: expected y (a finite number), got 'nan'"));
+  EXPECT_THAT(messages_of("\nVERTEX_SE2 1 0 0\n", false),
+              ElementsAre("line 2: VERTEX_SE2 1: expected more fields, got the end of the line"));
+  EXPECT_THAT(messages_of("VERTEX_SE2 one 0 0 0\n", false),
+              ElementsAre("line 1: VERTEX_SE2: expected the id of a vertex, got 'one'"));
+  EXPECT_THAT(messages_of("VERTEX_SE2 -1 0 0 0\n", false),
+              ElementsAre("line 1: VERTEX_SE2: expected the id of a vertex, got '-1'"));
+  EXPECT_THAT(messages_of("EDGE_SE2 0\n", false),
+              ElementsAre("line 1: EDGE_SE2: expected the id of a vertex, got the end of the line"));
+  EXPECT_THAT(
+      messages_of("PARAMS_SE2OFFSET\n", false),
+      ElementsAre("line 1: PARAMS_SE2OFFSET: expected the id of a parameter, got the end of the line"));
+  EXPECT_THAT(messages_of("VERTEX_SE2 0 0 0 0 \x01\n", false),
+              ElementsAre("line 1: VERTEX_SE2: expected the end of the line, got '\\x01'"));
+}
+
+/// A type that reads as clients' do.
+class VertexLevel : public g2o::BaseVertex<1, double> {
+ public:
+  void setToOriginImpl() override { _estimate = 0; }
+  void oplusImpl(const double* update) override { _estimate += *update; }
+  bool read(std::istream& is) override { return is >> _estimate && _estimate >= 0; }
+  bool write(std::ostream& os) const override { return static_cast<bool>(os << _estimate); }
+};
+
+TEST(Files, SoDoesTheMessageWhereATypeOfAClientFails) {
+  using testing::ElementsAre;
+  const g2o::RegisterTypeProxy<VertexLevel> registered("VERTEX_LEVEL");
+  EXPECT_THAT(messages_of("VERTEX_LEVEL 0 high\n", false),
+              ElementsAre("line 1: VERTEX_LEVEL 0: expected a number, got 'high'"));
+  EXPECT_THAT(messages_of("VERTEX_LEVEL 0\n", false),
+              ElementsAre("line 1: VERTEX_LEVEL 0: expected more fields, got the end of the line"));
+  EXPECT_THAT(messages_of("VERTEX_LEVEL 0 -1\n", false),
+              ElementsAre("line 1: VERTEX_LEVEL 0: its fields are not accepted"));
+}
+
+TEST(Files, UnknownWordsAreQuotedCountedAndSummedUp) {
+  using testing::ElementsAre;
+  EXPECT_THAT(messages_of("A 1\nB\x7f 1\nA 2\nA 3\n", true),
+              ElementsAre("line 1: unknown word 'A', skipped with 2 more of its lines",
+                          "line 2: unknown word 'B\\x7f', skipped"));
+  EXPECT_THAT(messages_of("A\nB\nC\nD\nE\nF\nG\nF\n", true),
+              ElementsAre(testing::HasSubstr("'A'"), testing::HasSubstr("'B'"), testing::HasSubstr("'C'"),
+                          testing::HasSubstr("'D'"), testing::HasSubstr("'E'"),
+                          "3 more lines with 2 other unknown words, skipped"));
+}
+
+TEST(Files, AnInformationOfZerosIsAnEdgeWithoutWeight) {
+  const std::string text = "VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 0 0 0 0 0 0\n";
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(text);
+  ASSERT_TRUE(optimizer.load(in));
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  optimizer.computeActiveErrors();
+  EXPECT_EQ(optimizer.activeChi2(), 0);
+  std::ostringstream out;
+  EXPECT_TRUE(optimizer.save(out));
+  EXPECT_EQ(out.str(), text);
+}
+
+TEST(Files, AnIndefiniteInformationIsRefused) {
+  EXPECT_THAT(messages_of("VERTEX_XY 0 0 0\nVERTEX_XY 1 1 0\nEDGE_POINTXY 0 1 1 0 1 2 1\n", false),
+              testing::ElementsAre(testing::HasSubstr("line 3: EDGE_POINTXY: ")));
+}
+
+TEST(Files, AFolderCannotBeOpened) {
+  std::vector<std::string> messages;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });
+  g2o::SparseOptimizer optimizer;
+  EXPECT_FALSE(optimizer.load("/"));
+  std::ifstream folder("/");
+  EXPECT_FALSE(optimizer.load(folder));
+  g2o::logging::setSink({});
+  EXPECT_THAT(messages, testing::ElementsAre("/ cannot be opened", "line 1: it cannot be read"));
+}
+
+TEST(Files, AFullDiskIsAFailureAndNoCrash) {
+  if (!std::ifstream("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  std::string message;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { message = said; });
+  g2o::SparseOptimizer optimizer;
+  small_graph::add_square(optimizer);
+  EXPECT_FALSE(optimizer.save("/dev/full"));
+  g2o::logging::setSink({});
+  EXPECT_EQ(message, "/dev/full cannot be written");
 }
 
 }  // namespace

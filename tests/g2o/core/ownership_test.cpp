@@ -121,10 +121,78 @@ TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
   expect_message("name lm_nonsense");
   std::istringstream file("NO_SUCH_WORD 1 2 3\nVERTEX_SE2 0 1 2 3\n");
   EXPECT_TRUE(optimizer.load(file));
-  expect_message("unknown word NO_SUCH_WORD");
+  expect_message("unknown word 'NO_SUCH_WORD'");
   EXPECT_NE(optimizer.vertex(0), nullptr);
   EXPECT_FALSE(optimizer.load("/no/such/file.g2o"));
   expect_message("cannot be opened");
+}
+
+TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
+  add_square(optimizer);
+  g2o::VertexSE2 stranger;
+  EXPECT_FALSE(optimizer.addVertex(static_cast<g2o::OptimizableGraph::Vertex*>(nullptr)));
+  EXPECT_FALSE(optimizer.addEdge(static_cast<g2o::OptimizableGraph::Edge*>(nullptr)));
+  EXPECT_FALSE(optimizer.removeVertex(nullptr));
+  EXPECT_FALSE(optimizer.removeVertex(&stranger));
+  EXPECT_FALSE(optimizer.removeEdge(nullptr));
+  EXPECT_FALSE(optimizer.detachVertex(nullptr));
+  EXPECT_FALSE(optimizer.mergeVertices(nullptr, optimizer.vertex(0), true));
+  EXPECT_FALSE(optimizer.mergeVertices(optimizer.vertex(0), nullptr, true));
+  EXPECT_FALSE(optimizer.setEdgeVertex(nullptr, 0, optimizer.vertex(0)));
+  EXPECT_FALSE(optimizer.changeId(nullptr, 3));
+  EXPECT_FALSE(optimizer.addParameter(nullptr));
+  EXPECT_EQ(optimizer.vertex(99), nullptr);
+  EXPECT_EQ(optimizer.parameter(99), nullptr);
+}
+
+TEST_F(Misuse, WithoutInitialisationAlgorithmOrLinearSolverNothingIsOptimised) {
+  EXPECT_FALSE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(1), -1);
+  expect_message("was initializeOptimization() called?");
+  add_square(optimizer);
+  EXPECT_EQ(optimizer.optimize(1), -1);
+  expect_message("was initializeOptimization() called?");
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(1), -1);
+  expect_message("no algorithm");
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
+      new g2o::BlockSolverX(static_cast<g2o::BlockSolverX::LinearSolverType*>(nullptr))));
+  EXPECT_EQ(optimizer.optimize(1), -1);
+  expect_message("could not be initialised");
+}
+
+TEST_F(Misuse, MarginalsAreThoseOfVerticesThatWereOptimised) {
+  using Blocks = std::vector<std::pair<int, int>>;
+  add_square(optimizer);
+  g2o::SparseBlockMatrix<g2o::MatrixX> covariance;
+  EXPECT_FALSE(optimizer.computeMarginals(covariance, Blocks{{0, 0}}));
+  expect_message("computeMarginals");
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
+  optimizer.vertex(0)->setFixed(true);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  ASSERT_EQ(optimizer.optimize(1), 1);
+  EXPECT_FALSE(optimizer.computeMarginals(covariance, optimizer.vertex(0)));
+  expect_message("expected a vertex that was optimised");
+  EXPECT_FALSE(
+      optimizer.computeMarginals(covariance, static_cast<const g2o::OptimizableGraph::Vertex*>(nullptr)));
+  expect_message("expected a vertex that was optimised");
+  EXPECT_FALSE(optimizer.computeMarginals(covariance, Blocks{{0, 99}}));
+  expect_message("expected Hessian indices");
+  EXPECT_FALSE(
+      optimizer.computeMarginals(covariance, g2o::OptimizableGraph::VertexContainer{optimizer.vertex(0)}));
+  expect_message("expected Hessian indices");
+  EXPECT_TRUE(optimizer.computeMarginals(covariance, optimizer.vertex(1)));
+}
+
+TEST_F(Misuse, ParametersAndDataWithoutAWordAreNotSavedInSilence) {
+  struct Unregistered : g2o::ParameterSE2Offset {};
+  auto* p = new Unregistered;
+  p->setId(3);
+  ASSERT_TRUE(optimizer.addParameter(p));
+  std::ostringstream out;
+  EXPECT_FALSE(optimizer.save(out));
+  expect_message("no word is registered");
+  EXPECT_EQ(out.str(), "");
 }
 
 TEST_F(Misuse, ATypeWithoutAWordIsNotSavedInSilence) {

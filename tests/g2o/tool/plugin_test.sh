@@ -26,15 +26,21 @@ run() { "$tool" -i 20 -o - "$@" "$work/beacon.g2o" 2> "$work/err.txt" | found_at
 
 expected="3.000 4.000"
 [[ $(run -typeslib "$types") == "$expected" ]]
+(cd "$work/build" && unset LD_LIBRARY_PATH && [[ $(run -typeslib "$(basename "$types")") == "$expected" ]])
+[[ $(run -typeslib "$types" -typeslib "$types") == "$expected" ]]
 [[ $(run -typeslib "$types" -solverlib "$solver" -solver lm_ldlt) == "$expected" ]]
 [[ $(G2O_TYPES_DIR="$work/build" G2O_SOLVER_DIR="$work/build" run -solver lm_ldlt) == "$expected" ]]
 [[ $(G2O_TYPES_DIR="$work/build" G2O_SOLVERS_DIR="$work/build" run -solver lm_ldlt) == "$expected" ]]
 cp "$types" "$work/installed/lib"
 [[ $(run) == "$expected" ]]
 rm "$work/installed/lib/$(basename "$types")"
-[[ -z $(run) ]] && grep -q "unknown word VERTEX_BEACON" "$work/err.txt"
+[[ -z $(run) ]] && grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"
 
 "$compiler" -std=c++17 -shared -fPIC -DEIGEN_MAX_ALIGN_BYTES=32 -I "$work/installed/include" -isystem /usr/include/eigen3 \
   "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
 run -typeslib "$work/other_types_abi.so" > /dev/null || true
 grep -q "cannot be loaded.*g2o_abi_1_32" "$work/err.txt"
+grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"  # and it goes on
+sed 's/EDGE_RANGE 0 3 5/EDGE_RANGE 0 3 five/' "$work/beacon.g2o" > "$work/broken.g2o"
+if "$tool" -typeslib "$types" "$work/broken.g2o" 2> "$work/err.txt"; then exit 1; fi
+grep -q "line 6: EDGE_RANGE: expected a number, got 'five'" "$work/err.txt"

@@ -1,90 +1,169 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tool_test.sh TOOL WORK_DIR: the switches of the tool g2o, and how it ends.
-set -uo pipefail
-tool="$1" work="$2"
-rm -rf "$work" && mkdir -p "$work" && cd "$work"
+# tool_test.sh TOOL WORK_DIR: each switch of the tool g2o.
+source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 
-cat > square.g2o <<END
-VERTEX_SE2 0 0 0 0
-VERTEX_SE2 1 1.1 0.1 1.57
-VERTEX_SE2 2 0.9 1.2 3.1
-VERTEX_SE2 3 -0.1 0.9 -1.6
-VERTEX_XY 7 0.4 0.4
-EDGE_SE2 0 1 1.00 0 1.57 10 0 0 10 0 40
-EDGE_SE2 1 2 1.02 0 1.57 10 0 0 10 0 40
-EDGE_SE2 2 3 1.01 0 1.57 10 0 0 10 0 40
-EDGE_SE2 3 0 1.00 0 1.57 10 0 0 10 0 40
-EDGE_SE2_XY 0 7 0.5 0.5 20 0 20
-EDGE_SE2_XY 2 7 0.5 0.5 20 0 20
-END
-sed 's/EDGE_SE2 3 0 .*/EDGE_SE2 3 0 nan/' square.g2o > broken.g2o
-
-# expect CODE TEXT ARGUMENT...: the tool ends with CODE, and says TEXT on standard error.
-expect() {
-  local code="$1" text="$2"
-  shift 2
-  "$tool" "$@" > out.txt 2> err.txt
-  local ended=$?
-  if [[ $ended != "$code" ]] || ! grep -qF -e "$text" err.txt; then
-    echo "g2o $*: expected to end with $code and to say '$text'; it ended with $ended and said:" >&2
-    cat err.txt >&2
-    exit 1
-  fi
-}
-
+# -h, -help, and no input
 expect 0 "no input"
-expect 0 "no solver nonsense" -solver nonsense square.g2o
-expect 1 "cannot be opened" no_such_file.g2o
-expect 2 "line 9" broken.g2o
-expect 2 "no vertex 99" -gaugeList 99 square.g2o
-expect 3 "does not suit" -solver lm_fix6_3 square.g2o
-expect 1 "unknown parameter" -nonsense square.g2o
-expect 0 "final chi2" -o - square.g2o
-grep -q "^VERTEX_XY 7 " out.txt
+for switch in -h -help --help; do
+  "$tool" $switch > out.txt 2> err.txt || exit 1
+  is "Usage: $tool [options] [graph-input]" out.txt
+  for name in i gain ig v guess guessOdometry inc update guiout marginalize printSolverProperties solverProperties gnudump \
+    robustKernel robustKernelWidth nonSequential computeMarginals gaugeId gaugeList o solver solverlib typeslib stats summary \
+    listTypes listSolvers listRobustKernels renameTypes help; do
+    is "-$name " out.txt
+  done
+done
+
+# -i: five iterations, so many, or none
+expect 0 "iteration= 4" -v square.g2o
+is_not "iteration= 5" err.txt
 expect 0 "iteration= 9" -v -i 10 square.g2o
+expect 0 "final chi2 = 4.6827" -i 0 square.g2o
+is_not "failed" err.txt
+
+# -i < 0 with -gain and -ig: until the gain is small, or chi2 falls no more
+expect 0 "final chi2 = 0.00189884" -v -i -1 square.g2o
+is_not "iteration= 10" err.txt
+expect 0 "iteration= 1" -v -i -1 -gain 1e9 square.g2o
+is_not "iteration= 2" err.txt
+expect 0 "iteration= 1" -v -i -1 -ig 2 -gain 0 square.g2o
+is_not "iteration= 2" err.txt
+expect 0 "final chi2 = 4.6827" -i -1 -ig 0 square.g2o
+is_not "failed" err.txt
+expect 0 "final chi2 = 0.00189884" -i -1 -gain 0 square.g2o
+printf 'VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0.1\nEDGE_SE2 0 1 1.1 0.3 0.7 1 0 0 1 0 1\n' > exact.g2o
+expect 0 "final chi2" -i -1 exact.g2o
+
+# -solver, -listSolvers, -solverProperties, -printSolverProperties
 expect 0 "lambda=" -v -solver lm_var square.g2o
+expect 0 "schur= 0" -v square.g2o
 expect 0 "schur= 1" -v -solver gn_fix3_2 square.g2o
-expect 0 "schur= 1" -v -marginalize square.g2o
-expect 0 "VERTEX_SE2" -listTypes
-expect 0 "EDGE_SIM3:EXPMAP" -listTypes
-expect 0 "VERTEX_PLANE" -listTypes
 expect 0 "lm_dense7_3" -listSolvers
 expect 0 "2dlinear" -listSolvers
-grep -v VERTEX_XY square.g2o | grep -v EDGE_SE2_XY > poses.g2o
-expect 0 "final chi2" -solver 2dlinear poses.g2o
-for plugin in cholmod csparse; do  # where they were built, the tool finds them beside itself
-  if [[ -e $(dirname "$tool")/../lib/g2o/libg2o_solver_$plugin.so ]]; then
-    expect 0 "lm_fix7_3_$plugin" -listSolvers
-    expect 0 "schur= 1" -v -solver lm_fix3_2_$plugin square.g2o
-    expect 0 "step=" -v -solver dl_var_$plugin square.g2o
-  fi
-done
-expect 0 "Huber" -listRobustKernels
 expect 0 "maxTrialsAfterFailure	2" -solver lm_var -solverProperties maxTrialsAfterFailure=2 -printSolverProperties square.g2o
-expect 0 "Vertices 1 2" -computeMarginals square.g2o
-expect 0 "final chi2" -robustKernel Cauchy -robustKernelWidth 2 -nonSequential square.g2o
-expect 0 "no robust kernel X" -robustKernel X square.g2o
+expect 0 "lambda= 0.000100" -v -i 1 -solver lm_var -solverProperties initialLambda=0.0003,maxTrialsAfterFailure=2 square.g2o
+expect 0 "not all of the properties" -solverProperties nonsense=1 square.g2o
+
+# -marginalize
+expect 0 "schur= 1" -v -marginalize square.g2o
+is "final chi2 = 0.00189884" err.txt
+expect 0 "schur= 0" -v -marginalize poses.g2o
+
+# -guess, -guessOdometry
+sed -E 's/^(VERTEX_SE2 [123]) .*/\1 5 5 0/' square.g2o > far.g2o
+expect 0 "final chi2" -i 0 far.g2o
+far=$(initial)
+expect 0 "final chi2" -i 0 -guess far.g2o
+along_tree=$(initial)
+expect 0 "final chi2" -i 0 -guessOdometry far.g2o
+along_odometry=$(initial)
+holds "$along_tree < $far / 10 && $along_odometry < $far / 10 && $along_tree != $along_odometry"
+
+# -gaugeId, -gaugeList, and the vertex that is fixed without them
 expect 0 "fixed by vertex 0" square.g2o
-expect 0 "final chi2" -gaugeId 2 -guess square.g2o
-if grep -q "fixed by" err.txt; then echo "-gaugeId fixes the gauge" >&2; exit 1; fi
-expect 0 "final chi2" -inc -update 2 square.g2o
+expect 0 "final chi2" -gaugeId 2 -o - square.g2o
+is_not "fixed by" err.txt
+is "FIX 2" out.txt
+expect 0 "final chi2" -gaugeList 1,3 -gaugeId 2 -o - square.g2o
+for id in 1 2 3; do is "FIX $id" out.txt; done
+is_not "FIX 0" out.txt
+expect 2 "no vertex 99" -gaugeList 0,99 square.g2o
+expect 2 "no vertex 98" -gaugeId 98 square.g2o
+(cat square.g2o; echo "EDGE_PRIOR_SE2 1 1 0 1.57 10 0 0 10 0 40") > prior.g2o
+expect 0 "final chi2" prior.g2o
+is_not "fixed by" err.txt
+(cat square.g2o; printf 'VERTEX_SE2 20 0 0 0\nVERTEX_SE2 21 1 0 0\nEDGE_SE2 20 21 1 0 0 1 0 0 1 0 1\n') > island.g2o
+expect 0 "not connected to a fixed one: 2" -solver lm_var island.g2o
+
+# -robustKernel, -robustKernelWidth, -nonSequential, -listRobustKernels
+for kernel in Huber PseudoHuber Cauchy GemanMcClure Welsch Fair Tukey Saturated DCS; do
+  expect 0 "$kernel" -listRobustKernels
+  expect 0 "final chi2" -robustKernel $kernel square.g2o
+done
+expect 0 "no robust kernel X" -robustKernel X square.g2o
+is "final chi2 = 0.00189884" err.txt
+sed 's/EDGE_SE2 3 0 1.00 0/EDGE_SE2 3 0 9.00 9/' square.g2o > outlier.g2o
+chi2_with() {
+  expect 0 "final chi2" -i 0 "$@" outlier.g2o
+  final
+}
+without=$(chi2_with) wide=$(chi2_with -robustKernel Cauchy) narrow=$(chi2_with -robustKernel Cauchy -robustKernelWidth 0.1)
+loops=$(chi2_with -robustKernel Cauchy -robustKernelWidth 0.1 -nonSequential)
+holds "$wide < $without && $narrow < $wide && $narrow < $loops && $loops < $without"
+
+# -computeMarginals: the diagonal, and the blocks beside it; also where nothing was iterated, or landmarks are eliminated
+expect 0 "Vertices 1 1" -computeMarginals square.g2o
+is "Vertices 1 2" err.txt
+is "Vertices 7 7" err.txt
+is_not "Vertices 1 3" err.txt
+covariance() { grep -A 2 "^Vertices 7 7" err.txt | awk 'NR == 2 { printf "%.5f", $1 }'; }
+plain=$(covariance)
+expect 0 "Vertices 7 7" -computeMarginals -marginalize square.g2o
+holds "$plain > 0 && $plain == $(covariance)"
+expect 0 "Vertices 7 7" -computeMarginals -inc square.g2o
+holds "($plain - $(covariance)) ^ 2 < 1e-6 * $plain ^ 2"
+expect 0 "Vertices 1 1" -computeMarginals -i 0 square.g2o
+expect 0 "covariances cannot be computed" -computeMarginals -solver structure_only_2 square.g2o
+
+# -inc, -update, -guiout: an iteration after every so many vertices, or as many as -i says
+count() { grep -c "$1" "$2"; }
+expect 0 "final chi2 = 0.0018" -inc -update 2 -v square.g2o
+holds "$(count '^iteration= 0' err.txt) == 3 && $(count '^iteration= 1' err.txt) == 0"
+expect 0 "iteration= 2" -inc -update 2 -i 3 -v square.g2o
+expect 0 "final chi2" -inc -v square.g2o
+holds "$(count '^iteration= ' err.txt) == 1"
+expect 0 "final chi2 = 0.00189884" -inc -update 1 -i -1 -stats inc_stats.txt square.g2o
+holds "$(wc -l < inc_stats.txt) > 8"
+expect 0 "final chi2 = 0.0018" -inc -update 1 -gaugeId 3 -o - square.g2o
+is_not "failed" err.txt
+is_not "FIX 0" out.txt
 expect 0 "final chi2" -inc -update 2 -guiout square.g2o
-if (($(grep -c "^plot " out.txt) != 3 || $(grep -c "^e$" out.txt) != 3)); then
-  echo "expected three plots for gnuplot:" >&2
-  cat out.txt >&2
-  exit 1
-fi
-expect 0 "final chi2" -i -1 -gain 1e-4 -stats stats.txt -summary summary.csv square.g2o
-lines=$(wc -l < stats.txt)
-if ((lines < 2 || lines > 20)) || ! grep -q "chi2= " stats.txt || (($(wc -l < summary.csv) != 2)); then
-  echo "expected a few lines of statistics, and a summary" >&2
-  exit 1
-fi
+holds "$(count '^plot ' out.txt) == 3 && $(count '^e$' out.txt) == 3"
+expect 0 "final chi2" -inc -guiout space.g2o
+is "splot" out.txt
+expect 0 "final chi2" -guiout square.g2o  # no meaning without -inc
+lines 0 out.txt
+
+# -o, -stats, -summary, -gnudump
+expect 0 "final chi2" -o - square.g2o
+is "VERTEX_XY 7 " out.txt
+expect 0 "final chi2" -o result.g2o square.g2o
+lines 0 out.txt
+expect 0 "initial chi2 = 0.0018988" result.g2o
+expect 0 "final chi2" -i 3 -stats stats.txt -summary summary.csv square.g2o
+lines 3 stats.txt
+is "chi2= " stats.txt
+expect 0 "final chi2" -i -1 -solver lm_var -robustKernel Huber -summary summary.csv square.g2o
+lines 3 summary.csv
+is "filename, n_vertices, n_edges, n_poses, n_landmarks, edge_types, load_chi, init_chi, final_chi, solver, robustKernel, maxIterations, realIterations" summary.csv
+is "square.g2o, 5, 6, 4, 1, EDGE_SE2 EDGE_SE2_XY, 4.6827, 4.6827, 0.00189884, gn_var, , 3, 3" summary.csv
+is "lm_var, Huber, -1, " summary.csv
 expect 0 "final chi2" -gnudump plot square.g2o
-if (($(wc -l < plot_vertices) != 5 || $(wc -l < plot_edges) != 18 || $(wc -l < plot_landmarks_edges) != 6 ||
-     $(wc -l < plot_odom_edges) != 9)); then
-  echo "expected 5 vertices, 6 edges, 2 of them to landmarks and 3 of odometry for gnuplot" >&2
-  exit 1
-fi
-sed 's/VERTEX_XY/POINT/' square.g2o | "$tool" -renameTypes POINT=VERTEX_XY - 2> err.txt && grep -q "final chi2" err.txt
+lines 5 plot_vertices
+lines 18 plot_edges
+lines 6 plot_landmarks_edges
+lines 9 plot_odom_edges
+
+# -listTypes, -renameTypes, the standard input (-typeslib and -solverlib: plugin_test.sh)
+for type in VERTEX_SE2 EDGE_SIM3:EXPMAP VERTEX_PLANE EDGE_V_V_GICP VERTEX_CAM; do expect 0 "$type" -listTypes; done
+sed 's/VERTEX_XY/POINT/; s/EDGE_SE2_XY/SEEN/' square.g2o > renamed.g2o
+expect 0 "final chi2 = 0.00189884" -renameTypes POINT=VERTEX_XY,SEEN=EDGE_SE2_XY renamed.g2o
+expect 0 "expected old=new, got POINT" -renameTypes POINT square.g2o
+expect 0 "expected a known word after =, got NONSENSE" -renameTypes POINT=NONSENSE square.g2o
+"$tool" - < square.g2o 2> err.txt || exit 1
+is "final chi2 = 0.00189884" err.txt
+
+# An interrupt ends the iterations, not the program; the third one does.
+interrupt() {
+  "$tool" -i 1000000000 "$@" square.g2o 2> err.txt &
+  program=$!
+  for _ in $(seq 100); do grep -q "initial chi2" err.txt && break; sleep 0.1; done
+  sleep 0.2
+  kill -INT $program
+  wait $program || complain "expected the end that was asked for, g2o $*:" err.txt
+}
+interrupt -o interrupted.g2o
+is "final chi2 = 0.00189884" err.txt
+is "VERTEX_XY 7 " interrupted.g2o
+interrupt -inc -update 1

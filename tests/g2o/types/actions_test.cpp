@@ -14,6 +14,7 @@
 #include "g2o/core/hyper_graph_action.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/core/svg_drawing.h"
+#include "g2o/types/drawn.h"
 #include "g2o/types/slam2d/types_slam2d.h"
 #include "g2o/types/slam3d/types_slam3d.h"
 
@@ -22,6 +23,12 @@ G2O_USE_TYPE_GROUP(slam3d)
 
 namespace {
 
+using drawn_graph::action;
+using drawn_graph::count;
+using drawn_graph::drawn;
+using drawn_graph::gnuplot;
+using drawn_graph::read;
+using drawn_graph::Record;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -54,65 +61,6 @@ constexpr const char* kSpace =
     "EDGE_SE3_PRIOR 2 0 2.4 2.2 1 0 0 0 1 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n"
     "EDGE_SE3_XYZ_PRIOR 1 0 2.1 -0.2 0.5 1 0 0 1 0 1\n"
     "EDGE_POINTXYZ_PRIOR 11 3 1.4 0 1 0 0 1 0 1\n";
-
-std::unique_ptr<g2o::SparseOptimizer> read(const std::string& text) {
-  auto graph = std::make_unique<g2o::SparseOptimizer>();
-  std::istringstream in(text);
-  EXPECT_TRUE(graph->load(in));
-  return graph;
-}
-
-g2o::HyperGraphElementAction* action(const std::string& name) {
-  return g2o::HyperGraphActionLibrary::instance()->actionByName(name);
-}
-
-/// What was drawn, as words.
-struct Record : g2o::Drawing {
-  static std::string words(const g2o::Vector3& v) {
-    std::ostringstream text;
-    text << "(" << v.x() << " " << v.y() << " " << v.z() << ")";
-    return text.str();
-  }
-
-  void polyline(const std::vector<g2o::Vector3>& corners, bool isClosed, const g2o::Color&,
-                double width) override {
-    out << (isClosed ? "ring" : "line") << width;
-    for (const g2o::Vector3& c : corners) out << " " << words(c);
-    out << '\n';
-  }
-  void point(const g2o::Vector3& at, const g2o::Color&, double diameter) override {
-    out << "point" << diameter << " " << words(at) << "\n";
-  }
-  void pose(const g2o::Isometry3& pose, const g2o::Color&, double length, double width) override {
-    out << "pose" << length << "x" << width << " " << words(pose.translation()) << "\n";
-  }
-  void text(const g2o::Vector3&, const std::string& words, const g2o::Color&, double) override {
-    out << "text " << words << '\n';
-  }
-  std::ostringstream out;
-};
-
-std::string drawn(g2o::HyperGraph& graph) {
-  Record record;
-  g2o::DrawAction::Parameters parameters;
-  parameters.drawing = &record;
-  g2o::applyAction(&graph, action("draw"), &parameters);
-  return record.out.str();
-}
-
-std::string gnuplot(g2o::HyperGraph& graph) {
-  std::ostringstream out;
-  g2o::WriteGnuplotAction::Parameters parameters;
-  parameters.os = &out;
-  g2o::applyAction(&graph, action("writeGnuplot"), &parameters);
-  return out.str();
-}
-
-int count(const std::string& text, const std::string& word) {
-  int n = 0;
-  for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
 
 TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
   const auto graph = read(kPlane);

@@ -51,7 +51,10 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
     const int rows = dims[static_cast<size_t>(block.row)], cols = dims[static_cast<size_t>(block.column)];
     *A.block(block.column, block.row, true) = Eigen::Map<const MatrixX>(block.values, rows, cols).transpose();
   }
-  if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) return false;
+  if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
+    G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
+    return false;
+  }
   engine_.backSubstitute(this->_b, this->_x);
   return true;
 }

@@ -8,6 +8,7 @@
 namespace g2o {
 
 G2O_REGISTER_TYPE_GROUP(icp);
+G2O_USE_TYPE_GROUP(icp_actions);
 G2O_REGISTER_TYPE(EDGE_V_V_GICP, Edge_V_V_GICP);
 
 namespace {

@@ -6,6 +6,7 @@
 namespace g2o {
 
 G2O_REGISTER_TYPE_GROUP(sba);
+G2O_USE_TYPE_GROUP(sba_actions);
 
 G2O_REGISTER_TYPE(VERTEX_CAM, VertexCam);
 G2O_REGISTER_TYPE(VERTEX_XYZ, VertexSBAPointXYZ);

@@ -85,7 +85,8 @@ struct Slam2d {
 
 const internal::RegisterActions<Slam2d, VertexSE2, VertexPointXY, EdgeSE2, EdgeSE2PointXY,
                                 EdgeSE2PointXYBearing, EdgeSE2Prior, EdgeSE2XYPrior, EdgeXYPrior, EdgePointXY,
-                                EdgeSE2PointXYCalib, EdgeSE2Offset, EdgeSE2PointXYOffset, EdgeSE2TwoPointsXY>
+                                EdgeSE2PointXYCalib, EdgeSE2Offset, EdgeSE2PointXYOffset, EdgeSE2TwoPointsXY,
+                                EdgeSE2LotsOfXY>
     actions;
 const RegisterActionProxy<internal::DrawElementAction<Slam2d, CacheSE2Offset>> draw_cache;
 

@@ -23,6 +23,9 @@ struct Slam3d {
   static Sketch sketch(const VertexSE3& v) { return Sketch::of_pose(v.estimate()); }
   static Sketch sketch(const VertexPointXYZ& v) { return Sketch::of_point(v.estimate()); }
   static Sketch sketch(const CacheSE3Offset& cache) { return Sketch::of_sensor(cache.n2w()); }
+  static Sketch sketch(const CacheCamera& cache) {
+    return Sketch::of_camera(cache.n2w(), internal::kSensorColor);
+  }
   static Sketch sketch(const EdgeSE3& e) {
     return internal::sketch_of_motion(e, [](const Isometry3& x) { return x; });
   }
@@ -73,9 +76,11 @@ struct Slam3d {
 };
 
 const internal::RegisterActions<Slam3d, VertexSE3, VertexPointXYZ, EdgeSE3, EdgeSE3PointXYZ, EdgeSE3Prior,
-                                EdgeSE3XYZPrior, EdgeSE3Offset, EdgePointXYZ, EdgeXYZPrior>
+                                EdgeSE3XYZPrior, EdgeSE3Offset, EdgePointXYZ, EdgeXYZPrior,
+                                EdgeSE3PointXYZDepth, EdgeSE3PointXYZDisparity, EdgeSE3LotsOfXYZ>
     actions;
 const RegisterActionProxy<internal::DrawElementAction<Slam3d, CacheSE3Offset>> draw_cache;
+const RegisterActionProxy<internal::DrawElementAction<Slam3d, CacheCamera>> draw_camera;
 
 }  // namespace
 }  // namespace g2o

@@ -6,6 +6,7 @@
 namespace g2o {
 
 G2O_REGISTER_TYPE_GROUP(slam3d_addons);
+G2O_USE_TYPE_GROUP(slam3d_addons_actions);
 
 G2O_REGISTER_TYPE(VERTEX_PLANE, VertexPlane);
 G2O_REGISTER_TYPE(EDGE_PLANE, EdgePlane);

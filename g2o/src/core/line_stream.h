@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "g2o/core/g2o_core_api.h"
+
+namespace g2o {
+namespace internal {
+
+/// A line of a file that load() reads. A type's read() leaves here what it finds wrong, where a message of
+/// its own would not know the line.
+class G2O_CORE_API LineStream : public std::istringstream {
+ public:
+  explicit LineStream(const std::string& line);
+  ~LineStream() override;
+
+  std::string problem;
+};
+
+/// What is wrong with a field: left in a LineStream, else a message.
+G2O_CORE_API void complain(std::istream& is, const std::string& problem);
+
+}  // namespace internal
+}  // namespace g2o

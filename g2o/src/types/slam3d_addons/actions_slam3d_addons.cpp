@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o/core/factory.h"
+#include "g2o/types/slam3d_addons/types_slam3d_addons.h"
+#include "types/actions.h"
+
+namespace g2o {
+
+G2O_REGISTER_TYPE_GROUP(slam3d_addons_actions)
+
+namespace {
+
+using internal::Sketch;
+
+/// The point of a plane that is nearest to `viewer`, with the normal as z and a level x.
+Isometry3 piece(const Plane3D& plane, const Vector3& viewer) {
+  const Vector3 z = plane.normal();
+  const Vector3 level = Vector3::UnitZ().cross(z);
+  const Vector3 x = level.norm() > 1e-6 ? Vector3(level.normalized()) : Vector3(Vector3::UnitX());
+  Isometry3 result = Isometry3::Identity();
+  result.linear() << x, z.cross(x), z;
+  result.translation() = viewer - (z.dot(viewer) - plane.distance()) * z;
+  return result;
+}
+
+Color color_of(const Vector3& rgb) {
+  return {rgb[0], rgb[1], rgb[2], 1};
+}
+
+struct Slam3dAddons {
+  static constexpr int kDimension = 3;
+
+  static std::optional<Vector3> place(const HyperGraph::Vertex* v) {
+    if (const auto* pose = dynamic_cast<const VertexSE3*>(v)) return pose->estimate().translation();
+    if (const auto* plane = dynamic_cast<const VertexPlane*>(v))
+      return piece(plane->estimate(), Vector3::Zero()).translation();
+    return {};
+  }
+
+  static Sketch sketch(const VertexPlane& v) {
+    Sketch sketch;
+    sketch.planes = {piece(v.estimate(), Vector3::Zero())};
+    sketch.color = color_of(v.color);
+    return sketch;
+  }
+  static Sketch sketch(const EdgePlane& e) {
+    return internal::sketch_of_edge<Slam3dAddons>(e, internal::kObservationColor);
+  }
+  /// What the sensor sees, in front of it; the third vertex is the pose of the sensor on the robot.
+  static Sketch sketch(const EdgeSE3PlaneSensorCalib& e) {
+    if (e.vertex(0) == nullptr || e.vertex(2) == nullptr) return {};
+    const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.vertexXn<2>()->estimate();
+    const Isometry3 seen = piece(sensor * e.measurement(), sensor.translation());
+    Sketch sketch = Sketch::of_line(sensor.translation(), seen.translation(), color_of(e.color));
+    sketch.planes = {seen};
+    sketch.plane_side = 0.5F;
+    return sketch;
+  }
+  /// The motion of the robot; the third vertex is as above.
+  static Sketch sketch(const EdgeSE3Calib& e) {
+    const std::optional<Vector3> from = place(e.vertex(0)), to = place(e.vertex(1));
+    return from && to ? Sketch::of_line(*from, *to, internal::kMotionColor) : Sketch();
+  }
+
+  static bool write(const VertexPlane& v, std::ostream& os) {
+    internal::write_line(os, v.estimate().coeffs());
+    return true;
+  }
+  template <class Edge>
+  static bool write(const Edge&, std::ostream&) {
+    return false;
+  }
+};
+
+const internal::RegisterActions<Slam3dAddons, VertexPlane, EdgePlane, EdgeSE3PlaneSensorCalib, EdgeSE3Calib>
+    actions;
+
+}  // namespace
+}  // namespace g2o

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# solvers_test.sh TOOL WORK_DIR DATA: every algorithm, on graphs of the plane and of space, with landmarks and without; and, where
+# they are there, on measured ones.
+source "$(dirname "$0")/tool_case.sh" "$1" "$2"
+data="$3"
+
+(grep -v TRACK space.g2o
+ echo "EDGE_SE3:QUAT 0 2 2.1 0 0 0 0 0.01 0.99995 10 0 0 0 0 0 10 0 0 0 0 10 0 0 0 40 0 0 40 0 40") > loop.g2o
+cat > scales.g2o <<END
+VERTEX_SIM3:EXPMAP 0 0 0 0 0 0 0 0 1 1 0 0
+VERTEX_SIM3:EXPMAP 1 0 0 0 -1.1 0 0.1 0.1 1 1 0 0
+VERTEX_TRACKXYZ 10 0.1 0.2 2
+VERTEX_TRACKXYZ 11 -0.4 0.3 3
+EDGE_SIM3:EXPMAP 0 1 0 0 0 -1 0 0 0 1 0 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1
+EDGE_PROJECT_SIM3_XYZ:EXPMAP 10 0 0.05 0.11 9 0 9
+EDGE_PROJECT_SIM3_XYZ:EXPMAP 10 1 0.5 0.1 9 0 9
+EDGE_PROJECT_SIM3_XYZ:EXPMAP 11 0 -0.13 0.1 9 0 9
+EDGE_PROJECT_SIM3_XYZ:EXPMAP 11 1 0.2 0.11 9 0 9
+END
+
+names=$("$tool" -listSolvers 2>&1 | awk '!/^#/ && !/^g2o:/ { print $1 }')
+count=$(wc -w <<< "$names")
+# 46, or 9 less for each of the foreign libraries that is missing
+((count == 46 || count == 37 || count == 28)) || complain "expected 46 algorithms, got $count:" <(echo "$names")
+
+# same_end GRAPH SUITABLE: algorithms whose names match SUITABLE end at one chi2, all others end with 3.
+same_end() {
+  local graph="$1" suitable="$2" expected="" found=0
+  for name in $names; do
+    if [[ ! $name =~ ^($suitable)(_cholmod|_csparse)?$ ]]; then
+      expect 3 "does not suit" -solver $name "$graph"
+      continue
+    fi
+    expect 0 "final chi2" -i 50 -solver $name "$graph"
+    is_not "failed" err.txt
+    if [[ $name == structure_only* ]]; then
+      holds "$(final) < $(initial)"
+      continue
+    fi
+    found=$((found + 1))
+    expected=${expected:-$(final)}
+    holds "($expected - $(final)) ^ 2 <= 1e-10 * $expected ^ 2"
+  done
+  ((found >= 14)) || complain "$graph: only $found of these algorithms were suitable" <(echo "$names")
+}
+any="(gn|lm|dl)_var|(gn|lm)_(dense|pcg)"
+sizes() { echo "(gn|lm)_(fix|dense|pcg)$1"; }
+same_end square.g2o "$any|$(sizes 3_2)|structure_only_2"
+same_end poses.g2o "$any|$(sizes 3_2)|2dlinear"
+same_end space.g2o "$any|$(sizes 6_3)|structure_only_3"
+same_end loop.g2o "$any|$(sizes 6_3)"
+same_end scales.g2o "$any|$(sizes 7_3)|structure_only_3"
+
+# best FILE CHI2 SOLVER...: comes to that chi2, from an initial guess.
+best() {
+  local file="$data/$1" chi2="$2"
+  shift 2
+  [[ -e $file ]] || return 0
+  for name in "$@"; do
+    if ! grep -qx "$name" <<< "$names"; then continue; fi
+    expect 0 "final chi2" -i 10 -guess -solver $name "$file"
+    holds "$(final) <= $chi2 * 1.0001"
+  done
+}
+best posegraph2d/csail.g2o 38.9563 gn_var gn_fix3_2 dl_var 2dlinear gn_var_cholmod gn_fix3_2_csparse
+best posegraph3d/smallGrid3D.g2o 458.154 gn_var lm_var dl_var lm_fix6_3 gn_pcg lm_dense lm_var_cholmod gn_fix6_3_csparse
