@@ -270,7 +270,7 @@ template <class Linear>
 class PlannerBases : public testing::Test {};
 using Solvers = testing::Types<g2o::LinearSolverCSparse<PlannerBlockSolver::PoseMatrixType>,
                                g2o::LinearSolverCholmod<PlannerBlockSolver::PoseMatrixType>>;
-TYPED_TEST_SUITE(PlannerBases, Solvers);
+TYPED_TEST_SUITE(PlannerBases, Solvers, );  // the empty argument: clang++ asks for one
 
 TYPED_TEST(PlannerBases, ThePathPassesTheViaPoint) {
   BandPlanner<TypeParam> planner;
