@@ -22,9 +22,12 @@ using boxplus::BlockStructure;
 using boxplus::LinearStatus;
 
 struct BlockSolverEngine::State {
-  std::vector<OptimizableGraph::Vertex*> vertices;  // by Hessian index
-  std::uint32_t kept = 0, eliminated = 0;           // blocks
-  BlockStructure structure;                         // of H, the eliminated blocks first
+  std::vector<OptimizableGraph::Vertex*>
+      vertices;                            // by Hessian index; deleted where `revision` is an old one
+  std::vector<int> ids;                    // of the vertices
+  std::uint64_t revision = 0;              // of the optimiser's active vertices and edges
+  std::uint32_t kept = 0, eliminated = 0;  // blocks
+  BlockStructure structure;                // of H, the eliminated blocks first
   std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
   std::unique_ptr<boxplus::Schur> schur;
   std::unique_ptr<boxplus::BlockSystem> full, reduced;
@@ -40,6 +43,13 @@ struct BlockSolverEngine::State {
   std::uint32_t block_of(int hessian_index) const {
     const auto h = static_cast<std::uint32_t>(hessian_index);
     return h < kept ? eliminated + h : h - kept;
+  }
+  std::vector<int> block_ends() const {  // by Hessian index
+    std::vector<int> ends;
+    int end = 0;
+    for (int h = 0; h < static_cast<int>(ids.size()); ++h)
+      ends.push_back(end += static_cast<int>(structure.dim(block_of(h))));
+    return ends;
   }
   std::uint32_t eliminated_scalars() const { return structure.offset[eliminated]; }
 
@@ -79,6 +89,8 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
 /// Numbers the blocks and finds the pattern of H. False where an edge joins two eliminated vertices.
 bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool use_schur) {
   vertices = optimizer.indexMapping();
+  ids.clear();
+  for (const OptimizableGraph::Vertex* v : vertices) ids.push_back(v->id());
   const auto marginalised =
       std::count_if(vertices.begin(), vertices.end(), [](const auto* v) { return v->marginalized(); });
   const bool eliminate = use_schur && marginalised > 0 && static_cast<size_t>(marginalised) < vertices.size();
@@ -187,6 +199,7 @@ bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
     state_.reset();
     return false;
   }
+  state_->revision = optimizer.structure_revision_;
   optimizer.hessian_memory_ = state_->memory;
   state_->map_vertices(optimizer);
   state_->map_edges(optimizer);
@@ -196,6 +209,10 @@ bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
 
 bool BlockSolverEngine::hasStructure() const {
   return state_ != nullptr;
+}
+
+bool BlockSolverEngine::isCurrent(const SparseOptimizer& optimizer) const {
+  return state_ != nullptr && state_->revision == optimizer.structure_revision_;
 }
 
 size_t BlockSolverEngine::scalars() const {
@@ -225,7 +242,7 @@ bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result,
   }
   const std::uint32_t block = first_block + result.failed_block;
   const std::uint32_t h = block < eliminated ? kept + block : block - eliminated;
-  G2O_WARN("the linear system {} (at vertex {})", what, vertices[h]->id());
+  G2O_WARN("the linear system {} (at vertex {})", what, ids[h]);
   return false;
 }
 
@@ -284,7 +301,7 @@ void BlockSolverEngine::multiply(double* dest, const double* src) const {
 bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockIndices,
                                 SparseBlockMatrix<MatrixX>& spinv) {
   const State& s = *state_;
-  const auto n = static_cast<int>(s.vertices.size());
+  const auto n = static_cast<int>(s.ids.size());
   std::vector<boxplus::BlockCoordinate> wanted;
   size_t size = 0;
   for (const auto& [i, j] : blockIndices) {
@@ -304,9 +321,7 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
   if (factor.status != LinearStatus::kOk) return s.complain(factor, 0);
   std::vector<double> out(size);
   if (!solver->selected_inverse(wanted, out.data())) return false;
-  std::vector<int> ends;
-  int end = 0;
-  for (const OptimizableGraph::Vertex* v : s.vertices) ends.push_back(end += v->dimension());
+  const std::vector<int> ends = s.block_ends();
   spinv = SparseBlockMatrix<MatrixX>(ends.data(), ends.data(), n, n);
   const double* values = out.data();
   for (size_t k = 0; k < wanted.size(); ++k) {
@@ -327,9 +342,7 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
 bool BlockSolverEngine::save(const std::string& fileName) const {
   if (!state_) return false;
   const State& s = *state_;
-  std::vector<int> ends;
-  int end = 0;
-  for (const OptimizableGraph::Vertex* v : s.vertices) ends.push_back(end += v->dimension());
+  const std::vector<int> ends = s.block_ends();
   const auto n = static_cast<int>(ends.size());
   SparseBlockMatrix<MatrixX> H(ends.data(), ends.data(), n, n);
   const auto index_of = [&](std::uint32_t block) {

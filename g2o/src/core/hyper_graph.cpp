@@ -108,8 +108,8 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
 }
 
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
-  if (big == nullptr || small == nullptr) return false;
-  if (vertex(big->id()) != big || vertex(small->id()) != small || big == small) return false;
+  if (big == nullptr || small == nullptr || big == small) return false;
+  if (vertex(big->id()) != big || vertex(small->id()) != small) return false;
   const EdgeSet edges = small->edges();
   for (Edge* e : edges) {
     const auto at = std::find(e->vertices().begin(), e->vertices().end(), small);
@@ -149,13 +149,16 @@ bool HyperGraph::removeEdge(Edge* e) {
   return true;
 }
 
-// Only the edges are looked into, and only the vertices that are still listed: a client may own its vertices,
-// and have emptied vertices() before.
+// Edges go first, so that their destructors still find their vertices. Only the vertices that are still
+// listed are looked into: a client may own its vertices, and have emptied vertices() before.
 void HyperGraph::clear() {
-  for (const auto& [id, v] : _vertices) release(v);
-  _vertices.clear();
   for (Edge* e : _edges) release(e);
   _edges.clear();
+  for (const auto& [id, v] : _vertices) {
+    v->edges().clear();
+    release(v);
+  }
+  _vertices.clear();
 }
 
 }  // namespace g2o

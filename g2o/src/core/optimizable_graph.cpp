@@ -232,17 +232,23 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
 
 bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
   if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
+  if (v != nullptr && vertex(v->id()) != v) {
+    G2O_ERROR("setEdgeVertex: vertex {} is not in the graph", v->id());
+    return false;
+  }
   HyperGraph::Vertex* before = e->vertex(static_cast<size_t>(pos));
   if (!HyperGraph::setEdgeVertex(e, pos, v)) return false;
   auto* edge = static_cast<OptimizableGraph::Edge*>(e);
-  if (!edge->verticesFit()) {
-    G2O_ERROR("setEdgeVertex: the edge was made for vertices of other types");
-    HyperGraph::setEdgeVertex(e, pos, before);
-    return false;
+  const bool fits = edge->verticesFit();
+  if (!fits) G2O_ERROR("setEdgeVertex: the edge was made for vertices of other types");
+  if (fits && edge->numUndefinedVertices() > 0) return true;
+  if (fits && edge->resolveParameters() && edge->resolveCaches()) {
+    _jacobianWorkspace.updateSize(edge);
+    return true;
   }
-  if (v == nullptr || edge->numUndefinedVertices() > 0) return true;
-  _jacobianWorkspace.updateSize(edge);
-  return edge->resolveParameters() && edge->resolveCaches();
+  HyperGraph::setEdgeVertex(e, pos, before);
+  if (edge->numUndefinedVertices() == 0) edge->resolveCaches();
+  return false;
 }
 
 double OptimizableGraph::chi2() const {
@@ -272,17 +278,22 @@ int OptimizableGraph::optimize(int, bool) {
 }
 
 void OptimizableGraph::preIteration(int iter) {
-  if (_graphActions[AT_PREITERATION].empty()) return;
   HyperGraphAction::ParametersIteration parameters(iter);
-  const HyperGraphActionSet actions = _graphActions[AT_PREITERATION];
-  for (HyperGraphAction* action : actions) (*action)(this, &parameters);
+  callActions(AT_PREITERATION, &parameters);
 }
 
 void OptimizableGraph::postIteration(int iter) {
-  if (_graphActions[AT_POSTITERATION].empty()) return;
   HyperGraphAction::ParametersIteration parameters(iter);
-  const HyperGraphActionSet actions = _graphActions[AT_POSTITERATION];
-  for (HyperGraphAction* action : actions) (*action)(this, &parameters);
+  callActions(AT_POSTITERATION, &parameters);
+}
+
+void OptimizableGraph::callActions(int type, HyperGraphAction::Parameters* parameters) {
+  const HyperGraphActionSet& actions = _graphActions[static_cast<size_t>(type)];
+  if (actions.empty()) return;
+  const HyperGraphActionSet before = actions;
+  for (HyperGraphAction* action : before) {
+    if (actions.count(action) > 0) (*action)(this, parameters);
+  }
 }
 
 bool OptimizableGraph::addPreIterationAction(HyperGraphAction* action) {

@@ -38,6 +38,7 @@ void OptimizationAlgorithmFactory::destroy() {
 
 void OptimizationAlgorithmFactory::registerSolver(
     const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
+  if (c == nullptr) return;
   const auto found = findSolver(c->property().name);
   if (found != _creator.end()) _creator.erase(found);
   _creator.push_back(c);

@@ -12,9 +12,15 @@ namespace g2o {
 OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver& solver)
     : _solver(solver), _writeDebug(_properties.makeProperty<Property<bool>>("writeDebug", true)) {}
 
+OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver* solver)
+    : OptimizationAlgorithmWithHessian(*solver) {
+  ownSolver(std::unique_ptr<Solver>(solver));
+}
+
 OptimizationAlgorithmWithHessian::~OptimizationAlgorithmWithHessian() = default;
 
 bool OptimizationAlgorithmWithHessian::init(bool online) {
+  _solver.setWriteDebug(_writeDebug->value());
   const auto& vertices = _optimizer->indexMapping();
   const bool useSchur = _solver.supportsSchur() &&
                         std::any_of(vertices.begin(), vertices.end(),

@@ -75,6 +75,7 @@ SparseOptimizer::SparseOptimizer() {
 SparseOptimizer::~SparseOptimizer() = default;
 
 bool SparseOptimizer::buildIndexMapping(SparseOptimizer::VertexContainer& vlist) {
+  ++structure_revision_;
   _ivMap.clear();
   for (const bool marginalized : {false, true}) {
     for (OptimizableGraph::Vertex* v : vlist) {
@@ -90,6 +91,7 @@ bool SparseOptimizer::buildIndexMapping(SparseOptimizer::VertexContainer& vlist)
 }
 
 void SparseOptimizer::clearIndexMapping() {
+  ++structure_revision_;
   for (OptimizableGraph::Vertex* v : _ivMap) v->setHessianIndex(-1);
   _ivMap.clear();
 }
@@ -171,8 +173,8 @@ bool SparseOptimizer::initializeOptimization(int level) {
 bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset) {
   std::vector<HyperGraph::Vertex*> added;
   for (HyperGraph::Vertex* u : vset) {
-    OptimizableGraph::Vertex* v = as_vertex(u);
-    if (std::find(_activeVertices.begin(), _activeVertices.end(), v) != _activeVertices.end()) continue;
+    const OptimizableGraph::Vertex* v = as_vertex(u);
+    if (findActiveVertex(v) != _activeVertices.end()) continue;
     if (!v->fixed() && v->marginalized()) {
       G2O_ERROR("updateInitialization: vertex {} is marginalised; initialise anew instead", v->id());
       return false;
@@ -187,12 +189,16 @@ bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGra
   _activeEdges.erase(std::unique(_activeEdges.begin(), _activeEdges.end()), _activeEdges.end());
   std::sort(added.begin(), added.end(),
             [](HyperGraph::Vertex* a, HyperGraph::Vertex* b) { return a->id() < b->id(); });
+  const bool renumber = !_ivMap.empty() && _ivMap.back()->marginalized();  // marginalised ones stay last
   for (HyperGraph::Vertex* u : added) {
     OptimizableGraph::Vertex* v = as_vertex(u);
     _activeVertices.push_back(v);
     v->setHessianIndex(v->fixed() ? -1 : static_cast<int>(_ivMap.size()));
     if (!v->fixed()) _ivMap.push_back(v);
   }
+  sortVectorContainers();
+  if (renumber) buildIndexMapping(_activeVertices);
+  ++structure_revision_;
   _jacobianWorkspace.allocate();
   return _algorithm == nullptr || _algorithm->updateStructure(added, eset);
 }
@@ -245,6 +251,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     G2O_ERROR("optimize: the algorithm could not be initialised");
     return -1;
   }
+  own_stop_flag_ = false;
   _batchStatistics.clear();
   const StatisticsScope scope;
   OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;
@@ -394,6 +401,17 @@ bool SparseOptimizer::removeEdge(HyperGraph::Edge* e) {
   return HyperGraph::removeEdge(e);
 }
 
+// An active edge that lost a vertex takes no part any more; one with another vertex has another block of H.
+bool SparseOptimizer::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
+  if (!OptimizableGraph::setEdgeVertex(e, pos, v)) return false;
+  const auto active = findActiveEdge(static_cast<OptimizableGraph::Edge*>(e));
+  if (active == _activeEdges.end()) return true;
+  ++structure_revision_;
+  if (v == nullptr) _activeEdges.erase(active);
+  _jacobianWorkspace.allocate();
+  return true;
+}
+
 SparseOptimizer::VertexContainer::const_iterator SparseOptimizer::findActiveVertex(
     const OptimizableGraph::Vertex* v) const {
   const auto at = std::lower_bound(_activeVertices.begin(), _activeVertices.end(), v, VertexIDCompare());
@@ -447,6 +465,7 @@ void SparseOptimizer::discardTop() {
 }
 
 void SparseOptimizer::clear() {
+  ++structure_revision_;
   _ivMap.clear();
   _activeVertices.clear();
   _activeEdges.clear();
@@ -454,7 +473,7 @@ void SparseOptimizer::clear() {
 }
 
 void SparseOptimizer::computeActiveErrors() {
-  for (HyperGraphAction* action : _graphActions[AT_COMPUTEACTIVERROR]) (*action)(this);
+  callActions(AT_COMPUTEACTIVERROR);
   internal::for_each_ahead(_activeEdges, [](OptimizableGraph::Edge& e) { e.computeError(); });
 }
 

@@ -38,14 +38,12 @@ void SparseOptimizerTerminateAction::setMaxIterations(int maxit) {
   _maxIterations = maxit;
 }
 
-/// Raises the flag that the user gave the optimiser, or one of our own where there is none.
+/// Raises the flag that the user gave the optimiser, or the optimiser's own where there is none.
 void SparseOptimizerTerminateAction::setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop) {
-  if (optimizer->forceStopFlag() != nullptr) {
-    *optimizer->forceStopFlag() = stop;
-    return;
-  }
+  auto* stopped = const_cast<SparseOptimizer*>(optimizer);
+  if (stopped->forceStopFlag() == nullptr) stopped->setForceStopFlag(&stopped->own_stop_flag_);
+  *stopped->forceStopFlag() = stop;
   _auxTerminateFlag = stop;
-  const_cast<SparseOptimizer*>(optimizer)->setForceStopFlag(&_auxTerminateFlag);
 }
 
 }  // namespace g2o

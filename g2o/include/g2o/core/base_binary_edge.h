@@ -25,6 +25,8 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
 
   BaseBinaryEdge()
       : _hessianRowMajor(Base::_hessianRowMajor[0]),
+        _hessian(std::get<0>(this->_hessianTuple)),
+        _hessianTransposed(std::get<0>(this->_hessianTupleTransposed)),
         _jacobianOplusXi(std::get<0>(_jacobianOplus)),
         _jacobianOplusXj(std::get<1>(_jacobianOplus)) {}
 
@@ -38,7 +40,10 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
   using Base::_measurement;
   using Base::_vertices;
 
+  /// The block of the two vertices is _hessianTransposed where _hessianRowMajor, else _hessian.
   bool& _hessianRowMajor;
+  HessianBlockType& _hessian;
+  HessianBlockTransposedType& _hessianTransposed;
   JacobianXiOplusType& _jacobianOplusXi;
   JacobianXjOplusType& _jacobianOplusXj;
 };

@@ -50,6 +50,7 @@ class BaseEdge : public OptimizableGraph::Edge {
 
   const InformationType& information() const { return _information; }
   InformationType& information() { return _information; }
+  void setInformation(const InformationType& information) { _information = information; }
   template <typename Derived>
   void setInformation(const Eigen::MatrixBase<Derived>& information) {
     _information = information;

@@ -79,15 +79,18 @@ class BlockSolver : public BlockSolverBase {
   bool init(SparseOptimizer* optimizer, bool online = false) override {
     this->_optimizer = optimizer;
     lambda_ = 0;
-    return online || (_linearSolver != nullptr && _linearSolver->init());
+    return _linearSolver != nullptr && (online || _linearSolver->init());
   }
   bool buildStructure(bool zeroBlocks = false) override;
-  /// Lays everything out anew: what is not new costs little beside a factorisation.
+  /// Lays everything out anew: what is not new costs little beside a factorisation. Where nothing was laid
+  /// out yet, the next optimize() does.
   bool updateStructure(const std::vector<HyperGraph::Vertex*>&, const HyperGraph::EdgeSet&) override {
-    return buildStructure();
+    return !engine_.hasStructure() || buildStructure();
   }
+  /// Lays out what is not, since an online optimize() does not ask for it.
   bool buildSystem() override {
-    if (!engine_.hasStructure()) return false;
+    if (this->_optimizer == nullptr) return false;
+    if (!engine_.isCurrent(*this->_optimizer) && !(_linearSolver->init() && buildStructure())) return false;
     engine_.buildSystem(*this->_optimizer, this->_b);
     return true;
   }
@@ -107,8 +110,10 @@ class BlockSolver : public BlockSolverBase {
 
   LinearSolver<PoseMatrixType>& linearSolver() const { return *_linearSolver; }
 
-  void setWriteDebug(bool writeDebug) override { _linearSolver->setWriteDebug(writeDebug); }
-  bool writeDebug() const override { return _linearSolver->writeDebug(); }
+  void setWriteDebug(bool writeDebug) override {
+    if (_linearSolver != nullptr) _linearSolver->setWriteDebug(writeDebug);
+  }
+  bool writeDebug() const override { return _linearSolver != nullptr && _linearSolver->writeDebug(); }
   bool saveHessian(const std::string& fileName) const override { return engine_.save(fileName); }
   void multiplyHessian(double* dest, const double* src) const override { engine_.multiply(dest, src); }
 

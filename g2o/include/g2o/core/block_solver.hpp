@@ -9,6 +9,7 @@ namespace g2o {
 
 template <typename Traits>
 bool BlockSolver<Traits>::buildStructure(bool) {
+  if (this->_optimizer == nullptr || this->_optimizer->indexMapping().empty()) return false;
   for (const OptimizableGraph::Vertex* v : this->_optimizer->indexMapping()) {
     const bool fits =
         LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
@@ -26,7 +27,7 @@ bool BlockSolver<Traits>::buildStructure(bool) {
 
 template <typename Traits>
 bool BlockSolver<Traits>::solve() {
-  if (!engine_.hasStructure()) return false;
+  if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   const internal::EngineSettings settings = _linearSolver->engine();
   if (settings.solver == internal::EngineSolver::kNone) return solveByLinearSolver();
   return engine_.solve(lambda_, this->_b, this->_x, settings);

@@ -31,6 +31,8 @@ class G2O_CORE_API BlockSolverEngine {
   /// False, with a message, where two marginalised vertices share an edge.
   bool buildStructure(SparseOptimizer& optimizer, bool schur, const EngineSettings& settings);
   bool hasStructure() const;
+  /// Whether what takes part is what the structure was built for.
+  bool isCurrent(const SparseOptimizer& optimizer) const;
   size_t scalars() const;
   /// Linearises the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);

@@ -82,7 +82,11 @@ class G2O_CORE_API HyperGraph {
     virtual ~DataContainer();
     const Data* userData() const { return _userData; }
     Data* userData() { return _userData; }
-    void setUserData(Data* data) { _userData = data; }
+    /// Replaces the list; the one that was there is the caller's.
+    void setUserData(Data* data) {
+      _userData = data;
+      for (Data* d = data; d != nullptr; d = d->next()) d->setDataContainer(this);
+    }
     /// Puts `data` in front of the list.
     void addUserData(Data* data) {
       if (data == nullptr) return;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "g2o/core/linear_engine.h"
+#include "g2o/core/marginal_covariance_cholesky.h"
 #include "g2o/core/sparse_block_matrix.h"
 
 namespace g2o {
@@ -74,17 +76,45 @@ class LinearSolver {
   virtual internal::EngineSettings engine() const { return {}; }
 };
 
-/// A solver over compressed columns.
+/// A solver over compressed columns. A derived class that factorises A offers its marginals by
+/// solveBlocks_impl().
 template <typename MatrixType>
 class LinearSolverCCS : public LinearSolver<MatrixType> {
  public:
+  bool solveBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) override {
+    return solveBlocks_impl(A, [&](MarginalCovarianceCholesky& inverse) {
+      if (blocks == nullptr) this->allocateBlocks(A, blocks);
+      inverse.computeCovariance(blocks, A.rowBlockIndices());
+    });
+  }
+  bool solvePattern(SparseBlockMatrix<MatrixX>& spinv, const std::vector<std::pair<int, int>>& blockIndices,
+                    const SparseBlockMatrix<MatrixType>& A) override {
+    return solveBlocks_impl(A, [&](MarginalCovarianceCholesky& inverse) {
+      inverse.computeCovariance(spinv, A.rowBlockIndices(), blockIndices);
+    });
+  }
+
   bool blockOrdering() const { return _blockOrdering; }
   /// Whether the ordering is of blocks or of scalars.
-  void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
+  virtual void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
   bool writeDebug() const override { return _writeDebug; }
   void setWriteDebug(bool b) override { _writeDebug = b; }
 
  protected:
+  /// Calls `compute` with the Cholesky factor of A; false where there is none.
+  virtual bool solveBlocks_impl(const SparseBlockMatrix<MatrixType>& A,
+                                std::function<void(MarginalCovarianceCholesky&)> compute) {
+    (void)A;
+    (void)compute;
+    return false;
+  }
+  /// Lets _ccsMatrix list the blocks of A, which must outlive it.
+  void initMatrixStructure(const SparseBlockMatrix<MatrixType>& A) {
+    _ccsMatrix = std::make_unique<SparseBlockMatrixCCS<MatrixType>>(A.rowBlockIndices(), A.colBlockIndices());
+    A.fillSparseBlockMatrixCCS(*_ccsMatrix);
+  }
+
+  std::unique_ptr<SparseBlockMatrixCCS<MatrixType>> _ccsMatrix;
   bool _blockOrdering = true;
   bool _writeDebug = true;
 };

@@ -274,7 +274,11 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     const OptimizableGraph* graph() const;
 
     bool setParameterId(int argNum, int paramId);
-    const Parameter* parameter(int argNo) const { return *_parameters.at(static_cast<size_t>(argNo)); }
+    /// nullptr where there is none.
+    const Parameter* parameter(int argNo) const {
+      const auto at = static_cast<size_t>(argNo);
+      return argNo < 0 || at >= _parameters.size() || _parameters[at] == nullptr ? nullptr : *_parameters[at];
+    }
     size_t numParameters() const { return _parameters.size(); }
     void resizeParameters(size_t newSize);
     const std::vector<int>& parameterIds() const { return _parameterIds; }
@@ -340,7 +344,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   /// is saved, and takes no part until setEdgeVertex() has given it all of them.
   bool addUnassignedEdge(OptimizableGraph::Edge* e);
 
-  /// False, and nothing changes, where the vertex is in the edge already or is not of the type that it needs.
+  /// False, and nothing changes, where the vertex is in the edge already, is not in the graph or not of the
+  /// type that the edge needs, or where a parameter is missing.
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
 
   /// Σ ρ-free eᵀΩe over all edges, of the errors as last computed.
@@ -411,6 +416,9 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   void forEachVertex(HyperGraph::VertexSet& vset, const std::function<void(OptimizableGraph::Vertex*)>& fn);
 
  protected:
+  /// Calls the actions of a type; they may remove, and delete, themselves and others.
+  void callActions(int type, HyperGraphAction::Parameters* parameters = nullptr);
+
   std::map<std::string, std::string> _renamedTypesLookup;
   long long _nextEdgeId = 0;
   std::vector<HyperGraphActionSet> _graphActions;

@@ -14,6 +14,8 @@ namespace g2o {
 class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
  public:
   explicit OptimizationAlgorithmWithHessian(Solver& solver);
+  /// As clients of old write it; takes ownership.
+  explicit OptimizationAlgorithmWithHessian(Solver* solver);
   ~OptimizationAlgorithmWithHessian() override;
 
   bool init(bool online = false) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
@@ -32,7 +33,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   virtual bool initializeOptimization(HyperGraph::EdgeSet& eset);
   virtual bool initializeOptimization(HyperGraph::VertexSet& vset, int level = 0);
   virtual bool initializeOptimization(int level = 0);
-  /// Lets vertices and edges that were added take part, too.
+  /// Lets vertices and edges that were added take part, too. False where a new vertex is marginalised.
   virtual bool updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset);
 
   /// Propagates the estimates of fixed vertices along edges that offer initialEstimate().
@@ -76,6 +77,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   bool removeVertex(HyperGraph::Vertex* v, bool detach = false) override;
   bool removeEdge(HyperGraph::Edge* e) override;
+  bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
   VertexContainer::const_iterator findActiveVertex(const OptimizableGraph::Vertex* v) const;
   EdgeContainer::const_iterator findActiveEdge(const OptimizableGraph::Edge* e) const;
 
@@ -134,7 +136,12 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   void clearIndexMapping();
 
  private:
+  friend class SparseOptimizerTerminateAction;
   friend class internal::BlockSolverEngine;
+  /// What actions raise where the client gave no flag: they may go before the optimiser.
+  bool own_stop_flag_ = false;
+  /// Counts the changes of what takes part, and where.
+  std::uint64_t structure_revision_ = 0;
   /// What the active vertices are mapped into: it outlives the solver, so that their hessian() stays
   /// readable.
   std::shared_ptr<const void> hessian_memory_;

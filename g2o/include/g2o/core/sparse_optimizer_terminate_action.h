@@ -24,7 +24,7 @@ class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
  protected:
   double _gainThreshold = 1e-6;
   double _lastChi = 0;
-  bool _auxTerminateFlag = false;
+  bool _auxTerminateFlag = false;  ///< what setOptimizerStopFlag() was last given
   int _maxIterations = std::numeric_limits<int>::max();
 
   void setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop);

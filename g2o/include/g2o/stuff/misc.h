@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <memory>
-#include <type_traits>
-#include <utility>
 
 namespace g2o {
 
@@ -17,10 +15,7 @@ inline constexpr double const_pi() {
   return 3.14159265358979323846;
 }
 
-template <typename T, typename... Args>
-std::unique_ptr<T> make_unique(Args&&... args) {
-  return std::unique_ptr<T>(new T(std::forward<Args>(args)...));
-}
+using std::make_unique;  // not one of our own: clients use both namespaces
 
 template <typename T>
 inline T square(T x) {

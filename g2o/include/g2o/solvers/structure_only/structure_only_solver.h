@@ -55,7 +55,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
       for (HyperGraph::Edge* e : point.edges()) {
         for (HyperGraph::Vertex* u : e->vertices()) {
           auto* v = static_cast<OptimizableGraph::Vertex*>(u);
-          if (v == &point || v->fixed()) continue;
+          if (v == nullptr || v == &point || v->fixed()) continue;
           v->setFixed(true);
           held_.push_back(v);
         }
@@ -75,10 +75,14 @@ class StructureOnlySolver : public OptimizationAlgorithm {
     return *static_cast<OptimizableGraph::Edge*>(e);
   }
 
+  static bool takesPart(const OptimizableGraph::Edge& e) {
+    return e.level() == 0 && e.numUndefinedVertices() == 0;
+  }
+
   static double chi2(OptimizableGraph::Vertex& point) {
     double sum = 0;
     for (HyperGraph::Edge* e : point.edges()) {
-      if (edge(e).level() != 0) continue;
+      if (!takesPart(edge(e))) continue;
       edge(e).computeError();
       if (edge(e).robustKernel() == nullptr) {
         sum += edge(e).chi2();
@@ -105,7 +109,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
       H.setZero();
       point.clearQuadraticForm();
       for (HyperGraph::Edge* e : point.edges()) {
-        if (edge(e).level() != 0) continue;
+        if (!takesPart(edge(e))) continue;
         edge(e).linearizeOplus(workspace);
         edge(e).constructQuadraticForm();
       }

@@ -30,7 +30,7 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   /// The camera matrix stays.
   void setToOriginImpl() override;
   void oplusImpl(const double* update) override;
-  using BaseVertex<6, SBACam>::oplusImpl;
+  void oplusImpl(double* update) override { VertexCam::oplusImpl(static_cast<const double*>(update)); }
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override;
 };

@@ -20,7 +20,7 @@ class G2O_TYPES_SBA_API VertexIntrinsics
   /// 1 1 0.5 0.5 0.1.
   void setToOriginImpl() override;
   void oplusImpl(const double* update) override;
-  using BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>>::oplusImpl;
+  void oplusImpl(double* update) override { VertexIntrinsics::oplusImpl(static_cast<const double*>(update)); }
 };
 
 }  // namespace g2o

@@ -26,7 +26,7 @@ class G2O_TYPES_SLAM2D_API ParameterSE2Offset : public Parameter {
   Isometry2 _offsetMatrix, _inverseOffsetMatrix;
 };
 
-/// The poses of a sensor and of its robot as matrices: n is the sensor, l the robot, w the world.
+/// The pose n2w of a sensor, n, and the motions that take the world, w, to the sensor and to its robot, l.
 class G2O_TYPES_SLAM2D_API CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -11,8 +11,11 @@ namespace g2o {
 class SE2 {
  public:
   SE2() : _R(0), _t(0, 0) {}
-  explicit SE2(const Isometry2& iso) : _R(0), _t(iso.translation()) { _R.fromRotationMatrix(iso.linear()); }
-  explicit SE2(const Vector3& v) : _R(v[2]), _t(v[0], v[1]) {}
+  // Older clients convert without a word.
+  SE2(const Isometry2& iso) : _R(0), _t(iso.translation()) {  // NOLINT
+    _R.fromRotationMatrix(iso.linear());
+  }
+  SE2(const Vector3& v) : _R(v[2]), _t(v[0], v[1]) {}  // NOLINT
   SE2(double x, double y, double theta) : _R(theta), _t(x, y) {}
 
   const Vector2& translation() const { return _t; }

@@ -25,7 +25,7 @@ class G2O_TYPES_SLAM2D_API VertexPointXY : public BaseVertex<2, Vector2> {
  protected:
   void setToOriginImpl() override { _estimate.setZero(); }
   void oplusImpl(const double* update) override;
-  using BaseVertex<2, Vector2>::oplusImpl;
+  void oplusImpl(double* update) override { VertexPointXY::oplusImpl(static_cast<const double*>(update)); }
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };

@@ -30,7 +30,7 @@ class G2O_TYPES_SLAM3D_API ParameterSE3Offset : public Parameter {
   internal::RotationMemory rotation_;
 };
 
-/// The poses of a sensor and of its robot: n is the sensor, l the robot, w the world.
+/// The pose n2w of a sensor, n, and the motions that take the world, w, to the sensor and to its robot, l.
 class G2O_TYPES_SLAM3D_API CacheSE3Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

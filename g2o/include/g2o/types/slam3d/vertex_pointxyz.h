@@ -25,7 +25,7 @@ class G2O_TYPES_SLAM3D_API VertexPointXYZ : public BaseVertex<3, Vector3> {
  protected:
   void setToOriginImpl() override { _estimate.setZero(); }
   void oplusImpl(const double* update) override;
-  using BaseVertex<3, Vector3>::oplusImpl;
+  void oplusImpl(double* update) override { VertexPointXYZ::oplusImpl(static_cast<const double*>(update)); }
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };

@@ -37,7 +37,7 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
  protected:
   void setToOriginImpl() override { _estimate.setIdentity(); }
   void oplusImpl(const double* update) override;
-  using BaseVertex<6, Isometry3>::oplusImpl;
+  void oplusImpl(double* update) override { VertexSE3::oplusImpl(static_cast<const double*>(update)); }
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override;
 
