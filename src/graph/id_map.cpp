@@ -8,14 +8,29 @@
 #include <utility>
 
 namespace boxplus {
+namespace {
+
+/// All bits of the result depend on all bits of x (xor-shifts and multiplications: Steele, Lea, Flood, Fast
+/// splittable pseudorandom number generators, 2014).
+std::uint64_t mixed(std::uint64_t x) {
+  constexpr std::uint64_t kGolden = 0x9E37'79B9'7F4A'7C15;  // 2⁶⁴ divided by the golden ratio
+  for (int round = 0; round < 2; ++round) x = (x ^ (x >> 32)) * kGolden;
+  return x ^ (x >> 32);
+}
+
+}  // namespace
 
 /// The index of the id's entry, or of the free one that ends the search for it.
 std::size_t IdMap::place_of(Id id) const {
-  constexpr std::uint64_t kGolden = 0x9E37'79B9'7F4A'7C15;  // 2⁶⁴ divided by the golden ratio
   const auto number = static_cast<std::uint64_t>(id);
-  const std::size_t mask = entries_.size() - 1, stride = ((number * kGolden) >> 32) | 1;
+  const std::size_t mask = entries_.size() - 1;
   std::size_t place = number & mask;
-  while (entries_[place].id != id && entries_[place].id != kFree) place = (place + stride) & mask;
+  const auto ends_search = [&] { return entries_[place].id == id || entries_[place].id == kFree; };
+  if (ends_search()) return place;
+  const std::size_t stride = mixed(number) | 1;
+  do {
+    place = (place + stride) & mask;
+  } while (!ends_search());
   return place;
 }
 

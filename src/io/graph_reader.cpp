@@ -223,11 +223,19 @@ class GraphReader {
 
   enum class Vertices : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
 
+  /// A vertex of the current line that must be made.
+  struct Missing {
+    std::size_t place;  // in vertices_
+    Id id;
+    VertexRef (*create)(Graph&, Id);
+  };
+
   /// False where a vertex is not known yet.
   bool read_edge(const Line& line, FieldReader& in) {
     const Vertices known = read_vertices_of(*line.tag, in);
     if (known == Vertices::kNotYetKnown) return false;
     if (known == Vertices::kUnassigned) {
+      if (in.column() == 0) throw FieldReader::NotNumeric();  // no graph will look at its Ω: the reader must
       line.tag->check_edge(in);
       ++unassigned_;
       keep(line.text, neighbour_);
@@ -273,9 +281,11 @@ class GraphReader {
     }
   }
 
-  /// Fills vertices_.
+  /// Fills vertices_. Those that an edge of a file without vertices names first are made once all of its line
+  /// is known to be good.
   Vertices read_vertices_of(const Tag& tag, FieldReader& in) {
     vertices_.clear();
+    missing_.clear();
     Vertices result = Vertices::kKnown;
     const auto read_one = [&](const Tag::Argument& argument) {
       result = std::max(result, read_vertex_of(argument, in));
@@ -287,7 +297,22 @@ class GraphReader {
         while (!in.accept("||")) read_one(argument);
       }
     }
+    if (result == Vertices::kKnown && !missing_.empty()) create_missing(tag, in);
     return result;
+  }
+
+  void create_missing(const Tag& tag, FieldReader in) {
+    if (in.column() == 0) throw FieldReader::NotNumeric();
+    for (const Missing& vertex : missing_) {
+      const bool again = std::any_of(missing_.begin(), missing_.end(), [&](const Missing& other) {
+        return other.id == vertex.id && other.place != vertex.place;
+      });
+      if (again)
+        in.fail(1, fmt::format("expected different vertices, but vertex {} appears twice", vertex.id));
+    }
+    tag.check_edge(in);
+    for (const Missing& vertex : missing_) vertices_[vertex.place] = vertex.create(file_.graph, vertex.id);
+    created_ += static_cast<std::int64_t>(missing_.size());
   }
 
   Vertices read_vertex_of(const Tag::Argument& argument, FieldReader& in) {
@@ -300,8 +325,9 @@ class GraphReader {
     auto found = argument.is_parameter ? graph.find_parameter(id) : graph.find_vertex(id);
     if (!found && !all_known_) return Vertices::kNotYetKnown;
     if (!found && !argument.is_parameter && id >= 0 && file_.vertices_created) {
-      found = argument.create(graph, id);
-      ++created_;
+      missing_.push_back({vertices_.size(), id, argument.create});
+      vertices_.push_back({});
+      return Vertices::kKnown;
     }
     if (!found)
       in.fail(column, fmt::format("expected the id of a {}, but there is no {} {}", kind, kind, id));
@@ -367,6 +393,7 @@ class GraphReader {
   std::vector<PendingLine> pending_;
   bool all_known_ = false;  // every vertex of the file is in the graph
   std::vector<VertexRef> vertices_, sorted_;
+  std::vector<Missing> missing_;
   std::map<std::string, UnknownWord> unknown_;
   std::int64_t created_ = 0, unassigned_ = 0;
 };

@@ -269,6 +269,7 @@ TEST(Graph, HandlesSurviveMoves) {
   const auto a = graph.add_vertex(4.0), b = graph.add_vertex(6.0);
   const auto edge = graph.add_edge(kDifference, a, b);
   Graph moved(std::move(graph));
+  EXPECT_EQ(graph.vertex_count(), 0u);  // NOLINT(bugprone-use-after-move): it is empty
   EXPECT_EQ(moved.chi2(edge), 4);
   Graph assigned;
   assigned.add_vertex(Point(1, 2));

@@ -53,12 +53,26 @@ TEST(IdMap, StaysSmallWhereVerticesComeAndGo) {
   EXPECT_EQ(map.by_id().size(), 8u);
 }
 
-TEST(IdMap, TakesIdsThatAreMultiplesOfALargePowerOfTwo) {
-  // With all of them at one place a linear search would take hours for so many.
-  IdMap map;
+TEST(IdMap, TakesIdsThatShareTheirLowBits) {
+  // Where they met again and again, so many would take minutes, or hours.
   constexpr Id kCount = 300'000;
-  for (Id k = 0; k < kCount; ++k) map.insert(k << 36, {0, static_cast<std::uint32_t>(k), 0});
-  for (Id k = 0; k < kCount; ++k) ASSERT_EQ(map.find(k << 36)->slot, static_cast<std::uint32_t>(k));
+  for (const int shift : {20, 36, 40, 44}) {
+    IdMap map;
+    for (Id k = 0; k < kCount; ++k) map.insert(k << shift, {0, static_cast<std::uint32_t>(k), 0});
+    for (Id k = 0; k < kCount; ++k) ASSERT_EQ(map.find(k << shift)->slot, static_cast<std::uint32_t>(k));
+  }
+}
+
+TEST(IdMap, TakesNumbersBehindTagsOfAnyLength) {
+  for (const int tag_bits : {5, 8, 14}) {
+    IdMap map;
+    const Id tags = Id{1} << tag_bits, numbers = 300'000 / tags;
+    for (Id tag = 0; tag < tags; ++tag) {
+      for (Id k = 0; k < numbers; ++k) map.insert((tag << (62 - tag_bits)) + k, {});
+    }
+    EXPECT_EQ(map.size(), static_cast<std::size_t>(tags * numbers));
+    EXPECT_TRUE(map.contains(((tags - 1) << (62 - tag_bits)) + numbers - 1));
+  }
 }
 
 }  // namespace

@@ -145,6 +145,20 @@ TEST(GraphReader, LeavesOutEdgesWithUnassignedVertices) {
   EXPECT_THAT(file.kept, SizeIs(1));
 }
 
+TEST(GraphReader, MakesNoVerticesForSkippedLinesOfAFileWithEdgesOnly) {
+  const GraphFile file = parse_graph(
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 7 1 0 0 1 0 0 1 0 x\nEDGE_SE2 9 9 1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 1 8 1 0 0 1 2 0 1 0 1\n",
+      "g", {.lenient = true});
+  EXPECT_EQ(file.skipped, 3);
+  EXPECT_EQ(file.graph.vertex_count(), 2u);
+}
+
+TEST(GraphReader, RefusesAnIndefiniteInformationOfAnUnassignedEdge) {
+  EXPECT_THAT(complaint(std::string(kTwoPoses) + "EDGE_SE2 0 -1 1 0 0 1 2 0 1 0 1\n"),
+              StartsWith("g:3:21: information: expected a positive semi-definite matrix"));
+}
+
 TEST(GraphReader, RefusesBadVertices) {
   EXPECT_EQ(complaint("VERTEX_SE2 0 1 2"), "g:1:17: expected the heading θ, got the end of the line");
   EXPECT_EQ(complaint("\nVERTEX_SE2 0 1 nan 2"), "g:2:16: expected y (a finite number), got 'nan'");

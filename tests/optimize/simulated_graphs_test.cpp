@@ -35,6 +35,18 @@ TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
   }
 }
 
+TEST_P(SimulatedGraphs, WithoutNoiseAreFittedExactlyAndSoon) {
+  for (const Start start : {Start::kAutomatic, Start::kCurrent, Start::kChordal}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed, .noise = 0});
+      const Report report = optimize(simulation.graph, {.start = start});
+      EXPECT_TRUE(report.converged()) << "seed " << seed << "\n" << report;
+      EXPECT_LT(report.chi2_final, 1e-18 * report.scalars);
+      EXPECT_LT(report.records.size(), 15u) << "seed " << seed << "\n" << report;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Worlds, SimulatedGraphs,
                          ::testing::Values(World::kManhattan, World::kSphere, World::kTorus, World::kGrid,
                                            World::kCity),
