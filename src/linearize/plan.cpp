@@ -11,7 +11,7 @@ namespace boxplus {
 namespace {
 
 /// A worker with less to do costs more than it brings.
-constexpr double kWorthAWorker = 60e3;  // ns
+constexpr double kWorthAWorker = 120e3;  // ns
 
 /// What linearising is predicted to take: about so much per entry of the Jacobian.
 double nanoseconds_per_entry(JacobianSource source) {
