@@ -18,7 +18,7 @@ struct Outcome {
 
 Outcome run(AlgorithmKind algorithm, LinearSolverKind solver, int threads) {
   Graph graph;
-  const auto grid = add_noisy_grid(graph, 11);
+  const auto grid = add_noisy_grid(graph, 9);
   const auto circle = add_noisy_circle(graph, 300);
   for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Huber(3.0));
   Outcome outcome;
