@@ -22,7 +22,7 @@ def main(boxplus):
         folder = pathlib.Path(name)
         for world in ("torus", "city"):
             graph = folder / f"{world}.g2o"
-            run(boxplus, "simulate", world, "--poses", 2500, "--seed", 7, "-o", graph)
+            run(boxplus, "simulate", world, "--poses", 5000, "--seed", 7, "-o", graph)
             outputs = {}
             for threads in (1, 2, 3):
                 for repetition in (1, 2, 3):
