@@ -43,7 +43,7 @@ TEST(IdMap, FindsNothingInAnEmptyMapNorUnderNegativeIds) {
   for (const Id id : {Id{-1}, Id{-2}}) EXPECT_EQ(map.find(id), nullptr);
 }
 
-TEST(IdMap, StaysSmallWhereVerticesComeAndGo) {
+TEST(IdMap, EndsEverySearchWhereVerticesComeAndGo) {
   IdMap map;
   for (Id id = 0; id < 100'000; ++id) {
     map.insert(id, {});

@@ -73,7 +73,7 @@ class Chordal {
   LinearStatus for_each_in_parallel(std::size_t count, F&& work) const;
 
   const FrameGraph& frames_;
-  GuessLimits limits_;
+  const GuessLimits& limits_;
   std::vector<std::uint32_t> order_;  // in which to eliminate the blocks; empty: to be found
   int d_;
   std::vector<const Measurement*> measurements_;
@@ -103,7 +103,6 @@ Chordal::Chordal(const FrameGraph& frames, const Plan& plan, const Components& c
     if (mine != kConstant) order_.push_back(mine);
   }
   if (order_.size() != unknowns_.size()) order_.clear();
-  limits_.order = order_;
 }
 
 Frame Chordal::frame(Node node) const {
@@ -152,7 +151,7 @@ SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) cons
 /// their estimates as weakly as the arithmetic permits, so that only those directions notice.
 LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positions_only) {
   constexpr double kAnchor = 1e-9;  // of the largest entry of the matrix
-  const LinearStatus status = system.solve(limits_);
+  const LinearStatus status = system.solve(limits_, order_);
   if (status != LinearStatus::kNotPositiveDefinite) return status;
   anchored_ = true;
   const double weight = kAnchor * system.largest_diagonal();
@@ -162,7 +161,7 @@ LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positi
     system.add(k, SmallMatrix::Identity(rows, rows), kConstant, SmallMatrix(), x.bottomRows(rows),
                SmallVector::Constant(rows, weight));
   }
-  return system.solve(limits_);
+  return system.solve(limits_, order_);
 }
 
 LinearStatus Chordal::solve_joint() {

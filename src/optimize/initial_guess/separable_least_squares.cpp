@@ -47,7 +47,7 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
   }
 }
 
-LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
+LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits, std::span<const std::uint32_t> order) {
   constexpr double kTolerance = 1e-4;  // of an iterative solver: more brings no better start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
   if (limits.stop.raised()) return LinearStatus::kStopped;
@@ -57,7 +57,7 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits) {
   hints.max_factor_bytes = limits.max_factor_bytes;
   hints.threads = limits.threads;
   hints.ordering = Ordering::kMinimumDegree;  // a single factorisation pays for no dissection
-  hints.order = limits.order;
+  hints.order = order;
   solver->set_stop(limits.stop);
   solver->analyze(structure_, hints);
   const AssembledSystem system(structure_, values_);  // some solvers refer to it

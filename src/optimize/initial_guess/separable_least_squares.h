@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "boxplus/linear/linear_solver.h"
@@ -26,9 +27,9 @@ class SeparableLeastSquares {
   /// One term; the A (B) of a constant block is not used. `weight`: the diagonal of W.
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
-  /// limits.order, where it is not empty, is that of all blocks. May be called again after more add() where
-  /// the matrix was not positive definite.
-  LinearStatus solve(const GuessLimits& limits = {});
+  /// `order`: in which to eliminate the blocks X_i; empty: it looks for one. May be called again after more
+  /// add() where the matrix was not positive definite.
+  LinearStatus solve(const GuessLimits& limits = {}, std::span<const std::uint32_t> order = {});
   double largest_diagonal() const;
   /// X_i, after solve().
   SmallMatrix block(std::uint32_t i) const;
