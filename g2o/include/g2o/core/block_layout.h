@@ -41,5 +41,25 @@ void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const
   }
 }
 
+/// The scalars that `visit(begin, take)` visits, in compressed columns; returns their number.
+template <class Visit>
+int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
+  int count = 0;
+  visit([&](int column) { Cp[column] = count; },
+        [&](int row, double value) {
+          Ci[count] = row;
+          Cx[count++] = value;
+        });
+  Cp[cols] = count;
+  return count;
+}
+/// Only the values, in the same order.
+template <class Visit>
+int fillCCS(Visit&& visit, double* Cx) {
+  int count = 0;
+  visit([](int) {}, [&](int, double value) { Cx[count++] = value; });
+  return count;
+}
+
 }  // namespace internal
 }  // namespace g2o

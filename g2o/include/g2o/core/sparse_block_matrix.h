@@ -242,22 +242,11 @@ class SparseBlockMatrix {
   /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
   /// diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
-    int count = 0;
-    visitScalars(
-        upperTriangle, [&](int column) { Cp[column] = count; },
-        [&](int row, double value) {
-          Ci[count] = row;
-          Cx[count++] = value;
-        });
-    Cp[cols()] = count;
-    return count;
+    return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
   /// Only the values, in the same order.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
-    int count = 0;
-    visitScalars(
-        upperTriangle, [](int) {}, [&](int, double value) { Cx[count++] = value; });
-    return count;
+    return internal::fillCCS(scalars(upperTriangle), Cx);
   }
   /// The pattern of the upper triangle of blocks.
   void fillBlockStructure(MatrixStructure& ms) const {
@@ -363,12 +352,14 @@ class SparseBlockMatrix {
   void for_each(F&& f) const {
     for_each_block([&](int r, int c, const SparseMatrixBlock* b) { f(r, c, *b); });
   }
-  template <class Begin, class Take>
-  void visitScalars(bool upperTriangle, Begin&& begin, Take&& take) const {
-    internal::visitScalars(
-        _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
-        [](const auto& entry) { return entry.first; },
-        [](const auto& entry) -> const SparseMatrixBlock& { return *entry.second; }, begin, take);
+  /// Visits the scalars, as internal::fillCCS() asks for.
+  auto scalars(bool upperTriangle) const {
+    return [this, upperTriangle](auto&& begin, auto&& take) {
+      internal::visitScalars(
+          _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
+          [](const auto& entry) { return entry.first; },
+          [](const auto& entry) -> const SparseMatrixBlock& { return *entry.second; }, begin, take);
+    };
   }
 };
 

@@ -63,22 +63,11 @@ class SparseBlockMatrixCCS {
   /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
   /// diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
-    int count = 0;
-    visit(
-        upperTriangle, [&](int column) { Cp[column] = count; },
-        [&](int row, double value) {
-          Ci[count] = row;
-          Cx[count++] = value;
-        });
-    Cp[cols()] = count;
-    return count;
+    return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
   /// Only the values, in the same order.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
-    int count = 0;
-    visit(
-        upperTriangle, [](int) {}, [&](int, double value) { Cx[count++] = value; });
-    return count;
+    return internal::fillCCS(scalars(upperTriangle), Cx);
   }
 
  protected:
@@ -87,12 +76,13 @@ class SparseBlockMatrixCCS {
   std::vector<SparseColumn> _blockCols;
 
  private:
-  template <class Begin, class Take>
-  void visit(bool upperTriangle, Begin&& begin, Take&& take) const {
-    internal::visitScalars(
-        _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
-        [](const RowBlock& entry) { return entry.row; },
-        [](const RowBlock& entry) -> const MatrixType& { return *entry.block; }, begin, take);
+  auto scalars(bool upperTriangle) const {
+    return [this, upperTriangle](auto&& begin, auto&& take) {
+      internal::visitScalars(
+          _blockCols, _rowBlockIndices, _colBlockIndices, upperTriangle,
+          [](const RowBlock& entry) { return entry.row; },
+          [](const RowBlock& entry) -> const MatrixType& { return *entry.block; }, begin, take);
+    };
   }
 };
 
