@@ -84,6 +84,12 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
   return static_cast<const OptimizableGraph::Vertex*>(edge.vertex(i));
 }
 
+/// Its life counts as the linear solver's work.
+ScopeTime linear_solver_time() {
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  return ScopeTime(statistics ? &statistics->timeLinearSolver : nullptr);
+}
+
 }  // namespace
 
 /// Numbers the blocks and finds the pattern of H. False where an edge joins two eliminated vertices.
@@ -256,6 +262,7 @@ bool BlockSolverEngine::State::factorize(double lambda) {
   }
   if (solver == nullptr) return true;
   const ScopeTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
+  const ScopeTime solver_time = linear_solver_time();
   const boxplus::FactorResult result = schur ? solver->factorize(*reduced, schur->reduced_damping(damping))
                                              : solver->factorize(*full, damping);
   if (statistics) statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
@@ -268,20 +275,19 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
   if (!s.factorize(lambda)) return false;
   s.to_engine(b, s.engine_b.data());
   boxplus::SolveResult result;
-  const auto control = [&](const double* of, std::size_t n) {
-    boxplus::SolveControl how = solve_control(settings, of, n);
+  const auto solve_for = [&](const std::vector<double>& right, std::vector<double>& solution) {
+    boxplus::SolveControl control = solve_control(settings, right.data(), right.size());
     if (settings.solver == EngineSolver::kCholesky)
-      how.relative_tolerance = std::max(how.relative_tolerance, kStepTolerance);
-    return how;
+      control.relative_tolerance = std::max(control.relative_tolerance, kStepTolerance);
+    const ScopeTime time = linear_solver_time();
+    return s.solver->solve(right.data(), 1, solution.data(), control);
   };
   if (s.schur) {
     s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
-    result = s.solver->solve(s.reduced_b.data(), 1, s.reduced_x.data(),
-                             control(s.reduced_b.data(), s.reduced_b.size()));
+    result = solve_for(s.reduced_b, s.reduced_x);
     s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
   } else {
-    result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data(),
-                             control(s.engine_b.data(), s.engine_b.size()));
+    result = solve_for(s.engine_b, s.engine_x);
   }
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->iterationsLinearSolver = result.iterations;

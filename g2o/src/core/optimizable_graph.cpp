@@ -150,17 +150,26 @@ OptimizableGraph::~OptimizableGraph() {
 }
 
 bool OptimizableGraph::addVertex(OptimizableGraph::Vertex* v, Data* userData) {
-  if (v == nullptr) return false;
+  if (v == nullptr) {
+    G2O_ERROR("addVertex: expected a vertex, got nullptr");
+    return false;
+  }
   if (v->graph() != nullptr && v->graph() != this) {
     G2O_ERROR("addVertex: vertex {} is in another graph", v->id());
     return false;
   }
+  if (v->graph() == this && vertex(v->addedAs_) == v) {
+    G2O_ERROR("addVertex: vertex {} is in the graph, as {}", v->id(), v->addedAs_);
+    return false;
+  }
+  if (v->id() < 0) G2O_WARN("addVertex: a vertex has the id {}; files cannot hold negative ones", v->id());
   if (!HyperGraph::addVertex(v)) {
     G2O_WARN("addVertex: the id {} is taken", v->id());
     return false;
   }
   if (userData != nullptr) v->addUserData(userData);
   v->_graph = this;
+  v->addedAs_ = v->id();
   return true;
 }
 
@@ -297,11 +306,17 @@ void OptimizableGraph::callActions(int type, HyperGraphAction::Parameters* param
 }
 
 bool OptimizableGraph::addPreIterationAction(HyperGraphAction* action) {
-  return _graphActions[AT_PREITERATION].insert(action).second;
+  return addAction(AT_PREITERATION, action);
 }
 
 bool OptimizableGraph::addPostIterationAction(HyperGraphAction* action) {
-  return _graphActions[AT_POSTITERATION].insert(action).second;
+  return addAction(AT_POSTITERATION, action);
+}
+
+bool OptimizableGraph::addAction(int type, HyperGraphAction* action) {
+  if (action != nullptr) return _graphActions[static_cast<size_t>(type)].insert(action).second;
+  G2O_ERROR("expected an action, got nullptr");
+  return false;
 }
 
 bool OptimizableGraph::removePreIterationAction(HyperGraphAction* action) {

@@ -105,6 +105,19 @@ class Loader {
       G2O_WARN("{} more lines with {} other unknown words, skipped", others, words.size() - kShown);
   }
 
+  /// Whether read() takes the fields. One that ends in `return is.good()` takes none that end their line: it
+  /// is asked again with a blank behind them.
+  template <class Element>
+  static bool accepts(Element& element, internal::LineStream& fields) {
+    const std::istream::pos_type begin = fields.tellg();
+    if (element.read(fields)) return !fields.fail();
+    if (fields.fail() || !fields.eof() || !fields.problem.empty()) return false;
+    fields.clear();
+    fields.str(fields.str() + ' ');
+    fields.seekg(begin);
+    return element.read(fields) && !fields.fail();
+  }
+
   /// What is wrong with a line whose fields could not be read.
   static std::string problem_of(internal::LineStream& fields) {
     if (!fields.problem.empty()) return fields.problem;
@@ -145,7 +158,7 @@ class Loader {
     int id = -1;
     if (!read_id(word, "the id of a parameter", 0, fields, id)) return;
     p->setId(id);
-    if (!p->read(fields) || fields.fail()) return complain("{} {}: {}", word, id, problem_of(fields));
+    if (!accepts(*p, fields)) return complain("{} {}: {}", word, id, problem_of(fields));
     if (!at_end(word, fields)) return;
     if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
     static_cast<void>(element.release());
@@ -156,7 +169,7 @@ class Loader {
     auto* v = static_cast<OptimizableGraph::Vertex*>(element.get());
     int id = -1;
     if (!read_id(word, "the id of a vertex", 0, fields, id)) return;
-    if (!v->read(fields) || fields.fail()) return complain("{} {}: {}", word, id, problem_of(fields));
+    if (!accepts(*v, fields)) return complain("{} {}: {}", word, id, problem_of(fields));
     if (!at_end(word, fields)) return;
     v->setId(id);
     if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
@@ -212,7 +225,7 @@ class Loader {
       }
       e->setVertex(i, v);
     }
-    if (!e->read(fields) || fields.fail()) return complain("{}: {}", word, problem_of(fields));
+    if (!accepts(*e, fields)) return complain("{}: {}", word, problem_of(fields));
     if (!at_end(word, fields)) return;
     const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
     const std::vector<int>& parameters = e->parameterIds();
@@ -261,6 +274,12 @@ const std::string& tag_of(const HyperGraph::HyperGraphElement* element) {
   return tag;
 }
 
+/// What an element's write() said; a message where that was false.
+bool written(bool ok, const std::string& tag) {
+  if (!ok) G2O_ERROR("save: write() of {} is false", tag);
+  return ok;
+}
+
 }  // namespace
 
 bool OptimizableGraph::load(std::istream& is) {
@@ -268,6 +287,10 @@ bool OptimizableGraph::load(std::istream& is) {
 }
 
 bool OptimizableGraph::load(const char* filename) {
+  if (filename == nullptr) {
+    G2O_ERROR("load: expected the name of a file, got nullptr");
+    return false;
+  }
   std::ifstream file(filename);
   if (!file || (file.peek(), file.bad())) {  // a folder can be opened, but not read
     G2O_ERROR("{} cannot be opened", filename);
@@ -277,6 +300,10 @@ bool OptimizableGraph::load(const char* filename) {
 }
 
 bool OptimizableGraph::save(const char* filename, int level) const {
+  if (filename == nullptr) {
+    G2O_ERROR("save: expected the name of a file, got nullptr");
+    return false;
+  }
   std::ofstream file(filename);
   if (!file) {
     G2O_ERROR("{} cannot be written", filename);
@@ -345,11 +372,11 @@ bool OptimizableGraph::saveVertex(std::ostream& os, Vertex* v) const {
   if (tag.empty()) return false;
   ShortestNumbers out(os);
   out.stream() << tag << " " << v->id() << " ";
-  v->write(out.stream());
+  const bool ok = written(v->write(out.stream()), tag);
   out.stream() << '\n';
-  bool ok = saveUserData(os, v->userData());
+  const bool data_ok = saveUserData(os, v->userData());
   if (v->fixed()) out.stream() << "FIX " << v->id() << '\n';
-  return ok && out.good();
+  return ok && data_ok && out.good();
 }
 
 bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
@@ -357,9 +384,9 @@ bool OptimizableGraph::saveParameter(std::ostream& os, Parameter* p) const {
   if (tag.empty()) return false;
   ShortestNumbers out(os);
   out.stream() << tag << " " << p->id() << " ";
-  p->write(out.stream());
+  const bool ok = written(p->write(out.stream()), tag);
   out.stream() << '\n';
-  return out.good();
+  return ok && out.good();
 }
 
 bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
@@ -369,9 +396,9 @@ bool OptimizableGraph::saveEdge(std::ostream& os, Edge* e) const {
   out.stream() << tag << " ";
   for (const HyperGraph::Vertex* v : e->vertices())
     out.stream() << (v == nullptr ? HyperGraph::UnassignedId : v->id()) << " ";
-  e->write(out.stream());
+  const bool ok = written(e->write(out.stream()), tag);
   out.stream() << '\n';
-  return saveUserData(os, e->userData()) && out.good();
+  return saveUserData(os, e->userData()) && ok && out.good();
 }
 
 bool OptimizableGraph::saveUserData(std::ostream& os, HyperGraph::Data* d) const {
@@ -382,7 +409,7 @@ bool OptimizableGraph::saveUserData(std::ostream& os, HyperGraph::Data* d) const
     ok = ok && !tag.empty();
     if (tag.empty()) continue;
     out.stream() << tag << " ";
-    d->write(out.stream());
+    ok = written(d->write(out.stream()), tag) && ok;
     out.stream() << '\n';
   }
   return ok && out.good();

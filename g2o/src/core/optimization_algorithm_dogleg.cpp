@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <utility>
 
 #include "core/pushed_estimates.h"
 #include "g2o/core/sparse_optimizer.h"
@@ -12,14 +11,12 @@
 namespace g2o {
 
 OptimizationAlgorithmDogleg::OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase> solver)
-    : OptimizationAlgorithmWithHessian(*solver),
+    : OptimizationAlgorithmWithHessian(solver.release()),
       _maxTrialsAfterFailure(_properties.makeProperty<Property<int>>("maxTrialsAfterFailure", 100)),
       _userDeltaInit(_properties.makeProperty<Property<double>>("initialDelta", 1e4)),
       _initialLambda(_properties.makeProperty<Property<double>>("initialLambda", 1e-7)),
       _lamdbaFactor(_properties.makeProperty<Property<double>>("lambdaFactor", 10.)),
-      block_solver_(*solver) {
-  ownSolver(std::move(solver));
-}
+      block_solver_(static_cast<BlockSolverBase&>(_solver)) {}
 
 OptimizationAlgorithmDogleg::OptimizationAlgorithmDogleg(BlockSolverBase* solver)
     : OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase>(solver)) {}

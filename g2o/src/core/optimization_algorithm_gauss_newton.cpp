@@ -2,17 +2,13 @@
 #include "g2o/core/optimization_algorithm_gauss_newton.h"
 
 #include <ostream>
-#include <utility>
 
 #include "g2o/core/sparse_optimizer.h"
-#include "g2o/stuff/timeutil.h"
 
 namespace g2o {
 
 OptimizationAlgorithmGaussNewton::OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver> solver)
-    : OptimizationAlgorithmWithHessian(*solver) {
-  ownSolver(std::move(solver));
-}
+    : OptimizationAlgorithmWithHessian(solver.release()) {}
 
 OptimizationAlgorithmGaussNewton::OptimizationAlgorithmGaussNewton(Solver* solver)
     : OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver>(solver)) {}
@@ -21,8 +17,6 @@ OptimizationAlgorithmGaussNewton::~OptimizationAlgorithmGaussNewton() = default;
 
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmGaussNewton::solve(int iteration, bool online) {
   if (!linearize(iteration, online) || !solveSystem()) return Fail;
-  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  const ScopeTime time(statistics ? &statistics->timeUpdate : nullptr);
   _optimizer->update(_solver.x());
   return OK;
 }

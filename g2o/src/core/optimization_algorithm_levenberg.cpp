@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
-#include <utility>
 
 #include "core/pushed_estimates.h"
 #include "g2o/core/sparse_optimizer.h"
@@ -13,11 +12,10 @@
 namespace g2o {
 
 OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(std::unique_ptr<Solver> solver)
-    : OptimizationAlgorithmWithHessian(*solver),
+    : OptimizationAlgorithmWithHessian(solver.release()),
       _maxTrialsAfterFailure(_properties.makeProperty<Property<int>>("maxTrialsAfterFailure", 10)),
       _userLambdaInit(_properties.makeProperty<Property<double>>("initialLambda", 0.)) {
-  solver->setLevenberg(true);
-  ownSolver(std::move(solver));
+  _solver.setLevenberg(true);
 }
 
 OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(Solver* solver)

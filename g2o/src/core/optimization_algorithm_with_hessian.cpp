@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/absent_solver.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/timeutil.h"
@@ -13,8 +14,8 @@ OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver& solve
     : _solver(solver), _writeDebug(_properties.makeProperty<Property<bool>>("writeDebug", true)) {}
 
 OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver* solver)
-    : OptimizationAlgorithmWithHessian(*solver) {
-  ownSolver(std::unique_ptr<Solver>(solver));
+    : OptimizationAlgorithmWithHessian(solver != nullptr ? *solver : *new internal::AbsentSolver) {
+  owned_solver_.reset(&_solver);
 }
 
 OptimizationAlgorithmWithHessian::~OptimizationAlgorithmWithHessian() = default;

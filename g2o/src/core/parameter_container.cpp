@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <sstream>
+#include <string>
 #include <typeinfo>
 
 #include "core/shortest_numbers.h"
@@ -29,8 +30,14 @@ void ParameterContainer::clear() {
 }
 
 bool ParameterContainer::addParameter(Parameter* p) {
-  if (p == nullptr || p->id() < 0) return false;
-  return emplace(p->id(), p).second;
+  if (p == nullptr || p->id() < 0) {
+    G2O_ERROR("addParameter: expected a parameter with an id from 0 on, got {}",
+              p == nullptr ? "nullptr" : std::to_string(p->id()));
+    return false;
+  }
+  if (emplace(p->id(), p).second) return true;
+  G2O_ERROR("addParameter: the id {} is taken", p->id());
+  return false;
 }
 
 Parameter* ParameterContainer::getParameter(int id) const {

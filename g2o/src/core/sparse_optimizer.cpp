@@ -123,7 +123,7 @@ bool SparseOptimizer::initializeOptimization(HyperGraph::EdgeSet& eset) {
   forgetInitialization();
   std::set<OptimizableGraph::Vertex*> touched;
   for (HyperGraph::Edge* e : eset) {
-    if (e->numUndefinedVertices() > 0) continue;
+    if (e == nullptr || e->numUndefinedVertices() > 0) continue;
     _activeEdges.push_back(static_cast<OptimizableGraph::Edge*>(e));
     for (HyperGraph::Vertex* v : e->vertices()) touched.insert(as_vertex(v));
   }
@@ -136,6 +136,7 @@ bool SparseOptimizer::initializeOptimization(HyperGraph::VertexSet& vset, int le
   forgetInitialization();
   HyperGraph::EdgeSet edges;
   for (HyperGraph::Vertex* v : vset) {
+    if (v == nullptr) continue;
     bool is_active = false;
     for (HyperGraph::Edge* e : v->edges()) {
       const auto in_set = [&](HyperGraph::Vertex* u) { return vset.count(u) > 0; };
@@ -259,6 +260,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
   int done = 0;
   for (; done < iterations && !terminate() && result == OptimizationAlgorithm::OK; ++done) {
     preIteration(done);
+    if (_algorithm == nullptr) break;  // an action took it away
     if (_computeBatchStatistics) {
       _batchStatistics.emplace_back();
       G2OBatchStatistics& statistics = _batchStatistics.back();
@@ -300,6 +302,8 @@ bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
     G2O_ERROR("computeMarginals: expected an optimiser with an algorithm that has optimised");
     return false;
   }
+  if (_batchStatistics.empty()) return _algorithm->computeMarginals(spinv, blockIndices);
+  const ScopeTime time(&_batchStatistics.back().timeMarginals);
   return _algorithm->computeMarginals(spinv, blockIndices);
 }
 
@@ -478,6 +482,8 @@ void SparseOptimizer::computeActiveErrors() {
 }
 
 void SparseOptimizer::update(const double* update) {
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  const ScopeTime time(statistics ? &statistics->timeUpdate : nullptr);
   for (OptimizableGraph::Vertex* v : _ivMap) {
     v->oplus(update);
     update += v->dimension();
@@ -490,7 +496,7 @@ void SparseOptimizer::setComputeBatchStatistics(bool computeBatchStatistics) {
 }
 
 bool SparseOptimizer::addComputeErrorAction(HyperGraphAction* action) {
-  return _graphActions[AT_COMPUTEACTIVERROR].insert(action).second;
+  return addAction(AT_COMPUTEACTIVERROR, action);
 }
 
 bool SparseOptimizer::removeComputeErrorAction(HyperGraphAction* action) {

@@ -49,6 +49,16 @@ bool read_fields(std::istream& is, int count, Read&& read) {
   return false;
 }
 
+/// Has `write` write fields.
+template <class Write>
+bool write_fields(std::ostream& os, Write&& write) {
+  std::string text;
+  boxplus::FieldWriter out(text);
+  write(out);
+  os << text;
+  return os.good();
+}
+
 template <class T>
 bool read_value(std::istream& is, int count, T& value) {
   return read_fields(is, count, [&](boxplus::FieldReader& in) { value = boxplus::FileFields<T>::read(in); });
@@ -56,11 +66,7 @@ bool read_value(std::istream& is, int count, T& value) {
 
 template <class T>
 bool write_value(std::ostream& os, const T& value) {
-  std::string text;
-  boxplus::FieldWriter out(text);
-  boxplus::FileFields<T>::write(value, out);
-  os << text;
-  return os.good();
+  return write_fields(os, [&](boxplus::FieldWriter& out) { boxplus::FileFields<T>::write(value, out); });
 }
 
 /// Whether the next `count` fields are zeros.
@@ -105,12 +111,10 @@ bool read_edge(std::istream& is, int count, Omega& information, Take&& take) {
 
 template <class E, class Omega>
 bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
-  std::string text;
-  boxplus::FieldWriter out(text);
-  boxplus::EdgeFields<E>::write(edge, out);
-  write_omega(information, out);
-  os << text;
-  return os.good();
+  return write_fields(os, [&](boxplus::FieldWriter& out) {
+    boxplus::EdgeFields<E>::write(edge, out);
+    write_omega(information, out);
+  });
 }
 
 /// The same for an edge that the engine does not have, whose measurement stands in files as a T does.
@@ -125,12 +129,10 @@ bool read_measurement(std::istream& is, int count, Omega& information, Take&& ta
 
 template <class T, class Omega>
 bool write_measurement(std::ostream& os, const T& measurement, const Omega& information) {
-  std::string text;
-  boxplus::FieldWriter out(text);
-  boxplus::FileFields<T>::write(measurement, out);
-  write_omega(information, out);
-  os << text;
-  return os.good();
+  return write_fields(os, [&](boxplus::FieldWriter& out) {
+    boxplus::FileFields<T>::write(measurement, out);
+    write_omega(information, out);
+  });
 }
 
 /// Numbers at the end of a line, which may lack them all: then they stay. False where the line has some of
@@ -150,11 +152,9 @@ inline bool read_rest(std::istream& is, std::initializer_list<double*> numbers) 
 }
 
 inline bool write_rest(std::ostream& os, std::initializer_list<double> numbers) {
-  std::string text;
-  boxplus::FieldWriter out(text);
-  for (const double number : numbers) out.number(number);
-  os << ' ' << text;
-  return os.good();
+  return write_fields(os << ' ', [&](boxplus::FieldWriter& out) {
+    for (const double number : numbers) out.number(number);
+  });
 }
 
 /// An argument of a native edge, and where its Jacobian goes; nowhere for parameters.

@@ -176,6 +176,25 @@ TEST_F(Destruction, ActionsMayRemoveAndDeleteThemselves) {
   EXPECT_EQ(calls, 9);
 }
 
+/// Leaves the optimiser without an algorithm.
+class Thief : public g2o::HyperGraphAction {
+ public:
+  explicit Thief(g2o::SparseOptimizer& optimizer) : optimizer_(optimizer) {}
+  g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+    optimizer_.setAlgorithm(nullptr);
+    return this;
+  }
+
+ private:
+  g2o::SparseOptimizer& optimizer_;
+};
+
+TEST_F(Destruction, ARunWhoseAlgorithmAnActionTakesEndsThere) {
+  Thief thief(optimizer);
+  optimizer.addPostIterationAction(&thief);
+  EXPECT_EQ(optimizer.optimize(3), 1);
+}
+
 /// Takes another action out of the optimiser, and deletes it.
 class Remover : public g2o::HyperGraphAction {
  public:

@@ -152,6 +152,45 @@ TEST(Files, SoDoesTheMessageWhereATypeOfAClientFails) {
               ElementsAre("line 1: VERTEX_LEVEL 0: its fields are not accepted"));
 }
 
+/// As many clients read: what ends the line is not good.
+class VertexGood : public VertexLevel {
+ public:
+  bool read(std::istream& is) override {
+    is >> _estimate;
+    return is.good();
+  }
+};
+
+TEST(Files, AReadThatAsksWhetherTheStreamIsGoodMayEndItsLine) {
+  const g2o::RegisterTypeProxy<VertexGood> registered("VERTEX_GOOD");
+  using testing::ElementsAre;
+  EXPECT_THAT(messages_of("VERTEX_GOOD 0 1.5\nVERTEX_GOOD 1 -2.5\r\nVERTEX_GOOD 2 3 \n", true),
+              ElementsAre());
+  EXPECT_THAT(messages_of("VERTEX_GOOD 0 1.5 2\n", false),
+              ElementsAre("line 1: VERTEX_GOOD: expected the end of the line, got '2'"));
+  EXPECT_THAT(messages_of("VERTEX_GOOD 0\n", false),
+              ElementsAre("line 1: VERTEX_GOOD 0: expected more fields, got the end of the line"));
+}
+
+class VertexUnwritten : public VertexLevel {
+ public:
+  bool write(std::ostream&) const override { return false; }
+};
+
+TEST(Files, AnElementThatCannotBeWrittenIsNamed) {
+  const g2o::RegisterTypeProxy<VertexUnwritten> registered("VERTEX_UNWRITTEN");
+  std::vector<std::string> messages;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
+  g2o::SparseOptimizer optimizer;
+  auto* v = new VertexUnwritten;
+  v->setId(0);
+  optimizer.addVertex(v);
+  std::ostringstream out;
+  EXPECT_FALSE(optimizer.save(out));
+  g2o::logging::setSink({});
+  EXPECT_THAT(messages, testing::ElementsAre("save: write() of VERTEX_UNWRITTEN is false"));
+}
+
 TEST(Files, UnknownWordsAreQuotedCountedAndSummedUp) {
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("A 1\nB\x7f 1\nA 2\nA 3\n", true),

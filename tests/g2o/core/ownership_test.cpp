@@ -2,11 +2,14 @@
 // Who deletes what, and what misuse answers. Meant for AddressSanitizer.
 #include <gmock/gmock.h>
 
+#include <initializer_list>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "g2o/core/factory.h"
+#include "g2o/core/optimization_algorithm_dogleg.h"
 #include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
@@ -49,6 +52,19 @@ TEST_F(Misuse, AVertexOfAnotherGraphIsRefused) {
   auto* v = add_pose(other, 7, 0, 0, 0);
   EXPECT_FALSE(optimizer.addVertex(v));
   expect_message("in another graph");
+}
+
+TEST_F(Misuse, AVertexIsNotAddedTwiceUnderTwoIds) {
+  auto* v = add_pose(optimizer, 7, 0, 0, 0);
+  v->setId(8);
+  EXPECT_FALSE(optimizer.addVertex(v));
+  expect_message("vertex 8 is in the graph, as 7");
+  v->setId(7);
+}
+
+TEST_F(Misuse, AVertexWithoutAnIdIsNamed) {
+  EXPECT_TRUE(optimizer.addVertex(new g2o::VertexSE2));
+  expect_message("a vertex has the id -2");
 }
 
 TEST_F(Misuse, AnEdgeThatIsRefusedStaysTheCallers) {
@@ -131,6 +147,7 @@ TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
   add_square(optimizer);
   g2o::VertexSE2 stranger;
   EXPECT_FALSE(optimizer.addVertex(static_cast<g2o::OptimizableGraph::Vertex*>(nullptr)));
+  expect_message("addVertex: expected a vertex, got nullptr");
   EXPECT_FALSE(optimizer.addEdge(static_cast<g2o::OptimizableGraph::Edge*>(nullptr)));
   EXPECT_FALSE(optimizer.removeVertex(nullptr));
   EXPECT_FALSE(optimizer.removeVertex(&stranger));
@@ -141,6 +158,20 @@ TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
   EXPECT_FALSE(optimizer.setEdgeVertex(nullptr, 0, optimizer.vertex(0)));
   EXPECT_FALSE(optimizer.changeId(nullptr, 3));
   EXPECT_FALSE(optimizer.addParameter(nullptr));
+  expect_message("addParameter: expected a parameter with an id from 0 on, got nullptr");
+  EXPECT_FALSE(optimizer.addPreIterationAction(nullptr));
+  EXPECT_FALSE(optimizer.addPostIterationAction(nullptr));
+  EXPECT_FALSE(optimizer.addComputeErrorAction(nullptr));
+  expect_message("expected an action, got nullptr");
+  EXPECT_FALSE(optimizer.load(static_cast<const char*>(nullptr)));
+  EXPECT_FALSE(optimizer.save(static_cast<const char*>(nullptr)));
+  expect_message("expected the name of a file, got nullptr");
+  g2o::HyperGraph::VertexSet vertices = {nullptr, optimizer.vertex(0), optimizer.vertex(1)};
+  EXPECT_TRUE(optimizer.initializeOptimization(vertices));
+  EXPECT_EQ(optimizer.activeEdges().size(), 1u);
+  g2o::HyperGraph::EdgeSet edges = {nullptr, *optimizer.edges().begin()};
+  EXPECT_TRUE(optimizer.initializeOptimization(edges));
+  EXPECT_EQ(optimizer.activeEdges().size(), 1u);
   EXPECT_EQ(optimizer.vertex(99), nullptr);
   EXPECT_EQ(optimizer.parameter(99), nullptr);
 }
@@ -159,6 +190,23 @@ TEST_F(Misuse, WithoutInitialisationAlgorithmOrLinearSolverNothingIsOptimised) {
       new g2o::BlockSolverX(static_cast<g2o::BlockSolverX::LinearSolverType*>(nullptr))));
   EXPECT_EQ(optimizer.optimize(1), -1);
   expect_message("could not be initialised");
+}
+
+TEST_F(Misuse, AnAlgorithmWithoutASolverCannotBeInitialised) {
+  add_square(optimizer);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  using Solvers = std::unique_ptr<g2o::Solver>;
+  using BlockSolvers = std::unique_ptr<g2o::BlockSolverBase>;
+  for (g2o::OptimizationAlgorithm* algorithm : std::initializer_list<g2o::OptimizationAlgorithm*>{
+           new g2o::OptimizationAlgorithmGaussNewton(Solvers()),
+           new g2o::OptimizationAlgorithmLevenberg(static_cast<g2o::Solver*>(nullptr)),
+           new g2o::OptimizationAlgorithmDogleg(BlockSolvers())}) {
+    optimizer.setAlgorithm(algorithm);
+    EXPECT_EQ(optimizer.optimize(1), -1);
+    expect_message("without a solver");
+    g2o::SparseBlockMatrix<g2o::MatrixX> inverse;
+    EXPECT_FALSE(optimizer.computeMarginals(inverse, optimizer.vertex(1)));
+  }
 }
 
 TEST_F(Misuse, MarginalsAreThoseOfVerticesThatWereOptimised) {

@@ -193,6 +193,12 @@ TEST_F(Optimizer, StatisticsTellOfEveryIteration) {
   EXPECT_EQ(first.hessianDimension, 9u);
   EXPECT_GT(first.levenbergIterations, 0);
   EXPECT_GT(first.timeIteration, 0);
+  EXPECT_GT(first.timeUpdate, 0);
+  EXPECT_GT(first.timeLinearSolver, 0);
+  EXPECT_LE(first.timeLinearSolver, first.timeLinearSolution);
+  g2o::SparseBlockMatrix<g2o::MatrixX> inverse;
+  EXPECT_TRUE(optimizer.computeMarginals(inverse, optimizer.vertex(1)));
+  EXPECT_GT(optimizer.batchStatistics().back().timeMarginals, 0);
   EXPECT_NEAR(optimizer.batchStatistics().back().chi2, optimizer.activeChi2(), 1e-12);
 }
 

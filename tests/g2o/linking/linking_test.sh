@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: types and algorithms that are only named are there in spite of
-# link-time optimisation and --gc-sections; two copies of the face in one process do no harm.
+# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: types and algorithms that are only named, and the words of types
+# that are only used, are there in spite of link-time optimisation and --gc-sections; two copies of the face in one process do no harm.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"
@@ -10,6 +10,7 @@ rm -rf "$work"
 "$cmake" -S "$consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/installed" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
 "$cmake" --build "$work/build"
 "$work/build/stripped"
+"$work/build/unnamed"
 "$work/build/two_copies" "$work/build/libfirst.so" "$work/build/libsecond.so" "$is_static"
 if [[ $is_static == 0 ]]; then
   exported=$(objdump -T "$(find "$work/installed" -name libg2o_core.so)" | grep -v UND)

@@ -10,6 +10,39 @@ namespace {
 
 using edge_checks::omega;
 
+/// As clients of old write it.
+class NonConstPoint : public g2o::VertexPointXY {
+ public:
+  int calls = 0;
+
+ protected:
+  void oplusImpl(double* update) override {
+    ++calls;
+    g2o::VertexPointXY::oplusImpl(update);
+  }
+};
+
+class ConstPoint : public g2o::VertexPointXY {
+ public:
+  int calls = 0;
+
+ protected:
+  void oplusImpl(const double* update) override {
+    ++calls;
+    g2o::VertexPointXY::oplusImpl(update);
+  }
+};
+
+template <typename Point>
+void expect_oplus_of_the_subclass() {
+  Point point;
+  point.setEstimate(g2o::Vector2(1, 2));
+  const double update[] = {0.5, -1};
+  point.oplus(update);
+  EXPECT_EQ(point.calls, 1);
+  EXPECT_EQ(point.estimate(), g2o::Vector2(1.5, 1));
+}
+
 TEST(Slam2d, TheLawsOfAllTypesHold) {
   edge_checks::expect_laws_of_file(
       "PARAMS_SE2OFFSET 0 0.1 0.2 0.3\n"
@@ -110,6 +143,11 @@ TEST(Slam2d, LotsOfPointsAreOptimisedWithTheirPose) {
     pose->solveDirect();
   }
   EXPECT_LT(pose->estimate().toVector().norm(), 1e-9);
+}
+
+TEST(Slam2d, ASubclassOfAReadyMadeVertexMayOverrideEitherOplus) {
+  expect_oplus_of_the_subclass<NonConstPoint>();
+  expect_oplus_of_the_subclass<ConstPoint>();
 }
 
 }  // namespace

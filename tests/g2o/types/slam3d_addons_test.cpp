@@ -29,6 +29,8 @@ TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
       "VERTEX_PLANE 2 0.48 0.6 0.64 -2 0.1 0.2 0.3\n"
       "VERTEX_PLANE 3 0.8 0 0.6 1 0.1 0.2 0.3\n"
       "VERTEX_SE3:QUAT 4 1.3 1.1 2.2 0.5 -0.5 0.5 0.5\n"
+      "VERTEX3 5 1 2 3 0.1 -0.2 0.3\n"
+      "VERTEX3 6 2 1 3 0.3 0.4 -1.3\n"
       "EDGE_SE3_PLANE_CALIB 0 2 1 0.6 0.48 0.64 1 0.4 0.5 0.6" +
       omega(3) +
       "\n"
@@ -36,7 +38,22 @@ TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
       omega(6) +
       "\n"
       "EDGE_PLANE 2 3 0.1 0.2 0.3 0.4" +
-      omega(4) + "\n");
+      omega(4) +
+      "\n"
+      "EDGE3 5 6 1.1 -0.9 0.1 0.2 0.5 -1.5" +
+      omega(6) + "\n");
+}
+
+// Small angles have twice the error of a quaternion, and the weight of the file.
+TEST(Slam3dAddons, EdgesOfToroWeighAngles) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 0 0 1e-4 0 0\nEDGE3 0 1 1.2 0 0 0 0 0 "
+      "25 0 0 0 0 0 1 0 0 0 0 1 0 0 0 9 0 0 1 0 1\n");
+  ASSERT_TRUE(optimizer.load(in));
+  auto* e = static_cast<g2o::EdgeSE3Euler*>(*optimizer.edges().begin());
+  e->computeError();
+  EXPECT_NEAR(e->chi2(), 25 * 0.04 + 9e-8, 1e-14);
 }
 
 TEST(Slam3dAddons, ErrorsHaveTheSignsThatFilesMean) {
@@ -58,6 +75,12 @@ TEST(Slam3dAddons, ErrorsHaveTheSignsThatFilesMean) {
       {{"EDGE_SE3_PLANE_CALIB", {0.1, 0, 0.5}},
        {"EDGE_SE3_CALIB", {1.5, 0, 0, 0, 0, 0}},
        {"EDGE_PLANE", {-1, 1, 0, -2}}});
+}
+
+TEST(Planes, AreSetByTheirCoefficients) {
+  g2o::VertexPlane v;
+  v.setEstimate(Eigen::Vector4d(0, 3, 4, 10));
+  EXPECT_LT((v.estimate().coeffs() - g2o::Vector4(0, 0.6, 0.8, 2)).norm(), 1e-15);
 }
 
 TEST(Planes, AStepOfZeroStays) {

@@ -5,6 +5,7 @@
 #include <istream>
 #include <ostream>
 
+#include "g2o/core/io_helper.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/core/robust_kernel.h"
 

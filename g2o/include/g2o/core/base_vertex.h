@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "g2o/core/creators.h"
+#include "g2o/core/io_helper.h"
 #include "g2o/core/optimizable_graph.h"
 
 namespace g2o {

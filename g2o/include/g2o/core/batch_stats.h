@@ -19,18 +19,18 @@ struct G2O_CORE_API G2OBatchStatistics {
   double chi2 = -1;
 
   double timeResiduals = 0;
-  double timeLinearize = 0;
-  double timeQuadraticForm = 0;
+  double timeLinearize = 0;      // 0: part of the next
+  double timeQuadraticForm = 0;  // Jacobians, H and b
   int levenbergIterations = 0;
   double timeSchurComplement = 0;
   double timeSymbolicDecomposition = 0;
   double timeNumericDecomposition = 0;
-  double timeLinearSolution = 0;
-  double timeLinearSolver = 0;
+  double timeLinearSolution = 0;  // with the Schur complement
+  double timeLinearSolver = 0;    // without it
   int iterationsLinearSolver = 0;
   double timeUpdate = 0;
   double timeIteration = 0;
-  double timeMarginals = 0;
+  double timeMarginals = 0;  // of computeMarginals() after this iteration
 
   size_t hessianDimension = 0;
   size_t hessianPoseDimension = 0;

@@ -4,6 +4,7 @@
 #include "g2o/core/block_solver.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
+#include "g2o/stuff/timeutil.h"
 
 namespace g2o {
 
@@ -52,6 +53,8 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
     const int rows = dims[static_cast<size_t>(block.row)], cols = dims[static_cast<size_t>(block.column)];
     *A.block(block.column, block.row, true) = Eigen::Map<const MatrixX>(block.values, rows, cols).transpose();
   }
+  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
+  const ScopeTime time(statistics ? &statistics->timeLinearSolver : nullptr);
   if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
     G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
     return false;

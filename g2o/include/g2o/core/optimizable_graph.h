@@ -20,6 +20,7 @@
 #include "g2o/core/parameter.h"
 #include "g2o/core/parameter_container.h"
 #include "g2o/stuff/macros.h"
+#include "g2o/stuff/misc.h"
 
 namespace g2o {
 
@@ -197,12 +198,15 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     OpenMPMutex _quadraticFormMutex;
     std::unique_ptr<CacheContainer> _cacheContainer;
 
-    /// ⊞: override one of the two.
+    /// ⊞: override one of the two; the first calls the second, where the ready-made types have theirs.
     virtual void oplusImpl(const double* v);
     virtual void oplusImpl(double* v);
     virtual void setToOriginImpl() = 0;
     virtual bool setEstimateDataImpl(const double*) { return false; }
     virtual bool setMinimalEstimateDataImpl(const double*) { return false; }
+
+   private:
+    int addedAs_ = InvalidId;  // to the graph
   };
 
   /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement all but computeError, read and write.
@@ -416,7 +420,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   void forEachVertex(HyperGraph::VertexSet& vset, const std::function<void(OptimizableGraph::Vertex*)>& fn);
 
  protected:
-  /// Calls the actions of a type; they may remove, and delete, themselves and others.
+  bool addAction(int type, HyperGraphAction* action);
+  /// Calls the actions of a type; they may remove themselves and others, and delete what they removed.
   void callActions(int type, HyperGraphAction::Parameters* parameters = nullptr);
 
   std::map<std::string, std::string> _renamedTypesLookup;

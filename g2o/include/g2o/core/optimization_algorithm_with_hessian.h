@@ -10,11 +10,11 @@
 
 namespace g2o {
 
-/// A method that works with a Solver, which it owns.
+/// A method that works with a Solver.
 class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
  public:
   explicit OptimizationAlgorithmWithHessian(Solver& solver);
-  /// As clients of old write it; takes ownership.
+  /// Takes ownership. Of nullptr comes an algorithm that cannot be initialised.
   explicit OptimizationAlgorithmWithHessian(Solver* solver);
   ~OptimizationAlgorithmWithHessian() override;
 
@@ -34,8 +34,6 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
   Solver& _solver;
   std::shared_ptr<Property<bool>> _writeDebug;
 
-  /// Takes the solver over; the derived classes were given it.
-  void ownSolver(std::unique_ptr<Solver> solver) { owned_solver_ = std::move(solver); }
   /// Errors, linearisation and, in the first iteration, structure.
   bool linearize(int iteration, bool online);
   /// Solves and times it.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "g2o/core/factory.h"
 #include "g2o/types/slam3d/se3quat.h"
 #include "types/slam3d/native_slam3d.h"
+
+// Who uses a type gets the words of all: of a static library, linkers take only what is referred to.
+G2O_USE_TYPE_GROUP(sba)
+G2O_USE_TYPE_GROUP(expmap)
 
 namespace g2o {
 namespace native {

@@ -84,7 +84,7 @@ void VertexCam::setToOriginImpl() {
   setEstimate(cam);
 }
 
-void VertexCam::oplusImpl(const double* update) {
+void VertexCam::oplusImpl(double* update) {
   _estimate.update(Eigen::Map<const Vector6>(update));
 }
 
@@ -139,7 +139,7 @@ void VertexIntrinsics::setToOriginImpl() {
   _estimate << 1, 1, 0.5, 0.5, 0.1;
 }
 
-void VertexIntrinsics::oplusImpl(const double* update) {
+void VertexIntrinsics::oplusImpl(double* update) {
   _estimate.head<4>() += Eigen::Map<const Vector4>(update);
 }
 

@@ -13,7 +13,7 @@ VertexSBAPointXYZ::VertexSBAPointXYZ() = default;
 
 VertexSE3Expmap::VertexSE3Expmap() = default;
 
-void VertexSE3Expmap::oplusImpl(const double* update) {
+void VertexSE3Expmap::oplusImpl(double* update) {
   _estimate = SE3Quat::exp(Eigen::Map<const Vector6>(update)) * _estimate;
 }
 

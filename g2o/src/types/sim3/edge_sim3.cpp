@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/types/sim3/edge_sim3.h"
 
+#include "g2o/core/factory.h"
 #include "types/exponential.h"
 #include "types/native.h"
+
+G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
 
 namespace g2o {
 namespace {

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/types/sim3/vertex_sim3_expmap.h"
 
+#include "g2o/core/factory.h"
 #include "types/native.h"
+
+G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
 
 namespace g2o {
 
 VertexSim3Expmap::VertexSim3Expmap() = default;
 
-void VertexSim3Expmap::oplusImpl(const double* update) {
+void VertexSim3Expmap::oplusImpl(double* update) {
   Vector7 step = Eigen::Map<const Vector7>(update);
   if (_fix_scale) step[6] = 0;
   _estimate = Sim3(step) * _estimate;

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "boxplus/types/slam2d.h"
+#include "g2o/core/factory.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "types/native.h"
+
+// Who uses a type gets the words of all: of a static library, linkers take only what is referred to.
+G2O_USE_TYPE_GROUP(slam2d)
 
 namespace g2o {
 namespace native {

@@ -8,7 +8,7 @@ namespace g2o {
 
 VertexSE2::VertexSE2() = default;
 
-void VertexSE2::oplusImpl(const double* update) {
+void VertexSE2::oplusImpl(double* update) {
   const Vector2 t = _estimate.translation() + Vector2(update[0], update[1]);
   _estimate = SE2(t.x(), t.y(), normalize_theta(_estimate.rotation().angle() + update[2]));
 }
@@ -39,7 +39,7 @@ VertexPointXY::VertexPointXY() {
   _estimate.setZero();
 }
 
-void VertexPointXY::oplusImpl(const double* update) {
+void VertexPointXY::oplusImpl(double* update) {
   _estimate += Vector2(update[0], update[1]);
 }
 

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "boxplus/types/slam3d.h"
+#include "g2o/core/factory.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "types/native.h"
+
+// Who uses a type gets the words of all: of a static library, linkers take only what is referred to.
+G2O_USE_TYPE_GROUP(slam3d)
 
 namespace g2o {
 namespace native {

@@ -28,7 +28,7 @@ VertexSE3::VertexSE3() {
   _estimate.setIdentity();
 }
 
-void VertexSE3::oplusImpl(const double* update) {
+void VertexSE3::oplusImpl(double* update) {
   const boxplus::SE3 moved = boxplus::Manifold<boxplus::SE3>::oplus(native::pose(*this), update);
   _estimate.translation() = moved.translation();
   rotation_.set(native::quaternion(moved), _estimate.linear());
@@ -89,7 +89,7 @@ VertexPointXYZ::VertexPointXYZ() {
   _estimate.setZero();
 }
 
-void VertexPointXYZ::oplusImpl(const double* update) {
+void VertexPointXYZ::oplusImpl(double* update) {
   _estimate += Vector3(update[0], update[1], update[2]);
 }
 

@@ -42,6 +42,10 @@ struct Slam3dAddons {
     sketch.color = color_of(v.color);
     return sketch;
   }
+  static Sketch sketch(const VertexSE3Euler& v) { return Sketch::of_pose(v.estimate()); }
+  static Sketch sketch(const EdgeSE3Euler& e) {
+    return internal::sketch_of_motion(e, [](const Isometry3& x) { return x; });
+  }
   static Sketch sketch(const EdgePlane& e) {
     return internal::sketch_of_edge<Slam3dAddons>(e, internal::kObservationColor);
   }
@@ -65,13 +69,18 @@ struct Slam3dAddons {
     internal::write_line(os, v.estimate().coeffs());
     return true;
   }
+  static bool write(const VertexSE3Euler& v, std::ostream& os) {
+    internal::write_line(os, internal::toVectorMQT(v.estimate()));
+    return true;
+  }
   template <class Edge>
   static bool write(const Edge&, std::ostream&) {
     return false;
   }
 };
 
-const internal::RegisterActions<Slam3dAddons, VertexPlane, EdgePlane, EdgeSE3PlaneSensorCalib, EdgeSE3Calib>
+const internal::RegisterActions<Slam3dAddons, VertexPlane, VertexSE3Euler, EdgePlane, EdgeSE3Euler,
+                                EdgeSE3PlaneSensorCalib, EdgeSE3Calib>
     actions;
 
 }  // namespace

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "g2o/core/factory.h"
 #include "types/slam3d/native_slam3d.h"
+
+G2O_USE_TYPE_GROUP(slam3d_addons)  // for whoever uses these types alone
 
 namespace g2o {
 namespace {

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "g2o/core/factory.h"
 #include "g2o/types/slam3d_addons/edge_plane.h"
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
 #include "types/native.h"
+
+G2O_USE_TYPE_GROUP(slam3d_addons)  // for whoever uses these types alone
 
 namespace g2o {
 
 VertexPlane::VertexPlane() = default;
 
-void VertexPlane::oplusImpl(const double* update) {
+void VertexPlane::oplusImpl(double* update) {
   _estimate.oplus(Eigen::Map<const Vector3>(update));
 }
 

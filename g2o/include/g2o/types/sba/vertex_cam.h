@@ -29,8 +29,8 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
  protected:
   /// The camera matrix stays.
   void setToOriginImpl() override;
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexCam::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<6, SBACam>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override;
 };

@@ -19,8 +19,8 @@ class G2O_TYPES_SBA_API VertexIntrinsics
  protected:
   /// 1 1 0.5 0.5 0.1.
   void setToOriginImpl() override;
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexIntrinsics::oplusImpl(static_cast<const double*>(update)); }
+  using OptimizableGraph::Vertex::oplusImpl;
+  void oplusImpl(double* update) override;
 };
 
 }  // namespace g2o

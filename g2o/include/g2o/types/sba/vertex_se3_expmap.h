@@ -26,8 +26,8 @@ class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
 
  protected:
   void setToOriginImpl() override { _estimate = SE3Quat(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexSE3Expmap::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<6, SE3Quat>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override;
 };

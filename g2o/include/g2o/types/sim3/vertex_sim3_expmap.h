@@ -26,8 +26,8 @@ class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
 
  protected:
   void setToOriginImpl() override { _estimate = Sim3(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexSim3Expmap::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<7, Sim3>::oplusImpl;
+  void oplusImpl(double* update) override;
 };
 
 }  // namespace g2o

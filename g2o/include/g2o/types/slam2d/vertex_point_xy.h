@@ -24,8 +24,8 @@ class G2O_TYPES_SLAM2D_API VertexPointXY : public BaseVertex<2, Vector2> {
 
  protected:
   void setToOriginImpl() override { _estimate.setZero(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexPointXY::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<2, Vector2>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };

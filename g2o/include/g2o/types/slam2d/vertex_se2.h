@@ -24,8 +24,8 @@ class G2O_TYPES_SLAM2D_API VertexSE2 : public BaseVertex<3, SE2> {
 
  protected:
   void setToOriginImpl() override { _estimate = SE2(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexSE2::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<3, SE2>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };

@@ -24,8 +24,8 @@ class G2O_TYPES_SLAM3D_API VertexPointXYZ : public BaseVertex<3, Vector3> {
 
  protected:
   void setToOriginImpl() override { _estimate.setZero(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexPointXYZ::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<3, Vector3>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };

@@ -36,8 +36,8 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
 
  protected:
   void setToOriginImpl() override { _estimate.setIdentity(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexSE3::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<6, Isometry3>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
   bool setMinimalEstimateDataImpl(const double* est) override;
 

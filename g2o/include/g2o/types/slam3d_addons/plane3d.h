@@ -16,7 +16,9 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   /// x = 1.
   Plane3D() : _coeffs(1, 0, 0, -1) {}
-  explicit Plane3D(const Vector4& v) { fromVector(v); }
+  Plane3D(const Vector4& v) {
+    fromVector(v);
+  }  // NOLINT(google-explicit-constructor): clients set estimates by it
 
   const Vector4& coeffs() const { return _coeffs; }
   Vector4 toVector() const { return _coeffs; }

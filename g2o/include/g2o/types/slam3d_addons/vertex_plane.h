@@ -24,8 +24,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API VertexPlane : public BaseVertex<3, Plane3D> {
 
  protected:
   void setToOriginImpl() override { _estimate = Plane3D(); }
-  void oplusImpl(const double* update) override;
-  void oplusImpl(double* update) override { VertexPlane::oplusImpl(static_cast<const double*>(update)); }
+  using BaseVertex<3, Plane3D>::oplusImpl;
+  void oplusImpl(double* update) override;
   bool setEstimateDataImpl(const double* est) override;
 };
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors in streams, for the read() and write() of clients' types.
+#pragma once
+
+#include <Eigen/Core>
+#include <istream>
+#include <ostream>
+
+namespace g2o {
+namespace internal {
+
+/// As many numbers as the vector has; false where they are not there.
+template <typename Derived>
+bool readVector(std::istream& is, Eigen::DenseBase<Derived>& b) {
+  for (Eigen::Index i = 0; i < b.size(); ++i) is >> b(i);
+  return !is.fail();
+}
+
+/// The numbers, each with a blank behind it.
+template <typename Derived>
+bool writeVector(std::ostream& os, const Eigen::DenseBase<Derived>& b) {
+  for (Eigen::Index i = 0; i < b.size(); ++i) os << b(i) << " ";
+  return os.good();
+}
+
+}  // namespace internal
+}  // namespace g2o

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "g2o/types/slam3d/edge_se3.h"
+#include "g2o/types/slam3d_addons/g2o_types_slam3d_addons_api.h"
+
+namespace g2o {
+
+/// An EdgeSE3 that files hold as TORO does: x y z roll pitch yaw, and the Ω of small errors in these.
+/// Rotation errors of EdgeSE3 are half of such angles: their rows and columns of information() are twice
+/// those of the file. EDGE3.
+class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Euler : public EdgeSE3 {
+ public:
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  bool read(std::istream& is) override;
+  bool write(std::ostream& os) const override;
+};
+
+}  // namespace g2o

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Uses classes of each library, and has their graph saved and loaded without ever asking for a group of
+// words.
+#include <cstdio>
+#include <sstream>
+
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/types/sba/types_six_dof_expmap.h"
+#include "g2o/types/sim3/types_seven_dof_expmap.h"
+#include "g2o/types/slam2d/types_slam2d.h"
+#include "g2o/types/slam3d_addons/types_slam3d_addons.h"
+
+template <class V>
+void add(g2o::SparseOptimizer& optimizer) {
+  auto v = g2o::make_unique<V>();
+  v->setId(static_cast<int>(optimizer.vertices().size()));
+  v->setToOrigin();
+  optimizer.addVertex(v.release());
+}
+
+int main() {
+  g2o::SparseOptimizer optimizer, again;
+  add<g2o::VertexSE2>(optimizer);
+  add<g2o::VertexSE3>(optimizer);
+  add<g2o::VertexPlane>(optimizer);
+  add<g2o::VertexSE3Expmap>(optimizer);
+  add<g2o::VertexSim3Expmap>(optimizer);
+  std::stringstream file;
+  const bool saved = optimizer.save(file), loaded = again.load(file);
+  std::printf("saved %d, loaded %d, %zu vertices\n", saved, loaded, again.vertices().size());
+  return saved && loaded && again.vertices().size() == 5 ? 0 : 1;
+}
