@@ -48,6 +48,68 @@ inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
+/// constructQuadraticForm() adds JᵀΩJ and −JᵀΩe, each pair of vertices as one block or as its transpose;
+/// what a fixed vertex shares is left out.
+inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transposed, size_t fixed) {
+  SCOPED_TRACE(testing::Message() << "transposed " << transposed << ", fixed " << fixed);
+  g2o::JacobianWorkspace workspace;
+  workspace.updateSize(&e);
+  ASSERT_TRUE(workspace.allocate());
+  const size_t n = e.vertices().size();
+  std::vector<g2o::MatrixX> diagonal(n), pairs;
+  for (size_t i = 0; i < n; ++i) {
+    const int dim = vertex(e, i).dimension();
+    vertex(e, i).setFixed(i == fixed);
+    diagonal[i] = g2o::MatrixX::Constant(dim, dim, 3);
+    vertex(e, i).mapHessianMemory(diagonal[i].data());
+    vertex(e, i).clearQuadraticForm();
+    diagonal[i].setConstant(3);
+  }
+  for (size_t j = 1; j < n; ++j) {
+    for (size_t i = 0; i < j; ++i) {
+      const int rows = vertex(e, i).dimension(), cols = vertex(e, j).dimension();
+      pairs.push_back(g2o::MatrixX::Constant(transposed ? cols : rows, transposed ? rows : cols, 5));
+    }
+  }
+  size_t at = 0;
+  for (size_t j = 1; j < n; ++j) {
+    for (size_t i = 0; i < j; ++i)
+      e.mapHessianMemory(pairs[at++].data(), static_cast<int>(i), static_cast<int>(j), transposed);
+  }
+  e.computeError();
+  e.linearizeOplus(workspace);
+  e.constructQuadraticForm();
+  const int rows = e.dimension();
+  const Eigen::Map<const g2o::MatrixX> omega(e.informationData(), rows, rows);
+  const Eigen::Map<const g2o::VectorX> error(e.errorData(), rows);
+  const auto jacobian = [&](size_t i) -> g2o::MatrixX {
+    const int cols = vertex(e, i).dimension();
+    if (i == fixed) return g2o::MatrixX::Zero(rows, cols);
+    return Eigen::Map<const g2o::MatrixX>(workspace.workspaceForVertex(static_cast<int>(i)), rows, cols);
+  };
+  const auto expect_sum = [](const g2o::MatrixX& sum, double before, const g2o::MatrixX& added) {
+    EXPECT_LE(((sum.array() - before).matrix() - added).norm(), 1e-13 * (before + added.norm())) << sum;
+  };
+  at = 0;
+  for (size_t j = 0; j < n; ++j) {
+    const g2o::MatrixX J = jacobian(j);
+    expect_sum(diagonal[j], 3, J.transpose() * omega * J);
+    const Eigen::Map<const g2o::VectorX> b(vertex(e, j).bData(), J.cols());
+    expect_sum(b, 0, -J.transpose() * omega * error);
+    for (size_t i = 0; i < j; ++i, ++at) {
+      const g2o::MatrixX shared = jacobian(i).transpose() * omega * J;
+      expect_sum(transposed ? g2o::MatrixX(pairs[at].transpose()) : pairs[at], 5, shared);
+    }
+  }
+  at = 0;
+  for (size_t j = 0; j < n; ++j) {
+    vertex(e, j).setFixed(false);
+    vertex(e, j).mapHessianMemory(nullptr);
+    for (size_t i = 0; i < j; ++i)
+      e.mapHessianMemory(nullptr, static_cast<int>(i), static_cast<int>(j), false);
+  }
+}
+
 /// A measurement that is given back has the same error; one that is taken from the estimates has none.
 inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
   const double before = error_norm(e);
@@ -113,6 +175,10 @@ inline void expect_laws_of_file(const std::string& text) {
     SCOPED_TRACE(g2o::Factory::instance()->tag(&e));
     EXPECT_GT(error_norm(e), 1e-3) << "the measurement should not fit, else signs go unseen";
     expect_exact_jacobians(e);
+    for (size_t fixed = 0; fixed <= e.vertices().size(); ++fixed) {
+      expect_quadratic_form(e, false, fixed);
+      expect_quadratic_form(e, true, fixed);
+    }
     expect_measurement_laws(e);
     expect_guesses(e);
   }
