@@ -302,8 +302,7 @@ bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
     G2O_ERROR("computeMarginals: expected an optimiser with an algorithm that has optimised");
     return false;
   }
-  if (_batchStatistics.empty()) return _algorithm->computeMarginals(spinv, blockIndices);
-  const ScopeTime time(&_batchStatistics.back().timeMarginals);
+  const ScopeTime time(_batchStatistics.empty() ? nullptr : &_batchStatistics.back().timeMarginals);
   return _algorithm->computeMarginals(spinv, blockIndices);
 }
 
