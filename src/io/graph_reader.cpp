@@ -81,8 +81,8 @@ class GraphReader {
     if (neighbour_.kind != Neighbour::Kind::kEdge || edges == 0) return;
     const std::size_t expected = file_.edges.size() + edges * (text_.count() - blocks_taken_);
     if (expected <= file_.edges.capacity()) return;
-    reserve(file_.edges, expected + expected / 16);
-    file_.graph.reserve_edges(file_.edges.back(), expected + expected / 16);
+    reserve(file_.edges, expected + expected / 32);
+    file_.graph.reserve_edges(file_.edges.back(), expected + expected / 32);
   }
 
   void take(const LineBlock& block) {

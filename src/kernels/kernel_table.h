@@ -10,12 +10,13 @@ namespace boxplus::dense {
 /// The largest edges that normal_products() takes.
 inline constexpr int kMostEdgeRows = 8, kMostEdgeColumns = 16;
 
-/// What is known of an edge: J is rows × cols, column-major; Ω is one number, one per row, or the upper
-/// triangle by rows.
+/// What is known of an edge: the columns of J, one at least, wherever they lie; Ω is one number, one per row,
+/// or the upper triangle by rows.
 struct EdgeNumbers {
   enum Kind { kScalar, kDiagonal, kFull };
   int rows, cols;
-  const double *jacobian, *error;
+  const double* const* jacobian;
+  const double* error;
   Kind kind;
   const double* omega;
   double weight;  ///< that Ω is multiplied with

@@ -4,96 +4,117 @@
 
 #include "kernels/kernel_table.h"
 #include "kernels/simd_pack.h"
+#include "kernels/transpose.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Ω times the weight, all of it, row by row.
-inline void expand(const EdgeNumbers& edge, double* omega) {
-  const double* value = edge.omega;
-  for (int r = 0; r < edge.rows; ++r) {
-    for (int s = r; s < edge.rows; ++s) {
-      const double entry = edge.weight * *value++;
-      omega[r * kMostEdgeRows + s] = entry;
-      omega[s * kMostEdgeRows + r] = entry;
+/// What normal_products() works with: row by row, lanes across columns. Rows is 0 where their number is known
+/// at run time only.
+template <int Rows, int Packs>
+class NormalProducts {
+ public:
+  explicit NormalProducts(const EdgeNumbers& edge) : edge_(edge) { weigh(); }
+
+  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe: Ω is symmetric. The factors on the right
+  /// come from where the caller has them.
+  void multiply(double* products, double* gradient) const {
+    int b = 0;
+    if constexpr (Packs <= 3) {
+      for (; b + 4 <= edge_.cols; b += 4) columns<4>(edge_.jacobian + b, products + b * kStride);
+    }
+    for (; b + 2 <= edge_.cols; b += 2) columns<2>(edge_.jacobian + b, products + b * kStride);
+    if (b < edge_.cols) columns<1>(edge_.jacobian + b, products + b * kStride);
+    columns<1>(&edge_.error, gradient);
+  }
+
+ private:
+  static constexpr int kStride = Packs * kLanes, kRoom = Rows > 0 ? Rows : kMostEdgeRows;
+
+  static constexpr int rows_of(const EdgeNumbers& edge) { return Rows > 0 ? Rows : edge.rows; }
+
+  /// ΩJ.
+  void weigh() {
+    const int rows = rows_of(edge_);
+    Pack jacobian[Packs][kRoom];
+    for (int p = 0; p < Packs; ++p) {
+      const double* columns[kLanes];
+      for (int l = 0; l < kLanes; ++l) {
+        const int column = p * kLanes + l;
+        columns[l] = edge_.jacobian[column < edge_.cols ? column : 0];
+      }
+      load_lanes(columns, rows, jacobian[p]);
+    }
+    const auto add = [&](int r, int s, double factor) {
+#pragma GCC unroll 8
+      for (int p = 0; p < Packs; ++p) weighted_[r][p] += jacobian[p][s] * factor;
+    };
+    for (int r = 0; r < rows; ++r) {
+      for (int p = 0; p < Packs; ++p) weighted_[r][p] = Pack{};
+    }
+    const double* omega = edge_.omega;
+    if (edge_.kind == EdgeNumbers::kFull) {
+#pragma GCC unroll 6
+      for (int r = 0; r < rows; ++r) {
+        add(r, r, edge_.weight * *omega++);
+#pragma GCC unroll 6
+        for (int s = r + 1; s < rows; ++s) {
+          const double factor = edge_.weight * *omega++;
+          add(r, s, factor);
+          add(s, r, factor);
+        }
+      }
+    } else {
+      for (int r = 0; r < rows; ++r)
+        add(r, r, edge_.weight * omega[edge_.kind == EdgeNumbers::kScalar ? 0 : r]);
     }
   }
-}
 
-/// Columns [b, b + Columns) of products = Jᵀ (ΩJ), both factors row by row.
-template <int Packs, int Columns>
-inline void product_columns(const double* rows_of_j, const double* rows_of_wj, int rows, int b,
-                            double* products) {
-  constexpr int kStride = Packs * kLanes;
-  Pack tile[Columns][Packs] = {};
-  for (int r = 0; r < rows; ++r) {
-    Pack row[Packs];
+  /// to = (ΩJ)ᵀ from, column by column.
+  template <int Columns>
+  void columns(const double* const* from, double* to) const {
+    const int rows = rows_of(edge_);
+    Pack tile[Columns][Packs] = {};
+#pragma GCC unroll 6
+    for (int r = 0; r < rows; ++r) {
+#pragma GCC unroll 4
+      for (int j = 0; j < Columns; ++j) {
+        const double factor = from[j][r];
 #pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) row[p] = load(rows_of_j + r * kStride + p * kLanes);
+        for (int p = 0; p < Packs; ++p) tile[j][p] += weighted_[r][p] * factor;
+      }
+    }
 #pragma GCC unroll 4
     for (int j = 0; j < Columns; ++j) {
-      const double factor = rows_of_wj[r * kStride + b + j];
 #pragma GCC unroll 8
-      for (int p = 0; p < Packs; ++p) tile[j][p] += row[p] * factor;
+      for (int p = 0; p < Packs; ++p) store(to + j * kStride + p * kLanes, tile[j][p]);
     }
   }
-#pragma GCC unroll 4
-  for (int j = 0; j < Columns; ++j) {
-#pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) store(products + (b + j) * kStride + p * kLanes, tile[j][p]);
-  }
-}
 
-template <int Packs>
-inline void normal_products_of(const EdgeNumbers& edge, double* products, double* gradient) {
-  constexpr int kStride = Packs * kLanes;
-  const int rows = edge.rows, cols = edge.cols;
-  double j[kMostEdgeRows * kStride], wj[kMostEdgeRows * kStride];
-  double omega[kMostEdgeRows * kMostEdgeRows], weighted_error[kMostEdgeRows];
-  for (int r = 0; r < rows; ++r) {
-    for (int c = 0; c < cols; ++c) j[r * kStride + c] = edge.jacobian[c * rows + r];
-    for (int c = cols; c < kStride; ++c) j[r * kStride + c] = 0;
-  }
-  if (edge.kind == EdgeNumbers::kFull) expand(edge, omega);
-  for (int r = 0; r < rows; ++r) {
-    Pack row[Packs] = {};
-    double error = 0;
-    const auto add = [&](int s, double factor) {
-#pragma GCC unroll 8
-      for (int p = 0; p < Packs; ++p) row[p] += load(j + s * kStride + p * kLanes) * factor;
-      error += factor * edge.error[s];
-    };
-    if (edge.kind == EdgeNumbers::kFull) {
-      for (int s = 0; s < rows; ++s) add(s, omega[r * kMostEdgeRows + s]);
-    } else {
-      add(r, edge.weight * edge.omega[edge.kind == EdgeNumbers::kScalar ? 0 : r]);
-    }
-#pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) store(wj + r * kStride + p * kLanes, row[p]);
-    weighted_error[r] = error;
-  }
-  Pack sums[Packs] = {};
-  for (int r = 0; r < rows; ++r) {
-#pragma GCC unroll 8
-    for (int p = 0; p < Packs; ++p) sums[p] += load(j + r * kStride + p * kLanes) * weighted_error[r];
-  }
-#pragma GCC unroll 8
-  for (int p = 0; p < Packs; ++p) store(gradient + p * kLanes, sums[p]);
-  int b = 0;
-  if constexpr (Packs <= 4) {
-    for (; b + 4 <= cols; b += 4) product_columns<Packs, 4>(j, wj, rows, b, products);
-  }
-  for (; b + 2 <= cols; b += 2) product_columns<Packs, 2>(j, wj, rows, b, products);
-  if (b < cols) product_columns<Packs, 1>(j, wj, rows, b, products);
-}
+  const EdgeNumbers& edge_;
+  Pack weighted_[kRoom][Packs];
+};
 
-/// normal_products_of for the fewest packs that hold `columns`.
-template <int Packs = 1>
-inline int normal_products(const EdgeNumbers& edge, double* products, double* gradient) {
+/// With the fewest packs that hold the columns.
+template <int Rows, int Packs = 1>
+inline int normal_products_of(const EdgeNumbers& edge, double* products, double* gradient) {
   if constexpr (Packs * kLanes < kMostEdgeColumns) {
-    if (edge.cols > Packs * kLanes) return normal_products<Packs + 1>(edge, products, gradient);
+    if (edge.cols > Packs * kLanes) return normal_products_of<Rows, Packs + 1>(edge, products, gradient);
   }
-  normal_products_of<Packs>(edge, products, gradient);
+  NormalProducts<Rows, Packs>(edge).multiply(products, gradient);
   return Packs * kLanes;
+}
+
+inline int normal_products(const EdgeNumbers& edge, double* products, double* gradient) {
+  switch (edge.rows) {
+    case 2:
+      return normal_products_of<2>(edge, products, gradient);
+    case 3:
+      return normal_products_of<3>(edge, products, gradient);
+    case 6:
+      return normal_products_of<6>(edge, products, gradient);
+    default:
+      return normal_products_of<0>(edge, products, gradient);
+  }
 }
 
 /// to[0 … N) += from[0 … N), no byte beyond: a wider access would wait for the store of the column before.

@@ -38,6 +38,11 @@ inline void transpose(Pack (&p)[kLanes]) {
   p[1] = _mm256_permute2f128_pd(high0, high1, 0x20);
   p[2] = _mm256_permute2f128_pd(low0, low1, 0x31);
   p[3] = _mm256_permute2f128_pd(high0, high1, 0x31);
+#elif defined(__GNUC__) && __has_builtin(__builtin_shufflevector)
+  static_assert(kLanes == 2);
+  const Pack low = __builtin_shufflevector(p[0], p[1], 0, 2);
+  p[1] = __builtin_shufflevector(p[0], p[1], 1, 3);
+  p[0] = low;
 #else
   for (int r = 0; r < kLanes; ++r) {
     for (int l = r + 1; l < kLanes; ++l) {

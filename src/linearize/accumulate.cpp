@@ -107,9 +107,11 @@ void accumulate_small(const EdgeSystem& edge, const InformationView& information
   const dense::KernelTable& kernels = dense::kernels();
   double products[dense::kMostEdgeColumns * dense::kMostEdgeColumns],
       gradient_of_edge[dense::kMostEdgeColumns];
+  const double* columns[dense::kMostEdgeColumns];
+  for (int c = 0; c < edge.cols; ++c) columns[c] = edge.jacobian + c * edge.rows;
   const auto kind = static_cast<dense::EdgeNumbers::Kind>(information.kind);
   const int stride = kernels.normal_products(
-      {edge.rows, edge.cols, edge.jacobian, edge.error, kind, information.values, weight.first}, products,
+      {edge.rows, edge.cols, columns, edge.error, kind, information.values, weight.first}, products,
       gradient_of_edge);
   for_each_target(
       edge, targets,
@@ -141,7 +143,8 @@ EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
 void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error) {
-  const bool is_small = edge.rows <= dense::kMostEdgeRows && edge.cols <= dense::kMostEdgeColumns;
+  const bool is_small =
+      edge.rows <= dense::kMostEdgeRows && edge.cols > 0 && edge.cols <= dense::kMostEdgeColumns;
   if (is_small && weight.second == 0) {
     accumulate_small(edge, information, weight, targets, values, gradient);
   } else {

@@ -198,6 +198,8 @@ TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
     for (int cols = 1; cols <= dense::kMostEdgeColumns; ++cols) {
       const Matrix jacobian = random_matrix(rows, cols, random), error = random_matrix(rows, 1, random);
       const Matrix root = random_matrix(rows, rows, random), full = root * root.transpose();
+      std::vector<const double*> columns;
+      for (int c = 0; c < cols; ++c) columns.push_back(jacobian.col(c).data());
       for (const auto kind : {EdgeNumbers::kScalar, EdgeNumbers::kDiagonal, EdgeNumbers::kFull}) {
         std::vector<double> omega;
         Matrix expected = Matrix::Zero(rows, rows);
@@ -212,7 +214,7 @@ TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
         std::vector<double> products(dense::kMostEdgeColumns * dense::kMostEdgeColumns);
         std::vector<double> gradient(dense::kMostEdgeColumns);
         const int stride = dense::kernels().normal_products(
-            {rows, cols, jacobian.data(), error.data(), kind, omega.data(), kWeight}, products.data(),
+            {rows, cols, columns.data(), error.data(), kind, omega.data(), kWeight}, products.data(),
             gradient.data());
         const Eigen::Map<const Matrix> all(products.data(), stride, cols);
         expect_equal<double>(all.topRows(cols), kWeight * jacobian.transpose() * expected * jacobian);

@@ -85,9 +85,9 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
 }
 
 /// Its life counts as the linear solver's work.
-ScopeTime linear_solver_time() {
+internal::AddedTime linear_solver_time() {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  return ScopeTime(statistics ? &statistics->timeLinearSolver : nullptr);
+  return internal::AddedTime(statistics ? &statistics->timeLinearSolver : nullptr);
 }
 
 }  // namespace
@@ -192,9 +192,9 @@ void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
   if (eliminated > 0)
     make_schur(solver == nullptr || solver->needs() != boxplus::LinearSolver::Needs::kOperator);
   if (solver == nullptr) return;
-  const ScopeTime time(G2OBatchStatistics::globalStats() == nullptr
-                           ? nullptr
-                           : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
+  const internal::AddedTime time(G2OBatchStatistics::globalStats() == nullptr
+                                     ? nullptr
+                                     : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
   solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints(settings));
 }
 
@@ -256,13 +256,13 @@ bool BlockSolverEngine::State::factorize(double lambda) {
   const boxplus::Damping damping{lambda, nullptr};
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   if (schur) {
-    const ScopeTime time(statistics ? &statistics->timeSchurComplement : nullptr);
+    const internal::AddedTime time(statistics ? &statistics->timeSchurComplement : nullptr);
     const boxplus::FactorResult result = schur->eliminate(values(), damping);
     if (result.status != LinearStatus::kOk) return complain(result, 0);
   }
   if (solver == nullptr) return true;
-  const ScopeTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
-  const ScopeTime solver_time = linear_solver_time();
+  const internal::AddedTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
+  const internal::AddedTime solver_time = linear_solver_time();
   const boxplus::FactorResult result = schur ? solver->factorize(*reduced, schur->reduced_damping(damping))
                                              : solver->factorize(*full, damping);
   if (statistics) statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
@@ -279,7 +279,7 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
     boxplus::SolveControl control = solve_control(settings, right.data(), right.size());
     if (settings.solver == EngineSolver::kCholesky)
       control.relative_tolerance = std::max(control.relative_tolerance, kStepTolerance);
-    const ScopeTime time = linear_solver_time();
+    const internal::AddedTime time = linear_solver_time();
     return s.solver->solve(right.data(), 1, solution.data(), control);
   };
   if (s.schur) {

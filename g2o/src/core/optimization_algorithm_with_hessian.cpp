@@ -59,17 +59,17 @@ bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
   }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   {
-    const ScopeTime time(statistics ? &statistics->timeResiduals : nullptr);
+    const internal::AddedTime time(statistics ? &statistics->timeResiduals : nullptr);
     _optimizer->computeActiveErrors();
   }
-  const ScopeTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
+  const internal::AddedTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
   _solver.buildSystem();
   return true;
 }
 
 bool OptimizationAlgorithmWithHessian::solveSystem() {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  const ScopeTime time(statistics ? &statistics->timeLinearSolution : nullptr);
+  const internal::AddedTime time(statistics ? &statistics->timeLinearSolution : nullptr);
   return _solver.solve();
 }
 

@@ -302,7 +302,7 @@ bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
     G2O_ERROR("computeMarginals: expected an optimiser with an algorithm that has optimised");
     return false;
   }
-  const ScopeTime time(_batchStatistics.empty() ? nullptr : &_batchStatistics.back().timeMarginals);
+  const internal::AddedTime time(_batchStatistics.empty() ? nullptr : &_batchStatistics.back().timeMarginals);
   return _algorithm->computeMarginals(spinv, blockIndices);
 }
 
@@ -482,7 +482,7 @@ void SparseOptimizer::computeActiveErrors() {
 
 void SparseOptimizer::update(const double* update) {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  const ScopeTime time(statistics ? &statistics->timeUpdate : nullptr);
+  const internal::AddedTime time(statistics ? &statistics->timeUpdate : nullptr);
   for (OptimizableGraph::Vertex* v : _ivMap) {
     v->oplus(update);
     update += v->dimension();

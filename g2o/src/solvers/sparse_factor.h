@@ -66,12 +66,12 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
   bool factorize(const SparseBlockMatrix<MatrixType>& A) {
     G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
     if (load(A) || !analyzed_ || ordered_by_blocks_ != this->blockOrdering()) {
-      const ScopeTime time(statistics ? &statistics->timeSymbolicDecomposition : nullptr);
+      const internal::AddedTime time(statistics ? &statistics->timeSymbolicDecomposition : nullptr);
       ordered_by_blocks_ = this->blockOrdering();
       analyzed_ = factor_.analyze(upper_, ordered_by_blocks_ ? blockOrder(A) : std::vector<int>());
       if (!analyzed_) return false;
     }
-    const ScopeTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
+    const internal::AddedTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
     const bool ok = factor_.factorize(upper_);
     if (ok && statistics != nullptr) statistics->choleskyNNZ = factor_.nonZeros();
     return ok;

@@ -70,4 +70,38 @@ TEST(TicToc, MeasuresNamedPartsWhereTheVariableIsSet) {
               testing::AllOf(testing::HasSubstr("sleep\tnumber= 1"), testing::HasSubstr("scope\tnumber= 1")));
 }
 
+void a_measured_function() {
+  MEASURE_FUNCTION_TIME;
+}
+
+TEST(TimeUtil, SpeaksOfTheTimeThatAFunctionTook) {
+  testing::internal::CaptureStderr();
+  { const g2o::ScopeTime time("scope"); }
+  MEASURE_TIME("code", EXPECT_TRUE(true));
+  a_measured_function();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::AllOf(testing::StartsWith("scope "), testing::HasSubstr(" ms\ncode "),
+                             testing::HasSubstr("a_measured_function")));
+}
+
+TEST(TimeUtil, DoesEveryOnceInAWhile) {
+  int often = 0, seldom = 0;
+  for (int k = 0; k < 3; ++k) {
+    DO_EVERY(0, ++often);
+    DO_EVERY(3600, ++seldom);
+  }
+  EXPECT_EQ(often, 3);
+  EXPECT_EQ(seldom, 1);
+}
+
+TEST(TimeUtil, NamesAMoment) {
+  std::tm noon{};
+  noon.tm_year = 112;
+  noon.tm_mon = 0;
+  noon.tm_mday = 31;
+  noon.tm_hour = 12;
+  EXPECT_EQ(g2o::getTimeAsString(std::mktime(&noon)), "20120131_120000");
+  EXPECT_EQ(g2o::getCurrentTimeAsString().size(), 15u);
+}
+
 }  // namespace

@@ -22,6 +22,18 @@ struct BaseEdgeTraits {
 G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
                                   double* jacobian);
 
+/// Edges whose JᵀΩJ normalProducts() makes at once.
+constexpr int kMostProductColumns = 16;
+constexpr bool hasNormalProducts(int rows, int cols) {
+  return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
+}
+
+/// products ← JᵀΩJ, whose columns lie as far apart as is returned, and gradient ← JᵀΩe, by the fastest
+/// instructions of the machine, from the columns of J and the upper triangle of Ω by rows. There must be room
+/// for kMostProductColumns columns of as many numbers.
+G2O_CORE_API int normalProducts(int rows, int cols, const double* const* jacobian, const double* omega,
+                                const double* error, double* products, double* gradient);
+
 }  // namespace internal
 
 /// An edge with a measurement of type E and an error of D rows (Eigen::Dynamic: chosen at run time).

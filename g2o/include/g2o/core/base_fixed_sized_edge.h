@@ -2,6 +2,7 @@
 // An edge over a number of vertices that the compiler knows.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -118,12 +119,9 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     if (this->robustKernel() != nullptr) {
       Vector3 rho;
       this->robustKernel()->robustify(this->chi2(), rho);
-      const InformationType omega = this->robustInformation(rho);
-      const ErrorVector weightedError = omega * -this->_error;
-      constructBlocks(omega, weightedError, std::index_sequence_for<VertexTypes...>());
+      constructBlocks(this->robustInformation(rho), std::index_sequence_for<VertexTypes...>());
     } else {
-      const ErrorVector weightedError = this->_information * -this->_error;
-      constructBlocks(this->_information, weightedError, std::index_sequence_for<VertexTypes...>());
+      constructBlocks(this->_information, std::index_sequence_for<VertexTypes...>());
     }
   }
 
@@ -205,10 +203,74 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     internal::numericJacobian(*this, *vertexXn<N>(), std::get<N>(_jacobianOplus).data());
   }
 
+  /// The columns of all Jacobians together; −1 where they are chosen at run time.
+  static constexpr int kColumns =
+      ((VertexTypes::Dimension >= 0) && ...) ? (VertexTypes::Dimension + ... + 0) : -1;
+  static constexpr bool kMultipliedAtOnce =
+      ((VertexTypes::Dimension > 1) && ...) && internal::hasNormalProducts(D, kColumns);
+  /// The first column of vertex N.
+  template <int N>
+  static constexpr int columnOf() {
+    if constexpr (N == 0) {
+      return 0;
+    } else {
+      return columnOf<N - 1>() + VertexXnType<N - 1>::Dimension;
+    }
+  }
+
   template <std::size_t... N>
-  void constructBlocks(const InformationType& omega, const ErrorVector& weightedError,
-                       std::index_sequence<N...>) {
-    (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+  void constructBlocks(const InformationType& omega, std::index_sequence<N...>) {
+    if constexpr (kMultipliedAtOnce) {
+      constexpr int kRoom = internal::kMostProductColumns;
+      const double* jacobian[static_cast<std::size_t>(kColumns)];
+      const double** column = jacobian;
+      const auto appendColumns = [&column](const auto& J) {
+        for (Eigen::Index c = 0; c < J.cols(); ++c) *column++ = J.data() + c * D;
+      };
+      (appendColumns(std::get<N>(_jacobianOplus)), ...);
+      double triangle[static_cast<std::size_t>(D * (D + 1) / 2)], products[kRoom * kRoom], gradient[kRoom];
+      double* entry = triangle;
+      for (int r = 0; r < D; ++r) {
+        for (int s = r; s < D; ++s) *entry++ = omega(r, s);
+      }
+      const int stride =
+          internal::normalProducts(D, kColumns, jacobian, triangle, this->_error.data(), products, gradient);
+      (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+    } else {
+      const ErrorVector weightedError = omega * -this->_error;
+      (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+    }
+  }
+  /// The block of the products that starts at a row and a column.
+  template <int Rows, int Cols>
+  static auto productBlock(const double* products, int stride, int row, int column) {
+    return Eigen::Map<const internal::JacobianMatrix<Rows, Cols>, 0, Eigen::OuterStride<>>(
+        products + column * stride + row, Eigen::OuterStride<>(stride));
+  }
+  /// Adds what vertex N shares with itself and with those after it.
+  template <int N, std::size_t... M>
+  void addColumn(const double* products, int stride, const double* gradient, std::index_sequence<M...>) {
+    VertexXnType<N>* from = vertexXn<N>();
+    if (from->fixed() || from->A().data() == nullptr) return;
+    constexpr int kDimension = VertexXnType<N>::Dimension, kColumn = columnOf<N>();
+    from->b() -= Eigen::Map<const Eigen::Matrix<double, kDimension, 1>>(gradient + kColumn);
+    from->A() += productBlock<kDimension, kDimension>(products, stride, kColumn, kColumn);
+    (addPair<N, N + 1 + static_cast<int>(M)>(products, stride), ...);
+  }
+  template <int N, int M>
+  void addPair(const double* products, int stride) {
+    constexpr int K = internal::pair_to_index(N, M);
+    if (vertexXn<M>()->fixed()) return;
+    constexpr int kFirst = VertexXnType<N>::Dimension, kSecond = VertexXnType<M>::Dimension;
+    if (_hessianRowMajor[K]) {
+      auto& block = std::get<K>(_hessianTupleTransposed);
+      if (block.data() != nullptr)
+        block += productBlock<kSecond, kFirst>(products, stride, columnOf<M>(), columnOf<N>());
+    } else {
+      auto& block = std::get<K>(_hessianTuple);
+      if (block.data() != nullptr)
+        block += productBlock<kFirst, kSecond>(products, stride, columnOf<N>(), columnOf<M>());
+    }
   }
   /// Adds what vertex N shares with itself and with those after it.
   template <int N, std::size_t... M>

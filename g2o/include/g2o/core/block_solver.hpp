@@ -54,7 +54,7 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
     *A.block(block.column, block.row, true) = Eigen::Map<const MatrixX>(block.values, rows, cols).transpose();
   }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  const ScopeTime time(statistics ? &statistics->timeLinearSolver : nullptr);
+  const internal::AddedTime time(statistics ? &statistics->timeLinearSolver : nullptr);
   if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
     G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
     return false;
