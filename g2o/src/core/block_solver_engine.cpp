@@ -8,8 +8,8 @@
 #include "boxplus/base/parallel.h"
 #include "boxplus/linear/linear_solver.h"
 #include "boxplus/linearize/schur.h"
+#include "core/edge_parts.h"
 #include "core/engine_solver.h"
-#include "core/prefetch.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
@@ -229,11 +229,11 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   State& s = *state_;
   std::fill(s.values().begin(), s.values().end(), 0.0);
   for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
-  JacobianWorkspace& workspace = optimizer.jacobianWorkspace();
-  for_each_ahead(optimizer.activeEdges(), [&](OptimizableGraph::Edge& edge) {
-    edge.linearizeOplus(workspace);
-    edge.constructQuadraticForm();
-  });
+  optimizer.edgeParts().for_each_by_parts(optimizer.jacobianWorkspace(),
+                                          [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
+                                            edge.linearizeOplus(workspace);
+                                            edge.constructQuadraticForm();
+                                          });
   for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
 }
 

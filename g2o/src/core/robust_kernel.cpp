@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o/core/robust_kernel.h"
 
+#include <tuple>
 #include <utility>
 
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
+#include "g2o/core/side_by_side.h"
 #include "g2o/stuff/logger.h"
 
 namespace g2o {
@@ -22,6 +24,13 @@ void robustify_by(double delta, double e2, Vector3& rho) {
   const boxplus::Rho value = Kernel(delta)(e2);
   rho << value.value, value.first, value.second;
 }
+
+template <class... Kernels>
+using AllSideBySide = std::tuple<SideBySide<Kernels>...>;
+const AllSideBySide<RobustKernelHuber, RobustKernelPseudoHuber, RobustKernelCauchy, RobustKernelGemanMcClure,
+                    RobustKernelWelsch, RobustKernelFair, RobustKernelTukey, RobustKernelSaturated,
+                    RobustKernelDCS>
+    kSideBySide;
 
 }  // namespace
 

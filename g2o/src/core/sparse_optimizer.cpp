@@ -6,7 +6,7 @@
 #include <iostream>
 #include <set>
 
-#include "core/prefetch.h"
+#include "core/edge_parts.h"
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm.h"
 #include "g2o/core/robust_kernel.h"
@@ -475,9 +475,18 @@ void SparseOptimizer::clear() {
   HyperGraph::clear();
 }
 
+internal::EdgeParts& SparseOptimizer::edgeParts() {
+  if (!edge_parts_) edge_parts_ = std::make_unique<internal::EdgeParts>();
+  if (parts_revision_ != structure_revision_ || edge_parts_->edges() != _activeEdges) {
+    edge_parts_->part(_activeEdges, static_cast<int>(_ivMap.size()));
+    parts_revision_ = structure_revision_;
+  }
+  return *edge_parts_;
+}
+
 void SparseOptimizer::computeActiveErrors() {
   callActions(AT_COMPUTEACTIVERROR);
-  internal::for_each_ahead(_activeEdges, [](OptimizableGraph::Edge& e) { e.computeError(); });
+  edgeParts().for_each([](OptimizableGraph::Edge& e) { e.computeError(); });
 }
 
 void SparseOptimizer::update(const double* update) {

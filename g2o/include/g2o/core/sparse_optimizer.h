@@ -18,7 +18,8 @@ class OptimizationAlgorithm;
 class Solver;
 namespace internal {
 class BlockSolverEngine;
-}
+class EdgeParts;
+}  // namespace internal
 
 /// A graph that can be optimised. Choose an algorithm, initialise what takes part, optimise.
 class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
@@ -145,7 +146,11 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   /// What the active vertices are mapped into: it outlives the solver, so that their hessian() stays
   /// readable.
   std::shared_ptr<const void> hessian_memory_;
+  /// What several threads may work on; of an older structure where parts_revision_ says so.
+  std::unique_ptr<internal::EdgeParts> edge_parts_;
+  std::uint64_t parts_revision_ = 0;
 
+  internal::EdgeParts& edgeParts();
   bool startOptimization();
   void forgetInitialization();
   void writeVerboseLine(int iteration, double seconds, double total) const;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "g2o/core/side_by_side.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Prior<boxplus::SE2>;
+const SideBySide<EdgeSE2Prior> kSideBySide;
 
 }  // namespace
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "g2o/core/side_by_side.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Between<boxplus::SE3>;
+const SideBySide<EdgeSE3> kSideBySide;
 
 }  // namespace
 
@@ -44,6 +46,7 @@ bool EdgeSE3::write(std::ostream& os) const {
 void EdgeSE3::setMeasurement(const Isometry3& m) {
   _measurement = m;
   _inverseMeasurement = m.inverse();
+  rotation_.keep(m);
 }
 
 bool EdgeSE3::setMeasurementData(const double* d) {

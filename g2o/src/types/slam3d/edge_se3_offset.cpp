@@ -51,6 +51,7 @@ bool EdgeSE3Offset::write(std::ostream& os) const {
 void EdgeSE3Offset::setMeasurement(const Isometry3& m) {
   _measurement = m;
   _inverseMeasurement = m.inverse();
+  rotation_.keep(m);
 }
 
 bool EdgeSE3Offset::setMeasurementData(const double* d) {

@@ -47,6 +47,7 @@ bool EdgeSE3Prior::write(std::ostream& os) const {
 void EdgeSE3Prior::setMeasurement(const Isometry3& m) {
   _measurement = m;
   _inverseMeasurement = m.inverse();
+  rotation_.keep(m);
 }
 
 bool EdgeSE3Prior::setMeasurementData(const double* d) {

@@ -12,14 +12,16 @@ void RotationMemory::set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::Ou
   rotation_ = R;
 }
 
-const RotationMemory::Coefficients& RotationMemory::get(const Isometry3& pose) const {
-  if (rotation_ != pose.linear()) {
-    rotation_ = pose.linear();
-    const boxplus::Quaternion<double> q =
-        boxplus::normalized(boxplus::quaternion_of(boxplus::Matrix<double, 3, 3>(rotation_)));
-    quaternion_ = {q.x, q.y, q.z, q.w};
-  }
-  return quaternion_;
+void RotationMemory::keep(const Isometry3& pose) {
+  quaternion_ = get(pose);
+  rotation_ = pose.linear();
+}
+
+RotationMemory::Coefficients RotationMemory::get(const Isometry3& pose) const {
+  if (rotation_ == pose.linear()) return quaternion_;
+  const boxplus::Quaternion<double> q =
+      boxplus::normalized(boxplus::quaternion_of(boxplus::Matrix<double, 3, 3>(pose.linear())));
+  return {q.x, q.y, q.z, q.w};
 }
 
 }  // namespace internal
@@ -122,6 +124,7 @@ ParameterSE3Offset::~ParameterSE3Offset() = default;
 void ParameterSE3Offset::setOffset(const Isometry3& offset) {
   _offset = offset;
   _inverseOffset = offset.inverse();
+  rotation_.keep(offset);
 }
 
 bool ParameterSE3Offset::read(std::istream& is) {

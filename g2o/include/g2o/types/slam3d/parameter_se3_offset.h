@@ -20,7 +20,7 @@ class G2O_TYPES_SLAM3D_API ParameterSE3Offset : public Parameter {
   const Isometry3& offset() const { return _offset; }
   const Isometry3& inverseOffset() const { return _inverseOffset; }
   /// The quaternion of the offset; see internal::RotationMemory.
-  const internal::RotationMemory::Coefficients& quaternion() const { return rotation_.get(_offset); }
+  internal::RotationMemory::Coefficients quaternion() const { return rotation_.get(_offset); }
 
  protected:
   Isometry3 _offset;

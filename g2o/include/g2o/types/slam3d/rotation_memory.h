@@ -16,12 +16,14 @@ class G2O_TYPES_SLAM3D_API RotationMemory {
   using Coefficients = std::array<double, 4>;  ///< x y z w
   /// Sets R to the rotation of q, and keeps q.
   void set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::OuterStride<>> R);
-  const Coefficients& get(const Isometry3& pose) const;
+  /// Keeps the quaternion of a pose, so that get() need not compute it.
+  void keep(const Isometry3& pose);
+  Coefficients get(const Isometry3& pose) const;
 
  private:
-  mutable Eigen::Matrix<double, 3, 3, Eigen::DontAlign> rotation_ =
+  Eigen::Matrix<double, 3, 3, Eigen::DontAlign> rotation_ =
       Eigen::Matrix<double, 3, 3, Eigen::DontAlign>::Zero();
-  mutable Coefficients quaternion_{{0, 0, 0, 1}};
+  Coefficients quaternion_{{0, 0, 0, 1}};
 };
 
 }  // namespace internal

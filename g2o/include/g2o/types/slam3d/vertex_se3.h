@@ -32,7 +32,7 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
   using BaseVertex<6, Isometry3>::getMinimalEstimateData;
 
   /// The quaternion of the estimate; see internal::RotationMemory.
-  const internal::RotationMemory::Coefficients& quaternion() const { return rotation_.get(_estimate); }
+  internal::RotationMemory::Coefficients quaternion() const { return rotation_.get(_estimate); }
 
  protected:
   void setToOriginImpl() override { _estimate.setIdentity(); }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/edge_parts.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <mutex>
+#include <typeindex>
+#include <unordered_set>
+
+#include "boxplus/base/parallel.h"
+#include "core/prefetch.h"
+#include "g2o/core/robust_kernel.h"
+#include "g2o/core/side_by_side.h"
+
+namespace g2o {
+namespace internal {
+namespace {
+
+/// With fewer edges, the threads cost more than they save.
+constexpr size_t kFewestEdges = 1000;
+
+struct KnownTypes {
+  std::mutex mutex;
+  std::unordered_set<std::type_index> types;
+};
+
+KnownTypes& known_types() {
+  static KnownTypes instance;
+  return instance;
+}
+
+bool is_known(const std::type_info& type) {
+  const std::lock_guard<std::mutex> lock(known_types().mutex);
+  return known_types().types.count(type) > 0;
+}
+
+/// is_known(), remembered for the last type: most edges are of the same.
+class LastType {
+ public:
+  bool allowed(const std::type_info& type) {
+    if (last_ != &type) {
+      allowed_ = is_known(type);
+      last_ = &type;
+    }
+    return allowed_;
+  }
+
+ private:
+  const std::type_info* last_ = nullptr;
+  bool allowed_ = false;
+};
+
+/// The parts of vertices, in the order in which edges come to them: what was measured one after the other is
+/// mostly near each other.
+class VertexParts {
+ public:
+  explicit VertexParts(const OptimizableGraph::EdgeContainer& edges, int vertices)
+      : number_(static_cast<size_t>(vertices), -1) {
+    for (const OptimizableGraph::Edge* edge : edges) {
+      for (const HyperGraph::Vertex* v : edge->vertices()) {
+        const size_t h = index(v);
+        if (h < number_.size() && number_[h] < 0) number_[h] = seen_++;
+      }
+    }
+  }
+
+  /// The part, of `count`, that all vertices of an edge are in; −1 where there is none.
+  int of(const OptimizableGraph::Edge& edge, int count) const {
+    int part = -1;
+    for (const HyperGraph::Vertex* v : edge.vertices()) {
+      const size_t h = index(v);
+      if (h == kFixed) continue;
+      if (h >= number_.size()) return -1;  // a client has numbered it
+      const int here = static_cast<int>(static_cast<std::int64_t>(number_[h]) * count / seen_);
+      if (part >= 0 && part != here) return -1;
+      part = here;
+    }
+    return part;
+  }
+
+ private:
+  static constexpr size_t kFixed = static_cast<size_t>(-1);
+  static size_t index(const HyperGraph::Vertex* v) {
+    const int h = static_cast<const OptimizableGraph::Vertex*>(v)->hessianIndex();
+    return h < 0 ? kFixed : static_cast<size_t>(h);
+  }
+
+  std::vector<int> number_;  // by Hessian index
+  int seen_ = 0;
+};
+
+/// task(0) … task(parts − 1) on all threads.
+void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
+  const int threads = std::min(boxplus::hardware_threads(), parts);
+  boxplus::parallel_tasks(threads, [&](int thread) {
+    for (int part = thread; part < parts; part += threads) task(part);
+  });
+}
+
+}  // namespace
+
+void allow_side_by_side(const std::type_info& type, bool allowed) {
+  const std::lock_guard<std::mutex> lock(known_types().mutex);
+  if (allowed) {
+    known_types().types.insert(type);
+  } else {
+    known_types().types.erase(type);
+  }
+}
+
+void EdgeParts::part(const Edges& edges, int vertices) {
+  edges_ = edges;
+  left_.clear();
+  for (Edges& part : parts_) part.clear();
+  if (edges.size() < kFewestEdges) {
+    left_ = edges;
+    return;
+  }
+  const VertexParts vertex_parts(edges, vertices);
+  LastType type;
+  for (Edge* edge : edges) {
+    const int part = type.allowed(typeid(*edge)) ? vertex_parts.of(*edge, kParts) : -1;
+    (part < 0 ? left_ : parts_[static_cast<size_t>(part)]).push_back(edge);
+  }
+}
+
+void EdgeParts::for_each(boxplus::FunctionRef<void(Edge&)> f) const {
+  if (left_.size() < edges_.size())
+    for_each_part(kParts, [&](int part) { for_each_ahead(parts_[static_cast<size_t>(part)], f); });
+  for_each_ahead(left_, f);
+}
+
+void EdgeParts::for_each_by_parts(JacobianWorkspace& workspace,
+                                  boxplus::FunctionRef<void(Edge&, JacobianWorkspace&)> f) {
+  if (left_.size() < edges_.size()) {
+    for_each_part(kParts, [&](int number) {
+      const auto part = static_cast<size_t>(number);
+      workspaces_[part] = workspace;
+      with_unknown_kernels_[part].clear();
+      LastType type;
+      for_each_ahead(parts_[part], [&](Edge& edge) {
+        const RobustKernel* kernel = edge.robustKernel();
+        if (kernel == nullptr || type.allowed(typeid(*kernel))) {
+          f(edge, workspaces_[part]);
+        } else {
+          with_unknown_kernels_[part].push_back(&edge);
+        }
+      });
+    });
+    for (const Edges& part : with_unknown_kernels_) {
+      for (Edge* edge : part) f(*edge, workspace);
+    }
+  }
+  for_each_ahead(left_, [&](Edge& edge) { f(edge, workspace); });
+}
+
+}  // namespace internal
+}  // namespace g2o
