@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <string_view>
+#include <vector>
 
+#include "boxplus/base/error.h"
+#include "boxplus/linear/instruction_set.h"
 #include "command.h"
 #include "command_line/help_format.h"
 #include "command_line/message.h"
@@ -33,7 +39,18 @@ constexpr const char* kFooter =
     "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
     "to the standard error.";
 
+/// A name that has no effect is most likely misspelt.
+void require_known_instructions() {
+  const char* wanted = std::getenv("BOXPLUS_ISA");
+  const std::vector<std::string_view> known = instruction_sets();
+  if (wanted == nullptr || *wanted == '\0' || std::find(known.begin(), known.end(), wanted) != known.end())
+    return;
+  throw Error(fmt::format("BOXPLUS_ISA: expected {}, which this processor has, got '{}'",
+                          fmt::join(known, ", "), wanted));
+}
+
 int run(int argc, char** argv) {
+  require_known_instructions();
   CLI::App app{"Nonlinear least squares on graphs: SLAM, bundle adjustment, calibration", "boxplus"};
   app.formatter(std::make_shared<HelpFormat>());
   app.set_help_flag("-h,--help", "Show this help");

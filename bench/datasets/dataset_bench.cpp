@@ -80,9 +80,11 @@ Results measure_all(const Arguments& arguments) {
     fmt::print(stderr, "{}\n", dataset.name());
     results.datasets.push_back(measure(dataset, arguments));
   }
-  fmt::print(stderr, "torus of 10 000 poses\n");
-  Simulation torus = simulate(World::kTorus, {.poses = 10000});
-  results.torus_of_10000 = run_thread_duel(torus.graph);
+  for (const int poses : {200, 300, 400, kLargeTorus}) {
+    fmt::print(stderr, "torus of {} poses\n", poses);
+    Simulation torus = simulate(World::kTorus, {.poses = poses});
+    results.tori[poses] = run_thread_duel(torus.graph);
+  }
   results.scale = run_scale(arguments.programs);
   return results;
 }

@@ -2,6 +2,7 @@
 // Everything that one run of the benchmark found, and the Markdown of it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,11 +29,13 @@ struct DatasetResults {
   std::string trouble = {};
 };
 
+inline constexpr int kLargeTorus = 10'000;
+
 struct Results {
   std::vector<std::pair<std::string, std::string>> machine;
   double dgemm_rate = 0;  ///< GFLOP/s
   std::vector<DatasetResults> datasets = {};
-  ThreadDuel torus_of_10000 = {};
+  std::map<int, ThreadDuel> tori = {};  ///< simulated, by the number of their poses
   std::vector<ScaleResult> scale = {};
 };
 

@@ -33,7 +33,7 @@ void Run::describe_problem() {
   report_.edges = plan.edge_count;
   report_.linear = system().linear_solver().statistics();
   report_.threads = resolved_threads(options_);
-  report_.workers = system().linearizer().workers();
+  report_.workers = std::max(system().linearizer().workers(), report_.linear.workers);
   report_.gauge.damped_components = plan.damped_components + plan.free_components;
   report_.gauge.held.clear();
   for (const GaugeVertex& gauge : plan.held) report_.gauge.held.push_back(gauge.id);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the boxplus command have in common: each is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -11,10 +12,11 @@ BOXPLUS, DATA = sys.argv[1], pathlib.Path(sys.argv[2])
 TOWN = DATA / "01_town.g2o"
 
 
-def run(*arguments, stdin=""):
-    """Runs boxplus to its end; its output is text."""
+def run(*arguments, stdin="", environment=None):
+    """Runs boxplus to its end; its output is text. `environment` is added to that of the test."""
     words = [BOXPLUS, *map(str, arguments)]
-    return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300)
+    return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300,
+                          env={**os.environ, **(environment or {})})
 
 
 class CommandCase(unittest.TestCase):

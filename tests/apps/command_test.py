@@ -26,6 +26,14 @@ class CommandTest(CommandCase):
         self.assertEqual(DOCUMENT.read_text(encoding="utf-8"), run("help", "--markdown").stdout,
                          "write it anew: boxplus help --markdown > docs/cli.md")
 
+    def test_instructions_that_the_processor_does_not_have_are_2_and_those_known_are_named(self):
+        for name in ("avx1024", "AVX2"):
+            done = run("help", environment={"BOXPLUS_ISA": name})
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, f"BOXPLUS_ISA: expected baseline.*, got '{name}'")
+        for name in ("baseline", ""):
+            self.assertEqual(run("help", environment={"BOXPLUS_ISA": name}).returncode, 0)
+
     def test_wrong_usage_is_2_and_one_message(self):
         for words, text in (
                 ([], "expected a command, got none"),

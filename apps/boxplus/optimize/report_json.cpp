@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "boxplus/linear/instruction_set.h"
+
 namespace boxplus::app {
 namespace {
 
@@ -86,6 +88,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"refused_factor_bytes", unless_zero(report.linear.refused_factor_bytes)},
                      {"predicted_factor_s", report.linear.factor_seconds},
                      {"predicted_pcg_s", report.linear.pcg_seconds},
+                     {"instructions", instruction_set()},
                      {"threads", report.threads},
                      {"workers", report.workers},
                      {"vertices", report.vertices},

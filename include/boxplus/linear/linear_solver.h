@@ -91,6 +91,7 @@ struct LinearStatistics {
   std::uint64_t refused_factor_bytes = 0;
   Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, where there is one
   Precision precision = Precision::kDouble;      ///< of the factor in use
+  int workers = 1;                               ///< threads that factorise
   bool left_mixed = false;  ///< the factor in float did not do, or pay, and the solver went on in double
 };
 

@@ -80,7 +80,7 @@ struct Report {
   LinearStatistics linear;
   int regularised_steps = 0;  ///< steps for which H had to be damped to be positive definite
   int threads = 1;            ///< the bound asked for
-  int workers = 1;            ///< that did work
+  int workers = 1;            ///< that linearise or factorise: small problems leave threads alone
   bool plan_reused = false;
   Timings time;
 

@@ -170,6 +170,8 @@ LinearStatistics BlockCholesky::statistics() const {
   statistics.factor_seconds = forecast_seconds_;
   statistics.precision = mixed_.allocated() ? Precision::kMixed : Precision::kDouble;
   statistics.left_mixed = left_mixed_;
+  if (symbolic_.schedule.is_parallel())
+    statistics.workers = static_cast<int>(symbolic_.schedule.threads.size());
   statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());
   statistics.largest_front = symbolic_.largest_front;
   return statistics;

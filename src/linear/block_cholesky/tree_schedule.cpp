@@ -13,7 +13,7 @@ namespace {
 
 using Subtree = TreeSchedule::Subtree;
 
-constexpr double kWorthThreads = 300e3;   // ns
+constexpr double kWorthThreads = 200e3;   // ns that must be saved: so long may a worker take to wake
 constexpr double kSubtreesPerThread = 8;  // smaller ones bring nothing
 constexpr double kSerialShare = 0.2;      // of a front that several threads work on
 constexpr double kJoin = 20e3;            // ns that they lose by waiting for each other
@@ -137,16 +137,17 @@ double share_out(const std::vector<Subtree>& subtrees, int threads,
   return most;
 }
 
+double predicted_time(const Parts& parts, int threads) {
+  return share_out(parts.subtrees, threads) + parts.top_time;
+}
+
 /// Splits subtrees as long as that makes the whole faster.
 Parts best_parts(Forest& forest, int threads) {
   const double limit = forest.total() / (kSubtreesPerThread * threads);
-  const auto predicted = [&] {
-    return share_out(forest.parts().subtrees, threads) + forest.parts().top_time;
-  };
   Parts best = forest.parts();
-  double least = predicted();
+  double least = predicted_time(best, threads);
   while (forest.split(limit)) {
-    if (const double time = predicted(); time < least) {
+    if (const double time = predicted_time(forest.parts(), threads); time < least) {
       least = time;
       best = forest.parts();
     }
@@ -160,8 +161,10 @@ TreeSchedule make_schedule(std::span<const Front> fronts, const AmalgamationRule
   TreeSchedule schedule;
   if (threads <= 1) return schedule;
   Forest forest(fronts, rule, threads);
-  if (forest.total() < kWorthThreads) return schedule;
+  const double alone = forest.total();
+  if (alone < kWorthThreads) return schedule;
   Parts parts = best_parts(forest, threads);
+  if (alone - predicted_time(parts, threads) < kWorthThreads) return schedule;
   schedule.threads.resize(static_cast<std::size_t>(threads));
   share_out(parts.subtrees, threads, &schedule.threads);
   for (auto& share : schedule.threads) {
