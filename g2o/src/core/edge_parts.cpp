@@ -2,10 +2,11 @@
 #include "core/edge_parts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <typeindex>
-#include <unordered_set>
+#include <unordered_map>
 
 #include "boxplus/base/parallel.h"
 #include "core/prefetch.h"
@@ -21,7 +22,8 @@ constexpr size_t kFewestEdges = 1000;
 
 struct KnownTypes {
   std::mutex mutex;
-  std::unordered_set<std::type_index> types;
+  std::unordered_map<std::type_index, int> declarations;
+  std::atomic<std::uint64_t> changes = 0;
 };
 
 KnownTypes& known_types() {
@@ -31,7 +33,7 @@ KnownTypes& known_types() {
 
 bool is_known(const std::type_info& type) {
   const std::lock_guard<std::mutex> lock(known_types().mutex);
-  return known_types().types.count(type) > 0;
+  return known_types().declarations.count(type) > 0;
 }
 
 /// is_known(), remembered for the last type: most edges are of the same.
@@ -101,15 +103,19 @@ void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
 
 void allow_side_by_side(const std::type_info& type, bool allowed) {
   const std::lock_guard<std::mutex> lock(known_types().mutex);
-  if (allowed) {
-    known_types().types.insert(type);
-  } else {
-    known_types().types.erase(type);
-  }
+  int& declarations = known_types().declarations[type];
+  declarations += allowed ? 1 : -1;
+  if (declarations == 0) known_types().declarations.erase(type);
+  ++known_types().changes;
+}
+
+bool EdgeParts::is_of(const Edges& edges) const {
+  return known_types_ == known_types().changes && edges_ == edges;
 }
 
 void EdgeParts::part(const Edges& edges, int vertices) {
   edges_ = edges;
+  known_types_ = known_types().changes;
   left_.clear();
   for (Edges& part : parts_) part.clear();
   if (edges.size() < kFewestEdges) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "boxplus/base/function_ref.h"
@@ -22,7 +23,8 @@ class EdgeParts {
 
   /// Parts the edges anew, vertices known by their Hessian indices.
   void part(const Edges& edges, int vertices);
-  const Edges& edges() const { return edges_; }
+  /// Whether they are those, and what is known of types is what it was.
+  bool is_of(const Edges& edges) const;
 
   /// f(edge) for each edge once, in any order.
   void for_each(boxplus::FunctionRef<void(Edge&)> f) const;
@@ -35,6 +37,7 @@ class EdgeParts {
   static constexpr int kParts = 8;
 
   Edges edges_, left_;
+  std::uint64_t known_types_ = 0;
   std::array<Edges, kParts> parts_, with_unknown_kernels_;
   std::array<JacobianWorkspace, kParts> workspaces_;
 };

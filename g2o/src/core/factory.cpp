@@ -84,6 +84,7 @@ bool Factory::knowsTag(const std::string& tag, int* elementType) const {
 
 const std::string& Factory::tag(const HyperGraph::HyperGraphElement* v) const {
   static const std::string kNone;
+  if (v == nullptr) return kNone;
   const auto found = _tagLookup.find(typeid(*v).name());
   return found == _tagLookup.end() ? kNone : found->second;
 }

@@ -477,7 +477,7 @@ void SparseOptimizer::clear() {
 
 internal::EdgeParts& SparseOptimizer::edgeParts() {
   if (!edge_parts_) edge_parts_ = std::make_unique<internal::EdgeParts>();
-  if (parts_revision_ != structure_revision_ || edge_parts_->edges() != _activeEdges) {
+  if (parts_revision_ != structure_revision_ || !edge_parts_->is_of(_activeEdges)) {
     edge_parts_->part(_activeEdges, static_cast<int>(_ivMap.size()));
     parts_revision_ = structure_revision_;
   }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <thread>
 #include <vector>
@@ -27,6 +28,20 @@ struct ClientEdge : g2o::EdgeSE2 {
   void linearizeOplus() override {
     threads.insert(std::this_thread::get_id());
     EdgeSE2::linearizeOplus();
+  }
+  Threads& threads;
+};
+
+/// The same for several threads at a time.
+struct GuardedEdge : g2o::EdgeSE2 {
+  explicit GuardedEdge(Threads& seen) : threads(seen) {}
+  void computeError() override {
+    {
+      static std::mutex mutex;
+      const std::lock_guard<std::mutex> lock(mutex);
+      threads.insert(std::this_thread::get_id());
+    }
+    EdgeSE2::computeError();
   }
   Threads& threads;
 };
@@ -145,6 +160,22 @@ TEST(SideBySide, EdgesOfAClientWhoAllowsItAddUpToTheSame) {
   Drive together([] { return new WillingEdge; });
   expect_same_sums(sums, together.system());
   EXPECT_EQ(together.system(), Drive([] { return new g2o::EdgeSE2; }).system());
+}
+
+TEST(SideBySide, PermissionThatIsWithdrawnEndsWithoutAnotherInitialisation) {
+  Threads threads;
+  Drive drive([&] { return new GuardedEdge(threads); });
+  {
+    const g2o::SideBySide<GuardedEdge> willing;
+    { const g2o::SideBySide<GuardedEdge> another; }
+    drive.system();
+    if (std::thread::hardware_concurrency() > 1) {
+      EXPECT_GT(threads.size(), 1u);
+    }
+  }
+  threads.clear();
+  drive.system();
+  EXPECT_EQ(threads, Threads{std::this_thread::get_id()});
 }
 
 TEST(SideBySide, WhatIsAddedLaterCountsAndWhatIsRemovedDoesNot) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "g2o/core/base_edge.h"
@@ -178,6 +179,11 @@ inline void expect_laws_of_file(const std::string& text) {
     for (size_t fixed = 0; fixed <= e.vertices().size(); ++fixed) {
       expect_quadratic_form(e, false, fixed);
       expect_quadratic_form(e, true, fixed);
+      if (e.dimension() == 1) continue;
+      double& lower = e.informationData()[1];
+      const double before = std::exchange(lower, lower + 0.25);  // Ω is not symmetric, and meant as it stands
+      expect_quadratic_form(e, false, fixed);
+      lower = before;
     }
     expect_measurement_laws(e);
     expect_guesses(e);

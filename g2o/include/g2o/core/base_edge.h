@@ -28,6 +28,20 @@ constexpr bool hasNormalProducts(int rows, int cols) {
   return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
 }
 
+/// The upper triangle of Ω by rows. False where Ω is not symmetric but for rounding: nothing says then which
+/// half counts.
+template <int D, class Omega>
+bool upperTriangle(const Omega& omega, double* triangle) {
+  const double rounding = 1e-12 * std::abs(omega.trace());
+  for (int r = 0; r < D; ++r) {
+    for (int s = r; s < D; ++s) {
+      if (!(std::abs(omega(r, s) - omega(s, r)) <= rounding)) return false;
+      *triangle++ = 0.5 * (omega(r, s) + omega(s, r));
+    }
+  }
+  return true;
+}
+
 /// products ← JᵀΩJ, whose columns lie as far apart as is returned, and gradient ← JᵀΩe, by the fastest
 /// instructions of the machine, from the columns of J and the upper triangle of Ω by rows. There must be room
 /// for kMostProductColumns columns of as many numbers.

@@ -221,25 +221,28 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   template <std::size_t... N>
   void constructBlocks(const InformationType& omega, std::index_sequence<N...>) {
     if constexpr (kMultipliedAtOnce) {
-      constexpr int kRoom = internal::kMostProductColumns;
-      const double* jacobian[static_cast<std::size_t>(kColumns)];
-      const double** column = jacobian;
-      const auto appendColumns = [&column](const auto& J) {
-        for (Eigen::Index c = 0; c < J.cols(); ++c) *column++ = J.data() + c * D;
-      };
-      (appendColumns(std::get<N>(_jacobianOplus)), ...);
-      double triangle[static_cast<std::size_t>(D * (D + 1) / 2)], products[kRoom * kRoom], gradient[kRoom];
-      double* entry = triangle;
-      for (int r = 0; r < D; ++r) {
-        for (int s = r; s < D; ++s) *entry++ = omega(r, s);
+      double triangle[static_cast<std::size_t>(D * (D + 1) / 2)];
+      if (internal::upperTriangle<D>(omega, triangle)) {
+        constructAtOnce(triangle, std::index_sequence<N...>());
+        return;
       }
-      const int stride =
-          internal::normalProducts(D, kColumns, jacobian, triangle, this->_error.data(), products, gradient);
-      (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
-    } else {
-      const ErrorVector weightedError = omega * -this->_error;
-      (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
     }
+    const ErrorVector weightedError = omega * -this->_error;
+    (constructColumn<N>(omega, weightedError, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
+  }
+  template <std::size_t... N>
+  void constructAtOnce(const double* omegaTriangle, std::index_sequence<N...>) {
+    constexpr int kRoom = internal::kMostProductColumns;
+    const double* jacobian[static_cast<std::size_t>(kColumns)];
+    const double** column = jacobian;
+    const auto appendColumns = [&column](const auto& J) {
+      for (Eigen::Index c = 0; c < J.cols(); ++c) *column++ = J.data() + c * D;
+    };
+    (appendColumns(std::get<N>(_jacobianOplus)), ...);
+    double products[kRoom * kRoom], gradient[kRoom];
+    const int stride = internal::normalProducts(D, kColumns, jacobian, omegaTriangle, this->_error.data(),
+                                                products, gradient);
+    (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
   }
   /// The block of the products that starts at a row and a column.
   template <int Rows, int Cols>

@@ -58,22 +58,22 @@ class AddedTime {
 }  // namespace internal
 }  // namespace g2o
 
-/// Runs `command` when this line is reached first, and again when `seconds` have passed since it ran.
-#define DO_EVERY(seconds, command)                                  \
+/// Runs a command when this line is reached first, and again when `seconds` have passed since it ran.
+#define DO_EVERY(seconds, ...)                                      \
   do {                                                              \
     static double doEveryLast = -1;                                 \
     const double doEveryNow = g2o::get_monotonic_time();            \
     if (doEveryLast < 0 || doEveryNow - doEveryLast >= (seconds)) { \
       doEveryLast = doEveryNow;                                     \
-      command;                                                      \
+      __VA_ARGS__;                                                  \
     }                                                               \
   } while (false)
 
-/// Runs `code` and writes how long it took to std::cerr, behind `text`.
-#define MEASURE_TIME(text, code)               \
+/// Runs code and writes how long it took to std::cerr, behind `text`.
+#define MEASURE_TIME(text, ...)                \
   do {                                         \
     const g2o::ScopeTime measuredTime((text)); \
-    code;                                      \
+    __VA_ARGS__;                               \
   } while (false)
 
 #if defined(__GNUC__)
