@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/run.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace boxplus {

@@ -4,7 +4,7 @@
 
 import pathlib
 
-from command_case import CommandCase, main, run
+from command_case import TOWN, CommandCase, main, run
 
 DOCUMENT = pathlib.Path(__file__).parents[2] / "docs/cli.md"
 COMMANDS = ("optimize", "info", "convert", "simulate", "plot", "completion", "help")
@@ -33,6 +33,8 @@ class CommandTest(CommandCase):
             self.assertRegex(done.stderr, f"BOXPLUS_ISA: expected baseline.*, got '{name}'")
         for name in ("baseline", ""):
             self.assertEqual(run("help", environment={"BOXPLUS_ISA": name}).returncode, 0)
+        done = run("optimize", TOWN, "--json", "-", environment={"BOXPLUS_ISA": "baseline"})
+        self.assertIn('"instructions": "baseline"', done.stdout)
 
     def test_wrong_usage_is_2_and_one_message(self):
         for words, text in (

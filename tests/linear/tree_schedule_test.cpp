@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "linear/block_cholesky/block_cholesky.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 #include "linear/test_system.h"
 
@@ -78,6 +79,18 @@ TEST(TreeSchedule, IsValidAboveKeptBlocks) {
   std::vector<std::uint32_t> last(300);
   std::iota(last.begin(), last.end(), 200u);
   expect_valid(analyze_structure(cube(9, 6), last, {}, 3));
+}
+
+TEST(TreeSchedule, TheStatisticsOfTheFactorCountItsThreads) {
+  const auto workers = [](std::uint32_t side) {
+    const auto grid =
+        make_block_structure(std::vector<std::uint32_t>(side * side, 6), grid_edges(side, side));
+    BlockCholesky solver;
+    solver.analyze(grid, {.threads = 2});
+    return solver.statistics().workers;
+  };
+  EXPECT_EQ(workers(40), 2);
+  EXPECT_EQ(workers(4), 1);
 }
 
 TEST(TreeSchedule, LeavesLittleWorkToOneThread) {

@@ -2,16 +2,13 @@
 #include "core/edge_parts.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <mutex>
-#include <typeindex>
-#include <unordered_map>
+#include <typeinfo>
 
 #include "boxplus/base/parallel.h"
+#include "core/bearing_types.h"
 #include "core/prefetch.h"
 #include "g2o/core/robust_kernel.h"
-#include "g2o/core/side_by_side.h"
 
 namespace g2o {
 namespace internal {
@@ -20,28 +17,12 @@ namespace {
 /// With fewer edges, the threads cost more than they save.
 constexpr size_t kFewestEdges = 1000;
 
-struct KnownTypes {
-  std::mutex mutex;
-  std::unordered_map<std::type_index, int> declarations;
-  std::atomic<std::uint64_t> changes = 0;
-};
-
-KnownTypes& known_types() {
-  static KnownTypes instance;
-  return instance;
-}
-
-bool is_known(const std::type_info& type) {
-  const std::lock_guard<std::mutex> lock(known_types().mutex);
-  return known_types().declarations.count(type) > 0;
-}
-
-/// is_known(), remembered for the last type: most edges are of the same.
+/// bears_threads(), remembered for the last type: most edges are of the same.
 class LastType {
  public:
   bool allowed(const std::type_info& type) {
     if (last_ != &type) {
-      allowed_ = is_known(type);
+      allowed_ = bears_threads(type);
       last_ = &type;
     }
     return allowed_;
@@ -101,21 +82,13 @@ void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
 
 }  // namespace
 
-void allow_side_by_side(const std::type_info& type, bool allowed) {
-  const std::lock_guard<std::mutex> lock(known_types().mutex);
-  int& declarations = known_types().declarations[type];
-  declarations += allowed ? 1 : -1;
-  if (declarations == 0) known_types().declarations.erase(type);
-  ++known_types().changes;
-}
-
 bool EdgeParts::is_of(const Edges& edges) const {
-  return known_types_ == known_types().changes && edges_ == edges;
+  return known_types_ == bearing_types_revision() && edges_ == edges;
 }
 
 void EdgeParts::part(const Edges& edges, int vertices) {
   edges_ = edges;
-  known_types_ = known_types().changes;
+  known_types_ = bearing_types_revision();
   left_.clear();
   for (Edges& part : parts_) part.clear();
   if (edges.size() < kFewestEdges) {
