@@ -297,7 +297,7 @@ class GraphReader {
         while (!in.accept("||")) read_one(argument);
       }
     }
-    if (result == Vertices::kKnown && !missing_.empty()) create_missing(tag, in);
+    if (result != Vertices::kNotYetKnown && !missing_.empty()) create_missing(tag, in);
     return result;
   }
 

@@ -124,6 +124,17 @@ TEST(GraphReader, ReadsEdgesOverAnyNumberOfPoints) {
   EXPECT_NEAR(file.graph.chi2(), 1, 1e-15);
 }
 
+TEST(GraphReader, CreatesTheVerticesThatAnEdgeWithAnUnassignedOneNames) {
+  const GraphFile file = parse_graph(
+      "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 -1 0 1 0 0 1 0 0 1 0 1\n",
+      "edges");
+  EXPECT_TRUE(file.graph.find_vertex(0));
+  EXPECT_EQ(file.graph.vertex_count(), 3u);
+  const std::string written = format_graph(file);
+  EXPECT_EQ(format_graph(parse_graph(written, "written")), written);
+}
+
 TEST(GraphReader, CreatesTheVerticesOfAFileWithEdgesOnlyAndSaysSo) {
   const GraphFile file = parse_graph("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2_XY 1 9 1 0 1 0 1\n", "g");
   EXPECT_TRUE(file.vertices_created);
