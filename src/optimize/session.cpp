@@ -9,6 +9,12 @@ int resolved_threads(const Options& options) {
   return options.threads > 0 ? options.threads : hardware_threads();
 }
 
+/// Options::precision for the algorithm.
+Precision resolved_precision(const Options& options) {
+  const bool exact_steps = options.algorithm == AlgorithmKind::kGaussNewton;
+  return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
+}
+
 Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   auto* session = dynamic_cast<Session*>(graph.cache().get());
   if (session != nullptr && session->in_use_)
@@ -26,7 +32,7 @@ Session& Session::find(Graph& graph, const Options& options, bool& reused) {
   session->own_solver_ = options.own_linear_solver;
   session->schur_ = options.schur;
   session->max_factor_bytes_ = options.max_factor_bytes;
-  session->precision_ = options.precision;
+  session->precision_ = resolved_precision(options);
   session->vertices_ = options.vertices;
   session->edges_ = options.edges;
   graph.cache().reset();  // its memory first
@@ -40,8 +46,14 @@ bool Session::fits(const Graph& graph, const Options& options) const {
   if (own_solver_ || options.own_linear_solver) return false;
   return revision_ == graph.revision() && level_ == options.level && threads_ == resolved_threads(options) &&
          gauge_ == options.gauge && solver_ == options.linear_solver && schur_ == options.schur &&
-         max_factor_bytes_ == options.max_factor_bytes && precision_ == options.precision &&
+         max_factor_bytes_ == options.max_factor_bytes && has_precision(resolved_precision(options)) &&
          vertices_ == options.vertices && edges_ == options.edges;
+}
+
+/// An automatic choice that came to double serves for double, too.
+bool Session::has_precision(Precision wanted) const {
+  return precision_ == wanted || (precision_ == Precision::kAutomatic && wanted == Precision::kDouble &&
+                                  system_->linear_solver().statistics().precision == Precision::kDouble);
 }
 
 void Session::plan(Graph& graph) {

@@ -29,6 +29,7 @@ class Session final : public Graph::Cache {
 
  private:
   bool fits(const Graph& graph, const Options& options) const;
+  bool has_precision(Precision wanted) const;
   void plan(Graph& graph);
 
   std::uint64_t revision_ = 0;

@@ -62,5 +62,16 @@ TEST(SecondOptimizeAfterAChange, PlansAnew) {
   EXPECT_FALSE(optimize(graph, options).plan_reused);
 }
 
+TEST(SecondOptimizeByAnotherAlgorithm, KeepsThePlan) {
+  Graph graph;
+  add_noisy_circle(graph, 20);
+  for (const AlgorithmKind algorithm :
+       {AlgorithmKind::kAutomatic, AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt}) {
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_EQ(report.plan_reused, algorithm != AlgorithmKind::kAutomatic);
+  }
+}
+
 }  // namespace
 }  // namespace boxplus

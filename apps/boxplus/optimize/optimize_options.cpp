@@ -63,8 +63,10 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   add_choice(command, "--algorithm", options.algorithm, kAlgorithms, "How to step")->group("Method");
   add_choice(command, "--solver", options.linear_solver, kSolvers, "What solves the linear systems")
       ->group("Method");
-  add_choice(command, "--precision", options.precision, kPrecisions,
-             "How cholesky factorises; mixed: in float, with solutions refined in double")
+  add_choice(
+      command, "--precision", options.precision, kPrecisions,
+      "How cholesky factorises; mixed: in float, with solutions refined in double; automatic: whichever is "
+      "predicted to be faster, but double for gauss-newton")
       ->group("Method");
   command
       .add_option("--threads", options.threads,

@@ -16,7 +16,9 @@ OptimizationAlgorithmDogleg::OptimizationAlgorithmDogleg(std::unique_ptr<BlockSo
       _userDeltaInit(_properties.makeProperty<Property<double>>("initialDelta", 1e4)),
       _initialLambda(_properties.makeProperty<Property<double>>("initialLambda", 1e-7)),
       _lamdbaFactor(_properties.makeProperty<Property<double>>("lambdaFactor", 10.)),
-      block_solver_(static_cast<BlockSolverBase&>(_solver)) {}
+      block_solver_(static_cast<BlockSolverBase&>(_solver)) {
+  _solver.setInexactSteps(true);
+}
 
 OptimizationAlgorithmDogleg::OptimizationAlgorithmDogleg(BlockSolverBase* solver)
     : OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase>(solver)) {}

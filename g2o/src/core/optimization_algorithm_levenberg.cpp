@@ -16,6 +16,7 @@ OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(std::unique_ptr<S
       _maxTrialsAfterFailure(_properties.makeProperty<Property<int>>("maxTrialsAfterFailure", 10)),
       _userLambdaInit(_properties.makeProperty<Property<double>>("initialLambda", 0.)) {
   _solver.setLevenberg(true);
+  _solver.setInexactSteps(true);
 }
 
 OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(Solver* solver)

@@ -14,6 +14,10 @@ void Solver::setLevenberg(bool levenberg) {
   _isLevenberg = levenberg;
 }
 
+void Solver::setInexactSteps(bool inexactSteps) {
+  inexact_steps_ = inexactSteps;
+}
+
 void Solver::resizeVector(size_t sx) {
   _xSize = sx;
   const size_t size = sx + _additionalVectorSpace;

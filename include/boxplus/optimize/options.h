@@ -65,7 +65,9 @@ struct IterationRecord {
 struct Options {
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
-  Precision precision = Precision::kAutomatic;  ///< of the block Cholesky's factor
+  /// Of the block Cholesky's factor. kAutomatic: double for kGaussNewton, which takes every step as it comes;
+  /// the other algorithms judge a step by what it gains, and bear one that is refined from float.
+  Precision precision = Precision::kAutomatic;
   /// A solver of your own, instead. Each call has it analyse anew; one optimize() at a time may use it.
   std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;

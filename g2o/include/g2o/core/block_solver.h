@@ -122,6 +122,8 @@ class BlockSolver : public BlockSolverBase {
   bool _doSchur = true;
 
  private:
+  /// The linear solver's, and exact where steps must be.
+  internal::EngineSettings engineSettings() const;
   bool solveByLinearSolver();
 
   internal::BlockSolverEngine engine_;

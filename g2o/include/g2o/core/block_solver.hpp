@@ -21,15 +21,22 @@ bool BlockSolver<Traits>::buildStructure(bool) {
       return false;
     }
   }
-  if (!engine_.buildStructure(*this->_optimizer, _doSchur, _linearSolver->engine())) return false;
+  if (!engine_.buildStructure(*this->_optimizer, _doSchur, engineSettings())) return false;
   this->resizeVector(engine_.scalars());
   return true;
 }
 
 template <typename Traits>
+internal::EngineSettings BlockSolver<Traits>::engineSettings() const {
+  internal::EngineSettings settings = _linearSolver->engine();
+  settings.exact = settings.exact || !this->inexactSteps();
+  return settings;
+}
+
+template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
-  const internal::EngineSettings settings = _linearSolver->engine();
+  const internal::EngineSettings settings = engineSettings();
   if (settings.solver == internal::EngineSolver::kNone) return solveByLinearSolver();
   return engine_.solve(lambda_, this->_b, this->_x, settings);
 }

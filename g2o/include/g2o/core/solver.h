@@ -55,6 +55,11 @@ class G2O_CORE_API Solver {
   bool levenberg() const { return _isLevenberg; }
   void setLevenberg(bool levenberg);
 
+  /// Whether a step may be inexact, since the algorithm judges it by what it gains, as Levenberg-Marquardt
+  /// and dogleg do. Else the library's direct solvers work in double throughout (not in g2o).
+  bool inexactSteps() const { return inexact_steps_; }
+  void setInexactSteps(bool inexactSteps);
+
   virtual bool supportsSchur() { return false; }
   /// Whether marginalised vertices are eliminated first.
   virtual bool schur() = 0;
@@ -85,6 +90,7 @@ class G2O_CORE_API Solver {
   void resizeVector(size_t sx);
 
  private:
+  bool inexact_steps_ = false;
   std::vector<double> x_memory_, b_memory_;
 };
 

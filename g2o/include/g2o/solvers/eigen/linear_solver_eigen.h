@@ -13,8 +13,8 @@ template <typename MatrixType>
 class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
-  /// Factorises in double always (not in g2o). By default large fronts are factorised in float, and the steps
-  /// of an optimisation refined until their residual is 1e-6 of the right-hand side.
+  /// Factorises in double always (not in g2o). By default, where Solver::inexactSteps(), large fronts are
+  /// factorised in float, and steps refined until their residual is 1e-6 of the right-hand side.
   void setExact(bool exact) { this->settings_.exact = exact; }
   /// Not in the place of a derived class, which may solve otherwise.
   internal::EngineSettings engine() const override {
