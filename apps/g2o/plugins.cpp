@@ -17,24 +17,34 @@ namespace fs = std::filesystem;
 /// Loaded libraries stay until the end of the process: what they registered is theirs. A name without a
 /// folder is that of a file here, or else one that the loader looks for.
 void load(const std::string& path) {
+  if (path.empty()) {
+    std::cerr << "g2o: expected the file of a library, got an empty name\n";
+    return;
+  }
   std::error_code error;
   const bool is_here = path.find('/') == std::string::npos && fs::exists(path, error);
   if (dlopen((is_here ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
     std::cerr << "g2o: " << path << " cannot be loaded: " << dlerror() << '\n';
 }
 
-/// The folders of the first variable that is set, separated by colons.
+/// The folders of the variables that are set, separated by colons; where none is, those beside the program.
 std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
+  std::vector<std::string> named;
+  bool is_set = false;
+  std::error_code error;
   for (const char* variable : variables) {
     const char* value = std::getenv(variable);
     if (value == nullptr) continue;
-    std::vector<std::string> result;
+    is_set = true;
     std::istringstream in(value);
-    for (std::string folder; std::getline(in, folder, ':');)
-      if (!folder.empty()) result.push_back(folder);
-    return result;
+    for (std::string folder; std::getline(in, folder, ':');) {
+      if (folder.empty()) continue;
+      if (!fs::is_directory(folder, error))
+        std::cerr << "g2o: " << variable << ": there is no folder " << folder << '\n';
+      named.push_back(folder);
+    }
   }
-  std::error_code error;
+  if (is_set) return named;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path folder = (error ? fs::path(program) : self).parent_path();
   const fs::path above = folder / "..";

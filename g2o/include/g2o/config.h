@@ -2,9 +2,10 @@
 // What every header of the g2o face includes first.
 //
 // Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit, so that the
-// classes that clients derive from could have two layouts in one program. Every header therefore references
-// the symbol g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, of which libg2o_core defines one: a mismatch is a link error
-// that names it. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
+// classes that clients derive from could have two layouts in one program; so could other macros of Eigen's,
+// and the debug mode of the standard library. Every header therefore references the symbol
+// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, with what is unusual behind it, of which libg2o_core defines one: a
+// mismatch is a link error that names it. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,9 +20,28 @@
 #define G2O_HAVE_CHOLMOD 1
 #define G2O_HAVE_CSPARSE 1
 
-#define G2O_ABI_JOIN_(align) g2o_abi_1_##align
-#define G2O_ABI_JOIN(align) G2O_ABI_JOIN_(align)
-#define G2O_ABI_SYMBOL G2O_ABI_JOIN(EIGEN_MAX_ALIGN_BYTES)
+#if EIGEN_MAX_STATIC_ALIGN_BYTES == EIGEN_MAX_ALIGN_BYTES
+#define G2O_ABI_STATIC
+#else  // fixed-size types align otherwise than what Eigen allocates
+#define G2O_ABI_STATIC_(align) _static_##align
+#define G2O_ABI_STATIC_OF(align) G2O_ABI_STATIC_(align)
+#define G2O_ABI_STATIC G2O_ABI_STATIC_OF(EIGEN_MAX_STATIC_ALIGN_BYTES)
+#endif
+#if defined(EIGEN_DEFAULT_TO_ROW_MAJOR)
+#define G2O_ABI_ORDER _row_major
+#else
+#define G2O_ABI_ORDER
+#endif
+#if defined(_GLIBCXX_DEBUG)
+#define G2O_ABI_CONTAINERS _debug_containers
+#else
+#define G2O_ABI_CONTAINERS
+#endif
+#define G2O_ABI_JOIN_(align, static_align, order, containers) \
+  g2o_abi_1_##align##static_align##order##containers
+#define G2O_ABI_JOIN(align, static_align, order, containers) \
+  G2O_ABI_JOIN_(align, static_align, order, containers)
+#define G2O_ABI_SYMBOL G2O_ABI_JOIN(EIGEN_MAX_ALIGN_BYTES, G2O_ABI_STATIC, G2O_ABI_ORDER, G2O_ABI_CONTAINERS)
 
 extern "C" G2O_API_EXPORT const char G2O_ABI_SYMBOL;
 

@@ -54,10 +54,16 @@ void SparseOptimizer::sortVectorContainers() {
   std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
 }
 
+/// Dimensions known at run time may have grown since edges were added.
+void SparseOptimizer::sizeWorkspace() {
+  for (const OptimizableGraph::Edge* e : _activeEdges) _jacobianWorkspace.updateSize(e);
+  _jacobianWorkspace.allocate();
+}
+
 /// What is left once the active vertices and edges are known.
 bool SparseOptimizer::startOptimization() {
   sortVectorContainers();
-  _jacobianWorkspace.allocate();
+  sizeWorkspace();
   const bool ok = buildIndexMapping(_activeVertices);
   postIteration(-1);
   return ok;
@@ -145,7 +151,7 @@ bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGra
   sortVectorContainers();
   if (renumber) buildIndexMapping(_activeVertices);
   ++structure_revision_;
-  _jacobianWorkspace.allocate();
+  sizeWorkspace();
   return _algorithm == nullptr || _algorithm->updateStructure(added, eset);
 }
 
@@ -165,6 +171,12 @@ bool SparseOptimizer::removeEdge(HyperGraph::Edge* e) {
     if (active != _activeEdges.end()) _activeEdges.erase(active);
   }
   return HyperGraph::removeEdge(e);
+}
+
+bool SparseOptimizer::changeId(HyperGraph::Vertex* v, int newId) {
+  if (!OptimizableGraph::changeId(v, newId)) return false;
+  std::sort(_activeVertices.begin(), _activeVertices.end(), VertexIDCompare());
+  return true;
 }
 
 // An active edge that lost a vertex takes no part any more; one with another vertex has another block of H.

@@ -18,8 +18,9 @@ struct BearingTypes {
   std::atomic<std::uint64_t> revision = 0;
 };
 
+/// Never destroyed: static objects of clients and plug-ins take their declarations back late.
 BearingTypes& bearing_types() {
-  static BearingTypes instance;
+  static BearingTypes& instance = *new BearingTypes;
   return instance;
 }
 

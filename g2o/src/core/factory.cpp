@@ -2,6 +2,7 @@
 #include "g2o/core/factory.h"
 
 #include <ostream>
+#include <utility>
 
 namespace g2o {
 
@@ -34,8 +35,12 @@ void Factory::destroy() {
 void Factory::registerType(const std::string& tag,
                            const std::shared_ptr<AbstractHyperGraphElementCreator>& c) {
   if (c == nullptr) return;
-  if (_creator.count(tag) > 0) {
-    G2O_ERROR("registerType: the word {} is taken", tag);
+  if (const auto taken = _creator.find(tag); taken != _creator.end()) {
+    if (taken->second->creator->name() == c->name()) {
+      shadowed_.put(tag, c);
+    } else {
+      G2O_ERROR("registerType: the word {} is taken", tag);
+    }
     return;
   }
   if (_tagLookup.count(c->name()) > 0) {
@@ -57,8 +62,21 @@ void Factory::registerType(const std::string& tag, AbstractHyperGraphElementCrea
 void Factory::unregisterType(const std::string& tag) {
   const auto found = _creator.find(tag);
   if (found == _creator.end()) return;
+  while (shadowed_.take(tag) != nullptr) continue;
   _tagLookup.erase(found->second->creator->name());
   _creator.erase(found);
+}
+
+void Factory::unregisterType(const std::string& tag,
+                             const std::shared_ptr<AbstractHyperGraphElementCreator>& c) {
+  const auto found = _creator.find(tag);
+  if (found == _creator.end() || found->second->creator != c) {
+    shadowed_.remove(c);
+  } else if (auto hidden = shadowed_.take(tag)) {
+    found->second->creator = std::move(hidden);
+  } else {
+    unregisterType(tag);
+  }
 }
 
 HyperGraph::HyperGraphElement* Factory::construct(const std::string& tag) const {

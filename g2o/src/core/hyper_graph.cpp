@@ -2,6 +2,8 @@
 #include "g2o/core/hyper_graph.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "g2o/core/ownership.h"
 #include "g2o/stuff/logger.h"
@@ -87,8 +89,26 @@ bool HyperGraph::addEdge(Edge* e) {
   return true;
 }
 
+void HyperGraph::Edge::setVertex(size_t i, Vertex* v) {
+  if (i < _vertices.size()) {
+    _vertices[i] = v;
+  } else {
+    G2O_ERROR("setVertex: the edge has {} vertices, got the position {}", _vertices.size(), i);
+  }
+}
+
+bool HyperGraph::has(const Vertex* v, const char* caller) const {
+  const bool found = v != nullptr && vertex(v->id()) == v;
+  if (!found) G2O_ERROR("{}: expected a vertex of the graph", caller);
+  return found;
+}
+
 bool HyperGraph::changeId(Vertex* v, int newId) {
-  if (v == nullptr || vertex(v->id()) != v || vertex(newId) != nullptr) return false;
+  if (!has(v, "changeId")) return false;
+  if (vertex(newId) != nullptr) {
+    G2O_ERROR("changeId: the id {} is taken", newId);
+    return false;
+  }
   _vertices.erase(v->id());
   v->setId(newId);
   _vertices.emplace(newId, v);
@@ -107,20 +127,32 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
   return true;
 }
 
+// What an edge cannot be given is known before any edge is removed.
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
-  if (big == nullptr || small == nullptr || big == small) return false;
-  if (vertex(big->id()) != big || vertex(small->id()) != small) return false;
+  if (big == small || !has(big, "mergeVertices") || !has(small, "mergeVertices")) return false;
+  std::vector<Edge*> between;
+  std::vector<std::pair<Edge*, int>> moved;
   const EdgeSet edges = small->edges();
   for (Edge* e : edges) {
-    const auto at = std::find(e->vertices().begin(), e->vertices().end(), small);
-    if (at == e->vertices().end()) continue;
-    if (!setEdgeVertex(e, static_cast<int>(at - e->vertices().begin()), big)) removeEdge(e);
+    const auto begin = e->vertices().begin(), end = e->vertices().end();
+    const auto at = std::find(begin, end, small);
+    if (at == end) continue;
+    const int position = static_cast<int>(at - begin);
+    if (std::find(begin, end, big) != end) {
+      between.push_back(e);
+    } else if (setEdgeVertex(e, position, big)) {
+      moved.emplace_back(e, position);
+    } else {
+      for (const auto& [other, place] : moved) setEdgeVertex(other, place, small);
+      return false;
+    }
   }
+  for (Edge* e : between) removeEdge(e);
   return !erase || removeVertex(small);
 }
 
 bool HyperGraph::detachVertex(Vertex* v) {
-  if (v == nullptr || vertex(v->id()) != v) return false;
+  if (!has(v, "detachVertex")) return false;
   const EdgeSet edges = v->edges();
   for (Edge* e : edges) {
     for (size_t i = 0; i < e->vertices().size(); ++i) {
@@ -131,7 +163,7 @@ bool HyperGraph::detachVertex(Vertex* v) {
 }
 
 bool HyperGraph::removeVertex(Vertex* v, bool detach) {
-  if (v == nullptr || vertex(v->id()) != v) return false;
+  if (!has(v, "removeVertex")) return false;
   if (detach) detachVertex(v);
   const EdgeSet edges = v->edges();
   for (Edge* e : edges) removeEdge(e);
@@ -141,7 +173,10 @@ bool HyperGraph::removeVertex(Vertex* v, bool detach) {
 }
 
 bool HyperGraph::removeEdge(Edge* e) {
-  if (_edges.erase(e) == 0) return false;
+  if (_edges.erase(e) == 0) {
+    G2O_ERROR("removeEdge: expected an edge of the graph");
+    return false;
+  }
   for (Vertex* v : e->vertices()) {
     if (v != nullptr) v->edges().erase(e);
   }

@@ -2,6 +2,7 @@
 #include "g2o/core/hyper_graph_action.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "g2o/core/optimizable_graph.h"
@@ -40,27 +41,36 @@ HyperGraphElementActionCollection::HyperGraphElementActionCollection(const std::
 
 HyperGraphElementAction* HyperGraphElementActionCollection::operator()(HyperGraph::HyperGraphElement* element,
                                                                        Parameters* parameters) {
+  if (element == nullptr) return nullptr;
   const auto found = _actionMap.find(typeid(*element).name());
   return found == _actionMap.end() ? nullptr : (*found->second)(element, parameters);
 }
 
 HyperGraphElementAction* HyperGraphElementActionCollection::operator()(
     const HyperGraph::HyperGraphElement* element, Parameters* parameters) {
+  if (element == nullptr) return nullptr;
   const auto found = _actionMap.find(typeid(*element).name());
   return found == _actionMap.end() ? nullptr : (*found->second)(element, parameters);
 }
 
 bool HyperGraphElementActionCollection::registerAction(const HyperGraphElementActionPtr& action) {
   if (action == nullptr || action->name() != name()) return false;
-  _actionMap[action->typeName()] = action;
+  HyperGraphElementActionPtr& current = _actionMap[action->typeName()];
+  if (current != nullptr && current != action) shadowed_.put(action->typeName(), current);
+  current = action;
   return true;
 }
 
 bool HyperGraphElementActionCollection::unregisterAction(const HyperGraphElementActionPtr& action) {
   if (action == nullptr) return false;
+  if (shadowed_.remove(action)) return true;
   const auto found = _actionMap.find(action->typeName());
   if (found == _actionMap.end() || found->second != action) return false;
-  _actionMap.erase(found);
+  if (auto hidden = shadowed_.take(action->typeName())) {
+    found->second = std::move(hidden);
+  } else {
+    _actionMap.erase(found);
+  }
   return true;
 }
 

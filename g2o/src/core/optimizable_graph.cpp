@@ -86,7 +86,11 @@ const OptimizableGraph* OptimizableGraph::Edge::graph() const {
 }
 
 bool OptimizableGraph::Edge::setParameterId(int argNum, int paramId) {
-  if (argNum < 0 || static_cast<size_t>(argNum) >= _parameters.size() || paramId < 0) return false;
+  if (argNum < 0 || static_cast<size_t>(argNum) >= _parameters.size() || paramId < 0) {
+    G2O_ERROR("setParameterId: expected one of {} parameters and an id, got {} and {}", _parameters.size(),
+              argNum, paramId);
+    return false;
+  }
   _parameterIds[static_cast<size_t>(argNum)] = paramId;
   return true;
 }
@@ -236,6 +240,12 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
   if (!_edges.insert(e).second) return false;
   for (OptimizableGraph::Vertex* v : assigned) v->edges().insert(e);
   e->_internalId = _nextEdgeId++;
+  return true;
+}
+
+bool OptimizableGraph::changeId(HyperGraph::Vertex* v, int newId) {
+  if (!HyperGraph::changeId(v, newId)) return false;
+  as_vertex(v)->addedAs_ = newId;
   return true;
 }
 

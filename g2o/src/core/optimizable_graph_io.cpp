@@ -29,8 +29,9 @@ class Loader {
       : graph_(graph), renames_(renames) {}
 
   bool load(std::istream& is) {
+    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
     for (std::string line; std::getline(is, line);) {
-      ++number_;
+      if (++number_ == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, 3);
       read_line(line, true);
     }
     if (is.bad()) {
@@ -43,13 +44,14 @@ class Loader {
       read_line(line, false);
     }
     report_unknown_words();
-    return ok_;
+    if (complaints_ > kComplaints) G2O_ERROR("{} more lines cannot be read", complaints_ - kComplaints);
+    return complaints_ == 0;
   }
 
  private:
   template <class... Arguments>
   void complain(const char* format, const Arguments&... arguments) {
-    ok_ = false;
+    if (++complaints_ > kComplaints) return;
     std::ostringstream text;
     logging::internal::append(text, format, arguments...);
     G2O_ERROR("line {}: {}", number_, text.str());
@@ -264,7 +266,8 @@ class Loader {
   HyperGraph::DataContainer* last_ = nullptr;
   HyperGraph::Data* last_data_ = nullptr;
   int number_ = 0;
-  bool ok_ = true;
+  static constexpr int kComplaints = 20;  // that are shown
+  int complaints_ = 0;
 };
 
 /// The word of an element; empty, with a message, where its type is not registered.
@@ -272,6 +275,17 @@ const std::string& tag_of(const HyperGraph::HyperGraphElement* element) {
   const std::string& tag = Factory::instance()->tag(element);
   if (tag.empty()) G2O_ERROR("save: no word is registered for the type {}", typeid(*element).name());
   return tag;
+}
+
+/// Saves until nothing more can be written; false where something was not.
+template <class Elements, class Save>
+bool save_all(const std::ostream& os, const Elements& elements, Save save) {
+  bool ok = true;
+  for (auto* element : elements) {
+    if (!os.good()) return false;
+    ok = save(element) && ok;
+  }
+  return ok;
 }
 
 /// What an element's write() said; a message where that was false.
@@ -330,8 +344,8 @@ bool OptimizableGraph::save(std::ostream& os, int level) const {
       if (v != nullptr) vertices.insert(static_cast<Vertex*>(v));
   }
   bool ok = _parameters.write(os);
-  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
-  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  ok = save_all(os, vertices, [&](Vertex* v) { return saveVertex(os, v); }) && ok;
+  ok = save_all(os, edges, [&](Edge* e) { return saveEdge(os, e); }) && ok;
   return ok && os.good();
 }
 
@@ -347,8 +361,8 @@ bool OptimizableGraph::saveSubset(std::ostream& os, HyperGraph::VertexSet& vset,
       edges.push_back(e);
   }
   std::sort(edges.begin(), edges.end(), EdgeIDCompare());
-  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
-  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  ok = save_all(os, vertices, [&](Vertex* v) { return saveVertex(os, v); }) && ok;
+  ok = save_all(os, edges, [&](Edge* e) { return saveEdge(os, e); }) && ok;
   return ok && os.good();
 }
 
@@ -362,8 +376,8 @@ bool OptimizableGraph::saveSubset(std::ostream& os, HyperGraph::EdgeSet& eset) {
       if (v != nullptr) vertices.insert(static_cast<Vertex*>(v));
   }
   std::sort(edges.begin(), edges.end(), EdgeIDCompare());
-  for (Vertex* v : vertices) ok = saveVertex(os, v) && ok;
-  for (Edge* e : edges) ok = saveEdge(os, e) && ok;
+  ok = save_all(os, vertices, [&](Vertex* v) { return saveVertex(os, v); }) && ok;
+  ok = save_all(os, edges, [&](Edge* e) { return saveEdge(os, e); }) && ok;
   return ok && os.good();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/pushed_estimates.h"
 #include "g2o/core/sparse_optimizer.h"
+#include "g2o/stuff/logger.h"
 
 namespace g2o {
 
@@ -24,6 +25,15 @@ OptimizationAlgorithmDogleg::OptimizationAlgorithmDogleg(BlockSolverBase* solver
     : OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase>(solver)) {}
 
 OptimizationAlgorithmDogleg::~OptimizationAlgorithmDogleg() = default;
+
+bool OptimizationAlgorithmDogleg::init(bool online) {
+  if (_userDeltaInit->value() > 0 && _initialLambda->value() > 0 && _lamdbaFactor->value() > 1)
+    return OptimizationAlgorithmWithHessian::init(online);
+  G2O_ERROR(
+      "dogleg: expected initialDelta and initialLambda above 0 and lambdaFactor above 1, got {}, {} and {}",
+      _userDeltaInit->value(), _initialLambda->value(), _lamdbaFactor->value());
+  return false;
+}
 
 /// The Gauss-Newton step; where H is not positive definite, that of H + λI with a λ that makes it so.
 bool OptimizationAlgorithmDogleg::solveGaussNewton() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <ostream>
+#include <utility>
 
 #include "g2o/stuff/logger.h"
 
@@ -39,8 +40,11 @@ void OptimizationAlgorithmFactory::destroy() {
 void OptimizationAlgorithmFactory::registerSolver(
     const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
   if (c == nullptr) return;
-  const auto found = findSolver(c->property().name);
-  if (found != _creator.end()) _creator.erase(found);
+  const std::string& name = c->property().name;
+  if (const auto found = findSolver(name); found != _creator.end()) {
+    shadowed_.put(name, *found);
+    _creator.erase(found);
+  }
   _creator.push_back(c);
 }
 
@@ -50,7 +54,14 @@ void OptimizationAlgorithmFactory::registerSolver(AbstractOptimizationAlgorithmC
 
 void OptimizationAlgorithmFactory::unregisterSolver(
     const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
-  _creator.remove(c);
+  if (c == nullptr || shadowed_.remove(c)) return;
+  const auto found = std::find(_creator.begin(), _creator.end(), c);
+  if (found == _creator.end()) return;
+  if (auto hidden = shadowed_.take(c->property().name)) {
+    *found = std::move(hidden);
+  } else {
+    _creator.erase(found);
+  }
 }
 
 OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(

@@ -2,13 +2,36 @@
 #include "g2o/core/optimization_algorithm_with_hessian.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <typeinfo>
 
 #include "core/absent_solver.h"
+#include "g2o/core/factory.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/timeutil.h"
 
 namespace g2o {
+namespace {
+
+/// Whether the gradient is; where it is not, says which edge's error is to blame.
+bool is_finite(const Solver& solver, const SparseOptimizer& optimizer) {
+  const auto size = static_cast<Eigen::Index>(solver.vectorSize());
+  if (solver.b() == nullptr || Eigen::Map<const VectorX>(solver.b(), size).allFinite()) return true;
+  for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
+    if (std::isfinite(e->chi2())) continue;
+    std::string name = Factory::instance()->tag(e);
+    if (name.empty()) name = typeid(*e).name();
+    for (const HyperGraph::Vertex* v : e->vertices()) name += " " + std::to_string(v->id());
+    G2O_ERROR("the error of the edge {} is not finite", name);
+    return false;
+  }
+  G2O_ERROR("the derivatives of an error are not finite");
+  return false;
+}
+
+}  // namespace
 
 OptimizationAlgorithmWithHessian::OptimizationAlgorithmWithHessian(Solver& solver)
     : _solver(solver), _writeDebug(_properties.makeProperty<Property<bool>>("writeDebug", true)) {}
@@ -64,7 +87,7 @@ bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
   }
   const internal::AddedTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
   _solver.buildSystem();
-  return true;
+  return is_finite(_solver, *_optimizer);
 }
 
 bool OptimizationAlgorithmWithHessian::solveSystem() {

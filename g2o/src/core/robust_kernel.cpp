@@ -136,7 +136,13 @@ void RobustKernelFactory::destroy() {
 
 void RobustKernelFactory::registerRobustKernel(const std::string& tag,
                                                const AbstractRobustKernelCreator::Ptr& c) {
-  _creator[tag] = c;
+  if (c == nullptr) {
+    G2O_ERROR("registerRobustKernel: expected a creator for {}, got nullptr", tag);
+    return;
+  }
+  AbstractRobustKernelCreator::Ptr& current = _creator[tag];
+  if (current != nullptr && current != c) shadowed_.put(tag, current);
+  current = c;
 }
 
 void RobustKernelFactory::registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c) {
@@ -144,7 +150,19 @@ void RobustKernelFactory::registerRobustKernel(const std::string& tag, AbstractR
 }
 
 void RobustKernelFactory::unregisterType(const std::string& tag) {
+  while (shadowed_.take(tag) != nullptr) continue;
   _creator.erase(tag);
+}
+
+void RobustKernelFactory::unregisterType(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c) {
+  const auto found = _creator.find(tag);
+  if (found == _creator.end() || found->second != c) {
+    shadowed_.remove(c);
+  } else if (auto hidden = shadowed_.take(tag)) {
+    found->second = std::move(hidden);
+  } else {
+    _creator.erase(found);
+  }
 }
 
 RobustKernel* RobustKernelFactory::construct(const std::string& tag) const {
@@ -165,3 +183,16 @@ void RobustKernelFactory::fillKnownKernels(std::vector<std::string>& types) cons
 }
 
 }  // namespace g2o
+
+// What G2O_USE_ROBUST_KERNEL(classname) asks for.
+extern "C" {
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelHuber(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelPseudoHuber(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelCauchy(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelGemanMcClure(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelWelsch(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelFair(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelTukey(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelSaturated(void) {}
+G2O_API_EXPORT void g2o_robust_kernel_RobustKernelDCS(void) {}
+}

@@ -119,6 +119,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     return -1;
   }
   own_stop_flag_ = false;
+  sizeWorkspace();
   _batchStatistics.clear();
   const StatisticsScope scope;
   OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;
@@ -313,6 +314,10 @@ void SparseOptimizer::computeActiveErrors() {
 }
 
 void SparseOptimizer::update(const double* update) {
+  if (update == nullptr) {
+    G2O_ERROR("update: expected a step, got nullptr");
+    return;
+  }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   const internal::AddedTime time(statistics ? &statistics->timeUpdate : nullptr);
   for (OptimizableGraph::Vertex* v : _ivMap) {

@@ -19,11 +19,9 @@ HyperGraphAction* SparseOptimizerTerminateAction::operator()(const HyperGraph* g
   }
   optimizer->computeActiveErrors();
   const double chi2 = optimizer->activeRobustChi2();
-  if (iteration->iteration == 0) {
-    setOptimizerStopFlag(optimizer, false);
-  } else {
+  if (iteration->iteration > 0) {
     const double gain = (_lastChi - chi2) / chi2;
-    const bool converged = (gain >= 0 && gain <= _gainThreshold) || chi2 == 0;
+    const bool converged = (gain >= 0 && gain < _gainThreshold) || chi2 == 0;
     if (converged || iteration->iteration >= _maxIterations) setOptimizerStopFlag(optimizer, true);
   }
   _lastChi = chi2;

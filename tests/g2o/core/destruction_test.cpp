@@ -47,8 +47,7 @@ TEST_F(Destruction, AfterClearTheSolverKnowsNoVertexAnyMore) {
   g2o::SparseBlockMatrix<g2o::MatrixX> spinv;
   const std::vector<std::pair<int, int>> first{{0, 0}};
   EXPECT_FALSE(optimizer.computeMarginals(spinv, first));
-  ASSERT_TRUE(algorithm->computeMarginals(spinv, first)) << "of the last linearisation";
-  EXPECT_EQ(spinv.block(0, 0)->rows(), 3);
+  EXPECT_FALSE(algorithm->computeMarginals(spinv, first));
   EXPECT_FALSE(algorithm->solver().buildSystem());
   EXPECT_FALSE(algorithm->solver().solve());
   EXPECT_EQ(optimizer.optimize(1), -1);

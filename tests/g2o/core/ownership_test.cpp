@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -189,7 +190,70 @@ TEST_F(Misuse, WithoutInitialisationAlgorithmOrLinearSolverNothingIsOptimised) {
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
       new g2o::BlockSolverX(static_cast<g2o::BlockSolverX::LinearSolverType*>(nullptr))));
   EXPECT_EQ(optimizer.optimize(1), -1);
-  expect_message("could not be initialised");
+  expect_message("the block solver has no linear solver");
+}
+
+TEST_F(Misuse, WhatIsNotInTheGraphOrNotInTheEdgeIsNamed) {
+  add_square(optimizer);
+  g2o::VertexSE2 v;
+  g2o::EdgeSE2 e;
+  EXPECT_FALSE(optimizer.removeVertex(&v));
+  expect_message("removeVertex: expected a vertex of the graph");
+  EXPECT_FALSE(optimizer.removeEdge(&e));
+  expect_message("removeEdge: expected an edge of the graph");
+  EXPECT_FALSE(optimizer.changeId(optimizer.vertex(1), 2));
+  expect_message("changeId: the id 2 is taken");
+  e.setVertex(5, &v);
+  expect_message("setVertex: the edge has 2 vertices, got the position 5");
+  EXPECT_FALSE(e.setParameterId(7, 3));
+  expect_message("setParameterId: expected one of 0 parameters");
+  optimizer.update(nullptr);
+  expect_message("update: expected a step");
+  EXPECT_EQ((*g2o::HyperGraphActionLibrary::instance()->actionByName("draw"))(
+                static_cast<g2o::HyperGraph::HyperGraphElement*>(nullptr), nullptr),
+            nullptr);
+}
+
+TEST_F(Misuse, AnErrorThatIsNoNumberIsNamedByItsEdge) {
+  for (g2o::OptimizationAlgorithm* algorithm : std::initializer_list<g2o::OptimizationAlgorithm*>{
+           new g2o::OptimizationAlgorithmGaussNewton(make_solver()),
+           new g2o::OptimizationAlgorithmLevenberg(make_solver()),
+           new g2o::OptimizationAlgorithmDogleg(make_solver())}) {
+    optimizer.clear();
+    add_square(optimizer);
+    auto* e = static_cast<g2o::EdgeSE2*>(*optimizer.vertex(2)->edges().begin());
+    e->setMeasurement(g2o::SE2(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+    optimizer.setAlgorithm(algorithm);
+    ASSERT_TRUE(optimizer.initializeOptimization());
+    EXPECT_EQ(optimizer.optimize(3), 0);
+    EXPECT_EQ(messages.size(), 1u);
+    expect_message("the error of the edge EDGE_SE2 " + std::to_string(e->vertex(0)->id()) + " " +
+                   std::to_string(e->vertex(1)->id()) + " is not finite");
+  }
+}
+
+TEST_F(Misuse, PropertiesThatMakeNoSenseAreRefusedByDogleg) {
+  add_square(optimizer);
+  for (const char* text : {"initialDelta=0", "initialLambda=-1", "lambdaFactor=0"}) {
+    auto* dogleg = new g2o::OptimizationAlgorithmDogleg(make_solver());
+    optimizer.setAlgorithm(dogleg);
+    EXPECT_TRUE(dogleg->updatePropertiesFromString(text));
+    ASSERT_TRUE(optimizer.initializeOptimization());
+    EXPECT_EQ(optimizer.optimize(1), -1);
+    expect_message("dogleg: expected initialDelta and initialLambda above 0");
+  }
+}
+
+TEST_F(Misuse, VerticesOfDifferentTypesAreNotMerged) {
+  add_square(optimizer);
+  auto* point = new g2o::VertexPointXY;
+  point->setId(50);
+  ASSERT_TRUE(optimizer.addVertex(point));
+  EXPECT_FALSE(optimizer.mergeVertices(point, optimizer.vertex(2), true));
+  expect_message("the edge was made for vertices of other types");
+  EXPECT_EQ(optimizer.edges().size(), 4u);
+  EXPECT_EQ(optimizer.vertex(2)->edges().size(), 2u);
+  EXPECT_TRUE(point->edges().empty());
 }
 
 TEST_F(Misuse, AnAlgorithmWithoutASolverCannotBeInitialised) {

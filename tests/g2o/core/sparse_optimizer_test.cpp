@@ -9,6 +9,7 @@
 #include "g2o/core/optimization_algorithm_dogleg.h"
 #include "g2o/core/robust_kernel_impl.h"
 #include "g2o/core/small_graph.h"
+#include "g2o/core/sparse_optimizer_terminate_action.h"
 
 namespace {
 
@@ -200,6 +201,59 @@ TEST_F(Optimizer, StatisticsTellOfEveryIteration) {
   EXPECT_TRUE(optimizer.computeMarginals(inverse, optimizer.vertex(1)));
   EXPECT_GT(optimizer.batchStatistics().back().timeMarginals, 0);
   EXPECT_NEAR(optimizer.batchStatistics().back().chi2, optimizer.activeChi2(), 1e-12);
+}
+
+TEST_F(Optimizer, AStopInTheFirstIterationEndsTheRunBesideATerminateAction) {
+  add_square(optimizer);
+  use_gauss_newton();
+  bool stop = false;
+  g2o::SparseOptimizerTerminateAction terminate;
+  terminate.setGainThreshold(-1);
+  optimizer.setForceStopFlag(&stop);
+  optimizer.addPostIterationAction(&terminate);
+  struct Raise : g2o::HyperGraphAction {
+    bool* stop = nullptr;
+    g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters* parameters) override {
+      const auto* iteration = dynamic_cast<const ParametersIteration*>(parameters);
+      if (iteration != nullptr && iteration->iteration == 0) *stop = true;
+      return this;
+    }
+  } raise;
+  raise.stop = &stop;
+  optimizer.addPreIterationAction(&raise);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(20), 1);
+}
+
+TEST_F(Optimizer, MarginalsAreNotThoseOfAnotherStructure) {
+  add_square(optimizer);
+  use_gauss_newton();
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  optimizer.optimize(5);
+  g2o::SparseBlockMatrix<g2o::MatrixX> marginals;
+  EXPECT_TRUE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
+  optimizer.vertex(1)->setFixed(true);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
+  optimizer.optimize(1);
+  EXPECT_TRUE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
+}
+
+TEST_F(Optimizer, AnActiveVertexIsFoundByItsNewId) {
+  add_square(optimizer);
+  use_gauss_newton();
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  optimizer.optimize(1);
+  g2o::OptimizableGraph::Vertex* v = optimizer.vertex(1);
+  ASSERT_TRUE(optimizer.changeId(v, 100));
+  EXPECT_FALSE(optimizer.addVertex(v));
+  g2o::HyperGraph::VertexSet vertices{v};
+  g2o::HyperGraph::EdgeSet edges;
+  EXPECT_TRUE(optimizer.updateInitialization(vertices, edges));
+  EXPECT_EQ(std::count(optimizer.activeVertices().begin(), optimizer.activeVertices().end(), v), 1);
+  EXPECT_TRUE(optimizer.removeVertex(v));
+  EXPECT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(1), 1);
 }
 
 TEST_F(Optimizer, MarginalsAreTheInverseOfTheHessianWithoutDamping) {

@@ -16,3 +16,4 @@ fi
 "$cmake" --build "$work/build"
 "$work/build/consumer"
 "$work/build/old_consumer"
+"$cmake" -S "$consumer" -B "$work/by_folder" -G Ninja -Dg2o_DIR="$work/moved/lib/cmake/g2o" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null

@@ -36,11 +36,21 @@ cp "$types" "$work/installed/lib"
 rm "$work/installed/lib/$(basename "$types")"
 [[ -z $(run) ]] && grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"
 
-"$compiler" -std=c++17 -shared -fPIC -DEIGEN_MAX_ALIGN_BYTES=32 -I "$work/installed/include" -isystem /usr/include/eigen3 \
-  "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
-run -typeslib "$work/other_types_abi.so" > /dev/null || true
-grep -q "cannot be loaded.*g2o_abi_1_32" "$work/err.txt"
-grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"  # and it goes on
+[[ $(G2O_TYPES_DIR="$work/build" G2O_SOLVER_DIR="$work" G2O_SOLVERS_DIR="$work/build" run -solver lm_ldlt) == "$expected" ]]
+G2O_TYPES_DIR="$work/nowhere" run > /dev/null
+grep -q "G2O_TYPES_DIR: there is no folder $work/nowhere" "$work/err.txt"
+
+refuses() { # SYMBOL FLAGS...
+  "$compiler" -std=c++17 -shared -fPIC "${@:2}" -I "$work/installed/include" -isystem /usr/include/eigen3 \
+    "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
+  run -typeslib "$work/other_types_abi.so" > /dev/null || true
+  grep -q "cannot be loaded.*$1" "$work/err.txt"
+  grep -q "unknown word .VERTEX_BEACON" "$work/err.txt" # and it goes on
+}
+refuses g2o_abi_1_32 -DEIGEN_MAX_ALIGN_BYTES=32
+refuses g2o_abi_1_16_static_0 -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=0
+refuses g2o_abi_1_16_row_major -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_DEFAULT_TO_ROW_MAJOR
+refuses g2o_abi_1_16_debug_containers -DEIGEN_MAX_ALIGN_BYTES=16 -D_GLIBCXX_DEBUG
 sed 's/EDGE_RANGE 0 3 5/EDGE_RANGE 0 3 five/' "$work/beacon.g2o" > "$work/broken.g2o"
 if "$tool" -typeslib "$types" "$work/broken.g2o" 2> "$work/err.txt"; then exit 1; fi
 grep -q "line 6: EDGE_RANGE: expected a number, got 'five'" "$work/err.txt"

@@ -30,9 +30,14 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
   using HessianBlockType = Eigen::Map<MatrixX>;
 
   void resize(size_t size) override {
+    const bool same = size == _vertices.size() && size == _jacobianOplus.size();
     BaseEdge<D, E>::resize(size);
-    _hessian.assign(size * (size - (size > 0 ? 1 : 0)) / 2, HessianHelper());
-    _jacobianOplus.assign(size, JacobianType(nullptr, D > 0 ? D : 0, 0));
+    if (same) return;
+    // Maps are made anew: to assign to one would copy the numbers.
+    _hessian.clear();
+    _hessian.resize(size * (size - (size > 0 ? 1 : 0)) / 2);
+    _jacobianOplus.clear();
+    _jacobianOplus.resize(size, JacobianType(nullptr, D > 0 ? D : 0, 0));
   }
 
   bool allVerticesFixed() const override {

@@ -76,11 +76,7 @@ class BlockSolver : public BlockSolverBase {
   /// As clients of old write it.
   explicit BlockSolver(LinearSolverType* linearSolver) : _linearSolver(linearSolver) {}
 
-  bool init(SparseOptimizer* optimizer, bool online = false) override {
-    this->_optimizer = optimizer;
-    lambda_ = 0;
-    return _linearSolver != nullptr && (online || _linearSolver->init());
-  }
+  bool init(SparseOptimizer* optimizer, bool online = false) override;
   bool buildStructure(bool zeroBlocks = false) override;
   /// Lays everything out anew: what is not new costs little beside a factorisation. Where nothing was laid
   /// out yet, the next optimize() does.
@@ -96,9 +92,7 @@ class BlockSolver : public BlockSolverBase {
   }
   bool solve() override;
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
-                        const std::vector<std::pair<int, int>>& blockIndices) override {
-    return engine_.hasStructure() && engine_.inverse(blockIndices, spinv);
-  }
+                        const std::vector<std::pair<int, int>>& blockIndices) override;
   bool setLambda(double lambda, bool = false) override {
     lambda_ = lambda;
     return true;

@@ -9,6 +9,24 @@
 namespace g2o {
 
 template <typename Traits>
+bool BlockSolver<Traits>::init(SparseOptimizer* optimizer, bool online) {
+  this->_optimizer = optimizer;
+  lambda_ = 0;
+  if (_linearSolver != nullptr) return online || _linearSolver->init();
+  G2O_ERROR("the block solver has no linear solver");
+  return false;
+}
+
+template <typename Traits>
+bool BlockSolver<Traits>::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
+                                           const std::vector<std::pair<int, int>>& blockIndices) {
+  if (this->_optimizer != nullptr && engine_.isCurrent(*this->_optimizer))
+    return engine_.inverse(blockIndices, spinv);
+  G2O_ERROR("computeMarginals: what takes part has changed since it was linearised: optimize() first");
+  return false;
+}
+
+template <typename Traits>
 bool BlockSolver<Traits>::buildStructure(bool) {
   if (this->_optimizer == nullptr || this->_optimizer->indexMapping().empty()) return false;
   for (const OptimizableGraph::Vertex* v : this->_optimizer->indexMapping()) {

@@ -11,12 +11,15 @@
 #include "g2o/core/creators.h"
 #include "g2o/core/g2o_core_api.h"
 #include "g2o/core/hyper_graph.h"
+#include "g2o/core/shadowed.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/misc.h"
 
 namespace g2o {
 
-/// One word per type. Registering a word again, or a type under a second word, is refused with a message.
+/// One word per type. Registering another type under a word that is taken, or a type under a second word, is
+/// refused with a message. The same once more, as by another copy of a library, counts when the first is
+/// taken back.
 class G2O_CORE_API Factory {
  public:
   static Factory* instance();
@@ -26,6 +29,8 @@ class G2O_CORE_API Factory {
   /// As clients of old write it; takes ownership.
   void registerType(const std::string& tag, AbstractHyperGraphElementCreator* c);
   void unregisterType(const std::string& tag);
+  /// Takes back what was registered with this creator, and nothing else (not in g2o).
+  void unregisterType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
   /// A new element, which is the caller's; nullptr where the word is unknown, or stands for an element of a
   /// kind that `elemsToConstruct` does not have.
   HyperGraph::HyperGraphElement* construct(const std::string& tag) const;
@@ -51,20 +56,25 @@ class G2O_CORE_API Factory {
 
   CreatorMap _creator;   ///< by word
   TagLookup _tagLookup;  ///< from typeid(T).name() to the word
+
+ private:
+  internal::Shadowed<AbstractHyperGraphElementCreator> shadowed_;
 };
 
 template <typename T>
 class RegisterTypeProxy {
  public:
-  explicit RegisterTypeProxy(const std::string& name) : _name(name) {
-    Factory::instance()->registerType(_name, std::make_shared<HyperGraphElementCreator<T>>());
+  explicit RegisterTypeProxy(const std::string& name)
+      : _name(name), _creator(std::make_shared<HyperGraphElementCreator<T>>()) {
+    Factory::instance()->registerType(_name, _creator);
   }
-  ~RegisterTypeProxy() { Factory::instance()->unregisterType(_name); }
+  ~RegisterTypeProxy() { Factory::instance()->unregisterType(_name, _creator); }
   RegisterTypeProxy(const RegisterTypeProxy&) = delete;
   RegisterTypeProxy& operator=(const RegisterTypeProxy&) = delete;
 
  private:
   std::string _name;
+  std::shared_ptr<AbstractHyperGraphElementCreator> _creator;
 };
 
 namespace internal {

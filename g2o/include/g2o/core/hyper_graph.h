@@ -125,7 +125,7 @@ class G2O_CORE_API HyperGraph {
     const Vertex* vertex(size_t i) const { return _vertices[i]; }
     Vertex* vertex(size_t i) { return _vertices[i]; }
     /// Only for edges that are in no graph; see HyperGraph::setEdgeVertex().
-    void setVertex(size_t i, Vertex* v) { _vertices[i] = v; }
+    void setVertex(size_t i, Vertex* v);
     int id() const { return _id; }
     void setId(int id) { _id = id; }
     HyperGraphElementType elementType() const override { return HGET_EDGE; }
@@ -163,7 +163,8 @@ class G2O_CORE_API HyperGraph {
   virtual bool addEdge(Edge* e);
   /// Lets position `pos` of an edge be `v`, which may be nullptr.
   virtual bool setEdgeVertex(Edge* e, int pos, Vertex* v);
-  /// Hands the edges of `small` to `big`; edges between the two are removed. `erase` removes `small`.
+  /// Hands the edges of `small` to `big`; edges between the two are removed. `erase` removes `small`. False,
+  /// and nothing is changed, where an edge cannot take `big`.
   virtual bool mergeVertices(Vertex* big, Vertex* small, bool erase);
   /// Puts nothing in the place of `v` in all its edges.
   virtual bool detachVertex(Vertex* v);
@@ -173,6 +174,10 @@ class G2O_CORE_API HyperGraph {
  protected:
   VertexIDMap _vertices;
   EdgeSet _edges;
+
+ private:
+  /// Whether the graph has `v`; a message of the caller where it has not.
+  bool has(const Vertex* v, const char* caller) const;
 };
 
 }  // namespace g2o

@@ -12,6 +12,7 @@
 
 #include "g2o/core/drawing.h"
 #include "g2o/core/hyper_graph.h"
+#include "g2o/core/shadowed.h"
 #include "g2o/stuff/property.h"
 
 namespace g2o {
@@ -73,12 +74,15 @@ class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementA
   HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
                                       Parameters* parameters) override;
   ActionMap& actionMap() { return _actionMap; }
-  /// False where the name is another.
+  /// False where the name is another. An action for a type that has one replaces it, until it is taken back.
   bool registerAction(const HyperGraphElementActionPtr& action);
   bool unregisterAction(const HyperGraphElementActionPtr& action);
 
  protected:
   ActionMap _actionMap;
+
+ private:
+  internal::Shadowed<HyperGraphElementAction> shadowed_;
 };
 
 /// All registered actions.

@@ -351,6 +351,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   /// False, and nothing changes, where the vertex is in the edge already, is not in the graph or not of the
   /// type that the edge needs, or where a parameter is missing.
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
+  bool changeId(HyperGraph::Vertex* v, int newId) override;
 
   /// Σ ρ-free eᵀΩe over all edges, of the errors as last computed.
   double chi2() const;

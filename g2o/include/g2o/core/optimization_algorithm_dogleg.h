@@ -18,6 +18,8 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   explicit OptimizationAlgorithmDogleg(BlockSolverBase* solver);
   ~OptimizationAlgorithmDogleg() override;
 
+  /// False, with a message, where a property makes no sense.
+  bool init(bool online = false) override;
   SolverResult solve(int iteration, bool online = false) override;
   void printVerbose(std::ostream& os) const override;
 

@@ -9,6 +9,7 @@
 
 #include "g2o/core/optimization_algorithm.h"
 #include "g2o/core/optimization_algorithm_property.h"
+#include "g2o/core/shadowed.h"
 #include "g2o/stuff/misc.h"
 
 namespace g2o {
@@ -32,7 +33,7 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   static OptimizationAlgorithmFactory* instance();
   static void destroy();
 
-  /// A creator of a name that is there replaces the one before.
+  /// A creator of a name that is there replaces the one before, until it is taken back.
   void registerSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
   void registerSolver(AbstractOptimizationAlgorithmCreator* c);
   void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
@@ -49,6 +50,9 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   CreatorList::iterator findSolver(const std::string& name);
 
   CreatorList _creator;
+
+ private:
+  internal::Shadowed<AbstractOptimizationAlgorithmCreator> shadowed_;
 };
 
 class RegisterOptimizationAlgorithmProxy {

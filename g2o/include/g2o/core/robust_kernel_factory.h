@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "g2o/core/robust_kernel.h"
+#include "g2o/core/shadowed.h"
 #include "g2o/stuff/misc.h"
 
 namespace g2o {
@@ -30,10 +31,13 @@ class G2O_CORE_API RobustKernelFactory {
   static RobustKernelFactory* instance();
   static void destroy();
 
+  /// A creator of a name that is there replaces the one before, until it is taken back.
   void registerRobustKernel(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
   /// As clients of old write it; takes ownership.
   void registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c);
   void unregisterType(const std::string& tag);
+  /// Takes back what was registered with this creator, and nothing else (not in g2o).
+  void unregisterType(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
   /// A new kernel, which is the caller's, or nullptr where the name is unknown.
   RobustKernel* construct(const std::string& tag) const;
   AbstractRobustKernelCreator::Ptr creator(const std::string& tag) const;
@@ -44,19 +48,25 @@ class G2O_CORE_API RobustKernelFactory {
   RobustKernelFactory();
   ~RobustKernelFactory();
   CreatorMap _creator;
+
+ private:
+  internal::Shadowed<AbstractRobustKernelCreator> shadowed_;
 };
 
 template <typename T>
 class RegisterRobustKernelProxy {
  public:
-  explicit RegisterRobustKernelProxy(const std::string& name) : _name(name) {
-    RobustKernelFactory::instance()->registerRobustKernel(
-        _name, AbstractRobustKernelCreator::Ptr(new RobustKernelCreator<T>()));
+  explicit RegisterRobustKernelProxy(const std::string& name)
+      : _name(name), _creator(std::make_shared<RobustKernelCreator<T>>()) {
+    RobustKernelFactory::instance()->registerRobustKernel(_name, _creator);
   }
-  ~RegisterRobustKernelProxy() { RobustKernelFactory::instance()->unregisterType(_name); }
+  ~RegisterRobustKernelProxy() { RobustKernelFactory::instance()->unregisterType(_name, _creator); }
+  RegisterRobustKernelProxy(const RegisterRobustKernelProxy&) = delete;
+  RegisterRobustKernelProxy& operator=(const RegisterRobustKernelProxy&) = delete;
 
  private:
   std::string _name;
+  AbstractRobustKernelCreator::Ptr _creator;
 };
 
 }  // namespace g2o

@@ -78,6 +78,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   bool removeVertex(HyperGraph::Vertex* v, bool detach = false) override;
   bool removeEdge(HyperGraph::Edge* e) override;
+  bool changeId(HyperGraph::Vertex* v, int newId) override;
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
   VertexContainer::const_iterator findActiveVertex(const OptimizableGraph::Vertex* v) const;
   EdgeContainer::const_iterator findActiveEdge(const OptimizableGraph::Edge* e) const;
@@ -152,6 +153,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   internal::EdgeParts& edgeParts();
   bool startOptimization();
+  void sizeWorkspace();
   void forgetInitialization();
   void writeVerboseLine(int iteration, double seconds, double total) const;
 };

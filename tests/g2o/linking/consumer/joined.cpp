@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two copies that the loader has joined work, and go without harm at the end of the program.
+#include <cstdio>
+
+extern "C" double optimum_one();
+extern "C" double optimum_two();
+
+int main() {
+  const double one = optimum_one(), two = optimum_two();
+  std::printf("%.17g %.17g\n", one, two);
+  return one > 0 && one == two ? 0 : 1;
+}
