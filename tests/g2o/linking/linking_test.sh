@@ -14,6 +14,7 @@ rm -rf "$work"
 "$work/build/two_copies" "$work/build/libfirst.so" "$work/build/libsecond.so" "$is_static"
 "$work/build/joined"
 "$work/build/host" "$work/build/libfirst.so"
+if [[ $is_static == 1 ]]; then "$work/build/beside_another"; fi
 if [[ $is_static == 0 ]]; then
   exported=$(objdump -T "$(find "$work/installed" -name libg2o_core.so)" | grep -v UND)
   grep -q "BOXPLUS_G2O_1.*SparseOptimizer8optimize" <<<"$exported"
