@@ -37,7 +37,7 @@ void Factory::registerType(const std::string& tag,
   if (c == nullptr) return;
   if (const auto taken = _creator.find(tag); taken != _creator.end()) {
     if (taken->second->creator->name() == c->name()) {
-      shadowed_.put(tag, c);
+      if (taken->second->creator != c) shadowed_.hide(tag, c);
     } else {
       G2O_ERROR("registerType: the word {} is taken", tag);
     }
@@ -62,7 +62,7 @@ void Factory::registerType(const std::string& tag, AbstractHyperGraphElementCrea
 void Factory::unregisterType(const std::string& tag) {
   const auto found = _creator.find(tag);
   if (found == _creator.end()) return;
-  while (shadowed_.take(tag) != nullptr) continue;
+  shadowed_.forget(tag);
   _tagLookup.erase(found->second->creator->name());
   _creator.erase(found);
 }
@@ -70,13 +70,11 @@ void Factory::unregisterType(const std::string& tag) {
 void Factory::unregisterType(const std::string& tag,
                              const std::shared_ptr<AbstractHyperGraphElementCreator>& c) {
   const auto found = _creator.find(tag);
-  if (found == _creator.end() || found->second->creator != c) {
-    shadowed_.remove(c);
-  } else if (auto hidden = shadowed_.take(tag)) {
-    found->second->creator = std::move(hidden);
-  } else {
-    unregisterType(tag);
-  }
+  if (found == _creator.end()) return;
+  shadowed_.take_back(tag, found->second->creator, c);
+  if (found->second->creator != nullptr) return;
+  _tagLookup.erase(c->name());
+  _creator.erase(found);
 }
 
 HyperGraph::HyperGraphElement* Factory::construct(const std::string& tag) const {

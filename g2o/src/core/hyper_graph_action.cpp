@@ -2,7 +2,6 @@
 #include "g2o/core/hyper_graph_action.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "g2o/core/optimizable_graph.h"
@@ -55,23 +54,17 @@ HyperGraphElementAction* HyperGraphElementActionCollection::operator()(
 
 bool HyperGraphElementActionCollection::registerAction(const HyperGraphElementActionPtr& action) {
   if (action == nullptr || action->name() != name()) return false;
-  HyperGraphElementActionPtr& current = _actionMap[action->typeName()];
-  if (current != nullptr && current != action) shadowed_.put(action->typeName(), current);
-  current = action;
+  shadowed_.replace(action->typeName(), _actionMap[action->typeName()], action);
   return true;
 }
 
 bool HyperGraphElementActionCollection::unregisterAction(const HyperGraphElementActionPtr& action) {
   if (action == nullptr) return false;
-  if (shadowed_.remove(action)) return true;
   const auto found = _actionMap.find(action->typeName());
-  if (found == _actionMap.end() || found->second != action) return false;
-  if (auto hidden = shadowed_.take(action->typeName())) {
-    found->second = std::move(hidden);
-  } else {
-    _actionMap.erase(found);
-  }
-  return true;
+  if (found == _actionMap.end()) return false;
+  const bool taken = shadowed_.take_back(action->typeName(), found->second, action);
+  if (found->second == nullptr) _actionMap.erase(found);
+  return taken;
 }
 
 namespace {

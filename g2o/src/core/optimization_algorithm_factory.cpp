@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <ostream>
-#include <utility>
 
 #include "g2o/stuff/logger.h"
 
@@ -42,10 +41,10 @@ void OptimizationAlgorithmFactory::registerSolver(
   if (c == nullptr) return;
   const std::string& name = c->property().name;
   if (const auto found = findSolver(name); found != _creator.end()) {
-    shadowed_.put(name, *found);
-    _creator.erase(found);
+    shadowed_.replace(name, *found, c);
+  } else {
+    _creator.push_back(c);
   }
-  _creator.push_back(c);
 }
 
 void OptimizationAlgorithmFactory::registerSolver(AbstractOptimizationAlgorithmCreator* c) {
@@ -54,14 +53,11 @@ void OptimizationAlgorithmFactory::registerSolver(AbstractOptimizationAlgorithmC
 
 void OptimizationAlgorithmFactory::unregisterSolver(
     const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c) {
-  if (c == nullptr || shadowed_.remove(c)) return;
-  const auto found = std::find(_creator.begin(), _creator.end(), c);
+  if (c == nullptr) return;
+  const auto found = findSolver(c->property().name);
   if (found == _creator.end()) return;
-  if (auto hidden = shadowed_.take(c->property().name)) {
-    *found = std::move(hidden);
-  } else {
-    _creator.erase(found);
-  }
+  shadowed_.take_back(c->property().name, *found, c);
+  if (*found == nullptr) _creator.erase(found);
 }
 
 OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(

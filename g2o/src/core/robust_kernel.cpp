@@ -140,9 +140,7 @@ void RobustKernelFactory::registerRobustKernel(const std::string& tag,
     G2O_ERROR("registerRobustKernel: expected a creator for {}, got nullptr", tag);
     return;
   }
-  AbstractRobustKernelCreator::Ptr& current = _creator[tag];
-  if (current != nullptr && current != c) shadowed_.put(tag, current);
-  current = c;
+  shadowed_.replace(tag, _creator[tag], c);
 }
 
 void RobustKernelFactory::registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c) {
@@ -150,19 +148,15 @@ void RobustKernelFactory::registerRobustKernel(const std::string& tag, AbstractR
 }
 
 void RobustKernelFactory::unregisterType(const std::string& tag) {
-  while (shadowed_.take(tag) != nullptr) continue;
+  shadowed_.forget(tag);
   _creator.erase(tag);
 }
 
 void RobustKernelFactory::unregisterType(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c) {
   const auto found = _creator.find(tag);
-  if (found == _creator.end() || found->second != c) {
-    shadowed_.remove(c);
-  } else if (auto hidden = shadowed_.take(tag)) {
-    found->second = std::move(hidden);
-  } else {
-    _creator.erase(found);
-  }
+  if (found == _creator.end()) return;
+  shadowed_.take_back(tag, found->second, c);
+  if (found->second == nullptr) _creator.erase(found);
 }
 
 RobustKernel* RobustKernelFactory::construct(const std::string& tag) const {

@@ -2,6 +2,7 @@
 // What another registration of the same name hides.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,31 +16,43 @@ namespace internal {
 template <class T>
 class Shadowed {
  public:
-  void put(const std::string& name, std::shared_ptr<T> hidden) {
-    hidden_.emplace_back(name, std::move(hidden));
+  using Ptr = std::shared_ptr<T>;
+
+  /// Lets `current`, which is registered under the name, be `one`, and hides what it was.
+  void replace(const std::string& name, Ptr& current, const Ptr& one) {
+    if (current == one) return;
+    if (current != nullptr) hide(name, current);
+    current = one;
   }
-  /// The last one put under the name; nullptr where there is none.
-  std::shared_ptr<T> take(const std::string& name) {
-    for (auto at = hidden_.end(); at != hidden_.begin();) {
-      if ((--at)->first != name) continue;
-      std::shared_ptr<T> last = std::move(at->second);
-      hidden_.erase(at);
-      return last;
-    }
-    return nullptr;
-  }
-  /// Takes one back that is hidden; false where it is not.
-  bool remove(const std::shared_ptr<T>& one) {
-    for (auto at = hidden_.begin(); at != hidden_.end(); ++at) {
-      if (at->second != one) continue;
-      hidden_.erase(at);
+  void hide(const std::string& name, const Ptr& one) { hidden_.emplace_back(name, one); }
+  /// Takes `one` back, hidden or current; `current` is then what was hidden last, or nullptr. False where it
+  /// was neither.
+  bool take_back(const std::string& name, Ptr& current, const Ptr& one) {
+    if (current == one) {
+      current = last(name);
       return true;
     }
-    return false;
+    const auto at = std::find(hidden_.begin(), hidden_.end(), std::make_pair(name, one));
+    if (at == hidden_.end()) return false;
+    hidden_.erase(at);
+    return true;
+  }
+  void forget(const std::string& name) {
+    while (last(name) != nullptr) continue;
   }
 
  private:
-  std::vector<std::pair<std::string, std::shared_ptr<T>>> hidden_;
+  Ptr last(const std::string& name) {
+    for (auto at = hidden_.end(); at != hidden_.begin();) {
+      if ((--at)->first != name) continue;
+      Ptr found = std::move(at->second);
+      hidden_.erase(at);
+      return found;
+    }
+    return nullptr;
+  }
+
+  std::vector<std::pair<std::string, Ptr>> hidden_;
 };
 
 }  // namespace internal
