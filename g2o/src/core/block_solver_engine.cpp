@@ -37,7 +37,8 @@ struct BlockSolverEngine::State {
   std::vector<int> reduced_dims;
   std::vector<EngineBlock> reduced_blocks;
   std::vector<double> damped_diagonal;
-  bool ready = false;  // schur and solver are made for the structure
+  bool ready = false;   // schur and solver are made for the structure
+  bool filled = false;  // H is that of a linearisation
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -206,6 +207,7 @@ bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
     return false;
   }
   state_->revision = optimizer.structure_revision_;
+  state_->filled = false;
   optimizer.hessian_memory_ = state_->memory;
   state_->map_vertices(optimizer);
   state_->map_edges(optimizer);
@@ -235,6 +237,11 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
                                             edge.constructQuadraticForm();
                                           });
   for (const OptimizableGraph::Vertex* v : s.vertices) b += v->copyB(b);
+  s.filled = true;
+}
+
+bool BlockSolverEngine::isLinearised(const SparseOptimizer& optimizer) const {
+  return isCurrent(optimizer) && state_->filled;
 }
 
 /// Says which vertex H is not positive definite for.

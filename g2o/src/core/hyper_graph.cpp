@@ -129,7 +129,11 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
 
 // What an edge cannot be given is known before any edge is removed.
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
-  if (big == small || !has(big, "mergeVertices") || !has(small, "mergeVertices")) return false;
+  if (!has(big, "mergeVertices") || !has(small, "mergeVertices")) return false;
+  if (big == small) {
+    G2O_ERROR("mergeVertices: expected two vertices, got {} twice", big->id());
+    return false;
+  }
   std::vector<Edge*> between;
   std::vector<std::pair<Edge*, int>> moved;
   const EdgeSet edges = small->edges();

@@ -35,5 +35,12 @@ void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& ver
   std::copy(before.begin(), before.end(), edge.errorData());
 }
 
+void roomForJacobians(OptimizableGraph::Edge& edge) {
+  OptimizableGraph* graph = edge.graph();
+  if (graph == nullptr) return;
+  graph->jacobianWorkspace().updateSize(&edge);
+  graph->jacobianWorkspace().allocate();
+}
+
 }  // namespace internal
 }  // namespace g2o

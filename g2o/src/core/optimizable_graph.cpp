@@ -246,11 +246,15 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
 bool OptimizableGraph::changeId(HyperGraph::Vertex* v, int newId) {
   if (!HyperGraph::changeId(v, newId)) return false;
   as_vertex(v)->addedAs_ = newId;
+  if (newId < 0) G2O_WARN("changeId: a vertex has the id {}; files cannot hold negative ones", newId);
   return true;
 }
 
 bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
-  if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) return false;
+  if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) {
+    G2O_ERROR("setEdgeVertex: expected an edge and one of its positions, got {}", pos);
+    return false;
+  }
   if (v != nullptr && vertex(v->id()) != v) {
     G2O_ERROR("setEdgeVertex: vertex {} is not in the graph", v->id());
     return false;

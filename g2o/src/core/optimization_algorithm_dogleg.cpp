@@ -92,6 +92,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     _wasPDInAllIterations = true;
   }
   const double chi2 = _optimizer->activeRobustChi2();
+  if (!blameUnless(std::isfinite(chi2))) return Fail;
   findSteepestDescent();
   if (!solveGaussNewton()) return Fail;
   const VectorX gaussNewton = Eigen::Map<const VectorX>(_solver.x(), n);

@@ -29,6 +29,7 @@ OptimizationAlgorithmLevenberg::~OptimizationAlgorithmLevenberg() = default;
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int iteration, bool online) {
   if (!linearize(iteration, online)) return Fail;
   const double chi2 = _optimizer->activeRobustChi2();
+  if (!blameUnless(std::isfinite(chi2))) return Fail;
   if (iteration == 0) {
     _currentLambda = computeLambdaInit();
     _ni = 2;

@@ -15,20 +15,16 @@
 namespace g2o {
 namespace {
 
-/// Whether the gradient is; where it is not, says which edge's error is to blame.
-bool is_finite(const Solver& solver, const SparseOptimizer& optimizer) {
-  const auto size = static_cast<Eigen::Index>(solver.vectorSize());
-  if (solver.b() == nullptr || Eigen::Map<const VectorX>(solver.b(), size).allFinite()) return true;
+/// Says which edge's error is not finite.
+void blame_edge(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (std::isfinite(e->chi2())) continue;
     std::string name = Factory::instance()->tag(e);
     if (name.empty()) name = typeid(*e).name();
     for (const HyperGraph::Vertex* v : e->vertices()) name += " " + std::to_string(v->id());
-    G2O_ERROR("the error of the edge {} is not finite", name);
-    return false;
+    return G2O_ERROR("the error of the edge {} is not finite", name);
   }
   G2O_ERROR("the derivatives of an error are not finite");
-  return false;
 }
 
 }  // namespace
@@ -87,7 +83,14 @@ bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
   }
   const internal::AddedTime time(statistics ? &statistics->timeQuadraticForm : nullptr);
   _solver.buildSystem();
-  return is_finite(_solver, *_optimizer);
+  if (_solver.b() == nullptr) return true;
+  const Eigen::Map<const VectorX> b(_solver.b(), static_cast<Eigen::Index>(_solver.vectorSize()));
+  return blameUnless(b.allFinite());
+}
+
+bool OptimizationAlgorithmWithHessian::blameUnless(bool finite) const {
+  if (!finite) blame_edge(*_optimizer);
+  return finite;
 }
 
 bool OptimizationAlgorithmWithHessian::solveSystem() {

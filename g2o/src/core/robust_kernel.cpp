@@ -178,15 +178,17 @@ void RobustKernelFactory::fillKnownKernels(std::vector<std::string>& types) cons
 
 }  // namespace g2o
 
-// What G2O_USE_ROBUST_KERNEL(classname) asks for.
+// What G2O_USE_ROBUST_KERNEL(classname) asks for; a client may register a class of the same name.
+#define DEFINE_FOR_USE(classname) \
+  G2O_API_EXPORT __attribute__((weak)) void g2o_robust_kernel_##classname(void) {}
 extern "C" {
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelHuber(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelPseudoHuber(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelCauchy(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelGemanMcClure(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelWelsch(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelFair(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelTukey(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelSaturated(void) {}
-G2O_API_EXPORT void g2o_robust_kernel_RobustKernelDCS(void) {}
+DEFINE_FOR_USE(RobustKernelHuber)
+DEFINE_FOR_USE(RobustKernelPseudoHuber)
+DEFINE_FOR_USE(RobustKernelCauchy)
+DEFINE_FOR_USE(RobustKernelGemanMcClure)
+DEFINE_FOR_USE(RobustKernelWelsch)
+DEFINE_FOR_USE(RobustKernelFair)
+DEFINE_FOR_USE(RobustKernelTukey)
+DEFINE_FOR_USE(RobustKernelSaturated)
+DEFINE_FOR_USE(RobustKernelDCS)
 }

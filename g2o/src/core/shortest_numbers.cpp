@@ -27,4 +27,12 @@ ShortestNumbers::ShortestNumbers(std::ostream& os) : to_(os), stream_(nullptr) {
   stream_.rdbuf(os.rdbuf());
 }
 
+ShortestNumbers::~ShortestNumbers() {
+  if (!stream_.bad()) return;
+  try {
+    to_.setstate(std::ios::badbit);
+  } catch (const std::ios::failure&) {  // where the caller wants exceptions: it is bad all the same
+  }
+}
+
 }  // namespace g2o

@@ -119,7 +119,11 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     return -1;
   }
   own_stop_flag_ = false;
-  sizeWorkspace();
+  for (const OptimizableGraph::Edge* e : _activeEdges) {
+    if (e->numUndefinedVertices() == 0) continue;
+    G2O_ERROR("optimize: an edge has lost a vertex since initializeOptimization()");
+    return -1;
+  }
   _batchStatistics.clear();
   const StatisticsScope scope;
   OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;

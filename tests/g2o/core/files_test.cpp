@@ -234,12 +234,21 @@ TEST(Files, AFolderCannotBeOpened) {
 TEST(Files, AFullDiskIsAFailureAndNoCrash) {
   if (!std::ifstream("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::string message;
-  g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { message = said; });
+  int messages = 0;
+  g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) {
+    message = said;
+    ++messages;
+  });
   g2o::SparseOptimizer optimizer;
   small_graph::add_square(optimizer);
   EXPECT_FALSE(optimizer.save("/dev/full"));
-  g2o::logging::setSink({});
   EXPECT_EQ(message, "/dev/full cannot be written");
+  for (int id = 4; id < 5000; ++id) small_graph::add_pose(optimizer, id, id, 0, 0);  // more than a buffer
+  messages = 0;
+  EXPECT_FALSE(optimizer.save("/dev/full"));
+  EXPECT_EQ(message, "/dev/full cannot be written");
+  EXPECT_LE(messages, 3);
+  g2o::logging::setSink({});
 }
 
 }  // namespace

@@ -89,6 +89,34 @@ TEST(ACopyThatGoes, LeavesTheActionOfTheOther) {
   EXPECT_FALSE(is_there());
 }
 
+TEST(ARegistration, ThatIsRepeatedIsTakenBackOnce) {
+  auto* factory = g2o::RobustKernelFactory::instance();
+  using Creator = g2o::RobustKernelCreator<g2o::RobustKernelHuber>;
+  const auto a = std::make_shared<Creator>(), b = std::make_shared<Creator>();
+  for (const auto& creator : {a, a, b, a}) factory->registerRobustKernel("repeated", creator);
+  factory->unregisterType("repeated", a);
+  EXPECT_EQ(factory->creator("repeated"), b);
+  factory->unregisterType("repeated", b);
+  EXPECT_EQ(factory->creator("repeated"), nullptr);
+  const auto own = std::make_shared<OwnAlgorithm>();
+  auto* algorithms = g2o::OptimizationAlgorithmFactory::instance();
+  algorithms->registerSolver(own);
+  algorithms->registerSolver(own);
+  algorithms->unregisterSolver(own);
+  EXPECT_EQ(own.use_count(), 1);
+}
+
+// A class of a client's that is called as one of ours.
+class RobustKernelTukey : public g2o::RobustKernel {
+ public:
+  void robustify(double e2, g2o::Vector3& rho) const override { rho << e2, 1, 0; }
+};
+G2O_REGISTER_ROBUST_KERNEL(OwnTukey, RobustKernelTukey)
+
+TEST(ARegistration, OfAClientsClassMayHaveTheNameOfOneOfOurs) {
+  EXPECT_NE(g2o::RobustKernelFactory::instance()->creator("OwnTukey"), nullptr);
+}
+
 TEST(ACopyThatGoes, LeavesTheKernelOfTheOther) {
   auto* factory = g2o::RobustKernelFactory::instance();
   { const g2o::RegisterRobustKernelProxy<g2o::RobustKernelHuber> copy("Huber"); }

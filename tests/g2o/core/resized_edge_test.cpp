@@ -85,6 +85,27 @@ TEST_F(AResizedEdge, OfMoreVerticesIsOptimisedAgain) {
   expect_a_fit();
 }
 
+TEST_F(AResizedEdge, WithAPlaceThatHasNoVertexIsNotOptimised) {
+  sum->resize(4);
+  for (int id = 0; id < 3; ++id) sum->setVertex(static_cast<size_t>(id), optimizer.vertex(id));
+  EXPECT_EQ(optimizer.optimize(5), -1);
+  EXPECT_FALSE(optimizer.initializeOptimization());
+}
+
+TEST_F(AResizedEdge, OfMoreRowsInTheMiddleOfARunHasRoomForItsDerivatives) {
+  struct Grow : g2o::HyperGraphAction {
+    Sum* sum = nullptr;
+    g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+      sum->setDimension(2 * sum->dimension());
+      return this;
+    }
+  } grow;
+  grow.sum = sum;
+  optimizer.addPreIterationAction(&grow);
+  expect_a_fit();
+  EXPECT_GT(sum->dimension(), 4);
+}
+
 TEST_F(AResizedEdge, OfMoreRowsHasRoomForItsDerivatives) {
   sum->setDimension(2000);
   sum->setInformation(g2o::MatrixX::Identity(2000, 2000));

@@ -22,6 +22,9 @@ struct BaseEdgeTraits {
 G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
                                   double* jacobian);
 
+/// Lets the workspace of the edge's graph be large enough for it.
+G2O_CORE_API void roomForJacobians(OptimizableGraph::Edge& edge);
+
 /// Edges whose JᵀΩJ normalProducts() makes at once.
 constexpr int kMostProductColumns = 16;
 constexpr bool hasNormalProducts(int rows, int cols) {
@@ -96,6 +99,7 @@ class BaseEdge : public OptimizableGraph::Edge {
     _dimension = dimension;
     _information.setIdentity(dimension, dimension);
     _error.setZero(dimension);
+    internal::roomForJacobians(*this);
   }
 
   void initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) override {}

@@ -38,6 +38,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     _hessian.resize(size * (size - (size > 0 ? 1 : 0)) / 2);
     _jacobianOplus.clear();
     _jacobianOplus.resize(size, JacobianType(nullptr, D > 0 ? D : 0, 0));
+    internal::roomForJacobians(*this);
   }
 
   bool allVerticesFixed() const override {

@@ -33,6 +33,8 @@ class G2O_CORE_API BlockSolverEngine {
   bool hasStructure() const;
   /// Whether what takes part is what the structure was built for.
   bool isCurrent(const SparseOptimizer& optimizer) const;
+  /// Whether H is that of a linearisation of what takes part.
+  bool isLinearised(const SparseOptimizer& optimizer) const;
   size_t scalars() const;
   /// Linearises the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);

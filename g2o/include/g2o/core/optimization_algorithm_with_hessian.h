@@ -36,6 +36,8 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
 
   /// Errors, linearisation and, in the first iteration, structure.
   bool linearize(int iteration, bool online);
+  /// Returns its argument; where what the errors add up to is not finite, says which edge is to blame.
+  bool blameUnless(bool finite) const;
   /// Solves and times it.
   bool solveSystem();
   /// The same with λ on the diagonal of H, which is as it was in the end.

@@ -21,10 +21,14 @@ class Shadowed {
   /// Lets `current`, which is registered under the name, be `one`, and hides what it was.
   void replace(const std::string& name, Ptr& current, const Ptr& one) {
     if (current == one) return;
+    remove(name, one);
     if (current != nullptr) hide(name, current);
     current = one;
   }
-  void hide(const std::string& name, const Ptr& one) { hidden_.emplace_back(name, one); }
+  void hide(const std::string& name, const Ptr& one) {
+    remove(name, one);
+    hidden_.emplace_back(name, one);
+  }
   /// Takes `one` back, hidden or current; `current` is then what was hidden last, or nullptr. False where it
   /// was neither.
   bool take_back(const std::string& name, Ptr& current, const Ptr& one) {
@@ -32,16 +36,19 @@ class Shadowed {
       current = last(name);
       return true;
     }
-    const auto at = std::find(hidden_.begin(), hidden_.end(), std::make_pair(name, one));
-    if (at == hidden_.end()) return false;
-    hidden_.erase(at);
-    return true;
+    return remove(name, one);
   }
   void forget(const std::string& name) {
     while (last(name) != nullptr) continue;
   }
 
  private:
+  bool remove(const std::string& name, const Ptr& one) {
+    const auto at = std::find(hidden_.begin(), hidden_.end(), std::make_pair(name, one));
+    if (at == hidden_.end()) return false;
+    hidden_.erase(at);
+    return true;
+  }
   Ptr last(const std::string& name) {
     for (auto at = hidden_.end(); at != hidden_.begin();) {
       if ((--at)->first != name) continue;
