@@ -27,24 +27,25 @@ void load(const std::string& path) {
     std::cerr << "g2o: " << path << " cannot be loaded: " << dlerror() << '\n';
 }
 
-/// The folders of the variables that are set, separated by colons; where none is, those beside the program.
-std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
-  std::vector<std::string> named;
-  bool is_set = false;
+/// The folders that the variables name, separated by colons; what is none is said.
+std::vector<std::string> named_folders(const std::vector<const char*>& variables) {
+  std::vector<std::string> result;
   std::error_code error;
   for (const char* variable : variables) {
     const char* value = std::getenv(variable);
-    if (value == nullptr) continue;
-    is_set = true;
-    std::istringstream in(value);
+    std::istringstream in(value == nullptr ? "" : value);
     for (std::string folder; std::getline(in, folder, ':');) {
       if (folder.empty()) continue;
       if (!fs::is_directory(folder, error))
         std::cerr << "g2o: " << variable << ": there is no folder " << folder << '\n';
-      named.push_back(folder);
+      result.push_back(folder);
     }
   }
-  if (is_set) return named;
+  return result;
+}
+
+std::vector<std::string> folders_beside(const char* program) {
+  std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
   const fs::path folder = (error ? fs::path(program) : self).parent_path();
   const fs::path above = folder / "..";
@@ -56,6 +57,13 @@ std::vector<std::string> folders(const std::vector<const char*>& variables, cons
     }
   }
   return result;
+}
+
+/// Those of the variables, or, where none is set, those beside the program.
+std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
+  const bool is_set = std::any_of(variables.begin(), variables.end(),
+                                  [](const char* variable) { return std::getenv(variable) != nullptr; });
+  return is_set ? named_folders(variables) : folders_beside(program);
 }
 
 void load_matching(const std::vector<std::string>& named, const std::vector<std::string>& in_folders,

@@ -4,15 +4,18 @@
 #include "boxplus/base/parallel.h"
 
 namespace boxplus {
-
-int resolved_threads(const Options& options) {
-  return options.threads > 0 ? options.threads : hardware_threads();
-}
+namespace {
 
 /// Options::precision for the algorithm.
 Precision resolved_precision(const Options& options) {
   const bool exact_steps = options.algorithm == AlgorithmKind::kGaussNewton;
   return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
+}
+
+}  // namespace
+
+int resolved_threads(const Options& options) {
+  return options.threads > 0 ? options.threads : hardware_threads();
 }
 
 Session& Session::find(Graph& graph, const Options& options, bool& reused) {

@@ -54,7 +54,7 @@ void SparseOptimizer::sortVectorContainers() {
   std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
 }
 
-/// Dimensions known at run time may have grown since edges were added.
+/// An edge may have been given larger vertices by setVertex() since it was added.
 void SparseOptimizer::sizeWorkspace() {
   for (const OptimizableGraph::Edge* e : _activeEdges) _jacobianWorkspace.updateSize(e);
   _jacobianWorkspace.allocate();
