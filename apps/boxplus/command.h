@@ -22,6 +22,7 @@ void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 void add_help(CLI::App& app, Action& action);  ///< comes last: it names the others
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "boxplus/base/error.h"
@@ -47,8 +46,8 @@ int convert_file(const ConvertArguments& arguments) {
   const GraphFile file = load_graph(arguments.input, arguments.reading);
   save_graph(arguments.output, file);
   if (!arguments.quiet) {
-    fmt::print(takes_stdout(outputs) ? stderr : stdout, "{} → {}: {}\n", escaped(input_name(arguments.input)),
-               escaped(arguments.output == kStandardStream ? "<stdout>" : arguments.output), summary(file));
+    print_summary(outputs, fmt::format("{} → {}: {}\n", escaped(input_name(arguments.input)),
+                                       escaped(output_name(arguments.output)), summary(file)));
   }
   return kSuccess;
 }

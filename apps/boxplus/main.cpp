@@ -21,6 +21,7 @@
 #include "command_line/message.h"
 #include "command_line/usage_error.h"
 #include "files/clean_end.h"
+#include "files/standard_streams.h"
 
 namespace boxplus::app {
 namespace {
@@ -62,6 +63,7 @@ int run(int argc, char** argv) {
   add_convert(app, action);
   add_simulate(app, action);
   add_plot(app, action);
+  add_compare(app, action);
   add_completion(app, action);
   add_help(app, action);
   app.footer(kFooter);  // last, since commands would inherit it
@@ -80,6 +82,7 @@ int run(int argc, char** argv) {
 }  // namespace boxplus::app
 
 int main(int argc, char** argv) {
+  boxplus::app::reserve_standard_streams();
   boxplus::app::end_cleanly_on_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   try {

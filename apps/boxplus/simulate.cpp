@@ -53,9 +53,8 @@ std::string summary(const SimulateArguments& arguments, const Simulation& simula
   };
   const auto outliers = count(EdgeKind::kOutlier), recognitions = count(EdgeKind::kRecognition) + outliers;
   return fmt::format("{}: {} vertices, {} edges, {} of them {}{}; chi2 {:.6g}, at the truth {:.6g}\n",
-                     arguments.output == kStandardStream ? "<stdout>" : arguments.output,
-                     simulation.graph.vertex_count(), simulation.edges.size(), recognitions,
-                     arguments.world == World::kCity ? "observations" : "loop closures",
+                     output_name(arguments.output), simulation.graph.vertex_count(), simulation.edges.size(),
+                     recognitions, arguments.world == World::kCity ? "observations" : "loop closures",
                      outliers > 0 ? fmt::format(" ({} wrong)", outliers) : "", simulation.graph.chi2(),
                      simulation.truth.chi2());
 }
@@ -75,7 +74,7 @@ int simulate_file(const SimulateArguments& arguments) {
   write(arguments.output, std::move(simulation.graph), std::move(simulation.edges));
   if (!arguments.truth.empty())
     write(arguments.truth, std::move(simulation.truth), std::move(simulation.truth_edges));
-  fmt::print(takes_stdout(outputs) ? stderr : stdout, "{}", line);
+  print_summary(outputs, line);
   return kSuccess;
 }
 

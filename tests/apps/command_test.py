@@ -3,11 +3,12 @@
 """Runs the boxplus command as users do: what all sub-commands have in common."""
 
 import pathlib
+import subprocess
 
-from command_case import TOWN, CommandCase, main, run
+from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
 DOCUMENT = pathlib.Path(__file__).parents[2] / "docs/cli.md"
-COMMANDS = ("optimize", "info", "convert", "simulate", "plot", "completion", "help")
+COMMANDS = ("optimize", "info", "convert", "simulate", "plot", "compare", "completion", "help")
 
 
 class CommandTest(CommandCase):
@@ -56,6 +57,31 @@ class CommandTest(CommandCase):
         self.assert_refused(done, r"no\x1b[31m\nfile\xc2\x9b: cannot be opened")
         done = run("dance\x07")
         self.assert_refused(done, r"dance\x07")
+
+    def run_with(self, redirections, *arguments):
+        """Runs boxplus with these redirections of the shell; returns its exit code."""
+        script = f'"$0" "$@" {redirections}'
+        words = ["bash", "-c", script, BOXPLUS, *map(str, arguments)]
+        return subprocess.run(words, capture_output=True, check=False, timeout=300).returncode
+
+    def test_a_stderr_that_cannot_be_written_does_not_abort_the_command(self):
+        for closed in ("2>&-", "2>/dev/full", "<&- >&- 2>&-"):
+            with self.subTest(closed):
+                self.assertEqual(self.run_with(closed, "convert", self.path / "nope", "-"), 2)
+                self.assertEqual(self.run_with(closed, "dance"), 2)
+        for closed in ("2>&-", "2>/dev/full"):
+            self.assertEqual(self.run_with(closed, "optimize", TOWN, "-v"), 0)
+            self.assertEqual(self.run_with(closed, "convert", TOWN, "-"), 0)
+
+    def test_closed_streams_do_not_become_outputs(self):
+        # The graph has an unknown tag, so that there is a message, which must not end up in the output.
+        graph = self.written("graph.g2o", TOWN.read_text(encoding="utf-8") + "STRANGE 1\n")
+        expected, output = self.path / "expected.g2o", self.path / "output.g2o"
+        self.assertEqual(run("optimize", graph, "-q", "-o", expected).returncode, 0)
+        self.assertEqual(self.run_with("<&- >&- 2>&-", "optimize", graph, "-q", "-o", output), 0)
+        self.assertEqual(output.read_bytes(), expected.read_bytes())
+        self.assertEqual(self.run_with("<&-", "info", "-"), 2)
+        self.assertEqual(self.run_with(">&-", "info", graph), 2)
 
     def test_results_do_not_depend_on_the_threads(self):
         run("simulate", "sphere", "--poses", 225, "-o", self.path / "s.g2o")

@@ -50,8 +50,12 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+void write_to_stderr(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void print_message(std::string_view text) {
-  fmt::print(stderr, "boxplus: {}\n", escaped(text));
+  write_to_stderr(fmt::format("boxplus: {}\n", escaped(text)));
 }
 
 }  // namespace boxplus::app

@@ -9,6 +9,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
+#include "command_line/message.h"
 #include "files/graph_input.h"
 
 namespace boxplus::app {
@@ -32,6 +33,11 @@ bool are_same(const Output& a, const Output& b) {
   if (std::filesystem::equivalent(a.path, b.path, none)) return true;  // hard links too
   const std::filesystem::path place = place_of(a.path);
   return !place.empty() && place == place_of(b.path);
+}
+
+void write_to_stdout(std::string_view text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw FileError("cannot write to the standard output");
 }
 
 }  // namespace
@@ -59,14 +65,22 @@ void refuse_to_replace(const Output& output, const std::vector<std::string>& inp
   }
 }
 
+std::string output_name(const std::string& path) {
+  return path == kStandardStream ? "<stdout>" : path;
+}
+
 bool takes_stdout(const std::vector<Output>& outputs) {
   return std::any_of(outputs.begin(), outputs.end(), is_stdout);
 }
 
+void print_summary(const std::vector<Output>& outputs, std::string_view text) {
+  if (takes_stdout(outputs)) return write_to_stderr(text);
+  write_to_stdout(text);
+}
+
 void write_output(const std::string& path, std::string_view text) {
   if (path != kStandardStream) return write_file(path, text);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw FileError("cannot write to the standard output");
+  write_to_stdout(text);
 }
 
 }  // namespace boxplus::app

@@ -20,8 +20,15 @@ void check_outputs(const std::vector<Output>& outputs);
 /// Before any work: throws InvalidArgument where the output would replace an input, which it is not like.
 void refuse_to_replace(const Output& output, const std::vector<std::string>& inputs);
 
+/// "<stdout>" for "-", else the path.
+std::string output_name(const std::string& path);
+
 /// Whether one of them is the standard output, which then holds nothing else.
 bool takes_stdout(const std::vector<Output>& outputs);
+
+/// Writes a summary for people: to stdout, or to stderr if stdout holds one of the outputs. Throws FileError
+/// if stdout cannot be written.
+void print_summary(const std::vector<Output>& outputs, std::string_view text);
 
 /// Replaces a file at once or not at all, or writes to the standard output. Throws FileError.
 void write_output(const std::string& path, std::string_view text);

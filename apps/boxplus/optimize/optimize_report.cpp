@@ -34,7 +34,7 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
                         facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");
   text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
-  fmt::print(takes_stdout(outputs_of(arguments)) ? stderr : stdout, "{}", text);
+  print_summary(outputs_of(arguments), text);
 }
 
 void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {

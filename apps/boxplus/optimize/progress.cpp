@@ -43,17 +43,17 @@ void Progress::stage(const std::string& text) {
 }
 
 void Progress::iteration(const IterationRecord& record) {
-  if (kind_ == ProgressKind::kLines) fmt::print(stderr, "{}\n", line_of(record));
+  if (kind_ == ProgressKind::kLines) write_to_stderr(line_of(record) + "\n");
   if (kind_ == ProgressKind::kLive) rewrite(line_of(record));
 }
 
 void Progress::erase() {
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+  if (shown_) write_to_stderr("\r\x1b[K");
   shown_ = false;
 }
 
 void Progress::rewrite(const std::string& text) {
-  fmt::print(stderr, "\r\x1b[K{}", cut(text, terminal_columns() - 1));
+  write_to_stderr("\r\x1b[K" + cut(text, terminal_columns() - 1));
   std::fflush(stderr);
   shown_ = true;
 }

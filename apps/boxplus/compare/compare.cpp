@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// boxplus compare RESULT TRUTH: how far a trajectory is from the truth.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "boxplus/base/error.h"
+#include "command.h"
+#include "command_line/option_kinds.h"
+#include "compare/comparison.h"
+#include "files/graph_input.h"
+#include "files/outputs.h"
+
+namespace boxplus::app {
+namespace {
+
+constexpr const char* kFooter =
+    "Poses match by id in graphs, and by time in TUM files, whose lines are \"time x y z qx qy qz qw\":\n"
+    "those that are each other's nearest, and not farther apart than --max-difference. Landmarks do not\n"
+    "count. ATE, the absolute trajectory error, is the distance of each position from its truth, after\n"
+    "the result as a whole was laid over it. RPE, the relative pose error, is the error of the motion\n"
+    "from one pose to a later one.\n"
+    "\n"
+    "Examples:\n"
+    "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
+    "  boxplus optimize before.g2o -o after.g2o\n"
+    "  boxplus compare after.g2o truth.g2o\n"
+    "  boxplus compare estimate.txt groundtruth.txt --scale --distance 10 --json - | jq .ate_m.rmse\n"
+    "\n"
+    "Exit codes: 0 compared, 2 bad input or usage, or no pose of the result has a truth.";
+
+struct CompareArguments {
+  std::string result, truth, json;
+  AlignmentKind alignment = AlignmentKind::kRigid;
+  bool scale = false;
+  double most_seconds = 0.01;
+  RelativeSpan span;
+  ReadOptions reading;
+};
+
+Comparison compare(const CompareArguments& arguments) {
+  const Trajectory result = read_trajectory(arguments.result, arguments.reading);
+  const Trajectory truth = read_trajectory(arguments.truth, arguments.reading);
+  const std::vector<PosePair> pairs = matched(result, truth, arguments.most_seconds);
+  if (pairs.empty()) {
+    throw FileError(fmt::format("{}: expected poses with the {} of {}, found none",
+                                input_name(arguments.result), truth.is_timed ? "times" : "ids",
+                                input_name(arguments.truth)));
+  }
+  Comparison comparison;
+  comparison.result = input_name(arguments.result);
+  comparison.truth = input_name(arguments.truth);
+  comparison.result_poses = result.poses.size();
+  comparison.truth_poses = truth.poses.size();
+  comparison.matched = pairs.size();
+  comparison.kind = arguments.alignment;
+  comparison.alignment = align(pairs, truth.dimension, arguments.alignment, arguments.scale);
+  comparison.span = arguments.span;
+  comparison.absolute = absolute_error(pairs, comparison.alignment);
+  comparison.relative = relative_error(pairs, comparison.alignment.scale, arguments.span);
+  return comparison;
+}
+
+int compare_files(const CompareArguments& arguments) {
+  if (arguments.result == kStandardStream && arguments.truth == kStandardStream)
+    throw InvalidArgument("compare: expected at most one file from the standard input, got '-' twice");
+  const std::vector<Output> outputs{{"--json", arguments.json}};
+  refuse_to_replace(outputs.front(), {arguments.result, arguments.truth});
+  check_outputs(outputs);
+  const Comparison comparison = compare(arguments);
+  if (!arguments.json.empty()) write_output(arguments.json, comparison_json(comparison));
+  if (!takes_stdout(outputs)) print_summary(outputs, comparison_text(comparison));
+  return kSuccess;
+}
+
+void add_options(CLI::App& command, CompareArguments& arguments) {
+  const char* forms = ": .g2o, TORO's .graph, a TUM file, or - for the standard input";
+  command.add_option("RESULT", arguments.result, std::string("The trajectory to judge") + forms)
+      ->required()
+      ->check(file_name());
+  command.add_option("TRUTH", arguments.truth, std::string("The true one") + forms)
+      ->required()
+      ->check(file_name());
+  add_choice(
+      command, "--align", arguments.alignment,
+      {{"rigid", AlignmentKind::kRigid}, {"first", AlignmentKind::kFirst}, {"none", AlignmentKind::kNone}},
+      "How the result is laid over the truth: with the least squared distances (Umeyama), so that the "
+      "first poses agree, or not at all");
+  command.add_flag("--scale", arguments.scale, "Let --align rigid choose the scale, too");
+  command
+      .add_option("--max-difference", arguments.most_seconds,
+                  "TUM files: match poses that are at most so many seconds apart")
+      ->type_name("SECONDS")
+      ->check(number_from(0))
+      ->capture_default_str();
+  CLI::Option* steps =
+      command.add_option("--steps", arguments.span.steps, "RPE over so many of the matched poses")
+          ->type_name("N")
+          ->check(whole_number_from(1))
+          ->capture_default_str();
+  command.add_option("--distance", arguments.span.distance, "RPE over so many metres of the truth instead")
+      ->type_name("METRES")
+      ->check(number_above(0))
+      ->excludes(steps);
+  command
+      .add_option("--json", arguments.json,
+                  "Where to write the same as JSON; - is stdout, in place of the text")
+      ->type_name("FILE")
+      ->check(file_name())
+      ->group("Output");
+  add_reading_options(command, arguments.reading);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command =
+      app.add_subcommand("compare", "Tells how far a trajectory is from the truth: ATE and RPE");
+  add_options(*command, *arguments);
+  command->footer(kFooter);
+  command->callback([&action, arguments] {
+    if (arguments->scale && arguments->alignment != AlignmentKind::kRigid)
+      throw CLI::RequiresError("--scale", "--align rigid");
+    action = [arguments] { return compare_files(*arguments); };
+  });
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `boxplus compare` found out, and how it tells it.
+#pragma once
+
+#include <string>
+
+#include "compare/trajectory_errors.h"
+
+namespace boxplus::app {
+
+struct Comparison {
+  std::string result, truth;  ///< names of the files
+  std::size_t result_poses = 0, truth_poses = 0, matched = 0;
+  AlignmentKind kind = AlignmentKind::kRigid;
+  Alignment alignment;
+  RelativeSpan span;
+  ErrorStatistics absolute;
+  RelativeError relative;
+};
+
+std::string comparison_text(const Comparison& comparison);
+std::string comparison_json(const Comparison& comparison);
+
+}  // namespace boxplus::app

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/trajectory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxplus/base/error.h"
+#include "boxplus/manifold/quaternion.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+namespace {
+
+/// Graph files begin their lines with tags, TUM files with times.
+bool is_tum(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return false;
+    if (text[begin] != '#')
+      return std::string_view("+-.0123456789").find(text[begin]) != std::string_view::npos;
+    text.remove_prefix(std::min(text.find('\n', begin), text.size()));
+  }
+  return false;
+}
+
+TrajectoryPose pose_of(const Frame& frame, Id id) {
+  TrajectoryPose pose;
+  pose.id = id;
+  for (int row = 0; row < frame.dimension; ++row) {
+    pose.position[row] = frame.translation[static_cast<std::size_t>(row)];
+    for (int column = 0; column < frame.dimension; ++column)
+      pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
+  }
+  // Quaternions keep the length that rounding in their file gave them; a rotation has none.
+  pose.rotation = rotation_matrix(normalized(quaternion_of(pose.rotation)));
+  return pose;
+}
+
+Trajectory poses_of(const Graph& graph, const std::string& name) {
+  Trajectory trajectory{.is_timed = false, .dimension = 0};
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    Frame frame;
+    if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) || !frame.has_rotation) continue;
+    if (trajectory.dimension != 0 && trajectory.dimension != frame.dimension)
+      throw FileError(name + ": expected poses in the plane or poses in space, got both");
+    trajectory.dimension = frame.dimension;
+    trajectory.poses.push_back(pose_of(frame, graph.id(vertex)));
+  }
+  return trajectory;
+}
+
+/// So that no square of a length overflows.
+void require_bounded(const Trajectory& trajectory, const std::string& name) {
+  constexpr double kFarthest = 1e100;
+  for (const TrajectoryPose& pose : trajectory.poses) {
+    if (pose.position.cwiseAbs().maxCoeff() < kFarthest && pose.rotation.allFinite()) continue;
+    throw FileError(fmt::format("{}: expected poses within {:g} m of the origin; {} {} is farther away", name,
+                                kFarthest, trajectory.is_timed ? "line" : "vertex", pose.id));
+  }
+}
+
+}  // namespace
+
+Trajectory read_trajectory(const std::string& path, const ReadOptions& reading) {
+  const std::string text = read_text(path), name = input_name(path);
+  Trajectory trajectory;
+  if (is_tum(text)) {
+    trajectory = parse_tum(text, name);
+  } else {
+    const GraphFile file = parse_input(text, path, reading);
+    print_notes(file, path);
+    if (file.vertices_created) throw FileError(name + ": expected poses, got edges only: optimize it first");
+    trajectory = poses_of(file.graph, name);
+    if (trajectory.poses.empty()) throw FileError(name + ": expected poses, got a graph without any");
+  }
+  require_bounded(trajectory, name);
+  return trajectory;
+}
+
+}  // namespace boxplus::app

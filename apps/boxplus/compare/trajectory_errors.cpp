@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/trajectory_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxplus::app {
+namespace {
+
+/// The metres that the truth has travelled until each pair.
+std::vector<double> travelled(const std::vector<PosePair>& pairs) {
+  std::vector<double> lengths(pairs.size(), 0);
+  for (std::size_t k = 1; k < pairs.size(); ++k)
+    lengths[k] = lengths[k - 1] + (pairs[k].truth.position - pairs[k - 1].truth.position).norm();
+  return lengths;
+}
+
+/// Calls f(begin, end) for the pairs of pairs that the span compares.
+template <class F>
+void for_each_span(const std::vector<PosePair>& pairs, const RelativeSpan& span, F&& f) {
+  if (span.distance > 0) {
+    const std::vector<double> lengths = travelled(pairs);
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < pairs.size(); ++begin) {
+      while (end < pairs.size() && lengths[end] - lengths[begin] < span.distance) ++end;
+      if (end < pairs.size()) f(pairs[begin], pairs[end]);
+    }
+  } else {
+    const auto steps = static_cast<std::size_t>(span.steps);
+    for (std::size_t end = steps; end < pairs.size(); ++end) f(pairs[end - steps], pairs[end]);
+  }
+}
+
+/// P₁⁻¹ P₂, its translation times `scale`.
+TrajectoryPose motion(const TrajectoryPose& first, const TrajectoryPose& second, double scale) {
+  TrajectoryPose result;
+  result.rotation = first.rotation.transpose() * second.rotation;
+  result.position = scale * (first.rotation.transpose() * (second.position - first.position));
+  return result;
+}
+
+/// ‖R − I‖² = 8 sin²(θ/2), which unlike the trace keeps the digits of small angles.
+double angle_of(const Matrix<double, 3, 3>& rotation) {
+  const double half_sine = (rotation - Matrix<double, 3, 3>::Identity()).norm() / std::sqrt(8.0);
+  return 2 * std::asin(std::min(1.0, half_sine));
+}
+
+}  // namespace
+
+ErrorStatistics statistics(std::vector<double> errors) {
+  ErrorStatistics result;
+  result.count = errors.size();
+  if (errors.empty()) return result;
+  std::sort(errors.begin(), errors.end());
+  const auto count = static_cast<double>(errors.size());
+  double sum = 0, squares = 0;
+  for (const double error : errors) {
+    sum += error;
+    squares += error * error;
+  }
+  result.mean = sum / count;
+  result.rmse = std::sqrt(squares / count);
+  result.median = (errors[(errors.size() - 1) / 2] + errors[errors.size() / 2]) / 2;
+  result.max = errors.back();
+  return result;
+}
+
+ErrorStatistics absolute_error(const std::vector<PosePair>& pairs, const Alignment& alignment) {
+  std::vector<double> distances;
+  for (const PosePair& pair : pairs)
+    distances.push_back((alignment(pair.result).position - pair.truth.position).norm());
+  return statistics(std::move(distances));
+}
+
+RelativeError relative_error(const std::vector<PosePair>& pairs, double scale, const RelativeSpan& span) {
+  std::vector<double> translations, rotations;
+  for_each_span(pairs, span, [&](const PosePair& begin, const PosePair& end) {
+    const TrajectoryPose error =
+        motion(motion(begin.truth, end.truth, 1), motion(begin.result, end.result, scale), 1);
+    translations.push_back(error.position.norm());
+    rotations.push_back(angle_of(error.rotation));
+  });
+  return {statistics(std::move(translations)), statistics(std::move(rotations))};
+}
+
+}  // namespace boxplus::app

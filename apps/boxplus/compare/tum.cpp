@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Trajectories in the form of the TUM RGB-D benchmark: one pose per line, "time x y z qx qy qz qw" (Sturm et
+// al., A benchmark for the evaluation of RGB-D SLAM systems, IROS 2012).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/field_reader.h"
+#include "boxplus/manifold/quaternion.h"
+#include "compare/trajectory.h"
+
+namespace boxplus::app {
+namespace {
+
+/// A quaternion this short (or long) is an error of the file, not of rounding.
+constexpr double kShortest = 0.5, kLongest = 2;
+
+Quaternion<double> read_quaternion(FieldReader& in) {
+  const std::int64_t column = in.column();
+  Quaternion<double> q;
+  q.x = in.number("qx");
+  q.y = in.number("qy");
+  q.z = in.number("qz");
+  q.w = in.number("qw");
+  const double norm = std::sqrt(q.squared_norm());
+  if (!(norm >= kShortest && norm <= kLongest))
+    in.fail(column, fmt::format("expected a quaternion of length 1, got length {:g}", norm));
+  return q;
+}
+
+TrajectoryPose read_pose(FieldReader& in) {
+  TrajectoryPose pose;
+  pose.time = in.number("the time");
+  pose.position[0] = in.number("x");
+  pose.position[1] = in.number("y");
+  pose.position[2] = in.number("z");
+  pose.rotation = rotation_matrix(normalized(read_quaternion(in)));
+  in.expect_end();
+  pose.id = in.line_number();
+  return pose;
+}
+
+std::string_view without_carriage_return(std::string_view line) {
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+}
+
+void sort_by_time(std::vector<TrajectoryPose>& poses, const std::string& name) {
+  std::stable_sort(poses.begin(), poses.end(),
+                   [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time < b.time; });
+  const auto twice =
+      std::adjacent_find(poses.begin(), poses.end(),
+                         [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time == b.time; });
+  if (twice == poses.end()) return;
+  throw InputError(name, (twice + 1)->id, 1,
+                   fmt::format("expected another time than that of line {}, got {}", twice->id, twice->time));
+}
+
+}  // namespace
+
+Trajectory parse_tum(std::string_view text, const std::string& name) {
+  Trajectory trajectory{.is_timed = true, .dimension = 3};
+  std::int64_t line_number = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    FieldReader in(name, ++line_number, without_carriage_return(text.substr(0, end)));
+    if (!in.at_end()) trajectory.poses.push_back(read_pose(in));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  sort_by_time(trajectory.poses, name);
+  return trajectory;
+}
+
+}  // namespace boxplus::app

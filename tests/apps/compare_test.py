@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""boxplus compare: the errors of trajectories whose errors are known."""
+
+import json
+import math
+
+from command_case import CommandCase, main, run
+
+PLACES = [(0, 0), (1, 0), (2, 0.5), (2, 2), (0, 3)]
+
+
+def graph(places, turn=0.0, shift=(0, 0), scale=1.0):
+    """Poses in the plane at these places, the world turned, scaled and shifted."""
+    lines = []
+    for i, (x, y) in enumerate(places):
+        moved = (scale * (math.cos(turn) * x - math.sin(turn) * y) + shift[0], scale * (math.sin(turn) * x + math.cos(turn) * y) + shift[1])
+        lines.append(f"VERTEX_SE2 {i} {moved[0]!r} {moved[1]!r} {0.3 * i + turn!r}\n")
+    return "".join(lines)
+
+
+def tum(places, times, angle=0.0):
+    """The same in the TUM form, turned about z by `angle` per pose."""
+    return "# time x y z qx qy qz qw\n" + "".join(
+        f"{time!r} {x} {y} 0.5 0 0 {math.sin(angle * i / 2)!r} {math.cos(angle * i / 2)!r}\n"
+        for i, (time, (x, y)) in enumerate(zip(times, places)))
+
+
+class CompareTest(CommandCase):
+    def compared(self, result, truth, *options):
+        result, truth = self.written("result", result), self.written("truth", truth)
+        done = run("compare", result, truth, "--json", "-", *options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads(done.stdout)
+
+    def assert_errors(self, errors, rmse, mean, median, most):
+        for key, value in (("rmse", rmse), ("mean", mean), ("median", median), ("max", most)):
+            self.assertAlmostEqual(errors[key], value, 12, key)
+
+    def test_a_trajectory_is_its_own_truth(self):
+        facts = self.compared(graph(PLACES), graph(PLACES))
+        self.assertEqual((facts["result_poses"], facts["truth_poses"], facts["matched"]), (5, 5, 5))
+        for errors in (facts["ate_m"], facts["rpe"]["translation_m"], facts["rpe"]["rotation_rad"]):
+            self.assertLess(errors["max"], 1e-14)
+
+    def test_without_alignment_each_position_is_compared_as_it_is(self):
+        moved = [(x + 0.1 * i, y) for i, (x, y) in enumerate(PLACES)]
+        facts = self.compared(graph(moved), graph(PLACES), "--align", "none")
+        self.assert_errors(facts["ate_m"], 0.1 * math.sqrt(30 / 5), 0.2, 0.2, 0.4)
+
+    def test_a_rigid_motion_of_the_world_is_no_error(self):
+        facts = self.compared(graph(PLACES, turn=2.5, shift=(30, -7)), graph(PLACES))
+        self.assertLess(facts["ate_m"]["max"], 1e-13)
+        self.assertLess(facts["rpe"]["translation_m"]["max"], 1e-13)
+        self.assertLess(facts["rpe"]["rotation_rad"]["max"], 1e-14)
+        first = self.compared(graph(PLACES, turn=2.5, shift=(30, -7)), graph(PLACES), "--align", "first")
+        self.assertLess(first["ate_m"]["max"], 1e-13)
+
+    def test_a_scale_is_an_error_unless_it_is_asked_for(self):
+        rigid = self.compared(graph(PLACES, scale=0.5), graph(PLACES))
+        self.assertGreater(rigid["ate_m"]["rmse"], 0.5)
+        scaled = self.compared(graph(PLACES, scale=0.5, turn=1), graph(PLACES), "--scale")
+        self.assertAlmostEqual(scaled["alignment"]["scale"], 2, 12)
+        self.assertLess(scaled["ate_m"]["max"], 1e-13)
+        self.assertLess(scaled["rpe"]["translation_m"]["max"], 1e-13)
+
+    def test_a_mirrored_trajectory_is_not_aligned_by_a_mirror(self):
+        facts = self.compared(graph([(x, -y) for x, y in PLACES]), graph(PLACES))
+        self.assertGreater(facts["ate_m"]["rmse"], 0.3)
+
+    def test_relative_errors_are_those_of_the_motions(self):
+        # The third step is 0.2 m too long; all later poses keep that error.
+        longer = [(x, y + (0.2 if i >= 3 else 0)) for i, (x, y) in enumerate(PLACES)]
+        facts = self.compared(graph(longer), graph(PLACES), "--align", "none")
+        self.assertEqual(facts["rpe"]["count"], 4)
+        self.assert_errors(facts["rpe"]["translation_m"], 0.1, 0.05, 0, 0.2)
+        over_two = self.compared(graph(longer), graph(PLACES), "--steps", 2)
+        self.assertEqual(over_two["rpe"]["count"], 3)
+        self.assert_errors(over_two["rpe"]["translation_m"], math.sqrt(0.08 / 3), 0.4 / 3, 0.2, 0.2)
+
+    def test_relative_errors_over_a_distance_begin_at_every_pose_that_leaves_so_much_of_the_path(self):
+        line = [(float(i), 0.0) for i in range(10)]
+        stretched = [(1.01 * x, y) for x, y in line]
+        facts = self.compared(tum(stretched, range(10)), tum(line, range(10)), "--distance", 3)
+        self.assertEqual((facts["rpe"]["count"], facts["rpe"]["distance_m"], facts["rpe"]["steps"]), (7, 3, None))
+        self.assert_errors(facts["rpe"]["translation_m"], 0.03, 0.03, 0.03, 0.03)
+
+    def test_relative_rotations_are_angles(self):
+        facts = self.compared(tum(PLACES, range(5), angle=0.25), tum(PLACES, range(5)))
+        self.assert_errors(facts["rpe"]["rotation_rad"], 0.25, 0.25, 0.25, 0.25)
+
+    def test_timed_poses_match_their_nearest_in_time(self):
+        truth = tum([(0.1 * i, 0) for i in range(100)], [0.1 * i for i in range(100)])
+        result = tum([(1, 0), (2, 0), (3, 0), (7, 7)], [1.004, 1.997, 3.0, 4.05])
+        facts = self.compared(result, truth, "--align", "none")
+        self.assertEqual((facts["result_poses"], facts["truth_poses"], facts["matched"]), (4, 100, 3))
+        self.assertLess(facts["ate_m"]["max"], 1e-12)
+        self.assertEqual(self.compared(result, truth, "--max-difference", 0.06)["matched"], 4)
+
+    def test_no_pose_is_matched_twice(self):
+        facts = self.compared(tum(PLACES, [1, 1.001, 1.002, 1.003, 1.004]), tum([(0, 0)], [1.0021]))
+        self.assertEqual(facts["matched"], 1)
+        self.assertIsNone(facts["rpe"]["translation_m"])
+
+    def test_poses_match_by_id_whatever_the_order_and_landmarks_do_not_count(self):
+        lines = graph(PLACES).splitlines(keepends=True)
+        facts = self.compared("".join(lines[:0:-1]) + "VERTEX_XY 77 5 5\n", graph(PLACES) + "VERTEX_XY 78 1 1\n")
+        self.assertEqual((facts["result_poses"], facts["matched"]), (4, 4))
+        self.assertLess(facts["ate_m"]["max"], 1e-13)
+
+    def test_optimization_comes_nearer_to_the_truth(self):
+        before, after, truth = (self.path / name for name in ("before.g2o", "after.g2o", "truth.g2o"))
+        run("simulate", "sphere", "--poses", 400, "-o", before, "--truth", truth)
+        run("optimize", before, "-q", "-o", after)
+        errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (before, after)]
+        self.assertLess(errors[1], 0.2 * errors[0])
+
+    def test_tells_people_the_same_in_a_table(self):
+        done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for text in ("<stdin> against", "5 of 5 poses", "ATE [m]", "RPE [deg]", "best rigid alignment", "from pose to pose"):
+            self.assertIn(text, done.stdout)
+
+    def test_what_cannot_be_compared_is_refused_with_its_place(self):
+        good, flat = tum(PLACES, range(5)), graph(PLACES)
+        space = "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
+        for result, truth, options, text in (
+                ("1 0 0 0 0 0 0 one\n", good, (), "result:1:15: expected qw (a finite number), got 'one'"),
+                ("# c\n\n1 0 0 0 0 0 0\n", good, (), "result:3:14: expected qw, got the end of the line"),
+                ("1 0 0 0 0 0 0 1 9\n", good, (), "result:1:17: "),
+                ("1 0 0 0 0 0 0 0\n", good, (), "result:1:9: expected a quaternion of length 1, got length 0"),
+                ("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n", good, (), "result:3:1: expected another time than that of line 1, got 2"),
+                ("VERTEX_SE2 0 0 zero 0\n", flat, (), "result:1:16: expected y"),
+                ("", good, (), "result:1:1: expected a vertex or an edge"),
+                ("VERTEX_XY 0 0 0\n", flat, (), "expected poses, got a graph without any"),
+                ("VERTEX_SE2 0 1e200 0 0\n", flat, (), "vertex 0 is farther away"),
+                (flat, good, (), "got one of each: ids and times do not match"),
+                (flat, space, (), "two graphs in the plane or two in space"),
+                (flat, "VERTEX_SE2 99 0 0 0\n", (), "expected poses with the ids of"),
+                (good, tum(PLACES, range(100, 105)), (), "expected poses with the times of"),
+                (graph(5 * [(1, 1)]), flat, ("--scale",), "expected poses at different places"),
+                (flat, flat, ("--scale", "--align", "first"), "--scale"),
+                (flat, flat, ("--steps", "2", "--distance", "3"), "--distance")):
+            with self.subTest(text):
+                done = run("compare", self.written("result", result), self.written("truth", truth), *options)
+                self.assert_refused(done, text)
+        self.assert_refused(run("compare", "-", "-"), "'-' twice")
+        truth = self.written("truth", flat)
+        self.assert_refused(run("compare", truth, self.path / "none"), "none: cannot be opened")
+        self.assert_refused(run("compare", truth, truth, "--json", truth), "expected another file than the input")
+
+
+if __name__ == "__main__":
+    main()
