@@ -2,6 +2,7 @@
 // Included once per instruction set, by isa_….cpp.
 #include "kernels/between_lanes.h"
 #include "kernels/edge_lanes.h"
+#include "kernels/elimination_kernels.h"
 #include "kernels/kernel_table.h"
 #include "kernels/normal_kernels.h"
 #include "kernels/panel_kernels.h"
@@ -32,6 +33,7 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          to_lanes,
                          squared_norms,
                          between_se2,
-                         between_se3};
+                         between_se3,
+                         elimination_kernels_for};
 
 }  // namespace boxplus::dense::BOXPLUS_ISA

@@ -50,6 +50,28 @@ struct PosePairs {
   const double *const *measurement, *const *from, *const *to;
 };
 
+/// The products of one block A with blocks B, `count` of them one after the other: the one of block k, which
+/// has b_rows[k] rows, goes to values + targets[k].
+struct BlockProducts {
+  const double* b;
+  const int* b_rows;
+  int count;
+  const std::uint32_t* targets;
+  double* values;
+};
+
+/// Steps of an elimination (linearize/schur.h) on a block W of rows × dim numbers, column-major.
+struct EliminationKernels {
+  /// y = W L⁻ᵀ, L dim × dim with the reciprocals of its diagonal in place of the diagonal.
+  void (*half_block)(int rows, int dim, const double* l, const double* w, double* y);
+  /// C −= A Bᵀ for each block B; A rows × dim, B b_rows × dim, C rows × b_rows.
+  void (*subtract_block_products)(int rows, int dim, const double* a, const BlockProducts& products);
+  /// y −= W x.
+  void (*subtract_block_multiple)(int rows, int dim, const double* w, const double* x, double* y);
+  /// y −= Wᵀ x.
+  void (*subtract_transposed_multiple)(int rows, int dim, const double* w, const double* x, double* y);
+};
+
 /// A run of consecutive numbers and the place it goes to.
 struct Run {
   std::uint32_t source, destination, length;
@@ -115,6 +137,8 @@ struct KernelTable {
   /// Errors and, unless `jacobian` is null, Jacobians of Between<SE2> (<SE3>) in lanes.
   void (*between_se2)(const PosePairs& edges, double* error, double* jacobian);
   void (*between_se3)(const PosePairs& edges, double* error, double* jacobian);
+  /// The kernels for blocks of this size, or null if there are none.
+  const EliminationKernels* (*elimination_kernels_for)(int rows, int dim);
 };
 
 /// The sets that this processor can run, the best one last.

@@ -3,34 +3,30 @@
 
 #include <algorithm>
 
+#include "linearize/elimination_reference.h"
 #include "linearize/small_cholesky.h"
 
 namespace boxplus {
 namespace {
 
-/// y += sign · A x, A rows × cols column-major.
-void add_multiply(double sign, const double* a, int rows, int cols, const double* x, double* y) {
+/// y += A x, A rows × cols column-major.
+void add_multiply(const double* a, int rows, int cols, const double* x, double* y) {
   for (int c = 0; c < cols; ++c) {
-    for (int r = 0; r < rows; ++r) y[r] += sign * a[r + c * rows] * x[c];
+    for (int r = 0; r < rows; ++r) y[r] += a[r + c * rows] * x[c];
   }
 }
 
-/// y += sign · Aᵀ x.
-void add_transposed_multiply(double sign, const double* a, int rows, int cols, const double* x, double* y) {
+/// y += Aᵀ x.
+void add_transposed_multiply(const double* a, int rows, int cols, const double* x, double* y) {
   for (int c = 0; c < cols; ++c) {
     double sum = 0;
     for (int r = 0; r < rows; ++r) sum += a[r + c * rows] * x[r];
-    y[c] += sign * sum;
+    y[c] += sum;
   }
 }
 
-/// C −= A Bᵀ; A m × k, B n × k, C m × n.
-void subtract_product(const double* a, int m, const double* b, int n, int k, double* c) {
-  for (int p = 0; p < k; ++p) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < m; ++i) c[i + j * m] -= a[i + p * m] * b[j + p * n];
-    }
-  }
+void solve_small(const double* l, int dim, double* x) {
+  with_small_size(dim, [&](auto n) { small_solve(l, n, x); });
 }
 
 }  // namespace
@@ -52,7 +48,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
   std::vector<std::uint32_t> dims;
   for (std::uint32_t i = 0; i < kept; ++i) dims.push_back(structure.dim(eliminated_ + i));
   std::vector<BlockCoordinate> pairs;
-  std::size_t longest = 0, largest = 1;
+  std::size_t longest = 0, largest = 1, most_blocks = 0;
   for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
     const std::uint32_t begin = structure.column_start[column] + 1, end = structure.column_start[column + 1];
     largest = std::max<std::size_t>(largest, structure.dim(column));
@@ -64,6 +60,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     factor_start_.push_back(static_cast<std::uint32_t>(factors_.size()));
     factors_.resize(factors_.size() + std::size_t{structure.dim(column)} * structure.dim(column));
     longest = std::max<std::size_t>(longest, structure.value_start[end] - structure.value_start[begin]);
+    most_blocks = std::max<std::size_t>(most_blocks, end - begin);
     if (!explicit_values) continue;
     for (std::uint32_t a = begin; a < end; ++a) {
       for (std::uint32_t b = begin; b < a; ++b) {
@@ -78,6 +75,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     diagonal += dim * dim;
   }
   half_column_.resize(longest);
+  half_rows_.resize(most_blocks);
   small_.resize(largest);
   if (!explicit_values) return;
   reduced_values_.resize(reduced_.nonzero_values());
@@ -105,7 +103,7 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
     std::copy_n(v, n * n, l);
     for (int i = 0; i < n; ++i)
       l[i + i * n] += damping(structure_->offset[e] + static_cast<std::uint32_t>(i));
-    if (!small_cholesky(l, n)) {
+    if (!with_small_size(n, [&](auto size) { return small_cholesky(l, size); })) {
       const bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
       return {finite ? LinearStatus::kNotPositiveDefinite : LinearStatus::kNotFinite, e};
     }
@@ -116,6 +114,20 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
 
 Damping Schur::reduced_damping(const Damping& damping) const {
   return {damping.lambda, damping.diagonal ? damping.diagonal + eliminated_scalars() : nullptr};
+}
+
+/// Fills half_column_ and half_rows_; returns how many blocks they hold.
+std::uint32_t Schur::halve_column(std::uint32_t column) {
+  const int n = static_cast<int>(structure_->dim(column));
+  const double* l = factors_.data() + factor_start_[column];
+  double* half = half_column_.data();
+  std::uint32_t blocks = 0;
+  for_each_row(column, [&](std::uint32_t, const double* w, int rows) {
+    elimination_kernels(rows, n).half_block(rows, n, l, w, half);
+    half += rows * n;
+    half_rows_[blocks++] = rows;
+  });
+  return blocks;
 }
 
 void Schur::form_reduced_values() {
@@ -129,23 +141,15 @@ void Schur::form_reduced_values() {
   target = pair_target_.data();
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
-    const double* l = factors_.data() + factor_start_[e];
-    double* y = half_column_.data();
-    for_each_row(e, [&](std::uint32_t, const double* w, int rows) {
-      std::copy_n(w, rows * n, y);
-      for (int r = 0; r < rows; ++r) small_forward(l, n, y + r, rows);
-      y += rows * n;
-    });
-    const double* ya = half_column_.data();
-    for_each_row(e, [&](std::uint32_t a, const double*, int rows_a) {
-      const double* yb = half_column_.data();
-      for_each_row(e, [&](std::uint32_t b, const double*, int rows_b) {
-        if (b > a) return;
-        subtract_product(ya, rows_a, yb, rows_b, n, reduced_values_.data() + *target++);
-        yb += rows_b * n;
-      });
-      ya += rows_a * n;
-    });
+    const auto blocks = static_cast<int>(halve_column(e));
+    const double* half = half_column_.data();
+    for (int a = 0; a < blocks; ++a) {
+      const int rows = half_rows_[static_cast<std::size_t>(a)];
+      elimination_kernels(rows, n).subtract_block_products(
+          rows, n, half, {half_column_.data(), half_rows_.data(), a + 1, target, reduced_values_.data()});
+      half += rows * n;
+      target += a + 1;
+    }
   }
 }
 
@@ -155,10 +159,10 @@ void Schur::reduce(const double* r, double* reduced_r) {
     const int n = static_cast<int>(structure_->dim(e));
     const double* l = factors_.data() + factor_start_[e];
     std::copy_n(r + structure_->offset[e], n, small_.data());
-    small_forward(l, n, small_.data());
-    small_backward(l, n, small_.data());
+    solve_small(l, n, small_.data());
     for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      add_multiply(-1, w, rows, n, small_.data(), reduced_r + reduced_.offset[row]);
+      elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small_.data(),
+                                                           reduced_r + reduced_.offset[row]);
     });
   }
 }
@@ -171,10 +175,10 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
     double* out = x + structure_->offset[e];
     std::copy_n(r + structure_->offset[e], n, out);
     for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      add_transposed_multiply(-1, w, rows, n, reduced_x + reduced_.offset[row], out);
+      elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_.offset[row],
+                                                                out);
     });
-    small_forward(l, n, out);
-    small_backward(l, n, out);
+    solve_small(l, n, out);
   }
 }
 
@@ -189,25 +193,25 @@ void Schur::kept_multiply(const double* x, double* y) const {
       const int rows = static_cast<int>(structure_->dim(row));
       const std::uint32_t row_at = structure_->offset[row] - eliminated_scalars();
       const double* block = values_.data() + structure_->value_start[k];
-      add_multiply(1, block, rows, cols, x + at, y + row_at);
-      if (row != column) add_transposed_multiply(1, block, rows, cols, x + row_at, y + at);
+      add_multiply(block, rows, cols, x + at, y + row_at);
+      if (row != column) add_transposed_multiply(block, rows, cols, x + row_at, y + at);
     }
   }
 }
 
 void Schur::multiply(const double* x, double* y) {
   kept_multiply(x, y);
+  double* small = small_.data();
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
-    const double* l = factors_.data() + factor_start_[e];
-    std::fill_n(small_.data(), n, 0.0);
+    std::fill_n(small, n, 0.0);
     for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      add_transposed_multiply(1, w, rows, n, x + reduced_.offset[row], small_.data());
+      elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
     });
-    small_forward(l, n, small_.data());
-    small_backward(l, n, small_.data());
+    solve_small(factors_.data() + factor_start_[e], n, small);
+    for (int i = 0; i < n; ++i) small[i] = -small[i];
     for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      add_multiply(-1, w, rows, n, small_.data(), y + reduced_.offset[row]);
+      elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small, y + reduced_.offset[row]);
     });
   }
 }
@@ -218,13 +222,14 @@ void Schur::block_diagonal(double* out) {
     std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1],
               out + diagonal_start_[block]);
   }
-  double* half = half_column_.data();
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
-    for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
-      std::copy_n(w, rows * n, half);
-      for (int r = 0; r < rows; ++r) small_forward(factors_.data() + factor_start_[e], n, half + r, rows);
-      subtract_product(half, rows, half, rows, n, out + diagonal_start_[row]);
+    halve_column(e);
+    const double* half = half_column_.data();
+    for_each_row(e, [&](std::uint32_t row, const double*, int rows) {
+      elimination_kernels(rows, n).subtract_block_products(rows, n, half,
+                                                           {half, &rows, 1, &diagonal_start_[row], out});
+      half += rows * n;
     });
   }
 }

@@ -3,42 +3,57 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 namespace boxplus {
 
-/// A = LLᵀ in place (lower triangle); false where A is not positive definite to working precision.
-inline bool small_cholesky(double* a, int n) {
+/// Calls f with n as a constant if n is common, so that its loops unroll; else with n.
+template <class F>
+inline auto with_small_size(int n, F&& f) {
+  switch (n) {
+    case 1:
+      return f(std::integral_constant<int, 1>{});
+    case 2:
+      return f(std::integral_constant<int, 2>{});
+    case 3:
+      return f(std::integral_constant<int, 3>{});
+    default:
+      return f(n);
+  }
+}
+
+/// A = LLᵀ in place (lower triangle), with the reciprocals of L's diagonal in place of the diagonal; false if
+/// A is not positive definite to working precision.
+template <class Size>
+inline bool small_cholesky(double* a, Size n) {
   for (int j = 0; j < n; ++j) {
     const double original = a[j + j * n];
     double pivot = original;
     for (int k = 0; k < j; ++k) pivot -= a[j + k * n] * a[j + k * n];
     if (!(pivot > 1e-14 * original) || !std::isfinite(pivot)) return false;
-    const double root = std::sqrt(pivot);
-    a[j + j * n] = root;
+    const double reciprocal = 1 / std::sqrt(pivot);
+    a[j + j * n] = reciprocal;
     for (int i = j + 1; i < n; ++i) {
       double sum = a[i + j * n];
       for (int k = 0; k < j; ++k) sum -= a[i + k * n] * a[j + k * n];
-      a[i + j * n] = sum / root;
+      a[i + j * n] = sum * reciprocal;
     }
   }
   return true;
 }
 
-/// x ← L⁻¹ x, elements `stride` apart.
-inline void small_forward(const double* l, int n, double* x, int stride = 1) {
+/// x ← (LLᵀ)⁻¹ x, L as small_cholesky() leaves it.
+template <class Size>
+inline void small_solve(const double* l, Size n, double* x) {
   for (int i = 0; i < n; ++i) {
-    double sum = x[i * stride];
-    for (int k = 0; k < i; ++k) sum -= l[i + k * n] * x[k * stride];
-    x[i * stride] = sum / l[i + i * n];
+    double sum = x[i];
+    for (int k = 0; k < i; ++k) sum -= l[i + k * n] * x[k];
+    x[i] = sum * l[i + i * n];
   }
-}
-
-/// x ← L⁻ᵀ x.
-inline void small_backward(const double* l, int n, double* x) {
   for (int i = n - 1; i >= 0; --i) {
     double sum = x[i];
     for (int k = i + 1; k < n; ++k) sum -= l[k + i * n] * x[k];
-    x[i] = sum / l[i + i * n];
+    x[i] = sum * l[i + i * n];
   }
 }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "linear/test_system.h"
 #include "linearize/bundle.h"
 #include "linearize/dense_reference.h"
 
@@ -160,6 +161,50 @@ TEST(Schur, NamesTheVertexWhoseBlockIsNotFinite) {
   const FactorResult result = schur.eliminate(values, {});
   EXPECT_EQ(result.status, LinearStatus::kNotFinite);
   EXPECT_EQ(result.failed_block, 3u);
+}
+
+/// Cameras of the given dimensions see all points of the given dimensions; no other two blocks are joined.
+TestSystem system_of(const std::vector<std::uint32_t>& points, const std::vector<std::uint32_t>& cameras) {
+  std::mt19937 random(11);
+  std::vector<std::uint32_t> dims = points;
+  dims.insert(dims.end(), cameras.begin(), cameras.end());
+  std::vector<BlockCoordinate> edges;
+  for (std::uint32_t p = 0; p < points.size(); ++p) {
+    for (auto c = static_cast<std::uint32_t>(points.size()); c < dims.size(); ++c) edges.push_back({c, p});
+  }
+  return random_system(dims, edges, random, 3);
+}
+
+TEST(Schur, EqualsTheDenseComplementForBlocksOfAllSizes) {
+  const std::vector<std::vector<std::uint32_t>> cameras{
+      {6, 6, 6}, {7, 7}, {9, 9, 9}, {3, 3}, {2, 2}, {6, 3, 6, 4, 6, 3}, {15, 6, 9, 1, 5}};
+  for (const auto& kept_dims : cameras) {
+    for (const std::uint32_t dim : {1u, 2u, 3u, 4u, 6u}) {
+      SCOPED_TRACE(testing::PrintToString(kept_dims) + " points of " + std::to_string(dim));
+      TestSystem system = system_of(std::vector<std::uint32_t>(8, dim), kept_dims);
+      const double lambda = 0.25;
+      const Eigen::MatrixXd H = system.dense();
+      const Eigen::Index n = H.rows(), eliminated = 8 * dim, kept = n - eliminated;
+      Eigen::MatrixXd damped = H;
+      damped.diagonal().array() += lambda;
+      const Eigen::MatrixXd W = H.bottomLeftCorner(kept, eliminated);
+      const Eigen::MatrixXd S = H.bottomRightCorner(kept, kept) -
+                                W * damped.topLeftCorner(eliminated, eliminated).llt().solve(W.transpose());
+      Schur schur(system.structure, 8, true);
+      ASSERT_EQ(schur.eliminate(system.values, {lambda, nullptr}).status, LinearStatus::kOk);
+      EXPECT_LE((dense_matrix(schur.reduced_structure(), schur.reduced_values()) - S).norm(),
+                1e-12 * H.norm());
+      const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, -1, 2);
+      Eigen::VectorXd reduced_r(kept), y(kept), x(n);
+      schur.multiply(r.tail(kept).eval().data(), y.data());
+      EXPECT_LE((y - S * r.tail(kept)).norm(), 1e-12 * H.norm());
+      schur.reduce(r.data(), reduced_r.data());
+      const Eigen::VectorXd solved = damped.llt().solve(r), reduced_x = solved.tail(kept);
+      EXPECT_LE((S * reduced_x + lambda * reduced_x - reduced_r).norm(), 1e-11 * H.norm());
+      schur.back_substitute(r.data(), reduced_x.data(), x.data());
+      EXPECT_LE((x - solved).norm(), 1e-10 * solved.norm());
+    }
+  }
 }
 
 TEST(Schur, OfAllVerticesIsEmpty) {

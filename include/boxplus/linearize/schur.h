@@ -47,6 +47,7 @@ class Schur {
   template <class F>
   void for_each_row(std::uint32_t column, F&& f) const;
   void form_reduced_values();
+  std::uint32_t halve_column(std::uint32_t column);
   void kept_multiply(const double* x, double* y) const;
 
   const BlockStructure* structure_;
@@ -54,12 +55,13 @@ class Schur {
   BlockStructure reduced_;
   std::span<const double> values_;
   std::vector<std::uint32_t> factor_start_;  // per eliminated block, into factors_
-  std::vector<double> factors_;              // L of V + λD, dim × dim, column-major
+  std::vector<double> factors_;              // L of V + λD, dim × dim, with 1/L_ii on the diagonal
   std::vector<double> reduced_values_;
   std::vector<std::uint32_t> kept_target_;  // value of S for every kept block of H
   std::vector<std::uint32_t>
       pair_target_;                  // value of S for every pair of rows (a ≥ b) of every eliminated column
   std::vector<double> half_column_;  // W L⁻ᵀ of one column
+  std::vector<int> half_rows_;       // of its blocks
   std::vector<double> small_;
   std::vector<std::uint32_t> diagonal_start_;  // of each kept block among the diagonal blocks
 };

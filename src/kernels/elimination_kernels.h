@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The arithmetic of the Schur complement on one block W of an eliminated column: R rows, N columns.
+#pragma once
+
+#include "kernels/kernel_table.h"
+#include "kernels/simd_pack.h"
+
+namespace boxplus::dense::BOXPLUS_ISA {
+
+/// The widest vector of at most N doubles that this instruction set has.
+template <int N>
+struct ColumnPart {
+#if defined(__GNUC__)
+  static constexpr int kWidth = N >= kLanes ? kLanes : (N >= 4 && kLanes > 4) ? 4 : N >= 2 ? 2 : 1;
+  typedef double Type __attribute__((vector_size(kWidth * sizeof(double))));
+#else
+  static constexpr int kWidth = 1;
+  using Type = double;
+#endif
+};
+
+/// N consecutive doubles in registers; no byte beyond them is read or written.
+template <int N>
+struct Column {
+  static constexpr int kWidth = ColumnPart<N>::kWidth;
+  typename ColumnPart<N>::Type part;
+  Column<N - kWidth> rest;
+
+  void load(const double* from) {
+    __builtin_memcpy(&part, from, sizeof(part));
+    rest.load(from + kWidth);
+  }
+  void store(double* to) const {
+    __builtin_memcpy(to, &part, sizeof(part));
+    rest.store(to + kWidth);
+  }
+  void subtract(const Column& other, double factor) {
+    part -= other.part * factor;
+    rest.subtract(other.rest, factor);
+  }
+  void scale(double factor) {
+    part *= factor;
+    rest.scale(factor);
+  }
+};
+template <>
+struct Column<0> {
+  void load(const double*) {}
+  void store(double*) const {}
+  void subtract(const Column&, double) {}
+  void scale(double) {}
+};
+
+/// Y = W L⁻ᵀ; the diagonal of L holds reciprocals.
+template <int R, int N>
+void half_block(int, int, const double* l, const double* w, double* y) {
+  Column<R> columns[N];
+#pragma GCC unroll 3
+  for (int p = 0; p < N; ++p) {
+    columns[p].load(w + p * R);
+#pragma GCC unroll 3
+    for (int q = 0; q < p; ++q) columns[p].subtract(columns[q], l[p + q * N]);
+    columns[p].scale(l[p + p * N]);
+    columns[p].store(y + p * R);
+  }
+}
+
+/// C −= A Bᵀ, A in registers; Cols is 0 if the number of B's rows is known at run time only.
+template <int R, int N, int Cols>
+inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int b_rows, double* c) {
+  const int cols = Cols > 0 ? Cols : b_rows;
+#pragma GCC unroll 9
+  for (int j = 0; j < cols; ++j) {
+    Column<R> sum;
+    sum.load(c + j * R);
+#pragma GCC unroll 3
+    for (int p = 0; p < N; ++p) sum.subtract(a[p], b[j + p * cols]);
+    sum.store(c + j * R);
+  }
+}
+
+template <int R, int N>
+void subtract_block_products(int, int, const double* a, const BlockProducts& products) {
+  Column<R> columns[N];
+#pragma GCC unroll 3
+  for (int p = 0; p < N; ++p) columns[p].load(a + p * R);
+  const double* b = products.b;
+  for (int k = 0; k < products.count; ++k) {
+    const int b_rows = products.b_rows[k];
+    double* c = products.values + products.targets[k];
+    if (b_rows == R) {
+      subtract_block_product<R, N, R>(columns, b, b_rows, c);
+    } else {
+      subtract_block_product<R, N, 0>(columns, b, b_rows, c);
+    }
+    b += b_rows * N;
+  }
+}
+
+/// y −= W x.
+template <int R, int N>
+void subtract_block_multiple(int, int, const double* w, const double* x, double* y) {
+  Column<R> sum;
+  sum.load(y);
+#pragma GCC unroll 3
+  for (int p = 0; p < N; ++p) {
+    Column<R> column;
+    column.load(w + p * R);
+    sum.subtract(column, x[p]);
+  }
+  sum.store(y);
+}
+
+/// y −= Wᵀ x.
+template <int R, int N>
+void subtract_transposed_multiple(int, int, const double* w, const double* x, double* y) {
+#pragma GCC unroll 3
+  for (int p = 0; p < N; ++p) {
+    double even = 0, odd = 0;
+#pragma GCC unroll 9
+    for (int r = 0; r + 1 < R; r += 2) {
+      even += w[r + p * R] * x[r];
+      odd += w[r + 1 + p * R] * x[r + 1];
+    }
+    if constexpr (R % 2 == 1) even += w[R - 1 + p * R] * x[R - 1];
+    y[p] -= even + odd;
+  }
+}
+
+template <int R, int N>
+inline constexpr EliminationKernels kEliminationKernels{half_block<R, N>, subtract_block_products<R, N>,
+                                                        subtract_block_multiple<R, N>,
+                                                        subtract_transposed_multiple<R, N>};
+
+template <int R>
+inline const EliminationKernels* elimination_kernels_of(int dim) {
+  switch (dim) {
+    case 1:
+      return &kEliminationKernels<R, 1>;
+    case 2:
+      return &kEliminationKernels<R, 2>;
+    case 3:
+      return &kEliminationKernels<R, 3>;
+    default:
+      return nullptr;
+  }
+}
+
+inline const EliminationKernels* elimination_kernels_for(int rows, int dim) {
+  switch (rows) {
+    case 2:
+      return elimination_kernels_of<2>(dim);
+    case 3:
+      return elimination_kernels_of<3>(dim);
+    case 4:
+      return elimination_kernels_of<4>(dim);
+    case 6:
+      return elimination_kernels_of<6>(dim);
+    case 7:
+      return elimination_kernels_of<7>(dim);
+    case 9:
+      return elimination_kernels_of<9>(dim);
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace boxplus::dense::BOXPLUS_ISA
