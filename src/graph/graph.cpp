@@ -5,36 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "graph/incidence.h"
+
 namespace boxplus {
-
-Graph::Graph() = default;
-Graph::~Graph() = default;
-
-// The cache may point at the graph that it was made for: it does not move.
-Graph::Graph(Graph&& other) noexcept : Graph() {
-  *this = std::move(other);
-}
-
-Graph& Graph::operator=(Graph&& other) noexcept {
-  if (this == &other) return *this;
-  cache_.reset();
-  other.cache_.reset();
-  vertex_pools_ = std::move(other.vertex_pools_);
-  edge_pools_ = std::move(other.edge_pools_);
-  edge_access_ = std::move(other.edge_access_);
-  last_vertex_pool_ = std::exchange(other.last_vertex_pool_, {});
-  last_edge_pool_ = std::exchange(other.last_edge_pool_, {});
-  vertex_pool_of_ = std::move(other.vertex_pool_of_);
-  edge_pool_of_ = std::move(other.edge_pool_of_);
-  vertex_ids_ = std::exchange(other.vertex_ids_, {});
-  parameter_ids_ = std::exchange(other.parameter_ids_, {});
-  next_id_ = other.next_id_;
-  next_parameter_id_ = other.next_parameter_id_;
-  revision_ = other.revision_;
-  epoch_ = other.epoch_;
-  stack_ = std::move(other.stack_);
-  return *this;
-}
 
 Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what) {
   if (!id) {
@@ -169,26 +142,6 @@ bool Graph::is_eliminated(VertexRef vertex) const {
   return vertex_pools_[vertex.pool]->eliminated(vertex.slot);
 }
 
-void Graph::remove(VertexRef vertex) {
-  check(vertex);
-  for (const auto& pool : edge_pools_) {
-    for (std::uint32_t edge = 0; edge < pool->slots(); ++edge) {
-      if (!pool->alive(edge)) continue;
-      const auto slots = pool->vertex_slots(edge);
-      for (std::size_t i = 0; i < slots.size(); ++i) {
-        if (slots[i] == vertex.slot && pool->vertex_pool(static_cast<int>(i)) == vertex.pool) {
-          pool->remove(edge);
-          break;
-        }
-      }
-    }
-  }
-  VertexPool& pool = *vertex_pools_[vertex.pool];
-  (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
-  pool.release_slot(vertex.slot);
-  ++revision_;
-}
-
 std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
   check(edge);
   const EdgePool& pool = *edge_pools_[edge.pool];
@@ -250,21 +203,6 @@ void Graph::remove(EdgeRef edge) {
   check(edge);
   edge_pools_[edge.pool]->remove(edge.slot);
   ++revision_;
-}
-
-double Graph::chi2(EdgeRef edge) const {
-  check(edge);
-  double result = 0;
-  edge_pools_[edge.pool]->chi2(std::span(&edge.slot, 1), &result);
-  return result;
-}
-
-std::vector<double> Graph::error(EdgeRef edge) const {
-  check(edge);
-  const EdgePool& pool = *edge_pools_[edge.pool];
-  std::vector<double> result(static_cast<std::size_t>(pool.shape(edge.slot).rows));
-  pool.errors(std::span(&edge.slot, 1), result.data());
-  return result;
 }
 
 double Graph::chi2() const {

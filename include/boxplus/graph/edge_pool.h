@@ -12,6 +12,7 @@
 #include "boxplus/graph/frame.h"
 #include "boxplus/graph/handle.h"
 #include "boxplus/graph/information.h"
+#include "boxplus/graph/vertex_pool.h"
 #include "boxplus/robust/robust_kernel.h"
 
 namespace boxplus {
@@ -48,6 +49,9 @@ class EdgePool {
  public:
   virtual ~EdgePool() = default;
 
+  /// A copy with the same slots and generations, over copies of the graph's vertex pools.
+  virtual std::unique_ptr<EdgePool> clone(
+      std::span<const std::unique_ptr<VertexPool>> vertex_pools) const = 0;
   virtual std::string_view type_name() const = 0;
   virtual EdgeShape shape(std::uint32_t edge) const = 0;
   /// True where all edges of the pool have one shape. Others are linearised one at a time.

@@ -72,6 +72,12 @@ class Graph {
  public:
   Graph();
   ~Graph();
+  /// A deep copy, in which the handles of `other` name the same elements; handles that either graph gives out
+  /// later belong to that graph alone. Estimates, error functions and the stack of push() are copied; robust
+  /// kernels are shared. What optimize() keeps for `other` is not copied: the first optimize() of the copy
+  /// plans anew. O(vertices + edges).
+  Graph(const Graph& other);
+  Graph& operator=(const Graph& other);
   Graph(Graph&&) noexcept;
   Graph& operator=(Graph&&) noexcept;
 
@@ -145,7 +151,8 @@ class Graph {
   void set_eliminated(VertexRef vertex, bool eliminated);
   bool is_eliminated(VertexRef vertex) const;
 
-  /// Removes a vertex and every edge that uses it. O(edges).
+  /// Removes a vertex and every edge that uses it. O(edges), or O(edges of the vertex) after a call of
+  /// edges().
   void remove(VertexRef vertex);
 
   /// ── Edges
@@ -176,7 +183,9 @@ class Graph {
     auto& pool = static_cast<TypedEdgePool<E, edge::VertexType<H>...>&>(*edge_pools_[index]);
     const std::uint32_t slot = pool.add(std::move(error), information, slots);
     ++revision_;
-    return {EdgeRef{index, slot, pool.generation(slot)}};
+    const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
+    if (incidence_) index_edge(handle, refs);
+    return handle;
   }
 
   /// Makes room for `count` edges in all of the type of this one: a hint, which saves time where many follow.
@@ -195,6 +204,10 @@ class Graph {
 
   bool contains(EdgeRef edge) const;
   std::vector<VertexRef> vertices(EdgeRef edge) const;
+  /// The edges that use a vertex (or parameter), in the order of all_edges(). The first call lists the edges
+  /// of every vertex, in O(vertices + edges). From then on this index is kept up to date: each call takes
+  /// O(d log d) for d edges, and add_edge() takes a little longer.
+  std::vector<EdgeRef> edges(VertexRef vertex) const;
   InformationView information(EdgeRef edge) const;
   void set_information(EdgeRef edge, const Information& information);
   /// nullptr removes the kernel. Kernels may be shared between edges.
@@ -215,6 +228,14 @@ class Graph {
   /// eᵀΩe of one edge, before its kernel; the same without Ω: its error.
   double chi2(EdgeRef edge) const;
   std::vector<double> error(EdgeRef edge) const;
+  /// The factor by which an optimizer multiplies Ω of one edge at the current estimates: ρ′(eᵀΩe) of its
+  /// kernel, but at least 0; 1 without a kernel; 0 for a disabled edge. The weighted information of the edge
+  /// is weight(edge) * information(edge).matrix().
+  double weight(EdgeRef edge) const;
+  /// The Jacobian of one edge's error at the current estimates: for the i-th of vertices(edge), fixed ones
+  /// included, ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, which has rows × tangent_dim(x_i) entries. Neither Ω nor
+  /// the kernel is applied.
+  std::vector<Eigen::MatrixXd> jacobian(EdgeRef edge) const;
   /// Σ ρ(eᵀΩe) over all enabled edges. O(edges).
   double chi2() const;
 
@@ -255,6 +276,8 @@ class Graph {
   std::unique_ptr<Cache>& cache() { return cache_; }
 
  private:
+  /// The edges of each vertex.
+  class Incidence;
   struct Saved {
     std::vector<std::vector<std::uint32_t>> slots;        // per pool
     std::vector<std::vector<std::uint32_t>> generations;  // per pool
@@ -269,6 +292,8 @@ class Graph {
   static std::optional<VertexRef> find_repetition(std::span<const VertexRef> vertices);
   void check_distinct(std::span<const VertexRef> vertices) const;
   void mark_parameter(VertexRef vertex);
+  std::vector<EdgeRef> find_edges(VertexRef vertex) const;
+  void index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexcept;
   void save(Saved saved);
   Saved live(const Saved& saved) const;
 
@@ -383,6 +408,7 @@ class Graph {
   std::uint32_t epoch_ = 0;  // first generation of new slots: handles from before clear() stay stale
   std::vector<Saved> stack_;
   std::unique_ptr<Cache> cache_;
+  mutable std::unique_ptr<Incidence> incidence_;  // made by the first call of edges()
 };
 
 }  // namespace boxplus

@@ -85,6 +85,16 @@ class TypedEdgePool final : public EdgePool {
     if constexpr (kRows == kDynamic) boxplus::reserve(rows_, edges);
   }
 
+  std::unique_ptr<EdgePool> clone(std::span<const std::unique_ptr<VertexPool>> vertex_pools) const override {
+    auto copy = std::make_unique<TypedEdgePool>(*this);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      copy->pools_ = {static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
+          vertex_pools[vertex_pool(static_cast<int>(I))].get())...};
+    }
+    (Indices{});
+    return copy;
+  }
+
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }

@@ -2,6 +2,7 @@
 // The vertices of one C++ type, by value.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,16 @@ class TypedVertexPool final : public VertexPool {
   const T& value(std::uint32_t slot) const { return values_[slot]; }
   T& value(std::uint32_t slot) { return values_[slot]; }
 
+  std::unique_ptr<VertexPool> clone() const override {
+    auto copy = std::make_unique<TypedVertexPool>();
+    static_cast<VertexPool&>(*copy) = *this;
+    copy->values_ = values_;
+    copy->backups_.resize(backups_.size());
+    for (std::size_t level = kFirstStackLevel; level < backups_.size(); ++level) {
+      copy->backups_[level] = backups_[level];
+    }
+    return copy;
+  }
   std::string_view type_name() const override { return boxplus::type_name<T>(); }
   int tangent_dim(std::uint32_t slot) const override { return boxplus::tangent_dim(values_[slot]); }
 

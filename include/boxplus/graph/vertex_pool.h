@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ class VertexPool {
   /// Backup levels: the optimiser's trial steps and starts come first, then the stack of Graph::push().
   static constexpr int kTrialLevel = 0, kStartLevel = 1, kBestLevel = 2, kFirstStackLevel = 3;
 
+  /// A copy with the same slots and generations. Only the backups of the stack of Graph::push() are copied.
+  virtual std::unique_ptr<VertexPool> clone() const = 0;
   virtual std::string_view type_name() const = 0;
   /// Tangent size of the vertex in `slot`.
   virtual int tangent_dim(std::uint32_t slot) const = 0;

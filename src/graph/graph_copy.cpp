@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a Graph is made, copied and moved.
+#include <utility>
+
+#include "boxplus/graph/graph.h"
+#include "graph/incidence.h"
+
+namespace boxplus {
+
+Graph::Graph() = default;
+Graph::~Graph() = default;
+
+// The cache and the index of edges are made again where they are needed.
+Graph::Graph(const Graph& other)
+    : edge_access_(other.edge_access_),
+      vertex_pool_of_(other.vertex_pool_of_),
+      edge_pool_of_(other.edge_pool_of_),
+      last_vertex_pool_(other.last_vertex_pool_),
+      last_edge_pool_(other.last_edge_pool_),
+      vertex_ids_(other.vertex_ids_),
+      parameter_ids_(other.parameter_ids_),
+      next_id_(other.next_id_),
+      next_parameter_id_(other.next_parameter_id_),
+      revision_(other.revision_),
+      epoch_(other.epoch_),
+      stack_(other.stack_) {
+  for (const auto& pool : other.vertex_pools_) vertex_pools_.push_back(pool->clone());
+  for (const auto& pool : other.edge_pools_) edge_pools_.push_back(pool->clone(vertex_pools_));
+}
+
+Graph& Graph::operator=(const Graph& other) {
+  return *this = Graph(other);
+}
+
+// The cache may point at the graph that it was made for: it does not move.
+Graph::Graph(Graph&& other) noexcept : Graph() {
+  *this = std::move(other);
+}
+
+Graph& Graph::operator=(Graph&& other) noexcept {
+  if (this == &other) return *this;
+  cache_.reset();
+  other.cache_.reset();
+  vertex_pools_ = std::move(other.vertex_pools_);
+  edge_pools_ = std::move(other.edge_pools_);
+  edge_access_ = std::move(other.edge_access_);
+  last_vertex_pool_ = std::exchange(other.last_vertex_pool_, {});
+  last_edge_pool_ = std::exchange(other.last_edge_pool_, {});
+  vertex_pool_of_ = std::move(other.vertex_pool_of_);
+  edge_pool_of_ = std::move(other.edge_pool_of_);
+  vertex_ids_ = std::exchange(other.vertex_ids_, {});
+  parameter_ids_ = std::exchange(other.parameter_ids_, {});
+  next_id_ = other.next_id_;
+  next_parameter_id_ = other.next_parameter_id_;
+  revision_ = other.revision_;
+  epoch_ = other.epoch_;
+  stack_ = std::move(other.stack_);
+  incidence_ = std::move(other.incidence_);
+  return *this;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One edge at the current estimates.
+#include "boxplus/graph/graph.h"
+
+namespace boxplus {
+
+double Graph::chi2(EdgeRef edge) const {
+  check(edge);
+  double result = 0;
+  edge_pools_[edge.pool]->chi2(std::span(&edge.slot, 1), &result);
+  return result;
+}
+
+std::vector<double> Graph::error(EdgeRef edge) const {
+  check(edge);
+  const EdgePool& pool = *edge_pools_[edge.pool];
+  std::vector<double> result(static_cast<std::size_t>(pool.shape(edge.slot).rows));
+  pool.errors(std::span(&edge.slot, 1), result.data());
+  return result;
+}
+
+double Graph::weight(EdgeRef edge) const {
+  if (!is_enabled(edge)) return 0;
+  const RobustKernel* kernel = edge_pools_[edge.pool]->kernel(edge.slot);
+  if (kernel == nullptr) return 1;
+  const double first = (*kernel)(chi2(edge)).first;
+  return first < 0 ? 0 : first;
+}
+
+std::vector<Eigen::MatrixXd> Graph::jacobian(EdgeRef edge) const {
+  check(edge);
+  const EdgePool& pool = *edge_pools_[edge.pool];
+  const EdgeShape shape = pool.shape(edge.slot);
+  std::vector<double> error(static_cast<std::size_t>(shape.rows));
+  Eigen::MatrixXd J(shape.rows, shape.cols);
+  EdgeTile tile;
+  tile.error = error.data();
+  tile.jacobian = J.data();
+  pool.linearize(std::span(&edge.slot, 1), tile, false);
+  std::vector<Eigen::MatrixXd> blocks;
+  Eigen::Index column = 0;
+  for (const VertexRef& vertex : vertices(edge)) {
+    const int dim = tangent_dim(vertex);
+    blocks.emplace_back(J.middleCols(column, dim));
+    column += dim;
+  }
+  return blocks;
+}
+
+}  // namespace boxplus
