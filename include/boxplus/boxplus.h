@@ -12,6 +12,7 @@
 #include "boxplus/manifold/se3.h"
 #include "boxplus/manifold/so2.h"
 #include "boxplus/manifold/so3.h"
+#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimize.h"
 #include "boxplus/robust/barron.h"
 #include "boxplus/robust/huber.h"

@@ -2,11 +2,15 @@
 // A client with types of its own whose layout Eigen decides, kept and changed through the library's
 // templates.
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdio>
+#include <type_traits>
 #include <vector>
 
 #include "boxplus/base/error.h"
 #include "boxplus/base/parallel.h"
+#include "boxplus/manifold/convert_to.h"
+#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimize.h"
 
 /// A vertex type whose layout Eigen decides.
@@ -93,6 +97,25 @@ bool graphs_of_eigen_structs_are_optimised() {
   return true;
 }
 
+/// Isometries become vertices, whose estimates become isometries again, with their covariances.
+bool conversions_survive() {
+  const Eigen::Isometry3d measured = Eigen::Translation3d(1, 2, 3) * Eigen::Quaterniond(0.6, 0, 0.8, 0);
+  boxplus::Graph graph;
+  const auto pose = graph.add_vertex(boxplus::SE3RotationVector());
+  graph.add_edge(
+      [z = boxplus::convert_to<boxplus::SE3>(measured)](const auto& x) {
+        const auto seen = x.inverse_times(z.translation());
+        const auto turn = (x.quaternion().conjugate() * z.quaternion());
+        return boxplus::Vector<std::decay_t<decltype(turn.x)>, 6>{seen[0], seen[1], seen[2],
+                                                                  turn.x,  turn.y,  turn.z};
+      },
+      4.0, pose);
+  if (!boxplus::optimize(graph, {.threads = 2}).converged()) return false;
+  const auto found = boxplus::convert_to<Eigen::Isometry3d>(graph.estimate(pose));
+  const Eigen::MatrixXd sigma = boxplus::covariance(graph, {pose}).of(pose);
+  return found.isApprox(measured, 1e-6) && std::abs(sigma(0, 0) - 0.25) < 1e-6;
+}
+
 bool exceptions_arrive() {
   try {
     boxplus::parallel_tasks(2, [](int) { throw boxplus::InvalidArgument("expected"); });
@@ -107,7 +130,7 @@ bool exceptions_arrive() {
 // Each new kind of exchange between a client and the library is one more line here.
 int main() {
   const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() &&
-                    graphs_of_eigen_structs_are_optimised() && exceptions_arrive();
+                    graphs_of_eigen_structs_are_optimised() && conversions_survive() && exceptions_arrive();
   std::puts(good ? "good" : "bad");
   return good ? 0 : 1;
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Marginal covariances of vertices: how certain the estimates are.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/optimize/options.h"
+
+namespace boxplus {
+
+enum class CovarianceStatus : std::uint8_t {
+  kOk,
+  kSingular,  ///< the edges leave a vertex undetermined: failed_vertex() names it
+  kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
+};
+
+/// Blocks of H⁻¹, where H = Σ ρ′JᵀΩJ at the estimates at which they were computed.
+///
+/// The covariance of a vertex x is that of δ in x ⊞ δ: it has the tangent's order, units and frame. For SE2
+/// that is (Δx, Δy, Δθ) in the body frame. For SE3 it is (Δt, Δq), also in the body frame, where Δq is the
+/// vector part of a quaternion: half of an angle. (SE3RotationVector has whole angles.)
+class Covariance {
+ public:
+  CovarianceStatus status() const { return status_; }
+  bool ok() const { return status_ == CovarianceStatus::kOk; }
+  /// In one sentence, why there is no covariance; empty if there is one.
+  const std::string& message() const { return message_; }
+  std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
+  /// The vertices that were held because nothing else holds their component of the graph (GaugePolicy). Their
+  /// covariance is zero, and that of the other vertices is relative to them.
+  const std::vector<VertexRef>& held() const { return held_; }
+
+  /// The covariance of one of the vertices that were asked for; symmetric. Throws InvalidArgument if it was
+  /// not asked for, and Error with message() if there is no covariance. O(block), plus a search.
+  Eigen::MatrixXd of(VertexRef vertex) const;
+  /// The cross-covariance E[δ_a δ_bᵀ], of tangent_dim(a) × tangent_dim(b) entries. Throws as of(vertex) does,
+  /// and InvalidArgument if a and b differ and only marginal covariances were asked for.
+  Eigen::MatrixXd of(VertexRef a, VertexRef b) const;
+  /// The covariance of all vertices that were asked for, in their order. Throws as of(a, b) does.
+  Eigen::MatrixXd joint() const;
+
+ private:
+  friend class CovarianceMaker;
+  struct Place {
+    std::size_t index;
+    int dim;
+  };
+  const Place& place(VertexRef vertex) const;
+  std::size_t block_index(std::size_t i, std::size_t j) const;
+
+  CovarianceStatus status_ = CovarianceStatus::kOk;
+  std::string message_;
+  std::optional<VertexRef> failed_vertex_;
+  std::vector<VertexRef> held_, vertices_;
+  std::map<VertexRef, Place> places_;
+  bool is_joint_ = false;
+  /// Column-major, per vertex; if is_joint_, per pair (i, j) with j ≤ i, in the order (0,0) (1,0) (1,1) …
+  /// Empty if the block is zero.
+  std::vector<std::vector<double>> blocks_;
+};
+
+/// The covariances of `vertices` at the current estimates, each with each. Nothing is damped, and no estimate
+/// changes.
+///
+/// Fixed vertices, parameters that are not unfixed and vertices outside of Options::vertices have zero
+/// covariance, and so have those that are held for the gauge: fix a vertex, or add a prior, to choose what
+/// the others are relative to. Whether a vertex is eliminated changes nothing. A robust edge counts with its
+/// weight at the estimates. Of the options, `level`, `vertices`, `edges`, `gauge`, `threads`,
+/// `numeric_jacobians` and `triggs_correction` are used, as optimize() does.
+///
+/// If H is singular, or not finite, the status says so and names a vertex, even when that vertex was not
+/// asked for: fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
+///
+/// Takes one linearization, the analysis and one factorization of H by a block Cholesky in double; then two
+/// triangular solves per tangent dimension of `vertices` or, if that is less, the inverse on the pattern of
+/// the factor, which takes about three factorizations and as much memory as the factor.
+Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options = {});
+Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices,
+                      const Options& options = {});
+
+/// The same without the cross-covariances: the covariance of each vertex with itself. Suited to all vertices
+/// of a large graph.
+Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
+                                const Options& options = {});
+
+}  // namespace boxplus

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/covariance.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "base/all_finite.h"
+#include "boxplus/linearize/linearizer.h"
+#include "optimize/session.h"
+
+namespace boxplus {
+
+class CovarianceMaker {
+ public:
+  CovarianceMaker(const Graph& graph, const Options& options, bool joint)
+      : graph_(graph),
+        options_(options),
+        plan_(make_plan(graph, {.level = options.level,
+                                .vertices = options.vertices,
+                                .edges = options.edges,
+                                .gauge = options.gauge,
+                                .threads = resolved_threads(options)})),
+        linearizer_(graph, plan_) {
+    result_.is_joint_ = joint;
+  }
+
+  Covariance make(std::span<const VertexRef> vertices) {
+    list(vertices);
+    if (!result_.ok() || plan_.structure.blocks() == 0) return std::move(result_);
+    factorize();
+    if (result_.ok()) invert();
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoBlock = 0xFFFFFFFFu;
+
+  /// Finds the block of each vertex in H, if it has one.
+  void list(std::span<const VertexRef> vertices) {
+    std::map<VertexRef, std::uint32_t> block_of;
+    for (std::uint32_t block = 0; block < plan_.structure.blocks(); ++block)
+      block_of.emplace(plan_.block_vertex[block], block);
+    for (const GaugeVertex& gauge : plan_.held) result_.held_.push_back(gauge.vertex);
+    for (const VertexRef& vertex : vertices) {
+      const int dim = graph_.tangent_dim(vertex);
+      result_.vertices_.push_back(vertex);
+      if (!result_.places_.try_emplace(vertex, Covariance::Place{blocks_.size(), dim}).second) continue;
+      const auto found = block_of.find(vertex);
+      blocks_.push_back(found == block_of.end() ? kNoBlock : found->second);
+      if (found == block_of.end() && dim > 0 && moves(vertex)) {
+        fail(CovarianceStatus::kSingular, vertex, "no edge that takes part touches it");
+      }
+    }
+    if (!blocks_.empty())
+      result_.blocks_.resize(result_.block_index(blocks_.size() - 1, blocks_.size() - 1) + 1);
+  }
+
+  bool moves(VertexRef vertex) const {
+    const auto contains = [&](const std::vector<VertexRef>& list) {
+      return std::find(list.begin(), list.end(), vertex) != list.end();
+    };
+    if (graph_.is_fixed(vertex) || contains(result_.held_)) return false;
+    return options_.vertices.empty() || contains(options_.vertices);
+  }
+
+  void fail(CovarianceStatus status, VertexRef vertex, std::string_view why) {
+    result_.status_ = status;
+    result_.failed_vertex_ = vertex;
+    const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    result_.message_ = pool.parameter(vertex.slot) ? "there is no covariance: parameter "
+                                                   : "there is no covariance: vertex ";
+    result_.message_ += std::to_string(graph_.id(vertex)) + " (" + std::string(pool.type_name()) +
+                        ") is not determined: " + std::string(why);
+  }
+
+  void factorize() {
+    linearizer_.linearize({options_.numeric_jacobians, options_.triggs_correction});
+    solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
+    solver_->analyze(plan_.structure,
+                     {.threads = resolved_threads(options_), .precision = Precision::kDouble});
+    const FactorResult factor =
+        solver_->factorize(AssembledSystem(plan_.structure, linearizer_.values()), Damping{});
+    if (factor.status == LinearStatus::kOk) return;
+    const VertexRef vertex = plan_.block_vertex[factor.failed_block];
+    if (factor.status == LinearStatus::kNotFinite) {
+      fail(CovarianceStatus::kNotFinite, vertex, "an error, a Jacobian or a weight is NaN or infinite");
+    } else {
+      fail(CovarianceStatus::kSingular, vertex, "the edges leave it free to move in some direction");
+    }
+  }
+
+  void invert() {
+    struct Target {
+      std::size_t i, j;
+    };
+    std::vector<BlockCoordinate> wanted;
+    std::vector<Target> targets;
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      for (std::size_t j = result_.is_joint_ ? 0 : i; j <= i; ++j) {
+        if (blocks_[i] == kNoBlock || blocks_[j] == kNoBlock) continue;
+        const auto [low, high] = std::minmax(blocks_[i], blocks_[j]);
+        wanted.push_back({high, low});
+        targets.push_back({i, j});
+        size += std::size_t{plan_.structure.dim(low)} * plan_.structure.dim(high);
+      }
+    }
+    std::vector<double> values(size);
+    if (wanted.empty()) return;
+    if (!solver_->selected_inverse(wanted, values.data()) || !all_finite(values)) {
+      fail(CovarianceStatus::kNotFinite, plan_.block_vertex[wanted[0].row], "the inverse of H overflows");
+      return;
+    }
+    const double* from = values.data();
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      store(targets[k].i, targets[k].j, wanted[k], from);
+      from += std::size_t{plan_.structure.dim(wanted[k].row)} * plan_.structure.dim(wanted[k].column);
+    }
+  }
+
+  /// Keeps a block of the inverse as that of vertices i and j, in this order; exactly symmetric if i is j.
+  void store(std::size_t i, std::size_t j, BlockCoordinate block, const double* values) {
+    const Eigen::Map<const Eigen::MatrixXd> inverse(values, plan_.structure.dim(block.row),
+                                                    plan_.structure.dim(block.column));
+    std::vector<double>& out = result_.blocks_[result_.block_index(i, j)];
+    out.resize(static_cast<std::size_t>(inverse.size()));
+    Eigen::Map<Eigen::MatrixXd> kept(out.data(), plan_.structure.dim(blocks_[i]),
+                                     plan_.structure.dim(blocks_[j]));
+    if (i == j) {
+      kept = (inverse + inverse.transpose()) / 2;
+    } else if (block.row == blocks_[i]) {
+      kept = inverse;
+    } else {
+      kept = inverse.transpose();
+    }
+  }
+
+  const Graph& graph_;
+  const Options& options_;
+  Plan plan_;
+  Linearizer linearizer_;
+  std::unique_ptr<LinearSolver> solver_;
+  std::vector<std::uint32_t> blocks_;  // of H, per vertex
+  Covariance result_;
+};
+
+Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options) {
+  return CovarianceMaker(graph, options, true).make(vertices);
+}
+
+Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices, const Options& options) {
+  return covariance(graph, std::span(vertices.begin(), vertices.size()), options);
+}
+
+Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
+                                const Options& options) {
+  return CovarianceMaker(graph, options, false).make(vertices);
+}
+
+const Covariance::Place& Covariance::place(VertexRef vertex) const {
+  if (!ok()) throw Error(message_);
+  const auto found = places_.find(vertex);
+  if (found == places_.end())
+    throw InvalidArgument("Covariance: expected one of the vertices that it was computed for");
+  return found->second;
+}
+
+std::size_t Covariance::block_index(std::size_t i, std::size_t j) const {
+  return is_joint_ ? i * (i + 1) / 2 + j : i;
+}
+
+Eigen::MatrixXd Covariance::of(VertexRef vertex) const {
+  return of(vertex, vertex);
+}
+
+Eigen::MatrixXd Covariance::of(VertexRef a, VertexRef b) const {
+  const Place &row = place(a), &column = place(b);
+  if (row.index < column.index) return of(b, a).transpose();
+  if (row.index != column.index && !is_joint_)
+    throw InvalidArgument(
+        "Covariance: expected one vertex, got two: cross-covariances come from covariance()");
+  const std::vector<double>& values = blocks_[block_index(row.index, column.index)];
+  if (values.empty()) return Eigen::MatrixXd::Zero(row.dim, column.dim);
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), row.dim, column.dim);
+}
+
+Eigen::MatrixXd Covariance::joint() const {
+  Eigen::Index size = 0;
+  for (const VertexRef& vertex : vertices_) size += place(vertex).dim;
+  Eigen::MatrixXd result(size, size);
+  Eigen::Index row = 0;
+  for (const VertexRef& a : vertices_) {
+    Eigen::Index column = 0;
+    for (const VertexRef& b : vertices_) {
+      const Eigen::MatrixXd block = of(a, b);
+      result.block(row, column, block.rows(), block.cols()) = block;
+      column += block.cols();
+    }
+    row += place(a).dim;
+  }
+  return result;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/covariance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/robust/huber.h"
+#include "boxplus/types/slam2d.h"
+#include "boxplus/types/slam3d.h"
+#include "linearize/bundle.h"
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr auto kDifference = [](const auto& x, const auto& y) { return y - x; };
+
+/// The inverse of H = Σ w JᵀΩJ, made edge by edge from what the graph tells of each. It knows nothing of the
+/// engine.
+class DenseInverse {
+ public:
+  DenseInverse(const Graph& graph, const std::vector<VertexRef>& moving, int level = 0) {
+    Eigen::Index size = 0;
+    for (const VertexRef& vertex : moving) {
+      first_[vertex] = size;
+      size += graph.tangent_dim(vertex);
+    }
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
+    for (const EdgeRef& edge : graph.all_edges()) {
+      if (graph.level(edge) == level) add(graph, edge, H);
+    }
+    inverse_ = H.fullPivLu().inverse();
+  }
+
+  Eigen::MatrixXd of(const Graph& graph, VertexRef a, VertexRef b) const {
+    const int rows = graph.tangent_dim(a), columns = graph.tangent_dim(b);
+    if (!first_.contains(a) || !first_.contains(b)) return Eigen::MatrixXd::Zero(rows, columns);
+    return inverse_.block(first_.at(a), first_.at(b), rows, columns);
+  }
+
+ private:
+  void add(const Graph& graph, EdgeRef edge, Eigen::MatrixXd& H) const {
+    const std::vector<VertexRef> vertices = graph.vertices(edge);
+    const std::vector<Eigen::MatrixXd> J = graph.jacobian(edge);
+    const Eigen::MatrixXd Omega = graph.weight(edge) * graph.information(edge).matrix();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      for (std::size_t j = 0; j < vertices.size(); ++j) {
+        if (!first_.contains(vertices[i]) || !first_.contains(vertices[j])) continue;
+        H.block(first_.at(vertices[i]), first_.at(vertices[j]), J[i].cols(), J[j].cols()) +=
+            J[i].transpose() * Omega * J[j];
+      }
+    }
+  }
+
+  std::map<VertexRef, Eigen::Index> first_;
+  Eigen::MatrixXd inverse_;
+};
+
+void expect_close(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double scale) {
+  ASSERT_EQ(actual.rows(), expected.rows());
+  ASSERT_EQ(actual.cols(), expected.cols());
+  EXPECT_LT((actual - expected).cwiseAbs().maxCoeff(), 1e-9 * scale) << actual << "\n\n" << expected;
+}
+
+/// Compares every block of covariance() and of marginal_covariances() with the dense inverse.
+void expect_equal_to_dense(const Graph& graph, const std::vector<VertexRef>& asked,
+                           const std::vector<VertexRef>& moving, const Options& options = {}) {
+  const DenseInverse dense(graph, moving, options.level);
+  const Covariance joint = covariance(graph, asked, options);
+  const Covariance marginal = marginal_covariances(graph, asked, options);
+  ASSERT_TRUE(joint.ok()) << joint.message();
+  ASSERT_TRUE(marginal.ok()) << marginal.message();
+  double scale = 0;
+  for (const VertexRef& a : asked) scale = std::max(scale, dense.of(graph, a, a).cwiseAbs().maxCoeff());
+  Eigen::Index row = 0;
+  for (const VertexRef& a : asked) {
+    Eigen::Index column = 0;
+    for (const VertexRef& b : asked) {
+      const Eigen::MatrixXd expected = dense.of(graph, a, b);
+      expect_close(joint.of(a, b), expected, scale);
+      expect_close(joint.joint().block(row, column, expected.rows(), expected.cols()), expected, scale);
+      column += expected.cols();
+    }
+    expect_close(joint.of(a), dense.of(graph, a, a), scale);
+    expect_close(marginal.of(a), dense.of(graph, a, a), scale);
+    row += graph.tangent_dim(a);
+  }
+}
+
+/// Poses of the plane and of space, landmarks of both, a calibrated offset, vectors of run-time size, hyper-
+/// edges, edges with kernels, and one fixed pose of each kind.
+struct RandomGraph {
+  Graph graph;
+  std::vector<VertexRef> moving, all;
+
+  explicit RandomGraph(unsigned seed, bool eliminate) : random(seed) {
+    std::vector<VertexHandle<SE2>> poses2;
+    std::vector<VertexHandle<SE3>> poses3;
+    for (int k = 0; k < 6; ++k) {
+      poses2.push_back(add(SE2(normal(), normal(), normal())));
+      poses3.push_back(add(random_se3()));
+    }
+    fix(poses2[0]);
+    fix(poses3[0]);
+    const auto offset = graph.add_parameter(SE3(0.1 * vector3(), Quaternion<double>::identity()));
+    graph.unfix(offset);
+    moving.push_back(offset);
+    all.push_back(offset);
+    for (std::size_t k = 1; k < 6; ++k) {
+      join(Between(graph.estimate(poses2[k - 1]).inverse_times(graph.estimate(poses2[k])) * SE2(0.1, 0, 0.1)),
+           poses2[k - 1], poses2[k]);
+      join(Between(graph.estimate(poses3[k - 1]).inverse_times(graph.estimate(poses3[k]))), poses3[k - 1],
+           poses3[k]);
+      join(PositionPrior(Vector3(graph.estimate(poses3[k]).translation() + 0.1 * vector3())), poses3[k]);
+    }
+    join(kSeen, poses3[1], offset, add(vector3()));
+    join(kSeen, poses3[2], offset, add(vector3()));
+    graph.add_edge([](const auto& x) { return x.minimal(); }, offset);
+    for (int k = 0; k < 8; ++k) landmark(poses2, Vector2(normal(), normal()), eliminate);
+    for (int k = 0; k < 8; ++k) landmark(poses3, vector3(), eliminate);
+    std::vector<VertexHandle<Eigen::VectorXd>> tail;
+    for (int size = 1; size < 4; ++size) {
+      tail.push_back(add(Eigen::VectorXd(Eigen::VectorXd::Ones(size))));
+      graph.add_edge([](const Eigen::VectorXd& x) { return Eigen::VectorXd(2 * x); }, tail.back());
+    }
+    graph.add_edge(
+        [](std::span<const Eigen::VectorXd> x) { return x[0].sum() - 3 * x[1].sum() + 0.5 * x[2].sum(); },
+        tail);
+  }
+
+ private:
+  static constexpr auto kSeen = [](const auto& pose, const auto& sensor, const auto& point) {
+    return (pose * (sensor * point)).eval();
+  };
+
+  static PointObservation2 seen_at(const Vector2& z) { return PointObservation2(z); }
+  static PointObservation3 seen_at(const Vector3& z) { return PointObservation3(z); }
+
+  double normal() { return std::normal_distribution<double>()(random); }
+  Vector3 vector3() { return {normal(), normal(), normal()}; }
+  SE3 random_se3() {
+    return SE3(vector3(), normalized(Quaternion<double>{normal(), normal(), normal(), 1.5}));
+  }
+
+  template <class T>
+  VertexHandle<T> add(T estimate) {
+    const auto vertex = graph.add_vertex(std::move(estimate));
+    moving.push_back(vertex);
+    all.push_back(vertex);
+    return vertex;
+  }
+  void fix(VertexRef vertex) {
+    graph.fix(vertex);
+    std::erase(moving, vertex);
+  }
+  /// With a random Ω, and every third time with a kernel.
+  template <class E, class... H>
+  void join(E error, const H&... vertices) {
+    const auto edge = graph.add_edge(std::move(error), vertices...);
+    const int rows = graph.information(edge).rows;
+    const Eigen::MatrixXd root = Eigen::MatrixXd::Random(rows, rows);
+    graph.set_information(edge,
+                          Eigen::MatrixXd(root * root.transpose() + Eigen::MatrixXd::Identity(rows, rows)));
+    if (random() % 3 == 0) graph.set_kernel(edge, Huber(0.05));
+  }
+  template <class Pose, class Point>
+  void landmark(const std::vector<VertexHandle<Pose>>& poses, const Point& at, bool eliminate) {
+    const auto point = add(at);
+    graph.set_eliminated(point, eliminate);
+    for (std::size_t k = random() % 3; k < poses.size(); k += 2) {
+      join(seen_at(Point(graph.estimate(poses[k]).inverse_times(at) * 1.1)), poses[k], point);
+    }
+  }
+
+  std::mt19937 random;
+};
+
+TEST(Covariance, EqualsTheDenseInverseOfRandomGraphs) {
+  for (unsigned seed = 1; seed < 9; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomGraph random(seed, seed % 2 == 0);
+    expect_equal_to_dense(random.graph, random.all, random.moving);
+  }
+}
+
+TEST(Covariance, OfAFewVerticesEqualsTheDenseInverse) {
+  const RandomGraph random(3, true);
+  for (std::size_t k = 0; k + 9 < random.all.size(); k += 4) {
+    expect_equal_to_dense(random.graph, {random.all[k + 9], random.all[k]}, random.moving);
+  }
+}
+
+TEST(Covariance, IsTheSameWhetherOrNotPointsAreEliminated) {
+  Bundle kept = make_bundle(5, 40, false), eliminated = make_bundle(5, 40, true);
+  optimize(kept.graph);
+  for (std::size_t k = 0; k < kept.cameras.size(); ++k)
+    eliminated.graph.set_estimate(eliminated.cameras[k], kept.graph.estimate(kept.cameras[k]));
+  for (std::size_t k = 0; k < kept.points.size(); ++k)
+    eliminated.graph.set_estimate(eliminated.points[k], kept.graph.estimate(kept.points[k]));
+  const std::vector<VertexRef> all = kept.graph.all_vertices();
+  const Covariance expected = covariance(kept.graph, all), actual = covariance(eliminated.graph, all);
+  ASSERT_TRUE(expected.ok() && actual.ok());
+  EXPECT_TRUE(actual.joint().isApprox(expected.joint(), 1e-8));
+  std::vector<VertexRef> moving = all;
+  std::erase(moving, VertexRef(eliminated.cameras[0]));
+  expect_equal_to_dense(eliminated.graph, {eliminated.cameras[3], eliminated.points[0], eliminated.points[7]},
+                        moving);
+}
+
+TEST(Covariance, OfARandomWalkGrowsByThatOfEachStep) {
+  Graph graph;
+  std::vector<VertexHandle<double>> walk{graph.add_vertex(0.0)};
+  for (int k = 0; k < 4; ++k) {
+    walk.push_back(graph.add_vertex(0.0));
+    graph.add_edge(kDifference, 4.0, walk[walk.size() - 2], walk.back());  // a variance of 1/4
+  }
+  graph.fix(walk[0]);
+  const Covariance result = covariance(graph, {walk[1], walk[4]});
+  Eigen::MatrixXd expected(2, 2);
+  expected << 0.25, 0.25, 0.25, 1;
+  EXPECT_TRUE(result.joint().isApprox(expected, 1e-14)) << result.joint();
+}
+
+TEST(Covariance, OfWhatDoesNotMoveIsZero) {
+  Graph graph;
+  const auto fixed = graph.add_vertex(1.0), free = graph.add_vertex(2.0), outside = graph.add_vertex(3.0);
+  const auto parameter = graph.add_parameter(0.5);
+  graph.fix(fixed);
+  graph.add_edge(kDifference, 4.0, fixed, free);
+  graph.add_edge(kDifference, 4.0, parameter, free);
+  graph.add_edge(kDifference, 8.0, free, outside);
+  Options options;
+  options.vertices = {free};
+  const Covariance result = covariance(graph, {fixed, free, outside, parameter}, options);
+  ASSERT_TRUE(result.ok());
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
+  expected(1, 1) = 1.0 / 16;
+  EXPECT_TRUE(result.joint().isApprox(expected, 1e-14)) << result.joint();
+}
+
+TEST(Covariance, IsRelativeToTheVertexThatIsHeldForTheGauge) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 12);
+  const std::vector<VertexRef> all = graph.all_vertices();
+  const Covariance held = covariance(graph, all);
+  ASSERT_TRUE(held.ok()) << held.message();
+  EXPECT_THAT(held.held(), ElementsAre(VertexRef(poses[0])));
+  EXPECT_TRUE(held.of(poses[0]).isZero());
+  graph.fix(poses[0]);
+  const Covariance fixed = covariance(graph, all);
+  EXPECT_TRUE(fixed.held().empty());
+  EXPECT_EQ(held.joint(), fixed.joint());
+  expect_equal_to_dense(graph, all, std::vector<VertexRef>(poses.begin() + 1, poses.end()));
+}
+
+TEST(Covariance, TakesTheEdgesOfTheLevelThatIsAskedFor) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0);
+  graph.fix(a);
+  graph.add_edge(kDifference, 4.0, a, b);
+  graph.set_level(graph.add_edge(kDifference, 16.0, a, b), 1);
+  Options options;
+  EXPECT_DOUBLE_EQ(covariance(graph, {b}, options).of(b)(0, 0), 1.0 / 4);
+  options.level = 1;
+  EXPECT_DOUBLE_EQ(covariance(graph, {b}, options).of(b)(0, 0), 1.0 / 16);
+  options.level = -1;
+  EXPECT_DOUBLE_EQ(covariance(graph, {b}, options).of(b)(0, 0), 1.0 / 20);
+}
+
+TEST(Covariance, NamesAVertexThatTheEdgesLeaveUndetermined) {
+  Graph graph;
+  const auto pose = graph.add_vertex(SE2(0, 0, 0));
+  graph.fix(pose);
+  const auto seen = graph.add_vertex(Vector2(3, 4), 17);  // from one direction only: its distance is open
+  graph.add_edge([](const auto& x, const auto& p) { return (x.inverse_times(p))[1] / 4.0 - 1.0; }, pose,
+                 seen);
+  const auto good = graph.add_vertex(Vector2(1, 2));
+  graph.add_edge(PointObservation2(Vector2(1, 2)), pose, good);
+  const Covariance result = covariance(graph, {good});
+  EXPECT_EQ(result.status(), CovarianceStatus::kSingular);
+  EXPECT_EQ(result.failed_vertex(), VertexRef(seen));
+  EXPECT_THAT(result.message(), HasSubstr("vertex 17"));
+  EXPECT_THROW((void)result.of(good), Error);
+  EXPECT_THROW((void)result.joint(), Error);
+  graph.fix(seen);
+  EXPECT_TRUE(covariance(graph, {good}).ok());
+}
+
+TEST(Covariance, NamesAVertexThatNoEdgeTouches) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), lonely = graph.add_vertex(1.0, 8);
+  graph.add_edge(kDifference, a, graph.add_vertex(1.0));
+  const Covariance result = covariance(graph, {a, lonely});
+  EXPECT_EQ(result.status(), CovarianceStatus::kSingular);
+  EXPECT_EQ(result.failed_vertex(), VertexRef(lonely));
+  EXPECT_TRUE(covariance(graph, {a}).ok());
+}
+
+TEST(Covariance, OfAGraphThatNothingHoldsIsRefusedIfTheGaugeIsNotHeld) {
+  for (const GaugePolicy gauge : {GaugePolicy::kDamp, GaugePolicy::kError}) {
+    Graph graph;
+    const auto poses = add_noisy_grid(graph, 3);
+    Options options;
+    options.gauge = gauge;
+    const Covariance result = covariance(graph, {poses[3]}, options);
+    EXPECT_EQ(result.status(), CovarianceStatus::kSingular);
+    EXPECT_TRUE(result.failed_vertex().has_value());
+  }
+}
+
+TEST(Covariance, IsRefusedIfAnErrorIsNotFinite) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0, 5);
+  graph.add_edge([](const auto& x) { return x * std::numeric_limits<double>::quiet_NaN(); }, a);
+  const Covariance result = covariance(graph, {a});
+  EXPECT_EQ(result.status(), CovarianceStatus::kNotFinite);
+  EXPECT_THAT(result.message(), HasSubstr("vertex 5"));
+}
+
+TEST(Covariance, RefusesWhatWasNotAskedFor) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), gone = graph.add_vertex(1.0);
+  graph.add_edge(kDifference, a, b);
+  graph.remove(gone);
+  EXPECT_THROW((void)covariance(graph, {gone}), InvalidArgument);
+  EXPECT_THROW((void)covariance(graph, {a}).of(b), InvalidArgument);
+  const std::vector<VertexRef> both{a, b};
+  EXPECT_THROW((void)marginal_covariances(graph, both).of(a, b), InvalidArgument);
+  EXPECT_EQ(marginal_covariances(graph, both).of(b)(0, 0), 1);
+  EXPECT_EQ(covariance(graph, {}).joint().size(), 0);
+}
+
+TEST(Covariance, AcceptsAVertexTwice) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0);
+  graph.fix(a);
+  graph.add_edge(kDifference, 4.0, a, b);
+  EXPECT_TRUE(covariance(graph, {b, b}).joint().isApproxToConstant(0.25));
+}
+
+TEST(Covariance, HasTheSameBitsForAnyNumberOfThreads) {
+  Graph graph;
+  add_noisy_grid(graph, 5);
+  const std::vector<VertexRef> all = graph.all_vertices();
+  Options options;
+  options.threads = 1;
+  const Covariance one = marginal_covariances(graph, all, options);
+  options.threads = 4;
+  const Covariance four = marginal_covariances(graph, all, options);
+  for (const VertexRef& vertex : all) ASSERT_EQ(one.of(vertex), four.of(vertex));
+}
+
+TEST(Covariance, LeavesEstimatesAndPlansAlone) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 12);
+  optimize(graph);
+  const SE2 before = graph.estimate(poses[5]);
+  (void)covariance(graph, {poses[5]});
+  EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
+  EXPECT_TRUE(optimize(graph).plan_reused);
+}
+
+}  // namespace
+}  // namespace boxplus
