@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses that come from other libraries, and a pose whose tangent has whole angles.
+#include <boxplus/boxplus.h>
+#include <boxplus/manifold/convert_to.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+int main() {
+  // [measurement]
+  // What another program measured: a motion, and its standard deviations in metres and radians.
+  const Eigen::Isometry3d measured =
+      Eigen::Translation3d(1, 2, 0.5) * Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ());
+  const double sigma_t = 0.05, sigma_r = 0.02;
+  // [/measurement]
+
+  // [rotation_vector]
+  // SE3RotationVector is the same pose as SE3. Its tangent is (Δt, ω), with ω in radians.
+  Graph graph;
+  const auto a = graph.add_vertex(SE3RotationVector());
+  const auto b = graph.add_vertex(SE3RotationVector());
+  graph.fix(a);
+  const double metres = 1 / (sigma_t * sigma_t), radians = 1 / (sigma_r * sigma_r);
+  const auto Omega = Information::diagonal(std::vector{metres, metres, metres, radians, radians, radians});
+  graph.add_edge(Between(convert_to<SE3RotationVector>(measured)), Omega, a, b);
+  // [/rotation_vector]
+  const bool converged = optimize(graph).converged();
+
+  // [back]
+  const auto found = convert_to<Eigen::Isometry3d>(graph.estimate(b));
+  const Eigen::MatrixXd sigma = covariance(graph, {b}).of(b);
+  // [/back]
+  std::printf("rotation vectors: sigma of the rotation %.3f\n", std::sqrt(sigma(5, 5)));
+
+  // [half_angles]
+  // SE3 measures rotations by half angles, as .g2o files do: the same Ω needs rows of 4 / σ².
+  Graph halves;
+  const auto c = halves.add_vertex(SE3());
+  const auto Omega_halves =
+      Information::diagonal(std::vector{metres, metres, metres, 4 * radians, 4 * radians, 4 * radians});
+  halves.add_edge(Prior(convert_to<SE3>(measured)), Omega_halves, c);
+  // [/half_angles]
+  optimize(halves);
+  const Eigen::MatrixXd sigma_halves = covariance(halves, {c}).of(c);
+  std::printf("half angles:      sigma of the rotation %.3f\n", std::sqrt(sigma_halves(5, 5)));
+
+  const bool is_found = found.isApprox(measured, 1e-9) && std::abs(std::sqrt(sigma(5, 5)) - sigma_r) < 1e-9;
+  return converged && is_found && std::abs(std::sqrt(sigma_halves(5, 5)) - sigma_r / 2) < 1e-9 ? 0 : 1;
+}
