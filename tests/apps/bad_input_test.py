@@ -23,14 +23,16 @@ class BadInputTest(CommandCase):
     def setUp(self):
         super().setUp()
         self.output = self.written("out.g2o", "precious\n")
+        self.picture = self.written("out.svg", "precious\n")
 
     def assert_untouched(self):
-        self.assertEqual(self.output.read_text(encoding="utf-8"), "precious\n")
+        for path in (self.output, self.picture):
+            self.assertEqual(path.read_text(encoding="utf-8"), "precious\n")
         self.assertEqual([name for name in os.listdir(self.path) if name.startswith("out.g2o.")], [], "temporary files")
 
     def assert_bad(self, path, *texts):
         for words in (["optimize", path, "-o", self.output], ["convert", path, self.output], ["info", path],
-                      ["plot", path, "-o", self.output]):
+                      ["plot", path, "-o", self.picture]):
             self.assert_refused(run(*words), *texts)
         self.assert_untouched()
 

@@ -3,9 +3,12 @@
 """`boxplus plot`: pictures of graphs."""
 
 import re
+import struct
+import subprocess
 import xml.etree.ElementTree
+import zlib
 
-from command_case import CommandCase, main, run
+from command_case import BOXPLUS, CommandCase, main, run
 
 SVG = "{http://www.w3.org/2000/svg}"
 CHAIN = """VERTEX_SE2 0 0 0 0
@@ -33,6 +36,37 @@ class Picture:
 
     def numbers(self):
         return [float(number) for path in self.paths for number in re.findall(r"-?[\d.]+", path.get("d"))]
+
+
+def pixels_of(png):
+    """The width, the height and the rows of (r, g, b) of a PNG file whose check sums are right."""
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    chunks, at = {}, 8
+    while at < len(png):
+        (size,) = struct.unpack(">I", png[at:at + 4])
+        body = png[at + 4:at + 8 + size]
+        assert struct.unpack(">I", png[at + 8 + size:at + 12 + size])[0] == zlib.crc32(body)
+        chunks[body[:4]] = body[4:]
+        at += 12 + size
+    width, height, bits, kind = struct.unpack(">IIBB", chunks[b"IHDR"][:10])
+    assert (bits, kind) == (8, 2)
+    rows, stride = zlib.decompress(chunks[b"IDAT"]), 3 * width + 1
+    assert len(rows) == height * stride and not any(rows[::stride]), "every row has the filter 0"
+    return width, height, [[tuple(rows[i:i + 3]) for i in range(y * stride + 1, (y + 1) * stride, 3)] for y in range(height)]
+
+
+def content_of(pdf):
+    """The drawing commands of a PDF file whose table of objects is right."""
+    assert pdf.startswith(b"%PDF-1.4") and pdf.endswith(b"%%EOF\n")
+    begin = int(pdf.split(b"startxref\n")[1].split()[0])
+    lines = pdf[begin:].splitlines()
+    assert lines[0] == b"xref"
+    for number in range(1, int(lines[1].split()[1])):
+        offset = int(lines[2 + number].split()[0])
+        assert pdf[offset:].startswith(b"%d 0 obj\n" % number)
+    length = int(re.search(rb"/Length (\d+)", pdf)[1])
+    stream = pdf.index(b"stream\n") + len(b"stream\n")
+    return zlib.decompress(pdf[stream:stream + length]).decode()
 
 
 class PlotTest(CommandCase):
@@ -109,6 +143,114 @@ class PlotTest(CommandCase):
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(text, done.stderr)
             self.assertFalse((self.path / "p.svg").exists())
+
+    def file_drawn(self, name, *inputs, stdin=""):
+        done = run("plot", *inputs, "-o", self.path / name, stdin=stdin)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return (self.path / name).read_bytes()
+
+    def test_the_ending_of_the_output_chooses_the_format(self):
+        self.assertTrue(self.file_drawn("a.svg", "-", stdin=CHAIN).startswith(b"<svg "))
+        self.assertTrue(self.file_drawn("a.PDF", "-", stdin=CHAIN).startswith(b"%PDF-"))
+        self.assertTrue(self.file_drawn("a.png", "-", stdin=CHAIN).startswith(b"\x89PNG"))
+        for words, text in ((["-o", self.path / "a.jpg"], "expected a name that ends with .svg, .pdf or .png"),
+                            (["-o", self.path / "b.svg", "--format", "png"], "--format: expected svg")):
+            self.assert_refused(run("plot", "-", *words, stdin=CHAIN), text)
+        done = subprocess.run([BOXPLUS, "plot", "-", "-o", "-", "--format", "pdf"], input=CHAIN.encode(), capture_output=True, check=True)
+        self.assertTrue(done.stdout.startswith(b"%PDF-"))
+
+    def test_a_png_shows_the_trajectory_in_its_colors(self):
+        width, height, rows = pixels_of(self.file_drawn("a.png", "-", "--bare", "--size", "300x200", "--resolution", 1, stdin=CHAIN))
+        self.assertEqual((width, height), (300, 200))
+        self.assertEqual({rows[0][0], rows[-1][-1], rows[10][290 // 2]}, {(255, 255, 255)})
+        left, right = rows[149][2], rows[51][297]  # the first and the last pose
+        self.assertLess(sum(left), 400, "dark blue")
+        self.assertGreater(right[1], max(right[0], right[2]), "green")
+        double = pixels_of(self.file_drawn("b.png", "-", "--bare", "--size", "300x200", stdin=CHAIN))
+        self.assertEqual(double[:2], (600, 400))
+
+    def test_a_png_has_text(self):
+        plain = pixels_of(self.file_drawn("a.png", "-", "--resolution", 1, stdin=CHAIN))[2]
+        titled = pixels_of(self.file_drawn("a.png", "-", "--resolution", 1, "--title", "Title", stdin=CHAIN))[2]
+        changed = [y for y, (a, b) in enumerate(zip(plain, titled)) if a != b]
+        self.assertTrue(20 < min(changed) and max(changed) < 60, changed)
+
+    def test_a_pdf_has_the_lines_and_the_words(self):
+        pdf = self.file_drawn("a.pdf", "-", "--title", "A (b) \\ é x²", "--size", "252x200", stdin=CHAIN)
+        self.assertIn(b"/MediaBox [0 0 252.00 200.00]", pdf)
+        content = content_of(pdf)
+        self.assertIn(r"(A \050b\051 \134 \351 x) Tj", content)
+        self.assertIn(r"(chi2 = 0  \267  4 poses, 3 edges) Tj", content)
+        self.assertGreaterEqual(content.count(" l\nS\n"), 3)
+
+    def test_a_bare_picture_is_the_graph_alone(self):
+        picture = self.drawn("-", "--bare", stdin=CHAIN)
+        self.assertEqual((picture.words, picture.root.findall(f"{SVG}rect")), ([], []))
+        with_axes = self.drawn("-", "--bare", "--axes", stdin=CHAIN)
+        self.assertIn("x [m]", with_axes.words)
+
+    def test_axes_tell_the_places(self):
+        words = self.drawn("-", "--axes", stdin=CHAIN.replace("3 3 1 0\n", "3 3 1 0\nVERTEX_XY 9 -1 0\n")).words
+        for word in ("x [m]", "y [m]", "−1.0", "0.0", "0.5", "2.0", "3.0"):
+            self.assertIn(word, words)
+        self.assertFalse(any(re.fullmatch(r"\S+ m", word) for word in words), "a scale bar says no more")
+
+    def test_graphs_in_space_are_seen_from_where_one_likes(self):
+        tower = "".join(f"VERTEX_SE3:QUAT {i} {x} 0 {z} 0 0 0 1\n" for i, (x, z) in enumerate(((0, 0), (1, 8), (0, 16))))
+        for view, here, absent in (("top", ("x [m]", "y [m]"), ("z [m]",)), ("side", ("x [m]", "z [m]", "15"), ("y [m]",)),
+                                   ("iso", ("x", "y", "z"), ("x [m]",)), ("30,10", ("x", "y", "z"), ("x [m]",))):
+            words = self.drawn("-", "--axes", "--view", view, stdin=tower).words
+            self.assertTrue(set(here) <= set(words) and not set(absent) & set(words), (view, words))
+        dots = [path for path in self.drawn("-", "--bare", "--view", "top", stdin=tower).paths if "h0" in path.get("d")]
+        heights = {re.search(r" ([\d.]+)h0", path.get("d"))[1] for path in dots}
+        self.assertEqual(len(heights), 1, "from above, the tower is a line")
+        for view in ("below", "1", "1,2,3", "400,0", "0,91", "a,b"):
+            self.assert_refused(run("plot", "-", "-o", "-", "--view", view, stdin=tower), "--view: expected top, side, iso")
+
+    def test_the_truth_is_drawn_where_it_fits_the_graph(self):
+        turned = CHAIN.replace("0 0 0 0\n", "0 5 5 0\n").replace("1 1 0 0\n", "1 5 6 0\n").replace("2 2 0 0\n", "2 5 7 0\n").replace("3 3 1 0\n", "3 4 8 0\n")
+        picture = self.drawn("-", "--bare", "--truth", self.written("truth.g2o", turned), stdin=CHAIN)
+        truth = [path for path in picture.paths if path.get("stroke") == "#f2d06b"]
+        shape = lambda paths: {tuple(map(float, p)) for path in paths for p in re.findall(r"([\d.]+) ([\d.]+)", path.get("d"))}  # noqa: E731
+        self.assertEqual(len(shape(truth)), 4)
+        self.assertEqual(shape(truth), shape(picture.paths), "a turned truth is the same truth")
+        self.assertIn("truth", self.drawn("-", "--truth", self.path / "truth.g2o", stdin=CHAIN).words)
+        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.txt", "1 0 0 0 0 0 0 1\n"), stdin=CHAIN), "t.txt: expected a graph")
+        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.g2o", "VERTEX_SE2 77 0 0 0\n"), stdin=CHAIN), "with the ids of <stdin>")
+
+    def test_both_panels_have_one_scale_if_asked(self):
+        large = self.written("large", re.sub(r"(VERTEX_SE2 \d) (\d) (\d)", r"\1 \g<2>000 \g<3>000", CHAIN))
+        bars = lambda *options: [w for w in self.drawn(self.written("small", CHAIN), large, *options).words if re.fullmatch(r"\S+ m", w)]  # noqa: E731
+        self.assertEqual(len(set(bars())), 2)
+        self.assertEqual(len(set(bars("--equal-scale"))), 1)
+
+    def test_with_a_kernel_the_colors_are_those_of_the_robust_chi2(self):
+        graph = CHAIN + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n" + f"EDGE_SE2 0 2 2 400 0 {INFORMATION}\n"
+        plain, robust = self.drawn("-", stdin=graph), self.drawn("-", "--kernel", "GemanMcClure", stdin=graph)
+        self.assertNotIn(GREY, plain.closures())
+        self.assertEqual(set(robust.closures()), {GREY})
+        self.assertIn("robust chi2 per row of loop closures", robust.words)
+        self.assertTrue(any("(GemanMcClure)" in words for words in robust.words))
+
+    def test_every_number_of_a_picture_is_finite(self):
+        far = CHAIN + "VERTEX_SE2 4 1e160 0 0\n" + f"EDGE_SE2 3 4 1 0 0 {INFORMATION}\n"
+        wheels = ("VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nVERTEX_ODOM_DIFFERENTIAL 9 1 1 0\n"
+                  f"EDGE_SE2_ODOM_DIFFERENTIAL_CALIB 0 1 9 1 1 1 {INFORMATION}\n")
+        for graph, messages in ((far, 1), (wheels, 0)):
+            for options in ((), ("--axes",), ("--kernel", "Huber"), ("--bare",)):
+                done = run("plot", "-", "-o", "-", *options, stdin=graph)
+                self.assertEqual((done.returncode, done.stderr.count("1 vertex is too far away")), (0, messages), done.stderr)
+                self.assertNotRegex(done.stdout, r"(?i)[^a-z](nan|inf)[^a-z]")
+                if "--bare" not in options:
+                    self.assertIn("chi2 is not finite", done.stdout)
+
+    def test_sizes_and_fonts_are_checked(self):
+        for words, text in ((["--size", "100"], "WIDTHxHEIGHT"), (["--size", "1x1"], "from 16 to 10000"), (["--size", "nanx100"], "WIDTHxHEIGHT"),
+                            (["--font-size", "0"], "--font-size"), (["--resolution", "99"], "--resolution")):
+            self.assert_refused(run("plot", "-", "-o", "-", *words, stdin=CHAIN), text)
+        picture = self.drawn("-", "--size", "200x150", "--font-size", 9, stdin=CHAIN)
+        self.assertEqual((picture.root.get("width"), picture.root.get("height")), ("200", "150"))
+        self.assertIn("9", {text.get("font-size") for text in picture.root.iter(f"{SVG}text")})
 
 
 if __name__ == "__main__":

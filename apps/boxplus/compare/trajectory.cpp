@@ -64,16 +64,20 @@ void require_bounded(const Trajectory& trajectory, const std::string& name) {
 
 Trajectory read_trajectory(const std::string& path, const ReadOptions& reading) {
   const std::string text = read_text(path), name = input_name(path);
-  Trajectory trajectory;
   if (is_tum(text)) {
-    trajectory = parse_tum(text, name);
-  } else {
-    const GraphFile file = parse_input(text, path, reading);
-    print_notes(file, path);
-    if (file.vertices_created) throw FileError(name + ": expected poses, got edges only: optimize it first");
-    trajectory = poses_of(file.graph, name);
-    if (trajectory.poses.empty()) throw FileError(name + ": expected poses, got a graph without any");
+    Trajectory trajectory = parse_tum(text, name);
+    require_bounded(trajectory, name);
+    return trajectory;
   }
+  const GraphFile file = parse_input(text, path, reading);
+  print_notes(file, path);
+  if (file.vertices_created) throw FileError(name + ": expected poses, got edges only: optimize it first");
+  return trajectory_of(file.graph, name);
+}
+
+Trajectory trajectory_of(const Graph& graph, const std::string& name) {
+  Trajectory trajectory = poses_of(graph, name);
+  if (trajectory.poses.empty()) throw FileError(name + ": expected poses, got a graph without any");
   require_bounded(trajectory, name);
   return trajectory;
 }

@@ -32,6 +32,10 @@ struct Trajectory {
 /// FileError, and InputError with the place of what is wrong.
 Trajectory read_trajectory(const std::string& path, const ReadOptions& reading);
 
+/// The poses of a graph; `name` stands for it in messages. Throws FileError if it has none, or some in the
+/// plane and some in space, or one farther than 1e100 m away.
+Trajectory trajectory_of(const Graph& graph, const std::string& name);
+
 /// A TUM file from its text; `name` stands for the file in messages.
 Trajectory parse_tum(std::string_view text, const std::string& name);
 

@@ -82,29 +82,6 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   lambda->check(number_above(0))->type_name("X")->group("Method");
 }
 
-void add_robust_options(CLI::App& command, OptimizeArguments& arguments) {
-  auto* kernel =
-      command
-          .add_option(
-              "--kernel", arguments.kernel,
-              "Robust kernel for the errors, so that outliers count less. Barron takes its shape along: "
-              "Barron:-2")
-          ->transform(kernel_name())
-          ->group("Outliers");
-  command
-      .add_option("--kernel-width", arguments.kernel_width,
-                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared")
-      ->check(number_above(0))
-      ->type_name("X")
-      ->capture_default_str()
-      ->needs(kernel)
-      ->group("Outliers");
-  add_choice(command, "--kernel-on", arguments.kernel_scope, kScopes,
-             "The edges that get it; loop closures join poses that do not follow each other by id")
-      ->needs(kernel)
-      ->group("Outliers");
-}
-
 void add_id_option(CLI::App& command, const std::string& name, std::vector<IdRange>& ids,
                    const std::string& text) {
   const auto complaint = [](const std::string& value) {
@@ -168,6 +145,29 @@ void add_stop_options(CLI::App& command, Options& options) {
 }
 
 }  // namespace
+
+void add_robust_options(CLI::App& command, KernelArguments& arguments) {
+  auto* kernel =
+      command
+          .add_option(
+              "--kernel", arguments.kernel,
+              "Robust kernel for the errors, so that outliers count less. Barron takes its shape along: "
+              "Barron:-2")
+          ->transform(kernel_name())
+          ->group("Outliers");
+  command
+      .add_option("--kernel-width", arguments.kernel_width,
+                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared")
+      ->check(number_above(0))
+      ->type_name("X")
+      ->capture_default_str()
+      ->needs(kernel)
+      ->group("Outliers");
+  add_choice(command, "--kernel-on", arguments.kernel_scope, kScopes,
+             "The edges that get it; loop closures join poses that do not follow each other by id")
+      ->needs(kernel)
+      ->group("Outliers");
+}
 
 void add_optimize_options(CLI::App& command, OptimizeArguments& arguments) {
   add_output_options(command, arguments);

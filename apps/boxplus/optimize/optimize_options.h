@@ -19,15 +19,21 @@ namespace boxplus::app {
 
 enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
 
-struct OptimizeArguments {
+/// The robust kernel that edges get, if any.
+struct KernelArguments {
+  std::string kernel;  ///< empty: none
+  double kernel_width = 1;
+  KernelScope kernel_scope = KernelScope::kAll;
+};
+/// Adds --kernel and the options that go with it.
+void add_robust_options(CLI::App& command, KernelArguments& arguments);
+
+struct OptimizeArguments : KernelArguments {
   std::string input, output, json;
   bool quiet = false, verbose = false;
   ReadOptions reading;
   Options options;
 
-  std::string kernel;  ///< empty: none
-  double kernel_width = 1;
-  KernelScope kernel_scope = KernelScope::kAll;
   std::vector<IdRange> fixed, moving;
 
   OptimizeArguments() { options.start = Start::kAutomatic; }

@@ -35,7 +35,7 @@ class FixForRun {
 
 }  // namespace
 
-KernelFacts robustify(Graph& graph, const OptimizeArguments& arguments) {
+KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
   KernelFacts facts;
   if (arguments.kernel.empty()) return facts;
   facts.name = arguments.kernel;

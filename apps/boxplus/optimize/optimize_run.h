@@ -10,7 +10,7 @@
 namespace boxplus::app {
 
 /// Gives the chosen edges the robust kernel that was asked for; tells how many.
-KernelFacts robustify(Graph& graph, const OptimizeArguments& arguments);
+KernelFacts robustify(Graph& graph, const KernelArguments& arguments);
 
 /// Optimises, showing progress, until it ends or an Interrupt is raised.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/legend.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "plot/layout.h"
+#include <algorithm>
 
 namespace boxplus::app {
 namespace {
@@ -17,13 +17,19 @@ std::string power_of_ten(int exponent) {
 
 class Legend {
  public:
-  Legend(const std::vector<Scene>& scenes, const ErrorColours& colours, double width, SvgWriter& svg)
-      : scenes_(scenes), colours_(colours), width_(width), svg_(svg) {}
+  Legend(const std::vector<Scene>& scenes, const ErrorColors& colors, const Layout& layout, Canvas& canvas)
+      : scenes_(scenes),
+        colors_(colors),
+        text_(layout.text()),
+        left_(30 * layout.unit()),
+        right_(layout.width() - 30 * layout.unit()),
+        middle_(layout.legend_top() + 34 * text_),
+        canvas_(canvas) {}
 
   void draw() {
-    double at = kMargin;
-    if (any([](const Scene& scene) { return scene.poses > 0; })) at = trajectory(at);
-    if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks(at);
+    if (any([](const Scene& scene) { return scene.poses > 0; })) trajectory();
+    if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks();
+    if (has(SegmentKind::kTruth)) truth();
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
       errors(closes && observes ? "all but odometry" : closes ? "loop closures" : "observations");
@@ -31,8 +37,6 @@ class Legend {
   }
 
  private:
-  static constexpr double kMiddle = kPanelHeight + 34, kSwatch = 40;
-
   template <class Predicate>
   bool any(Predicate&& predicate) const {
     return std::any_of(scenes_.begin(), scenes_.end(), predicate);
@@ -41,53 +45,66 @@ class Legend {
     return any([kind](const Scene& scene) { return scene.has(kind); });
   }
 
-  double trajectory(double at) {
-    constexpr int kPieces = 10;
-    for (int i = 0; i < kPieces; ++i) {
-      svg_.line(at + kSwatch * i / kPieces, kMiddle, kSwatch / kPieces, 0, 3.5,
-                trajectory_colour(static_cast<double>(i) / (kPieces - 1)));
-    }
-    svg_.text(at + kSwatch + 10, kMiddle + 5, {}, "trajectory");
-    return at + 150;
+  void swatch(double at, double width, const Stroke& stroke) {
+    canvas_.line({at, middle_}, {at + width, middle_}, stroke);
+  }
+  /// Each entry begins at left_, and moves it to the next.
+  void name(double width_of_sign, double width_of_name, std::string_view name) {
+    canvas_.text({left_ + (width_of_sign + 10) * text_, middle_ + 5 * text_}, {.size = 15 * text_}, name);
+    left_ += (width_of_sign + 10 + width_of_name + 26) * text_;
   }
 
-  void landmarks(double at) {
-    svg_.line(at, kMiddle, 0, 0, 7, kLandmarkColour);
-    svg_.text(at + 13, kMiddle + 5, {}, "landmarks");
+  void trajectory() {
+    constexpr int kPieces = 10;
+    constexpr double kSwatch = 40;
+    for (int i = 0; i < kPieces; ++i) {
+      swatch(left_ + kSwatch * text_ * i / kPieces, kSwatch * text_ / kPieces,
+             {trajectory_color(static_cast<double>(i) / (kPieces - 1)), 3.5 * text_});
+    }
+    name(kSwatch, 70, "trajectory");
+  }
+
+  void landmarks() {
+    canvas_.dot({left_ + 4 * text_, middle_}, 7 * text_, kLandmarkColor);
+    name(6, 73, "landmarks");
+  }
+
+  void truth() {
+    constexpr double kSwatch = 24;
+    swatch(left_, kSwatch * text_, {kTruthColor, 6 * text_});
+    name(kSwatch, 34, "truth");
   }
 
   void errors(std::string_view what) {
-    constexpr double kWidth = 240, kBar = 9;
-    const double left = width_ - kMargin - kWidth, top = kMiddle - kBar / 2;
-    svg_.text(left + kWidth, top - 8, {.size = 14, .anchor = Anchor::kEnd},
-              fmt::format("chi2 per row of {}", what));
-    for (int bin = 0; bin < ErrorColours::kBins; ++bin) {
-      svg_.add("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n",
-               left + kWidth * bin / ErrorColours::kBins, top, kWidth / ErrorColours::kBins + 0.5, kBar,
-               ErrorColours::colour(bin));
-    }
-    // The first colour ends at 1, the last begins at the end of the scale.
-    const double bin_width = kWidth / ErrorColours::kBins, first = left + bin_width,
-                 range = kWidth - 2 * bin_width;
-    const int stride = (colours_.decades() + 3) / 4;
-    for (int decade = 0; decade <= colours_.decades(); decade += stride) {
-      const double at = first + range * decade / colours_.decades();
-      svg_.line(at, top + kBar, 0, 4, 1, kFaintInk);
-      svg_.text(at, top + kBar + 18, {.size = 13, .anchor = Anchor::kMiddle}, power_of_ten(decade));
+    const double width = 240 * text_, bar = 9 * text_, left = right_ - width, top = middle_ - bar / 2;
+    const bool is_robust = any([](const Scene& scene) { return !scene.kernel.empty(); });
+    canvas_.text({right_, top - 8 * text_}, {.size = 14 * text_, .anchor = Anchor::kEnd},
+                 fmt::format("{}chi2 per row of {}", is_robust ? "robust " : "", what));
+    const double bin_width = width / ErrorColors::kBins;
+    for (int bin = 0; bin < ErrorColors::kBins; ++bin)
+      canvas_.fill({left + bin_width * bin, top, bin_width + 0.5 * text_, bar}, 0, ErrorColors::color(bin));
+    // The first color ends at 1, the last begins at the end of the scale.
+    const double first = left + bin_width, range = width - 2 * bin_width;
+    const int stride = (colors_.decades() + 3) / 4;
+    for (int decade = 0; decade <= colors_.decades(); decade += stride) {
+      const double at = first + range * decade / colors_.decades();
+      canvas_.line({at, top + bar}, {at, top + bar + 4 * text_}, {kFaintInk, text_});
+      canvas_.text({at, top + bar + 18 * text_}, {.size = 13 * text_, .anchor = Anchor::kMiddle},
+                   power_of_ten(decade));
     }
   }
 
   const std::vector<Scene>& scenes_;
-  const ErrorColours& colours_;
-  double width_;
-  SvgWriter& svg_;
+  const ErrorColors& colors_;
+  double text_, left_, right_, middle_;
+  Canvas& canvas_;
 };
 
 }  // namespace
 
-void draw_legend(const std::vector<Scene>& scenes, const ErrorColours& colours, double width,
-                 SvgWriter& svg) {
-  Legend(scenes, colours, width, svg).draw();
+void draw_legend(const std::vector<Scene>& scenes, const ErrorColors& colors, const Layout& layout,
+                 Canvas& canvas) {
+  Legend(scenes, colors, layout, canvas).draw();
 }
 
 }  // namespace boxplus::app

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the colours mean, in one strip below all panels.
+// What the colors mean, in one strip below all panels.
 #pragma once
 
 #include <vector>
 
-#include "plot/colours.h"
-#include "plot/svg_writer.h"
+#include "plot/colors.h"
+#include "plot/layout.h"
 
 namespace boxplus::app {
 
-/// Names only what the scenes have. `width` is that of the picture.
-void draw_legend(const std::vector<Scene>& scenes, const ErrorColours& colours, double width, SvgWriter& svg);
+/// Names only what the scenes have.
+void draw_legend(const std::vector<Scene>& scenes, const ErrorColors& colors, const Layout& layout,
+                 Canvas& canvas);
 
 }  // namespace boxplus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus plot BEFORE [AFTER] -o PICTURE.svg: draws graphs side by side.
+// boxplus plot BEFORE [AFTER] -o PICTURE: draws graphs side by side.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,33 +8,47 @@
 
 #include "boxplus/base/error.h"
 #include "command.h"
-#include "command_line/option_kinds.h"
+#include "command_line/message.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
-#include "plot/svg.h"
+#include "optimize/optimize_run.h"
+#include "plot/plot_options.h"
+#include "plot/truth.h"
 
 namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Poses in the order of their ids are the trajectory. Loop closures and observations are coloured by\n"
+    "Poses in the order of their ids are the trajectory. Loop closures and observations are colored by\n"
     "their chi2 per row: grey up to 1, which is what noise explains; the darker, the worse. Both panels\n"
-    "have one scale of colours. Graphs in space are drawn in parallel projection.\n"
+    "have one scale of colors. Files do not hold robust kernels: after a robust run, give --kernel and\n"
+    "--kernel-width as they were given to optimize, and the colors show what the kernel left of chi2.\n"
+    "Graphs in space are drawn in parallel projection.\n"
     "\n"
-    "Example:\n"
-    "  boxplus simulate streets -o before.g2o\n"
+    "Examples:\n"
+    "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
     "  boxplus optimize before.g2o -o after.g2o\n"
-    "  boxplus plot before.g2o after.g2o -o streets.svg";
+    "  boxplus plot before.g2o after.g2o -o streets.svg --truth truth.g2o\n"
+    "  boxplus plot after.g2o -o figure.pdf --bare --axes --size 252x200 --font-size 7";
 
-struct PlotArguments {
-  ReadOptions reading;
-  std::string before, after, output;
+struct Input {
+  std::string name;  ///< for messages
+  Graph graph;
 };
 
-Scene scene_of(const std::string& path, const ReadOptions& reading, std::string title) {
-  Scene scene = make_scene(load_graph(path, reading).graph, std::move(title));
-  if (scene.poses + scene.landmark_count == 0) {
-    throw FileError(input_name(path) + ": expected poses or points to draw, found none with a finite place");
+Input read(const std::string& path, const PlotArguments& arguments) {
+  Input input{input_name(path), load_graph(path, arguments.reading).graph};
+  robustify(input.graph, arguments.kernel);
+  return input;
+}
+
+Scene scene_of(const Input& input, std::string title, const View& view, const TruePlaces& truth) {
+  Scene scene = make_scene(input.graph, std::move(title), view, truth);
+  if (scene.poses + scene.landmark_count == 0)
+    throw FileError(input.name + ": expected poses or points to draw, found none with a finite place");
+  if (scene.hidden > 0) {
+    print_message(fmt::format("{}: {} {} too far away to be drawn", input.name, scene.hidden,
+                              scene.hidden == 1 ? "vertex is" : "vertices are"));
   }
   return scene;
 }
@@ -43,21 +57,34 @@ std::string title_of(const std::string& path) {
   return path == kStandardStream ? "graph" : std::filesystem::path(path).stem().string();
 }
 
-int plot_files(const PlotArguments& arguments) {
-  const bool compares = !arguments.after.empty();
-  if (arguments.before == kStandardStream && arguments.after == kStandardStream)
+void check_files(const PlotArguments& arguments) {
+  const std::vector<std::string> inputs{arguments.before, arguments.after, arguments.truth};
+  if (std::count(inputs.begin(), inputs.end(), kStandardStream) > 1)
     throw InvalidArgument("plot: expected at most one graph from the standard input, got '-' twice");
   check_outputs({{"--output", arguments.output}});
-  refuse_to_replace({"--output", arguments.output}, {arguments.before, arguments.after});
+  refuse_to_replace({"--output", arguments.output}, inputs);
+}
+
+int plot_files(const PlotArguments& arguments) {
+  const PictureFormat format = format_of(arguments);
+  check_files(arguments);
+  const bool compares = !arguments.after.empty();
+  std::vector<Input> inputs;
+  inputs.push_back(read(arguments.before, arguments));
+  if (compares) inputs.push_back(read(arguments.after, arguments));
+  TruePlaces truth;
+  if (!arguments.truth.empty())
+    truth = true_places(inputs.back().graph, inputs.back().name, arguments.truth, arguments.reading);
   std::vector<Scene> scenes;
   scenes.push_back(
-      scene_of(arguments.before, arguments.reading, compares ? "before" : title_of(arguments.before)));
-  if (compares) scenes.push_back(scene_of(arguments.after, arguments.reading, "after"));
-  const std::string svg = svg_of(std::move(scenes));
-  write_output(arguments.output, svg);
+      scene_of(inputs.front(), compares ? "before" : title_of(arguments.before), arguments.view, truth));
+  if (compares) scenes.push_back(scene_of(inputs.back(), "after", arguments.view, truth));
+  const std::string picture =
+      draw_picture(std::move(scenes), arguments.view, arguments.picture, format, arguments.resolution);
+  write_output(arguments.output, picture);
   if (arguments.output != kStandardStream) {
-    fmt::print("{}: {}, {} kB\n", arguments.output, compares ? "before and after" : "one graph",
-               (svg.size() + 999) / 1000);
+    fmt::print("{}: {}, {} kB\n", escaped(arguments.output), compares ? "before and after" : "one graph",
+               (picture.size() + 999) / 1000);
   }
   return kSuccess;
 }
@@ -66,18 +93,9 @@ int plot_files(const PlotArguments& arguments) {
 
 void add_plot(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command = app.add_subcommand("plot", "Draws a graph, or two side by side, as an SVG picture");
-  command->add_option("BEFORE", arguments->before, "A graph; - reads the standard input")
-      ->check(file_name())
-      ->required();
-  command->add_option("AFTER", arguments->after, "The same graph, optimised")->check(file_name());
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Where to write the picture (.svg); - is the standard output")
-      ->type_name("FILE")
-      ->check(file_name())
-      ->required();
-  add_reading_options(*command, arguments->reading);
+  CLI::App* command =
+      app.add_subcommand("plot", "Draws a graph, or two side by side, as an SVG, PDF or PNG picture");
+  add_plot_options(*command, *arguments);
   command->footer(kFooter);
   command->callback([&action, arguments] { action = [arguments] { return plot_files(*arguments); }; });
 }

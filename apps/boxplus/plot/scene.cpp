@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace boxplus::app {
 namespace {
@@ -13,22 +14,18 @@ struct Place {
   Spot spot{};
   bool is_known = false, is_pose = false;
   std::size_t order = 0;  ///< among the poses
+  Id id = 0;
 };
 
-/// Seen from the front left, a little from above: a parallel projection, so that lengths stay comparable.
-Spot project(const Frame& frame) {
-  const auto& t = frame.translation;
-  if (frame.dimension == 2) return {t[0], t[1], 0};
-  constexpr double kAzimuth = -0.55, kElevation = 0.42;
-  const double ca = std::cos(kAzimuth), sa = std::sin(kAzimuth), ce = std::cos(kElevation),
-               se = std::sin(kElevation);
-  const double right = ca * t[0] - sa * t[1], away = sa * t[0] + ca * t[1];
-  return {right, ce * t[2] + se * away, se * t[2] - ce * away};
+bool is_near(const Spot& spot) {
+  constexpr double kFarthest = 1e100;  // so that no sum or square of lengths overflows
+  return std::abs(spot[0]) + std::abs(spot[1]) + std::abs(spot[2]) < kFarthest;
 }
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Graph& graph) : graph_(graph) {}
+  SceneMaker(const Graph& graph, const View& view, const TruePlaces& truth)
+      : graph_(graph), view_(view), truth_(truth) {}
 
   Scene make() {
     for (const auto& pool : graph_.vertex_pools()) places_.emplace_back(pool->slots());
@@ -51,11 +48,13 @@ class SceneMaker {
   void place(VertexRef vertex) {
     Frame frame;
     if (!graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) return;
-    const Spot spot = project(frame);
-    constexpr double kFarthest = 1e100;  // so that no sum or square of lengths overflows
-    if (!(std::abs(spot[0]) + std::abs(spot[1]) + std::abs(spot[2]) < kFarthest)) return;
+    const Spot spot = project(frame.translation, frame.dimension, view_);
+    if (!is_near(spot)) {
+      ++scene_.hidden;
+      return;
+    }
     scene_.is_spatial = scene_.is_spatial || frame.dimension == 3;
-    place_of(vertex) = {spot, true, frame.has_rotation, poses_.size()};
+    place_of(vertex) = {spot, true, frame.has_rotation, poses_.size(), graph_.id(vertex)};
     if (frame.has_rotation) {
       poses_.push_back({spot, false});
     } else {
@@ -64,7 +63,10 @@ class SceneMaker {
   }
 
   void join(EdgeRef edge) {
-    const double chi2_per_row = graph_.chi2(edge) / std::max(1, graph_.information(edge).rows);
+    const RobustKernel* kernel = graph_.kernel(edge);
+    if (kernel && scene_.kernel.empty()) scene_.kernel = kernel->name();
+    const double chi2 = graph_.chi2(edge), robust_chi2 = kernel ? (*kernel)(chi2).value : chi2;
+    const double chi2_per_row = robust_chi2 / std::max(1, graph_.information(edge).rows);
     const Place* first = nullptr;
     for (const VertexRef& vertex : graph_.vertices(edge)) {
       const Place& place = place_of(vertex);
@@ -79,8 +81,19 @@ class SceneMaker {
     const SegmentKind kind = !(a.is_pose && b.is_pose) ? SegmentKind::kObservation
                              : gap == 1                ? SegmentKind::kTrajectory
                                                        : SegmentKind::kLoopClosure;
-    if (kind == SegmentKind::kTrajectory) poses_[a.order].is_passed = poses_[b.order].is_passed = true;
+    if (kind == SegmentKind::kTrajectory) {
+      poses_[a.order].is_passed = poses_[b.order].is_passed = true;
+      join_truth(a, b, time(later));
+    }
     scene_.segments.push_back({kind, a.spot, b.spot, time(later), chi2_per_row});
+  }
+
+  void join_truth(const Place& a, const Place& b, double time) {
+    const auto from = truth_.find(a.id), to = truth_.find(b.id);
+    if (from == truth_.end() || to == truth_.end()) return;
+    const int dimension = scene_.is_spatial ? 3 : 2;
+    scene_.segments.push_back({SegmentKind::kTruth, project(from->second, dimension, view_),
+                               project(to->second, dimension, view_), time, 0});
   }
 
   double time(std::size_t order) const {
@@ -105,6 +118,11 @@ class SceneMaker {
     };
     for (const Pose& pose : poses_) include(pose.spot);
     for (const Spot& landmark : scene_.landmarks) include(landmark);
+    for (const Segment& segment : scene_.segments) {
+      if (segment.kind != SegmentKind::kTruth) continue;
+      include(segment.from);
+      include(segment.to);
+    }
     if (poses_.empty() && scene_.landmarks.empty()) scene_.low = scene_.high = {};
   }
 
@@ -114,6 +132,8 @@ class SceneMaker {
   };
 
   const Graph& graph_;
+  const View& view_;
+  const TruePlaces& truth_;
   Scene scene_;
   std::vector<std::vector<Place>> places_;  // by pool and slot
   std::vector<Pose> poses_;                 // by id
@@ -125,8 +145,18 @@ bool Scene::has(SegmentKind kind) const {
   return std::any_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.kind == kind; });
 }
 
-Scene make_scene(const Graph& graph, std::string title) {
-  Scene scene = SceneMaker(graph).make();
+Spot project(const std::array<double, 3>& point, int dimension, const View& view) {
+  if (dimension == 2) return {point[0], point[1], 0};
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double azimuth = kDegree * view.azimuth_deg, elevation = kDegree * view.elevation_deg;
+  const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation),
+               se = std::sin(elevation);
+  const double right = ca * point[0] - sa * point[1], away = sa * point[0] + ca * point[1];
+  return {right, ce * point[2] + se * away, se * point[2] - ce * away};
+}
+
+Scene make_scene(const Graph& graph, std::string title, const View& view, const TruePlaces& truth) {
+  Scene scene = SceneMaker(graph, view, truth).make();
   scene.title = std::move(title);
   return scene;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -14,13 +15,14 @@ namespace boxplus::app {
 /// A point of the picture plane (metres, y upwards) and its depth: larger is nearer.
 using Spot = std::array<double, 3>;
 
-enum class SegmentKind : std::uint8_t { kObservation, kLoopClosure, kTrajectory };
+/// In the order in which they are drawn.
+enum class SegmentKind : std::uint8_t { kTruth, kObservation, kLoopClosure, kTrajectory };
 
 struct Segment {
   SegmentKind kind;
   Spot from, to;
   double time;          ///< of the trajectory, in [0, 1]
-  double chi2_per_row;  ///< of the edge, before its kernel
+  double chi2_per_row;  ///< of the edge, after its kernel
 };
 
 struct Dot {
@@ -34,15 +36,29 @@ struct Scene {
   std::vector<Dot> dots;  ///< poses that no trajectory passes; all, where they are few
   Spot low{}, high{};     ///< what encloses everything
   std::size_t poses = 0, landmark_count = 0, edges = 0;
-  bool is_spatial = false;  ///< drawn by an oblique parallel projection
-  double chi2 = 0;
+  std::size_t hidden = 0;   ///< vertices that are too far away to draw, or nowhere
+  bool is_spatial = false;  ///< drawn by a parallel projection
+  double chi2 = 0;          ///< after kernels
+  std::string kernel;       ///< the name of one that edges have; empty if none has
   std::string title;
 
   bool has(SegmentKind kind) const;
 };
 
+/// The direction from which graphs in space are seen, in a parallel projection, so that lengths stay
+/// comparable. At azimuth 0 and elevation 0, x points to the right and z up; at elevation 90, y points up.
+struct View {
+  double azimuth_deg = -31.5, elevation_deg = 24;
+  bool operator==(const View&) const = default;
+};
+/// The point (x, y, z) as seen. Points in the plane are seen from above, whatever the view.
+Spot project(const std::array<double, 3>& point, int dimension, const View& view);
+
+/// True places of vertices by id, in the frame of the graph.
+using TruePlaces = std::unordered_map<Id, std::array<double, 3>>;
+
 /// Poses in the order of their ids make the trajectory; other edges between poses are loop closures, those
-/// between a pose and a point observations.
-Scene make_scene(const Graph& graph, std::string title);
+/// between a pose and a point observations. The truth is drawn along the trajectory.
+Scene make_scene(const Graph& graph, std::string title, const View& view = {}, const TruePlaces& truth = {});
 
 }  // namespace boxplus::app

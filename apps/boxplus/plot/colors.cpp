@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plot/colours.h"
-
-#include <fmt/format.h>
+#include "plot/colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,32 +7,32 @@
 namespace boxplus::app {
 namespace {
 
-using Colour = std::array<double, 3>;
+using Color = std::array<double, 3>;
 
-std::string blended(std::span<const Colour> stops, double part) {
+Rgb blended(std::span<const Color> stops, double part) {
   const double at = std::clamp(part, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const auto first = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   const double rest = at - static_cast<double>(first);
-  std::array<int, 3> rgb{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    rgb[i] = static_cast<int>(std::lround((1 - rest) * stops[first][i] + rest * stops[first + 1][i]));
-  }
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
+  const auto mixed = [&](std::size_t i) {
+    return static_cast<std::uint8_t>(std::lround((1 - rest) * stops[first][i] + rest * stops[first + 1][i]));
+  };
+  return {mixed(0), mixed(1), mixed(2)};
 }
 
 }  // namespace
 
-std::string trajectory_colour(double time) {
-  constexpr std::array<Colour, 4> kStops{{{49, 46, 129}, {37, 99, 235}, {8, 145, 178}, {52, 190, 140}}};
+Rgb trajectory_color(double time) {
+  constexpr std::array<Color, 4> kStops{{{49, 46, 129}, {37, 99, 235}, {8, 145, 178}, {52, 190, 140}}};
   return blended(kStops, time);
 }
 
-ErrorColours::ErrorColours(std::span<const Scene> scenes) {
+ErrorColors::ErrorColors(std::span<const Scene> scenes) {
   std::vector<double> errors;
   for (const Scene& scene : scenes) {
     for (const Segment& segment : scene.segments) {
-      if (segment.kind != SegmentKind::kTrajectory && std::isfinite(segment.chi2_per_row))
-        errors.push_back(segment.chi2_per_row);
+      const bool has_error =
+          segment.kind == SegmentKind::kLoopClosure || segment.kind == SegmentKind::kObservation;
+      if (has_error && std::isfinite(segment.chi2_per_row)) errors.push_back(segment.chi2_per_row);
     }
   }
   if (errors.empty()) return;
@@ -47,14 +45,14 @@ ErrorColours::ErrorColours(std::span<const Scene> scenes) {
     decades_ = std::clamp(static_cast<int>(std::ceil(std::log10(*quantile))), 1, kMostDecades);
 }
 
-int ErrorColours::bin(double chi2_per_row) const {
+int ErrorColors::bin(double chi2_per_row) const {
   if (chi2_per_row <= 1) return 0;
   const double part = std::log10(chi2_per_row) / decades_;
   return part < 1 ? 1 + static_cast<int>(part * (kBins - 2)) : kBins - 1;
 }
 
-std::string ErrorColours::colour(int bin) {
-  constexpr std::array<Colour, 5> kStops{
+Rgb ErrorColors::color(int bin) {
+  constexpr std::array<Color, 5> kStops{
       {{166, 178, 194}, {226, 148, 36}, {207, 74, 31}, {157, 18, 80}, {69, 8, 79}}};
   return blended(kStops, static_cast<double>(bin) / (kBins - 1));
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lengths in a picture: ticks with their values, arrows along x, y and z, and the scale bar.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "plot/canvas/canvas.h"
+#include "plot/layout.h"
+#include "plot/scene.h"
+
+namespace boxplus::app {
+
+/// From metres of the picture plane to places on the canvas.
+struct PlaneMap {
+  Box plot;
+  double scale = 1;  ///< pixels per metre
+  double center_x = 0, center_y = 0;
+
+  Point operator()(double x, double y) const {
+    return {plot.left + plot.width / 2 + scale * (x - center_x),
+            plot.top + plot.height / 2 - scale * (y - center_y)};
+  }
+};
+
+/// What the axes of the picture plane are called, if they are axes of the world.
+struct AxisNames {
+  const char *across, *up;
+};
+std::optional<AxisNames> axis_names(bool is_spatial, const View& view);
+
+void draw_ticks(const PlaneMap& map, const AxisNames& names, const Layout& layout, Canvas& canvas);
+void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas& canvas);
+/// In the lower right corner of a panel that ends at `right` and `bottom`.
+void draw_scale_bar(double right, double bottom, double scale, const Layout& layout, Canvas& canvas);
+
+}  // namespace boxplus::app

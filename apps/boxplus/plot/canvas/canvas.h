@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What pictures are drawn on: lines, boxes and text, for every format of files. Coordinates are pixels
+// (points in PDF), x to the right and y downwards.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace boxplus::app {
+
+struct Rgb {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Rgb&) const = default;
+};
+/// "#rrggbb".
+std::string hex(Rgb color);
+
+struct Point {
+  double x = 0, y = 0;
+};
+
+struct Box {
+  double left = 0, top = 0, width = 0, height = 0;
+  double right() const { return left + width; }
+  double bottom() const { return top + height; }
+};
+
+struct Stroke {
+  Rgb color;
+  double width = 1, opacity = 1;
+};
+
+/// Polylines. One of a single point is a round dot.
+class Path {
+ public:
+  void move_to(Point point) {
+    starts_.push_back(points_.size());
+    points_.push_back(point);
+  }
+  void line_to(Point point) { points_.push_back(point); }
+  bool empty() const { return points_.empty(); }
+
+  /// Calls f(points) for each polyline.
+  template <class F>
+  void for_each_line(F&& f) const {
+    for (std::size_t k = 0; k < starts_.size(); ++k) {
+      const std::size_t end = k + 1 < starts_.size() ? starts_[k + 1] : points_.size();
+      f(std::span<const Point>(points_).subspan(starts_[k], end - starts_[k]));
+    }
+  }
+
+ private:
+  std::vector<Point> points_;
+  std::vector<std::size_t> starts_;
+};
+
+enum class Anchor { kStart, kMiddle, kEnd };
+
+inline constexpr Rgb kInk{0x1f, 0x29, 0x37}, kFaintInk{0x6b, 0x72, 0x80};
+
+struct TextStyle {
+  double size = 15;
+  Rgb color = kFaintInk;
+  Anchor anchor = Anchor::kStart;
+  bool is_bold = false;
+};
+
+class Canvas {
+ public:
+  virtual ~Canvas() = default;
+  /// Lines with round ends and joins. Where lines of one path cross, they do not become darker.
+  virtual void stroke(const Path& path, const Stroke& stroke) = 0;
+  /// A filled rectangle with round corners.
+  virtual void fill(const Box& box, double radius, Rgb color) = 0;
+  /// One line of text (UTF-8) whose baseline begins, has its middle or ends at the point.
+  virtual void text(Point point, const TextStyle& style, std::string_view words) = 0;
+  /// The bytes of the file. Nothing can be drawn afterwards.
+  virtual std::string finish() = 0;
+
+  void line(Point from, Point to, const Stroke& stroke);
+  void dot(Point at, double diameter, Rgb color);
+};
+
+/// `title` tells programs that show the file what it is; it is not drawn.
+std::unique_ptr<Canvas> make_svg_canvas(double width, double height, std::string_view title);
+std::unique_ptr<Canvas> make_pdf_canvas(double width, double height, std::string_view title);
+/// `resolution` pixels of the file per pixel of the picture, on white.
+std::unique_ptr<Canvas> make_png_canvas(double width, double height, double resolution);
+
+}  // namespace boxplus::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One scene in its panel.
+#pragma once
+
+#include "plot/axes.h"
+#include "plot/colors.h"
+#include "plot/layout.h"
+#include "plot/scene.h"
+
+namespace boxplus::app {
+
+/// Pixels per metre with which the scene fills a box.
+double fitting_scale(const Scene& scene, const Box& box);
+/// Whether not all that it shows is at one place.
+bool has_extent(const Scene& scene);
+
+struct PanelStyle {
+  const PictureOptions& options;
+  const Layout& layout;
+  const ErrorColors& colors;
+  const View& view;
+};
+/// Draws the scene with `scale` pixels per metre, and what the options ask for around it.
+void draw_panel(const Scene& scene, const PanelLayout& place, double scale, const PanelStyle& style,
+                Canvas& canvas);
+
+}  // namespace boxplus::app

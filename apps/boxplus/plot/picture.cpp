@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/picture.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "plot/colors.h"
+#include "plot/legend.h"
+#include "plot/panel.h"
+#include "plot/thinning.h"
+
+namespace boxplus::app {
+namespace {
+
+std::unique_ptr<Canvas> make_canvas(const Layout& layout, const std::string& title, PictureFormat format,
+                                    double resolution) {
+  switch (format) {
+    case PictureFormat::kPdf:
+      return make_pdf_canvas(layout.width(), layout.height(), title);
+    case PictureFormat::kPng:
+      return make_png_canvas(layout.width(), layout.height(), resolution);
+    default:
+      return make_svg_canvas(layout.width(), layout.height(), title);
+  }
+}
+
+/// Pixels per metre of each panel.
+std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& layout, bool has_one_scale) {
+  constexpr double kTiny = 2.5;  // panels that differ by more have their own scales
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  std::vector<double> scales;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    scales.push_back(fitting_scale(scenes[i], layout.panel(i).fit));
+    if (!has_extent(scenes[i])) continue;
+    least = std::min(least, scales[i]);
+    most = std::max(most, scales[i]);
+  }
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (has_extent(scenes[i]) && (has_one_scale || most <= kTiny * least)) scales[i] = least;
+  }
+  return scales;
+}
+
+}  // namespace
+
+std::string draw_picture(std::vector<Scene> scenes, const View& view, const PictureOptions& options,
+                         PictureFormat format, double resolution) {
+  constexpr double kVisible = 0.4;        // pixels
+  constexpr std::size_t kMost = 120'000;  // things to draw
+  constexpr Rgb kBackground{0xf8, 0xfa, 0xfc};
+  const bool has_ticks =
+      options.has_axes && std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+        return axis_names(scene.is_spatial, view).has_value();
+      });
+  const Layout layout(options, scenes.size(), has_ticks);
+  const std::unique_ptr<Canvas> canvas = make_canvas(layout, options.title, format, resolution);
+  if (!options.is_bare) canvas->fill({0, 0, layout.width(), layout.height()}, 0, kBackground);
+  if (layout.title_height() > 0) {
+    canvas->text({layout.width() / 2, layout.title_height() - 14 * layout.text()},
+                 {.size = 24 * layout.text(), .color = kInk, .anchor = Anchor::kMiddle, .is_bold = true},
+                 options.title);
+  } else if (!options.title.empty()) {
+    scenes.front().title = options.title;
+  }
+  const ErrorColors colors(scenes);
+  const std::vector<double> scales = scales_of(scenes, layout, options.has_one_scale);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    scenes[i] = thinned(std::move(scenes[i]), kVisible / scales[i], kMost / scenes.size());
+    draw_panel(scenes[i], layout.panel(i), scales[i], {options, layout, colors, view}, *canvas);
+  }
+  if (!options.is_bare) draw_legend(scenes, colors, layout, *canvas);
+  return canvas->finish();
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/plot_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "boxplus/base/error.h"
+#include "command_line/option_kinds.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+namespace {
+
+const Choices<PictureFormat> kFormats{
+    {"svg", PictureFormat::kSvg}, {"pdf", PictureFormat::kPdf}, {"png", PictureFormat::kPng}};
+const Choices<View> kViews{{"top", {0, 90}}, {"side", {0, 0}}, {"iso", {-45, 35.264389682754654}}};
+
+/// "A<separator>B" as two finite numbers.
+std::optional<std::pair<double, double>> two_numbers(const std::string& text, char separator) {
+  std::pair<double, double> values;
+  const char *begin = text.data(), *end = begin + text.size(), *middle = std::find(begin, end, separator);
+  if (middle == end) return std::nullopt;
+  const auto first = std::from_chars(begin, middle, values.first);
+  const auto second = std::from_chars(middle + 1, end, values.second);
+  const bool good = first.ec == std::errc() && first.ptr == middle && second.ec == std::errc() &&
+                    second.ptr == end && std::isfinite(values.first) && std::isfinite(values.second);
+  return good ? std::optional(values) : std::nullopt;
+}
+
+std::optional<View> view_of(const std::string& text) {
+  for (const auto& [word, view] : kViews) {
+    if (word == text) return view;
+  }
+  const auto angles = two_numbers(text, ',');
+  if (!angles || std::abs(angles->first) > 360 || std::abs(angles->second) > 90) return std::nullopt;
+  return View{angles->first, angles->second};
+}
+
+std::string complaint_about_view(const std::string& text) {
+  if (view_of(text)) return {};
+  return fmt::format(
+      "expected top, side, iso or AZIMUTH,ELEVATION in degrees (within ±360 and ±90), got '{}'", text);
+}
+
+std::string complaint_about_size(const std::string& text) {
+  constexpr double kLeast = 16, kMost = 10'000;
+  const auto in_range = [](double value) { return value >= kLeast && value <= kMost; };
+  const auto size = two_numbers(text, 'x');
+  if (size && in_range(size->first) && in_range(size->second)) return {};
+  return fmt::format("expected WIDTHxHEIGHT, each from {} to {}, got '{}'", kLeast, kMost, text);
+}
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+void add_input_options(CLI::App& command, PlotArguments& arguments) {
+  command.add_option("BEFORE", arguments.before, "A graph; - reads the standard input")
+      ->check(file_name())
+      ->required();
+  command.add_option("AFTER", arguments.after, "The same graph, optimised")->check(file_name());
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Where to write the picture (.svg, .pdf or .png); - is the standard output")
+      ->type_name("FILE")
+      ->check(file_name())
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--format",
+          [&arguments](const std::string& chosen) {
+            for (const auto& [word, format] : kFormats) {
+              if (word == chosen) arguments.format = format;
+            }
+          },
+          "The format, if the name of the file does not tell it")
+      ->check(one_of({"svg", "pdf", "png"}));
+  command
+      .add_option(
+          "--truth", arguments.truth,
+          "A graph of the true places, drawn as a band behind the trajectory, moved as a whole to where it "
+          "fits the last graph best")
+      ->type_name("FILE")
+      ->check(file_name());
+}
+
+void add_look_options(CLI::App& command, PlotArguments& arguments) {
+  PictureOptions& picture = arguments.picture;
+  command.add_option("--title", picture.title, "The title of the picture")->type_name("TEXT")->group("Look");
+  command
+      .add_option_function<std::string>(
+          "--size",
+          [&picture](const std::string& text) {
+            const auto size = two_numbers(text, 'x');
+            picture.width = size->first;
+            picture.height = size->second;
+          },
+          "The size of the picture in pixels, in PDF points (1/72 inch); without, 620x666 per panel")
+      ->type_name("WIDTHxHEIGHT")
+      ->check(CLI::Validator(complaint_about_size, ""))
+      ->group("Look");
+  command
+      .add_option("--font-size", picture.font_size,
+                  "The size of the text; without, it follows from the size of the panels")
+      ->type_name("X")
+      ->check(number_within(1, 200))
+      ->group("Look");
+  command
+      .add_option("--resolution", arguments.resolution, "PNG: pixels of the file per pixel of the picture")
+      ->type_name("X")
+      ->check(number_within(0.1, 10))
+      ->capture_default_str()
+      ->group("Look");
+  command
+      .add_flag("--bare", picture.is_bare,
+                "The graphs alone, without frame, header, legend, scale bar and background: for papers")
+      ->group("Look");
+  command
+      .add_flag("--axes", picture.has_axes,
+                "Axes with their values in metres; arrows where the view is along no axis")
+      ->group("Look");
+  command
+      .add_flag("--equal-scale", picture.has_one_scale,
+                "One scale for both panels in any case; without, only where neither becomes tiny")
+      ->group("Look");
+  command
+      .add_option_function<std::string>(
+          "--view", [&arguments](const std::string& text) { arguments.view = *view_of(text); },
+          "From where graphs in space are seen: top, side (along y), iso or AZIMUTH,ELEVATION in degrees")
+      ->type_name("VIEW")
+      ->check(CLI::Validator(complaint_about_view, ""))
+      ->default_str("-31.5,24")
+      ->group("Look");
+}
+
+}  // namespace
+
+void add_plot_options(CLI::App& command, PlotArguments& arguments) {
+  add_input_options(command, arguments);
+  add_look_options(command, arguments);
+  add_robust_options(command, arguments.kernel);
+  add_reading_options(command, arguments.reading);
+}
+
+PictureFormat format_of(const PlotArguments& arguments) {
+  const std::string ending = arguments.output == kStandardStream ? "" : ending_of(arguments.output);
+  if (ending.empty()) return arguments.format.value_or(PictureFormat::kSvg);
+  for (const auto& [word, format] : kFormats) {
+    if (word != ending) continue;
+    if (arguments.format && *arguments.format != format)
+      throw InvalidArgument(
+          fmt::format("--format: expected {} for '{}', got another", word, arguments.output));
+    return format;
+  }
+  throw InvalidArgument(
+      fmt::format("--output: expected a name that ends with .svg, .pdf or .png, got '{}'", arguments.output));
+}
+
+}  // namespace boxplus::app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `boxplus plot` can be asked for.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "boxplus/io/graph_file.h"
+#include "optimize/optimize_options.h"
+#include "plot/picture.h"
+
+namespace boxplus::app {
+
+struct PlotArguments {
+  std::string before, after, truth, output;
+  std::optional<PictureFormat> format;
+  View view;
+  PictureOptions picture;
+  double resolution = 2;
+  KernelArguments kernel;
+  ReadOptions reading;
+};
+
+/// Adds all options; they fill `arguments`, which must outlive the command.
+void add_plot_options(CLI::App& command, PlotArguments& arguments);
+
+/// What --format says or, without it, the ending of the output; SVG if there is neither. Throws
+/// InvalidArgument if the ending is that of another format, or of none that is known.
+PictureFormat format_of(const PlotArguments& arguments);
+
+}  // namespace boxplus::app

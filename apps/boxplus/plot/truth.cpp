@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/truth.h"
+
+#include "boxplus/base/error.h"
+#include "compare/alignment.h"
+#include "files/graph_input.h"
+
+namespace boxplus::app {
+
+TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
+                       const ReadOptions& reading) {
+  const Trajectory places = read_trajectory(truth, reading);
+  if (places.is_timed) {
+    throw FileError(input_name(truth) +
+                    ": expected a graph, whose poses have ids, got a TUM file, whose poses have times");
+  }
+  const std::vector<PosePair> pairs = matched(places, trajectory_of(graph, name), 0);
+  if (pairs.empty())
+    throw FileError(input_name(truth) + ": expected poses with the ids of " + name + ", found none");
+  const Alignment onto_graph = align(pairs, places.dimension, AlignmentKind::kRigid, false);
+  TruePlaces result;
+  for (const TrajectoryPose& pose : places.poses) {
+    const Vector3 place = onto_graph(pose).position;
+    result[pose.id] = {place[0], place[1], place[2]};
+  }
+  return result;
+}
+
+}  // namespace boxplus::app
