@@ -115,6 +115,18 @@ class CompareTest(CommandCase):
         errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (before, after)]
         self.assertLess(errors[1], 0.2 * errors[0])
 
+    def test_false_loop_closures_want_the_kernel_from_the_first_iteration(self):
+        # What docs/first_steps.md says under "Outliers".
+        graph, squares, robust, late, truth = (self.path / f"{name}.g2o" for name in ("graph", "squares", "robust", "late", "truth"))
+        run("simulate", "streets", "--poses", 2000, "--outliers", 0.2, "-o", graph, "--truth", truth)
+        kernel = ("--start", "current", "--kernel", "Cauchy", "--kernel-width", 3, "--kernel-on", "loop-closures", "-q", "-o")
+        run("optimize", graph, *kernel, robust)
+        run("optimize", graph, "-q", "-o", squares)
+        run("optimize", squares, *kernel, late)
+        errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (robust, late)]
+        self.assertLess(errors[0], 0.3)
+        self.assertGreater(errors[1], 20)
+
     def test_tells_people_the_same_in_a_table(self):
         done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernels that are quadratic near zero and linear in the error far away: convex, so they never add local
-// minima.
+// Kernels that are quadratic near zero and linear in the error far away. They are convex in the error, so
+// they add no local minima if errors are linear in the estimates. Errors with rotations are not: no such
+// promise holds.
 #pragma once
 
 #include "boxplus/robust/kernel_base.h"

@@ -21,7 +21,10 @@ struct BetweenText {
 ///   SE2  vec(z⁻¹ a⁻¹ b) = (x, y, θ)                                   EDGE_SE2
 ///   SE3  (t, q_v) of z⁻¹ a⁻¹ b, with the sign of q that has w ≥ 0     EDGE_SE3:QUAT
 ///   Vector2, Vector3  (b − a) − z                                     EDGE_POINTXY, EDGE_POINTXYZ
-/// and likewise for every manifold with inverse() and operator*, or with operator−.
+/// and likewise for every other T whose trait Manifold<T> has kDim, ominus, cast and Rebind. The motion from
+/// a to b is a.inverse_times(b), b − a or a.inverse() * b, whichever T has first in this order; it must be a
+/// T again. These functions must accept T over dual numbers (Rebind) for the Jacobians to be exact, and such
+/// types must name their scalar (T::Scalar). Product has none of these motions.
 template <class T>
 struct Between {
   static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
