@@ -35,6 +35,7 @@ bench: setup ## measures us beside CHOLMOD and Ceres, and writes bench/RESULTS.m
 	@build/bench/bin/dense_kernels_bench
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
+	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
 	@mv build/bench/RESULTS.md bench/RESULTS.md
 
 dev asan ubsan tsan: setup

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "boxplus/base/thread_scratch.h"
 #include "boxplus/graph/error_function.h"
 #include "boxplus/graph/make_room.h"
 #include "kernels/kernel_table.h"
@@ -67,34 +68,44 @@ bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) 
   return true;
 }
 
-void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
-  constexpr std::size_t kRoom = 512;  // numbers; only a single edge may need more
+/// chi2() of at most EdgeTile::kCapacity edges that all have `rows` rows, kMostEdgeRows at most.
+void EdgePool::chi2_of_tile(std::span<const std::uint32_t> edges, int rows, double* out) const {
+  double error[EdgeTile::kCapacity * dense::kMostEdgeRows];
+  errors(edges, error);
+  const double* e = error;
+  for (const std::uint32_t edge : edges) {
+    *out++ = information(edge, rows).squared_norm(e);
+    e += rows;
+  }
+}
+
+/// chi2() of edges of any shapes.
+void EdgePool::chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const {
+  constexpr std::size_t kRoom = 512;
   double room[kRoom];
-  std::vector<double> more;
-  for (std::size_t first = 0; first < edges.size();) {
-    const auto tile = edges.subspan(first, std::min<std::size_t>(edges.size() - first, EdgeTile::kCapacity));
-    if (chi2_in_lanes(tile, out)) {
-      first += tile.size();
-      out += tile.size();
-      continue;
-    }
-    std::size_t last = first, rows = 0;
-    while (last < edges.size()) {
-      const auto of_edge = static_cast<std::size_t>(shape(edges[last]).rows);
-      if (last > first && rows + of_edge > kRoom) break;
-      rows += of_edge;
-      ++last;
-    }
-    if (rows > kRoom) more.resize(rows);
-    double* e = rows > kRoom ? more.data() : room;
-    const auto batch = edges.subspan(first, last - first);
-    errors(batch, e);
-    for (std::uint32_t edge : batch) {
-      const InformationView omega = information(edge);
-      *out++ = omega.squared_norm(e);
-      e += omega.rows;
-    }
-    first = last;
+  // An error function may evaluate another graph on this thread, so the memory is taken out meanwhile.
+  auto& kept = thread_scratch<std::vector<double>, struct LongError>();
+  std::vector<double> more = std::move(kept);
+  for (const std::uint32_t edge : edges) {
+    const int rows = shape(edge).rows;
+    if (static_cast<std::size_t>(rows) > std::max(kRoom, more.size()))
+      more.resize(static_cast<std::size_t>(rows));
+    double* e = static_cast<std::size_t>(rows) > kRoom ? more.data() : room;
+    errors(std::span(&edge, 1), e);
+    *out++ = information(edge, rows).squared_norm(e);
+  }
+  kept = std::move(more);
+}
+
+void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
+  if (edges.empty()) return;
+  const int rows = uniform_shape() ? shape(edges[0]).rows : dense::kMostEdgeRows + 1;
+  if (rows > dense::kMostEdgeRows) return chi2_one_by_one(edges, out);
+  while (!edges.empty()) {
+    const auto tile = edges.first(std::min<std::size_t>(edges.size(), EdgeTile::kCapacity));
+    if (!chi2_in_lanes(tile, out)) chi2_of_tile(tile, rows, out);
+    edges = edges.subspan(tile.size());
+    out += tile.size();
   }
 }
 

@@ -89,12 +89,8 @@ void InformationView::apply(const double* x, int columns, double* y) const {
   }
 }
 
-double InformationView::squared_norm(const double* e) const {
+double InformationView::weighted_squared_norm(const double* e) const {
   double sum = 0;
-  if (kind == InformationKind::kScalar) {
-    for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
-    return values[0] * sum;
-  }
   if (kind == InformationKind::kDiagonal) {
     for (int i = 0; i < rows; ++i) sum += values[i] * e[i] * e[i];
     return sum;

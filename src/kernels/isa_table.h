@@ -7,6 +7,7 @@
 #include "kernels/normal_kernels.h"
 #include "kernels/panel_kernels.h"
 #include "kernels/run_kernels.h"
+#include "kernels/unary_kernels.h"
 #include "kernels/vector_kernels.h"
 
 #define BOXPLUS_TEXT(word) #word
@@ -30,6 +31,7 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          normal_products,
                          add_block,
                          add_edges_for,
+                         add_unary_edges_for,
                          to_lanes,
                          squared_norms,
                          between_se2,

@@ -44,6 +44,19 @@ struct EdgeLanes {
 /// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
 using AddEdges = void (*)(const EdgeLanes& edges);
 
+/// Unary edges of one shape, one after the other; the other fields as in EdgeLanes.
+struct UnaryEdges {
+  int count;
+  const double *jacobian, *error;  // rows × cols column by column, and rows, of each edge
+  EdgeNumbers::Kind kind;
+  const double* const* omega;
+  const double* weight;
+  const std::uint32_t* const* targets;  // the offset in the gradient and that of H_ii, of each edge
+  double *values, *gradient;
+};
+/// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
+using AddUnaryEdges = void (*)(const UnaryEdges& edges);
+
 /// Edges that measure one pose from another: pointers to the numbers of each.
 struct PosePairs {
   int count;
@@ -129,6 +142,8 @@ struct KernelTable {
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
   /// The kernel for binary edges of these sizes, or null where there is none.
   AddEdges (*add_edges_for)(int rows, int dim_i, int dim_j);
+  /// The kernel for unary edges of these sizes, or null if there is none.
+  AddUnaryEdges (*add_unary_edges_for)(int rows, int dim);
   /// Puts blocks of `size` numbers that lie edge after edge into lanes; the last lanes repeat the last edge.
   void (*to_lanes)(const double* edges, int size, int count, double* lanes);
   /// out[k] = eᵀΩe of edge k, of 3 or 6 rows. `error` in lanes; all Ω of one kind.

@@ -96,38 +96,32 @@ void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
   const bool uniform = pool.uniform_shape();
   const EdgeShape shape = pool.shape(scatter.edges[run.begin]);
   const std::size_t capacity = uniform ? static_cast<std::size_t>(tile_capacity(shape)) : 1;
-  const bool by_lanes = capacity >= EdgeTile::kLanes && !options.triggs_correction &&
-                        memory.lanes.choose(shape.rows, memory.dims);
+  const bool by_tiles = capacity >= EdgeTile::kLanes && !options.triggs_correction &&
+                        memory.adder.choose(shape.rows, memory.dims);
   EdgeTile tile;
   tile.error = memory.error.data();
   tile.jacobian = memory.jacobian.data();
   for (std::uint32_t next = run.begin; next < run.end;) {
-    memory.edges.clear();
-    memory.targets.clear();
-    for (; next < run.end && memory.edges.size() < capacity; ++next) {
-      if (!pool.enabled(scatter.edges[next])) continue;
-      memory.edges.push_back(scatter.edges[next]);
-      memory.targets.push_back(scatter.targets_of_edge(next, static_cast<int>(memory.dims.size())));
-    }
-    if (memory.edges.empty()) continue;
-    tile.in_lanes = by_lanes;
-    pool.linearize(memory.edges, tile, options.numeric_jacobians);
-    if (by_lanes) {
-      memory.lanes.add(pool, memory.edges, tile, memory.targets, values_.data(), gradient_.data());
+    const auto edges = memory.gather(pool, scatter, next, run.end, capacity);
+    if (edges.empty()) continue;
+    tile.in_lanes = by_tiles && memory.adder.takes_lanes();
+    pool.linearize(edges, tile, options.numeric_jacobians);
+    if (by_tiles) {
+      memory.adder.add(pool, edges, tile, memory.targets, values_.data(), gradient_.data());
     } else {
-      if (!uniform) vertex_dims(*graph_, pool, memory.edges[0], memory.dims);
-      add_one_by_one(pool, tile, memory, options.triggs_correction);
+      if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
+      add_one_by_one(pool, edges, tile, memory, options.triggs_correction);
     }
   }
 }
 
-void Linearizer::add_one_by_one(const EdgePool& pool, const EdgeTile& tile, TileMemory& memory,
-                                bool triggs_correction) {
-  for (std::size_t k = 0; k < memory.edges.size(); ++k) {
+void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges,
+                                const EdgeTile& tile, TileMemory& memory, bool triggs_correction) {
+  for (std::size_t k = 0; k < edges.size(); ++k) {
     const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
     const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
-    const InformationView omega = pool.information(memory.edges[k], tile.rows);
-    const RobustKernel* kernel = pool.kernel(memory.edges[k]);
+    const InformationView omega = pool.information(edges[k], tile.rows);
+    const RobustKernel* kernel = pool.kernel(edges[k]);
     const EdgeWeight weight =
         kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
     accumulate({tile.rows, tile.cols, memory.dims, error, jacobian}, omega, weight, memory.targets[k],
@@ -159,11 +153,12 @@ void Linearizer::evaluate_share(int worker, int workers) {
     double* out = edge_chi2_.data() + from;
     pool.chi2(edges, out);
     for (std::size_t k = 0; k < edges.size(); ++k) {
-      if (!pool.enabled(edges[k])) {
-        out[k] = 0;
-      } else if (const RobustKernel* kernel = pool.kernel(edges[k]); kernel && std::isfinite(out[k])) {
-        out[k] = (*kernel)(out[k]).value;
-      }
+      if (!pool.enabled(edges[k])) out[k] = 0;
+    }
+    if (!pool.has_kernels()) continue;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const RobustKernel* kernel = pool.enabled(edges[k]) ? pool.kernel(edges[k]) : nullptr;
+      if (kernel && std::isfinite(out[k])) out[k] = (*kernel)(out[k]).value;
     }
   }
 }

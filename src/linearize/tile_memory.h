@@ -3,25 +3,41 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include "linearize/lane_adder.h"
+#include "boxplus/linearize/plan.h"
+#include "linearize/tile_adder.h"
 
 namespace boxplus {
 
 struct TileMemory {
   /// For tiles of `values` numbers of Jacobians and `rows` of errors.
   TileMemory(std::size_t values, std::size_t rows)
-      : error(rows), jacobian(values), weighted(values), weighted_error(values + rows), lanes(values, rows) {
-    edges.reserve(EdgeTile::kCapacity);
-    targets.reserve(EdgeTile::kCapacity);
+      : error(rows), jacobian(values), weighted(values), weighted_error(values + rows), adder(values, rows) {
+    edges.resize(EdgeTile::kCapacity);
+    targets.resize(EdgeTile::kCapacity);
+  }
+
+  /// The next `capacity` enabled edges of a run, which goes from `next` to `end`; `next` moves on.
+  std::span<const std::uint32_t> gather(const EdgePool& pool, const Scatter& scatter, std::uint32_t& next,
+                                        std::uint32_t end, std::size_t capacity) {
+    const int arity = static_cast<int>(dims.size());
+    std::size_t count = 0;
+    for (; next < end && count < capacity; ++next) {
+      const std::uint32_t edge = scatter.edges[next];
+      if (!pool.enabled(edge)) continue;
+      edges[count] = edge;
+      targets[count++] = scatter.targets_of_edge(next, arity);
+    }
+    return {edges.data(), count};
   }
 
   std::vector<double> error, jacobian, weighted, weighted_error;
-  std::vector<std::uint32_t> edges;           // of the tile
+  std::vector<std::uint32_t> edges;           // room for a tile
   std::vector<const std::uint32_t*> targets;  // of each of them
   std::vector<int> dims;
-  LaneAdder lanes;
+  TileAdder adder;
 };
 
 }  // namespace boxplus

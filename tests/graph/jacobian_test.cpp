@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "boxplus/graph/differentiate.h"
+#include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
@@ -33,6 +35,32 @@ struct Manifold<Frozen> {
   }
 };
 
+/// A scalar that counts how often it is lifted to dual numbers.
+template <class S>
+struct Counted {
+  S value;
+  static inline int lifts = 0;
+};
+
+template <class T>
+struct Manifold<Counted<T>> {
+  template <class S>
+  using Rebind = Counted<S>;
+  static constexpr int kDim = 1;
+  template <class D>
+  static auto oplus(const Counted<T>& x, const D* delta) {
+    return Counted<std::remove_cvref_t<decltype(x.value + delta[0])>>{x.value + delta[0]};
+  }
+  static void ominus(const Counted<T>& y, const Counted<T>& x, double* delta) {
+    delta[0] = y.value - x.value;
+  }
+  template <class S>
+  static Counted<S> cast(const Counted<T>& x) {
+    ++Counted<T>::lifts;
+    return {S(x.value)};
+  }
+};
+
 namespace {
 
 /// The exact Jacobian of `e` at x, after a check that the numeric one and both errors agree with it.
@@ -48,6 +76,72 @@ Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
   EXPECT_LE((error - value).norm(), 1e-14 * (1 + value.norm()));
   EXPECT_EQ(numeric_error, value);
   return exact;
+}
+
+/// Errors and Jacobians of edges of one row, linearised `at_once` at a time.
+std::vector<double> linearize(const EdgePool& pool, std::span<const std::uint32_t> edges,
+                              std::size_t at_once) {
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < edges.size(); k += at_once) {
+    double error[EdgeTile::kCapacity], jacobian[EdgeTile::kCapacity * 16];
+    EdgeTile tile;
+    tile.error = error;
+    tile.jacobian = jacobian;
+    pool.linearize(edges.subspan(k, at_once), tile, false);
+    numbers.insert(numbers.end(), error, error + tile.count);
+    numbers.insert(numbers.end(), jacobian, jacobian + tile.count * tile.cols);
+  }
+  return numbers;
+}
+
+TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsLiftedToDualNumbersOnce) {
+  Graph graph;
+  const auto a = graph.add_vertex(Counted<double>{2}), b = graph.add_vertex(Counted<double>{3}),
+             c = graph.add_vertex(Counted<double>{5});
+  const auto product = [](const auto& x, const auto& y) { return x.value * x.value * y.value; };
+  for (const auto& other : {b, b, c, b}) graph.add_edge(product, a, other);
+  for (int k = 0; k < 12; ++k) graph.add_edge(product, c, b);
+  std::vector<std::uint32_t> edges(16);
+  std::iota(edges.begin(), edges.end(), 0u);
+  const EdgePool& pool = *graph.edge_pools()[0];
+  const std::vector<double> alone = linearize(pool, edges, 1);
+  EXPECT_EQ(Counted<double>::lifts, 32);
+  Counted<double>::lifts = 0;
+  const std::vector<double> together = linearize(pool, edges, 16);
+  EXPECT_EQ(Counted<double>::lifts, 2 + 3);  // a, c; b, c, b
+  for (std::size_t k = 0; k < 16; ++k) {
+    EXPECT_EQ(together[k], alone[3 * k]);
+    EXPECT_EQ(together[16 + 2 * k], alone[3 * k + 1]);
+    EXPECT_EQ(together[16 + 2 * k + 1], alone[3 * k + 2]);
+  }
+  graph.set_estimate(c, Counted<double>{7});  // nothing is kept between calls
+  EXPECT_EQ(linearize(pool, std::span(edges).last(1), 1)[0], 7 * 7 * 3);
+}
+
+TEST(Jacobian, OfManyColumnsInTilesIsThatOfEachEdgeAlone) {
+  // 30 columns take four passes of dual numbers.
+  Graph graph;
+  const auto a = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(1, 2))),
+             b = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(3, 4)));
+  const auto c = graph.add_vertex(Vector<double, 6>(Vector<double, 6>::LinSpaced(5, 6)));
+  const auto e = [](const auto& x, const auto& y) { return x.squaredNorm() * y.sum(); };
+  for (const auto& x : {a, a, b}) graph.add_edge(e, x, c);
+  const EdgePool& pool = *graph.edge_pools()[0];
+  const std::uint32_t edges[] = {0, 1, 2};
+  std::vector<double> error(3), jacobian(90), one(30);
+  EdgeTile tile;
+  tile.error = error.data();
+  tile.jacobian = jacobian.data();
+  pool.linearize(edges, tile, false);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto& x = graph.estimate(k < 2 ? a : b);
+    edge::automatic_jacobian<Vector<double, 24>, Vector<double, 6>>(e, &error[0], one.data(), 1, 30, x,
+                                                                    graph.estimate(c));
+    EXPECT_EQ(std::vector<double>(jacobian.begin() + 30 * static_cast<long>(k),
+                                  jacobian.begin() + 30 * static_cast<long>(k + 1)),
+              one);
+    EXPECT_NEAR(one[0], 2 * x[0] * graph.estimate(c).sum(), 1e-12);
+  }
 }
 
 TEST(Jacobian, OfAPolynomialIsThatOfTheTextbook) {

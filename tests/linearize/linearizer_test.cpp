@@ -27,6 +27,7 @@ constexpr auto kBehind = [](const auto& point, const auto& pose) {
   return (point - pose.translation()).eval();
 };
 constexpr auto kPrior = [](const auto& pose) { return pose.vector(); };
+constexpr auto kBearing = [](const auto& pose) { return pose.x() * pose.y() + pose.theta(); };
 constexpr auto kRange = [](const SE2& a, const Point& p) { return (a.translation() - p).norm(); };
 
 Eigen::Matrix3d full_information() {
@@ -195,6 +196,12 @@ Graph large_graph() {
     if (k % 3 == 0) graph.set_kernel(edge, Huber(1));
     graph.add_edge(kBehind, points[(k * 11) % points.size()], poses[k]);
     if (k % 2 == 0) graph.add_edge(kBetween, poses[(k * 17 + 1) % poses.size()], poses[k]);
+    // Runs of unary edges at one vertex, which another worker may own than the vertices before and after it.
+    for (std::size_t n = 0; n < k % 4; ++n) {
+      const auto unary =
+          graph.add_edge(kBearing, 1.0 + 0.1 * static_cast<double>(n), poses[(k * 13) % poses.size()]);
+      if (k % 5 == 0) graph.set_kernel(unary, Huber(1));
+    }
   }
   return graph;
 }
@@ -224,6 +231,23 @@ TEST(Linearizer, GivesTheSameBitsForAnyNumberOfWorkers) {
       EXPECT_EQ(linearizer.chi2(), chi2);
     }
   }
+}
+
+TEST(Linearizer, EqualsTheDenseReferenceForManyUnaryEdgesOfOneVertex) {
+  Mixed m = mixed_graph();
+  for (std::size_t k = 0; k < 200; ++k) {
+    const auto& pose = m.poses[k / 50];
+    const double weight = 0.5 + 0.01 * static_cast<double>(k);
+    const EdgeRef row = m.graph.add_edge(kBearing, weight, pose);
+    const EdgeRef rows = k % 3 == 0 ? m.graph.add_edge(kPrior, full_information(), pose)
+                                    : m.graph.add_edge(kPrior, weight, m.poses[k % 4]);
+    if (k % 7 == 0) m.graph.set_kernel(row, Huber(0.3));
+    if (k % 5 == 0) m.graph.set_kernel(rows, Huber(0.3));
+    if (k % 11 == 0) m.graph.set_enabled(row, false);
+  }
+  expect_equals_reference(m.graph, make_plan(m.graph, {}));
+  m.graph.fix(m.poses[1]);
+  expect_equals_reference(m.graph, make_plan(m.graph, {}));
 }
 
 TEST(Linearizer, SumsChiSquaredPairwise) {

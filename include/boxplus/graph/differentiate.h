@@ -5,6 +5,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "boxplus/autodiff/numeric.h"
@@ -54,48 +58,88 @@ boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
   }
 }
 
-/// An argument over dual numbers: the estimate itself, or storage for the elements of a tail.
+/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. An estimate that
+/// consecutive edges share is lifted once.
 template <class V, class S>
-struct LiftedArgument {
-  Lifted<V, S> value;
-  LiftedArgument(const V& x, int& column, int first) : value(lift<S>(x, column, first)) {
+class LiftedArgument {
+ public:
+  /// `slot` says which vertex it is; it takes its columns from `column` on.
+  void lift(const V& x, std::span<const std::uint32_t> slot, int& column, int first) {
+    if (!value_ || slot_ != slot[0] || column_ != column || first_ != first) {
+      value_.emplace(edge::lift<S>(x, column, first));
+      slot_ = slot[0];
+      column_ = column;
+      first_ = first;
+    }
     column += boxplus::tangent_dim(x);
   }
-  const Lifted<V, S>& get() const { return value; }
+  const Lifted<V, S>& get() const { return *value_; }
+
+ private:
+  std::optional<Lifted<V, S>> value_;
+  std::uint32_t slot_ = 0;
+  int column_ = 0, first_ = 0;
 };
 template <class T, class S>
-struct LiftedArgument<Tail<T>, S> {
-  std::vector<boxplus::Rebind<T, S>> values;
-  LiftedArgument(std::span<const T> x, int& column, int first) {
-    values.reserve(x.size());
+class LiftedArgument<Tail<T>, S> {
+ public:
+  void lift(std::span<const T> x, std::span<const std::uint32_t>, int& column, int first) {
+    values_.clear();
+    values_.reserve(x.size());
     for (const T& element : x) {
-      values.push_back(lift<S>(element, column, first));
+      values_.push_back(edge::lift<S>(element, column, first));
       column += boxplus::tangent_dim(element);
     }
   }
-  std::span<const boxplus::Rebind<T, S>> get() const { return values; }
+  std::span<const boxplus::Rebind<T, S>> get() const { return values_; }
+
+ private:
+  std::vector<boxplus::Rebind<T, S>> values_;
 };
 
-/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by forward-mode dual numbers; exact up to rounding.
-template <class... V, class E>
-void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, int cols, Argument<V>... x) {
-  using S = DualFor<V...>;
-  constexpr int kWindow = kDualSize<V...>;
-  int first = 0;
-  do {
+/// Jacobians by forward-mode dual numbers, exact up to rounding, of edges that are differentiated one after
+/// the other while no estimate changes.
+template <class... V>
+class AutomaticJacobian {
+ public:
+  using Scalar = DualFor<V...>;
+  static constexpr int kWindow = kDualSize<V...>;
+
+  /// error ← e(x), and columns [first, first + kWindow) of J ← ∂e(x ⊞ δ)/∂δ. `slots` names the vertices that
+  /// the arguments are the estimates of.
+  template <class E>
+  void columns(const E& e, double* error, double* jacobian, int rows, int cols, int first,
+               std::span<const std::uint32_t> slots, Argument<V>... x) {
     int column = 0;
-    // Braced initialisation evaluates from left to right: each argument takes its columns in turn.
-    const std::tuple<LiftedArgument<V, S>...> lifted{LiftedArgument<V, S>(x, column, first)...};
-    const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted);
+    std::size_t position = 0;
+    std::apply([&](auto&... a) { (a.lift(x, slots.subspan(position++), column, first), ...); }, lifted_);
+    const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted_);
     check_row_count(result, rows);
-    const int last = std::min(cols, first + kWindow);
-    for (int i = 0; i < rows; ++i) {
-      const S r(row(result, i));
+    using R = std::remove_cvref_t<decltype(result)>;
+    const int n = kRows<R> != kDynamic ? kRows<R> : rows;
+    const int last = kCols<V...> == kWindow ? kWindow : std::min(cols, first + kWindow);
+    for (int i = 0; i < n; ++i) {
+      const Scalar r(row(result, i));
       error[i] = r.value;
       for (int c = first; c < last; ++c)
-        jacobian[c * rows + i] = r.derivative[static_cast<std::size_t>(c - first)];
+        jacobian[c * n + i] = r.derivative[static_cast<std::size_t>(c - first)];
     }
-    first += kWindow;
+  }
+
+ private:
+  std::tuple<LiftedArgument<V, Scalar>...> lifted_;
+};
+
+/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by forward-mode dual numbers; exact up to rounding. `slots` as in
+/// AutomaticJacobian.
+template <class... V, class E>
+void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, int cols, Argument<V>... x) {
+  constexpr std::array<std::uint32_t, sizeof...(V)> kAnySlots{};
+  AutomaticJacobian<V...> differentiate;
+  int first = 0;
+  do {
+    differentiate.columns(e, error, jacobian, rows, cols, first, kAnySlots, x...);
+    first += AutomaticJacobian<V...>::kWindow;
   } while (first < cols);
 }
 

@@ -126,6 +126,8 @@ class EdgePool {
   enum Flag : std::uint8_t { kAlive = 1, kEnabled = 2 };
 
   bool chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const;
+  void chi2_of_tile(std::span<const std::uint32_t> edges, int rows, double* out) const;
+  void chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const;
   std::size_t find_free(std::size_t arity) const;
   void append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
   void remove(std::uint32_t edge);

@@ -26,8 +26,16 @@ struct InformationView {
   /// y = Ω x for `columns` columns of `rows` numbers each (column-major). y must not alias x.
   void apply(const double* x, int columns, double* y) const;
   /// eᵀ Ω e.
-  double squared_norm(const double* e) const;
+  double squared_norm(const double* e) const {
+    if (kind != InformationKind::kScalar) return weighted_squared_norm(e);
+    double sum = 0;
+    for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
+    return values[0] * sum;
+  }
   Eigen::MatrixXd matrix() const;
+
+ private:
+  double weighted_squared_norm(const double* e) const;  // diagonal or full
 };
 
 /// An Ω on its way into a graph.

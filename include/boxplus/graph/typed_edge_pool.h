@@ -137,12 +137,13 @@ class TypedEdgePool final : public EdgePool {
       }
     }
     tile.in_lanes = false;
-    double* error = tile.error;
-    double* jacobian = tile.jacobian;
-    for (std::uint32_t edge : edges) {
-      linearize_one(edge, error, jacobian, first.rows, first.cols, force_numeric);
-      error += first.rows;
-      jacobian += static_cast<std::ptrdiff_t>(first.rows) * first.cols;
+    if (force_numeric) return linearize_numerically(edges, tile);
+    if constexpr (edge::kAnalytic<E, V...>) {
+      linearize_analytically(edges, tile);
+    } else if constexpr (edge::kDifferentiable<E, V...>) {
+      linearize_automatically(edges, tile);
+    } else {
+      linearize_numerically(edges, tile);
     }
   }
 
@@ -237,30 +238,58 @@ class TypedEdgePool final : public EdgePool {
     return with_slots(slots, [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
   }
 
-  void linearize_one(std::uint32_t edge, double* error, double* jacobian, int rows, int cols,
-                     bool force_numeric) const {
-    const E& e = edges_[edge];
-    with_arguments(edge, [&](auto... x) {
-      if constexpr (edge::kAnalytic<E, V...>) {
-        if (!force_numeric) {
-          edge::copy_rows(edge::evaluate(e, x.get()...), rows, error);
-          double* block = jacobian;
-          const auto next = [&]<class A>(std::type_identity<A>) {
-            edge::JacobianBlock<A, kRows> map(block);
-            block += kRows * Manifold<A>::kDim;
-            return map;
-          };
-          std::tuple<edge::JacobianBlock<V, kRows>...> blocks{next(std::type_identity<V>{})...};
-          std::apply([&](auto&... J) { e.jacobians(x.get()..., J...); }, blocks);
-          return;
-        }
-      } else if constexpr (edge::kDifferentiable<E, V...>) {
-        if (!force_numeric) {
-          edge::automatic_jacobian<V...>(e, error, jacobian, rows, cols, x.get()...);
-          return;
-        }
-      }
-      edge::numeric_jacobian<V...>(e, error, jacobian, rows, cols, x.get()...);
+  /// f(edge, its error, its Jacobian) for each edge of a tile.
+  template <class F>
+  static void for_each_of_tile(std::span<const std::uint32_t> edges, const EdgeTile& tile, F&& f) {
+    double* error = tile.error;
+    double* jacobian = tile.jacobian;
+    for (const std::uint32_t edge : edges) {
+      f(edge, error, jacobian);
+      error += tile.rows;
+      jacobian += static_cast<std::ptrdiff_t>(tile.rows) * tile.cols;
+    }
+  }
+
+  void linearize_analytically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const
+      requires(edge::kAnalytic<E, V...>) {
+    for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
+      const E& e = edges_[edge];
+      with_arguments(edge, [&](auto... x) {
+        edge::copy_rows(edge::evaluate(e, x.get()...), kRows, error);
+        const auto next = [&]<class A>(std::type_identity<A>) {
+          edge::JacobianBlock<A, kRows> map(jacobian);
+          jacobian += kRows * Manifold<A>::kDim;
+          return map;
+        };
+        std::tuple<edge::JacobianBlock<V, kRows>...> blocks{next(std::type_identity<V>{})...};
+        std::apply([&](auto&... J) { e.jacobians(x.get()..., J...); }, blocks);
+      });
+    });
+  }
+
+  /// All edges of the tile for one window of columns, then for the next: so an estimate that consecutive
+  /// edges share is lifted once.
+  void linearize_automatically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const
+      requires(edge::kDifferentiable<E, V...>) {
+    edge::AutomaticJacobian<V...> differentiate;
+    int first = 0;
+    do {
+      for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
+        const auto slots = vertex_slots(edge);
+        with_slots(slots, [&](auto... x) {
+          differentiate.columns(edges_[edge], error, jacobian, tile.rows, tile.cols, first, slots,
+                                x.get()...);
+        });
+      });
+      first += differentiate.kWindow;
+    } while (first < tile.cols);
+  }
+
+  void linearize_numerically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
+    for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
+      with_arguments(edge, [&](auto... x) {
+        edge::numeric_jacobian<V...>(edges_[edge], error, jacobian, tile.rows, tile.cols, x.get()...);
+      });
     });
   }
 

@@ -50,7 +50,8 @@ class Linearizer {
   void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
   void linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                      const LinearizeOptions& options);
-  void add_one_by_one(const EdgePool& pool, const EdgeTile& tile, TileMemory& memory, bool triggs_correction);
+  void add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
+                      TileMemory& memory, bool triggs_correction);
   void evaluate_share(int worker, int workers);
 
   const Graph* graph_;

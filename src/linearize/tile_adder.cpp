@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/lane_adder.h"
+#include "linearize/tile_adder.h"
 
 #include "linearize/accumulate.h"
 
@@ -21,17 +21,19 @@ void copy_error(const EdgeTile& tile, std::size_t k, double* out) {
 
 }  // namespace
 
-LaneAdder::LaneAdder(std::size_t values, std::size_t rows)
+TileAdder::TileAdder(std::size_t values, std::size_t rows)
     : jacobian_(values), error_(rows), omega_(rows * dense::kMostEdgeRows), omegas_(EdgeTile::kCapacity) {
   weights_.reserve(EdgeTile::kCapacity);
 }
 
-bool LaneAdder::choose(int rows, std::span<const int> dims) {
-  add_edges_ = dims.size() == 2 ? dense::kernels().add_edges_for(rows, dims[0], dims[1]) : nullptr;
-  return add_edges_ != nullptr;
+bool TileAdder::choose(int rows, std::span<const int> dims) {
+  const dense::KernelTable& kernels = dense::kernels();
+  add_edges_ = dims.size() == 2 ? kernels.add_edges_for(rows, dims[0], dims[1]) : nullptr;
+  add_unary_edges_ = dims.size() == 1 ? kernels.add_unary_edges_for(rows, dims[0]) : nullptr;
+  return add_edges_ != nullptr || add_unary_edges_ != nullptr;
 }
 
-void LaneAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile) {
+void TileAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile) {
   weights_.clear();
   if (!pool.has_kernels()) return;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -47,9 +49,17 @@ void LaneAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges
   }
 }
 
-void LaneAdder::add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
+void TileAdder::add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
                     std::span<const std::uint32_t* const> targets, double* values, double* gradient) {
   weigh(pool, edges, tile);
+  const InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
+  if (add_edges_ != nullptr) return add_binary(tile, kind, targets.data(), values, gradient);
+  add_unary_edges_({tile.count, tile.jacobian, tile.error, static_cast<dense::EdgeNumbers::Kind>(kind),
+                    omegas_.data(), weights(), targets.data(), values, gradient});
+}
+
+void TileAdder::add_binary(const EdgeTile& tile, InformationKind kind, const std::uint32_t* const* targets,
+                           double* values, double* gradient) {
   const double *jacobian = tile.jacobian, *error = tile.error;
   if (!tile.in_lanes) {
     dense::kernels().to_lanes(jacobian, tile.rows * tile.cols, tile.count, jacobian_.data());
@@ -57,9 +67,8 @@ void LaneAdder::add(const EdgePool& pool, std::span<const std::uint32_t> edges, 
     jacobian = jacobian_.data();
     error = error_.data();
   }
-  const InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
   add_edges_({tile.count, jacobian, error, static_cast<dense::EdgeNumbers::Kind>(kind), omegas_.data(),
-              weights_.empty() ? nullptr : weights_.data(), targets.data(), values, gradient});
+              weights(), targets, values, gradient});
 }
 
 }  // namespace boxplus
