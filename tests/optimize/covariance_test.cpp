@@ -340,6 +340,14 @@ TEST(Covariance, RefusesWhatWasNotAskedFor) {
   EXPECT_EQ(covariance(graph, {}).joint().size(), 0);
 }
 
+TEST(Covariance, AcceptsHandlesOfOneType) {
+  Graph graph;
+  const std::vector<VertexHandle<SE2>> poses = add_noisy_circle(graph, 6);
+  EXPECT_EQ(covariance(graph, poses).joint(), covariance(graph, graph.all_vertices()).joint());
+  EXPECT_EQ(marginal_covariances(graph, poses).of(poses[4]),
+            marginal_covariances(graph, graph.all_vertices()).of(poses[4]));
+}
+
 TEST(Covariance, AcceptsAVertexTwice) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0);

@@ -2,10 +2,12 @@
 // Marginal covariances of vertices: how certain the estimates are.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
@@ -89,5 +91,20 @@ Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> verti
 /// of a large graph.
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options = {});
+
+/// A range of handles of one type, such as a std::vector<VertexHandle<SE2>>.
+template <class R>
+concept VertexHandles =
+    std::ranges::input_range<R> && std::derived_from<std::ranges::range_value_t<R>, VertexRef> &&
+    !std::same_as<std::ranges::range_value_t<R>, VertexRef>;
+
+template <VertexHandles R>
+Covariance covariance(const Graph& graph, const R& vertices, const Options& options = {}) {
+  return covariance(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
+}
+template <VertexHandles R>
+Covariance marginal_covariances(const Graph& graph, const R& vertices, const Options& options = {}) {
+  return marginal_covariances(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
+}
 
 }  // namespace boxplus
