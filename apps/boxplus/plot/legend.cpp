@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "plot/ellipses.h"
+
 namespace boxplus::app {
 namespace {
 
@@ -21,15 +23,18 @@ class Legend {
       : scenes_(scenes),
         colors_(colors),
         text_(layout.text()),
-        left_(30 * layout.unit()),
+        start_(30 * layout.unit()),
+        left_(start_),
         right_(layout.width() - 30 * layout.unit()),
         middle_(layout.legend_top() + 34 * text_),
+        row_(middle_),
         canvas_(canvas) {}
 
   void draw() {
     if (any([](const Scene& scene) { return scene.poses > 0; })) trajectory();
     if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks();
     if (has(SegmentKind::kTruth)) truth();
+    if (any([](const Scene& scene) { return scene.has_ellipses; })) ellipses();
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
       errors(closes && observes ? "all but odometry" : closes ? "loop closures" : "observations");
@@ -46,11 +51,18 @@ class Legend {
   }
 
   void swatch(double at, double width, const Stroke& stroke) {
-    canvas_.line({at, middle_}, {at + width, middle_}, stroke);
+    canvas_.line({at, row_}, {at + width, row_}, stroke);
   }
-  /// Each entry begins at left_, and moves it to the next.
+  /// Begins an entry of this width: at left_, or in the second row if the first is full.
+  void begin(double width_of_sign, double width_of_name) {
+    const double end_of_row = right_ - 250 * text_;
+    if (left_ + (width_of_sign + 10 + width_of_name) * text_ <= end_of_row || row_ > middle_) return;
+    left_ = start_;
+    row_ += 25 * text_;
+  }
+  /// Writes the name of an entry, and moves left_ to the next.
   void name(double width_of_sign, double width_of_name, std::string_view name) {
-    canvas_.text({left_ + (width_of_sign + 10) * text_, middle_ + 5 * text_}, {.size = 15 * text_}, name);
+    canvas_.text({left_ + (width_of_sign + 10) * text_, row_ + 5 * text_}, {.size = 15 * text_}, name);
     left_ += (width_of_sign + 10 + width_of_name + 26) * text_;
   }
 
@@ -65,14 +77,29 @@ class Legend {
   }
 
   void landmarks() {
-    canvas_.dot({left_ + 4 * text_, middle_}, 7 * text_, kLandmarkColor);
+    begin(6, 73);
+    canvas_.dot({left_ + 4 * text_, row_}, 7 * text_, kLandmarkColor);
     name(6, 73, "landmarks");
   }
 
   void truth() {
     constexpr double kSwatch = 24;
+    begin(kSwatch, 34);
     swatch(left_, kSwatch * text_, {kTruthColor, 6 * text_});
     name(kSwatch, 34, "truth");
+  }
+
+  void ellipses() {
+    constexpr double kSwatch = 26;
+    const bool is_seen = any([](const Scene& scene) { return !scene.ellipses.empty(); });
+    const double width = is_seen ? 90 : 200;
+    begin(kSwatch, width);
+    const Ellipse ellipse{
+        {left_ + kSwatch / 2 * text_, -row_}, {kSwatch / 2 * text_, 0}, {0, 6 * text_}, true, 0.4};
+    const PlaneMap identity;
+    constexpr double kFar = 1e6;
+    draw_ellipses({ellipse}, identity, {-kFar, -kFar, 2 * kFar, 2 * kFar}, 1.2 * text_, canvas_);
+    name(kSwatch, width, is_seen ? "95 % ellipses" : "95 % ellipses: too small to see");
   }
 
   void errors(std::string_view what) {
@@ -96,7 +123,7 @@ class Legend {
 
   const std::vector<Scene>& scenes_;
   const ErrorColors& colors_;
-  double text_, left_, right_, middle_;
+  double text_, start_, left_, right_, middle_, row_;
   Canvas& canvas_;
 };
 

@@ -9,6 +9,8 @@
 #include <span>
 #include <tuple>
 
+#include "plot/ellipses.h"
+
 namespace boxplus::app {
 namespace {
 
@@ -166,6 +168,7 @@ void draw_panel(const Scene& scene, const PanelLayout& place, double scale, cons
   const bool has_ticks = options.has_axes && names.has_value();
   if (has_ticks && has_extent(scene)) draw_ticks(map, *names, style.layout, canvas);
   ScenePainter(scene, map, style, canvas).draw();
+  draw_ellipses(scene.ellipses, map, place.frame, style.layout.unit(), canvas);
   if (!has_extent(scene)) return;
   if (options.has_axes && !has_ticks) draw_arrows(place.plot, style.view, style.layout, canvas);
   const bool has_bar = options.is_bare ? options.has_axes && !has_ticks : !has_ticks;

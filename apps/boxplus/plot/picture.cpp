@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "plot/colors.h"
+#include "plot/ellipses.h"
 #include "plot/legend.h"
 #include "plot/panel.h"
 #include "plot/thinning.h"
@@ -66,6 +67,7 @@ std::string draw_picture(std::vector<Scene> scenes, const View& view, const Pict
   const std::vector<double> scales = scales_of(scenes, layout, options.has_one_scale);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     scenes[i] = thinned(std::move(scenes[i]), kVisible / scales[i], kMost / scenes.size());
+    scenes[i].ellipses = legible(scenes[i].ellipses, 1 / scales[i]);
     draw_panel(scenes[i], layout.panel(i), scales[i], {options, layout, colors, view}, *canvas);
   }
   if (!options.is_bare) draw_legend(scenes, colors, layout, *canvas);

@@ -12,6 +12,7 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "optimize/optimize_run.h"
+#include "plot/ellipses.h"
 #include "plot/plot_options.h"
 #include "plot/truth.h"
 
@@ -24,6 +25,8 @@ constexpr const char* kFooter =
     "have one scale of colors. Files do not hold robust kernels: after a robust run, give --kernel and\n"
     "--kernel-width as they were given to optimize, and the colors show what the kernel left of chi2.\n"
     "Graphs in space are drawn in parallel projection.\n"
+    "Ellipses are those of the covariances at the estimates, relative to the fixed vertex (or the first).\n"
+    "Ellipses that lie over others, or are too small to see, are left out.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
@@ -79,6 +82,8 @@ int plot_files(const PlotArguments& arguments) {
   scenes.push_back(
       scene_of(inputs.front(), compares ? "before" : title_of(arguments.before), arguments.view, truth));
   if (compares) scenes.push_back(scene_of(inputs.back(), "after", arguments.view, truth));
+  if (arguments.has_ellipses)
+    add_ellipses(scenes.back(), inputs.back().graph, arguments.view, inputs.back().name);
   const std::string picture =
       draw_picture(std::move(scenes), arguments.view, arguments.picture, format, arguments.resolution);
   write_output(arguments.output, picture);

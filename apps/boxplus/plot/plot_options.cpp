@@ -129,6 +129,11 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
                 "Axes with their values in metres; arrows where the view is along no axis")
       ->group("Look");
   command
+      .add_flag("--ellipses", arguments.has_ellipses,
+                "Where poses and points lie with 95 %, as ellipses: those of the last graph, which should be "
+                "optimised")
+      ->group("Look");
+  command
       .add_flag("--equal-scale", picture.has_one_scale,
                 "One scale for both panels in any case; without, only where neither becomes tiny")
       ->group("Look");

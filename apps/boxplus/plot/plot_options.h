@@ -17,6 +17,7 @@ struct PlotArguments {
   View view;
   PictureOptions picture;
   double resolution = 2;
+  bool has_ellipses = false;
   KernelArguments kernel;
   ReadOptions reading;
 };

@@ -30,11 +30,21 @@ struct Dot {
   double time;  ///< of a pose, as above
 };
 
+/// Where a pose or a point lies with 95 %, in the picture plane.
+struct Ellipse {
+  Spot center;
+  std::array<double, 2> long_axis, short_axis;  ///< half axes, metres
+  bool is_pose;
+  double time;  ///< of a pose, as above
+};
+
 struct Scene {
   std::vector<Segment> segments;  ///< those of the trajectory by time
   std::vector<Spot> landmarks;
   std::vector<Dot> dots;  ///< poses that no trajectory passes; all, where they are few
-  Spot low{}, high{};     ///< what encloses everything
+  std::vector<Ellipse> ellipses;
+  bool has_ellipses = false;  ///< they were asked for; there are none if all are too small to see
+  Spot low{}, high{};         ///< what encloses everything
   std::size_t poses = 0, landmark_count = 0, edges = 0;
   std::size_t hidden = 0;   ///< vertices that are too far away to draw, or nowhere
   bool is_spatial = false;  ///< drawn by a parallel projection

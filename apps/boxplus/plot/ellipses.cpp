@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/ellipses.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "boxplus/optimize/covariance.h"
+#include "plot/colors.h"
+
+namespace boxplus::app {
+namespace {
+
+/// The 95 % quantile of chi2 with two degrees of freedom: −2 ln 0.05.
+constexpr double kChi2 = 5.991464547107979;
+
+/// From the frame of a pose, or from the world for a point, to the picture plane.
+Eigen::MatrixXd to_picture(const Frame& frame, const View& view) {
+  const int d = frame.dimension;
+  Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
+  for (int axis = 0; axis < d; ++axis) {
+    std::array<double, 3> unit{};
+    unit[static_cast<std::size_t>(axis)] = 1;
+    const Spot spot = project(unit, d, view);
+    plane.col(axis) << spot[0], spot[1];
+    if (!frame.has_rotation) continue;
+    for (int row = 0; row < d; ++row)
+      rotation(row, axis) = frame.rotation[static_cast<std::size_t>(row * d + axis)];
+  }
+  return plane * rotation;
+}
+
+double length(const std::array<double, 2>& v) {
+  return std::hypot(v[0], v[1]);
+}
+
+/// How far an ellipse reaches from its centre in the direction of a unit vector.
+double reach(const Ellipse& ellipse, double x, double y) {
+  return std::hypot(ellipse.long_axis[0] * x + ellipse.long_axis[1] * y,
+                    ellipse.short_axis[0] * x + ellipse.short_axis[1] * y);
+}
+
+bool lies_over(const Ellipse& a, const Ellipse& b, double gap) {
+  constexpr double kPart = 0.9;  // of what would touch: a little over one another they can be told apart
+  if (a.is_pose != b.is_pose) return false;
+  const double dx = b.center[0] - a.center[0], dy = b.center[1] - a.center[1], distance = std::hypot(dx, dy);
+  if (distance <= gap) return true;
+  const double x = dx / distance, y = dy / distance;
+  return distance < kPart * (reach(a, x, y) + reach(b, x, y));
+}
+
+std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std::string& name) {
+  const std::vector<VertexRef> vertices = graph.all_vertices();
+  const Covariance covariance = marginal_covariances(graph, vertices);
+  if (!covariance.ok()) throw InvalidArgument(name + ": " + covariance.message());
+  std::vector<Ellipse> ellipses;
+  std::size_t poses = 0;
+  for (const VertexRef& vertex : vertices) {
+    Frame frame;
+    if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
+    // The first entries of the tangents of poses and points are translations.
+    const Eigen::MatrixXd P = to_picture(frame, view);
+    const Eigen::MatrixXd of_position = covariance.of(vertex).topLeftCorner(frame.dimension, frame.dimension);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(P * of_position * P.transpose());
+    const auto half_axis = [&](int k) {
+      const Eigen::Vector2d v =
+          std::sqrt(kChi2 * std::max(0.0, axes.eigenvalues()[k])) * axes.eigenvectors().col(k);
+      return std::array{v[0], v[1]};
+    };
+    ellipses.push_back({project(frame.translation, frame.dimension, view), half_axis(1), half_axis(0),
+                        frame.has_rotation, static_cast<double>(poses)});
+    poses += frame.has_rotation;
+  }
+  for (Ellipse& ellipse : ellipses) ellipse.time /= static_cast<double>(std::max<std::size_t>(2, poses) - 1);
+  return ellipses;
+}
+
+}  // namespace
+
+std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel) {
+  constexpr double kLeast = 1.5, kGap = 10;  // pixels
+  constexpr std::size_t kMost = 300;
+  std::vector<Ellipse> kept;
+  for (auto ellipse = ellipses.rbegin(); ellipse != ellipses.rend() && kept.size() < kMost; ++ellipse) {
+    if (!(length(ellipse->long_axis) >= kLeast * pixel)) continue;
+    const auto is_over = [&](const Ellipse& other) { return lies_over(*ellipse, other, kGap * pixel); };
+    if (std::none_of(kept.begin(), kept.end(), is_over)) kept.push_back(*ellipse);
+  }
+  return kept;
+}
+
+void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name) {
+  constexpr double kMost = 0.25;  // of the size of the scene, on each side
+  scene.has_ellipses = true;
+  scene.ellipses = ellipses_of(graph, view, name);
+  const double room = kMost * std::max(scene.high[0] - scene.low[0], scene.high[1] - scene.low[1]);
+  const Spot low = scene.low, high = scene.high;
+  for (const Ellipse& ellipse : scene.ellipses) {
+    for (std::size_t axis : {0, 1}) {
+      const double extent = axis == 0 ? reach(ellipse, 1, 0) : reach(ellipse, 0, 1);
+      scene.low[axis] = std::min(scene.low[axis], std::max(ellipse.center[axis] - extent, low[axis] - room));
+      scene.high[axis] =
+          std::max(scene.high[axis], std::min(ellipse.center[axis] + extent, high[axis] + room));
+    }
+  }
+}
+
+void draw_ellipses(const std::vector<Ellipse>& ellipses, const PlaneMap& map, const Box& box, double width,
+                   Canvas& canvas) {
+  constexpr int kCorners = 48;
+  const auto is_inside = [&](Point p) {
+    return p.x >= box.left && p.x <= box.right() && p.y >= box.top && p.y <= box.bottom();
+  };
+  for (const Ellipse& ellipse : ellipses) {
+    Path path;
+    bool goes_on = false;
+    for (int corner = 0; corner <= kCorners; ++corner) {
+      const double angle = 2 * std::numbers::pi * corner / kCorners, c = std::cos(angle), s = std::sin(angle);
+      const Point point = map(ellipse.center[0] + c * ellipse.long_axis[0] + s * ellipse.short_axis[0],
+                              ellipse.center[1] + c * ellipse.long_axis[1] + s * ellipse.short_axis[1]);
+      const bool is_next = goes_on;
+      goes_on = is_inside(point);
+      if (!goes_on) continue;
+      is_next ? path.line_to(point) : path.move_to(point);
+    }
+    if (!path.empty())
+      canvas.stroke(path, {ellipse.is_pose ? trajectory_color(ellipse.time) : kLandmarkColor, width, 0.9});
+  }
+}
+
+}  // namespace boxplus::app
