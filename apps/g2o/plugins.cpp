@@ -59,6 +59,19 @@ std::vector<std::string> folders_beside(const char* program) {
   return result;
 }
 
+/// Whether the tool has the library inside, or finds it as a plug-in in the folder g2o below.
+bool is_known(const fs::path& library, const std::vector<std::string>& folders) {
+  std::istringstream linked(G2O_LINKED_LIBRARIES);
+  const std::string name = library.stem().string();
+  for (std::string one; linked >> one;) {
+    if (name == "lib" + one) return true;
+  }
+  const fs::path plugins = library.parent_path() / "g2o";
+  std::error_code error;
+  return fs::exists(plugins / library.filename(), error) &&
+         std::find(folders.begin(), folders.end(), plugins.string()) != folders.end();
+}
+
 /// Those of the variables, or, where none is set, those beside the program.
 std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
   const bool is_set = std::any_of(variables.begin(), variables.end(),
@@ -74,7 +87,8 @@ void load_matching(const std::vector<std::string>& named, const std::vector<std:
     std::vector<std::string> found;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
       const std::string name = entry.path().filename().string();
-      if (name.find(pattern) != std::string::npos && entry.path().extension() == ".so")
+      if (name.find(pattern) != std::string::npos && entry.path().extension() == ".so" &&
+          !is_known(entry.path(), in_folders))
         found.push_back(entry.path().string());
     }
     std::sort(found.begin(), found.end());

@@ -3,13 +3,25 @@ include(CMakePackageConfigHelpers)
 set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
 get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
 get_property(G2O_FOREIGN_NAMES GLOBAL PROPERTY G2O_FOREIGN_NAMES)
+set(G2O_IS_SHARED_BUILD ${BUILD_SHARED_LIBS})
 
+# g2oTargets.cmake has the shared libraries. A static build installs both kinds, and g2oStaticTargets.cmake has the
+# static ones.
 install(TARGETS g2o_headers EXPORT g2o)
+install(TARGETS g2o_headers EXPORT g2o_static)
 foreach(name IN LISTS G2O_LIBRARY_NAMES)
-  install(TARGETS g2o_${name} EXPORT g2o)
+  if(TARGET g2o_${name}_shared)
+    install(TARGETS g2o_${name}_shared EXPORT g2o)
+    install(TARGETS g2o_${name} EXPORT g2o_static)
+  else()
+    install(TARGETS g2o_${name} EXPORT g2o)
+  endif()
 endforeach()
 install(DIRECTORY include/g2o DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT g2o FILE g2oTargets.cmake NAMESPACE g2o:: DESTINATION ${g2o_package_dir})
+if(NOT BUILD_SHARED_LIBS)
+  install(EXPORT g2o_static FILE g2oStaticTargets.cmake NAMESPACE g2o:: DESTINATION ${g2o_package_dir})
+endif()
 configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_DESTINATION ${g2o_package_dir}
                               PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
 # The version that clients ask for is that of the interface.

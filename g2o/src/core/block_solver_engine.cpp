@@ -354,10 +354,23 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
 
 bool BlockSolverEngine::save(const std::string& fileName) const {
   if (!state_) return false;
-  const State& s = *state_;
-  const std::vector<int> ends = s.block_ends();
+  const std::vector<int> ends = blockEnds();
   const auto n = static_cast<int>(ends.size());
   SparseBlockMatrix<MatrixX> H(ends.data(), ends.data(), n, n);
+  visitBlocks([&](int i, int j, const MatrixX& block) { *H.block(i, j, true) = block; });
+  return H.writeOctave(fileName.c_str(), true);
+}
+
+std::vector<int> BlockSolverEngine::blockEnds() const {
+  return state_->block_ends();
+}
+
+int BlockSolverEngine::keptBlocks() const {
+  return static_cast<int>(state_->kept);
+}
+
+void BlockSolverEngine::visitBlocks(const std::function<void(int, int, const MatrixX&)>& take) const {
+  const State& s = *state_;
   const auto index_of = [&](std::uint32_t block) {
     return static_cast<int>(block < s.eliminated ? s.kept + block : block - s.eliminated);
   };
@@ -368,13 +381,12 @@ bool BlockSolverEngine::save(const std::string& fileName) const {
                                             s.structure.dim(r), s.structure.dim(c));
       const int i = index_of(r), j = index_of(c);
       if (i <= j) {
-        *H.block(i, j, true) = block;
+        take(i, j, block);
       } else {
-        *H.block(j, i, true) = block.transpose();
+        take(j, i, block.transpose());
       }
     }
   }
-  return H.writeOctave(fileName.c_str(), true);
 }
 
 bool BlockSolverEngine::reduce(double lambda, const double* b) {

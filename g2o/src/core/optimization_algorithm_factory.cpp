@@ -16,6 +16,17 @@ OptimizationAlgorithmFactory*& factory_slot() {
   return slot;
 }
 
+/// The name of an algorithm of CHOLMOD or CSparse without that library's name: "lm_var" for "lm_var_cholmod".
+/// Empty for other names.
+std::string without_foreign_library(const std::string& tag) {
+  for (const char* library : {"_cholmod", "_csparse"}) {
+    const std::string suffix = library;
+    if (tag.size() > suffix.size() && tag.compare(tag.size() - suffix.size(), suffix.size(), suffix) == 0)
+      return tag.substr(0, tag.size() - suffix.size());
+  }
+  return "";
+}
+
 }  // namespace
 
 AbstractOptimizationAlgorithmCreator::AbstractOptimizationAlgorithmCreator(
@@ -62,7 +73,12 @@ void OptimizationAlgorithmFactory::unregisterSolver(
 
 OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
     const std::string& tag, OptimizationAlgorithmProperty& solverProperty) const {
-  const auto found = findSolver(tag);
+  auto found = findSolver(tag);
+  if (found == _creator.end()) {
+    found = findSolver(without_foreign_library(tag));
+    if (found != _creator.end())
+      G2O_WARN("{} is {} here: no library that has it is linked or loaded", tag, (*found)->property().name);
+  }
   if (found == _creator.end()) {
     G2O_WARN("no algorithm is registered under the name {}", tag);
     return nullptr;

@@ -68,7 +68,9 @@ SparseOptimizer::SparseOptimizer() {
   _graphActions.resize(AT_NUM_ELEMENTS);
 }
 
-SparseOptimizer::~SparseOptimizer() = default;
+SparseOptimizer::~SparseOptimizer() {
+  delete _algorithm;
+}
 
 void SparseOptimizer::computeInitialGuess() {
   EstimatePropagatorCost propagator(this);
@@ -249,8 +251,11 @@ void SparseOptimizer::setForceStopFlag(bool* flag) {
 }
 
 void SparseOptimizer::setAlgorithm(OptimizationAlgorithm* algorithm) {
-  if (algorithm != _algorithm.get()) _algorithm.reset(algorithm);
-  if (_algorithm) _algorithm->setOptimizer(this);
+  if (algorithm != _algorithm) {
+    delete _algorithm;
+    _algorithm = algorithm;
+  }
+  if (_algorithm != nullptr) _algorithm->setOptimizer(this);
 }
 
 void SparseOptimizer::setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm) {

@@ -2,39 +2,24 @@
 #include "g2o/stuff/command_args.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <locale>
 #include <sstream>
 
 namespace g2o {
 
-struct CommandArgs::CommandArgument {
-  std::string name, description, default_text;
-  const char* expected = "";                    // what a value is
-  std::function<bool(const std::string&)> set;  // from the text of a value
-  std::function<void()> turn_over;              // flags only
-  bool optional = true, parsed = false;
-};
-
 namespace {
 
-constexpr const char* what(int) {
-  return "an integer";
-}
-constexpr const char* what(double) {
-  return "a number";
-}
-const char* what(const std::string&) {
-  return "a value";
-}
-const char* what(const std::vector<int>&) {
-  return "integers separated by commas";
-}
-const char* what(const std::vector<double>&) {
-  return "numbers separated by commas";
-}
+enum Type { kDouble, kFloat, kInt, kString, kBool, kIntegers, kNumbers, kTypeCount };
+constexpr std::array<const char*, kTypeCount> kTypeNames = {"a number",
+                                                            "a number",
+                                                            "an integer",
+                                                            "a value",
+                                                            "",
+                                                            "integers separated by commas",
+                                                            "numbers separated by commas"};
 
 template <class T>
 bool read(const std::string& text, T& value) {
@@ -77,35 +62,59 @@ std::string to_text(const std::vector<T>& values) {
   return text;
 }
 
+/// Calls `visit` with the variable of a parameter.
+template <class Argument, class Visit>
+auto visit_value(const Argument& argument, Visit visit) {
+  switch (argument.type) {
+    case kDouble:
+      return visit(*static_cast<double*>(argument.data));
+    case kFloat:
+      return visit(*static_cast<float*>(argument.data));
+    case kInt:
+      return visit(*static_cast<int*>(argument.data));
+    case kBool:
+      return visit(*static_cast<bool*>(argument.data));
+    case kIntegers:
+      return visit(*static_cast<std::vector<int>*>(argument.data));
+    case kNumbers:
+      return visit(*static_cast<std::vector<double>*>(argument.data));
+    default:
+      return visit(*static_cast<std::string*>(argument.data));
+  }
+}
+
+template <class Argument>
+bool set_from_text(const Argument& argument, const std::string& text) {
+  return visit_value(argument, [&](auto& value) { return read(text, value); });
+}
+
 }  // namespace
 
 CommandArgs::CommandArgs() = default;
 CommandArgs::~CommandArgs() = default;
 
-#define G2O_VALUE_PARAMETER_(Type, Default)                                                              \
+#define G2O_VALUE_PARAMETER_(Type, number, Default)                                                      \
   void CommandArgs::param(const std::string& name, Type& p, Default defValue, const std::string& desc) { \
     p = defValue;                                                                                        \
-    _args.push_back({name, desc, to_text(defValue), what(p),                                             \
-                     [&p](const std::string& text) { return read(text, p); }, nullptr});                 \
+    _args.push_back({name, desc, number, &p, false, true, to_text(defValue)});                           \
   }
-G2O_VALUE_PARAMETER_(int, int)
-G2O_VALUE_PARAMETER_(float, float)
-G2O_VALUE_PARAMETER_(double, double)
-G2O_VALUE_PARAMETER_(std::string, const std::string&)
-G2O_VALUE_PARAMETER_(std::vector<int>, const std::vector<int>&)
-G2O_VALUE_PARAMETER_(std::vector<double>, const std::vector<double>&)
+G2O_VALUE_PARAMETER_(int, kInt, int)
+G2O_VALUE_PARAMETER_(float, kFloat, float)
+G2O_VALUE_PARAMETER_(double, kDouble, double)
+G2O_VALUE_PARAMETER_(std::string, kString, const std::string&)
+G2O_VALUE_PARAMETER_(std::vector<int>, kIntegers, const std::vector<int>&)
+G2O_VALUE_PARAMETER_(std::vector<double>, kNumbers, const std::vector<double>&)
 #undef G2O_VALUE_PARAMETER_
 
 void CommandArgs::param(const std::string& name, bool& p, bool defValue, const std::string& desc) {
   p = defValue;
-  _args.push_back({name, desc, defValue ? "on" : "off", "", nullptr, [&p, defValue] { p = !defValue; }});
+  _args.push_back({name, desc, kBool, &p, false, true, defValue ? "on" : "off"});
 }
 
 void CommandArgs::paramLeftOver(const std::string& name, std::string& p, const std::string& defValue,
                                 const std::string& desc, bool optional) {
   p = defValue;
-  _leftOvers.push_back({name, desc, defValue, "a value",
-                        [&p](const std::string& text) { return read(text, p); }, nullptr, optional});
+  _leftOvers.push_back({name, desc, kString, &p, false, optional, defValue});
 }
 
 bool CommandArgs::parseArgs(int argc, char** argv, bool exitOnError) {
@@ -133,7 +142,7 @@ bool CommandArgs::parse(const std::vector<std::string>& args) {
         error_ = "too many arguments: " + text;
         return false;
       }
-      _leftOvers[left_over++].set(text);
+      set_from_text(_leftOvers[left_over++], text);
       continue;
     }
     const std::string name = text.substr(text.compare(0, 2, "--") == 0 ? 2 : 1);
@@ -144,10 +153,10 @@ bool CommandArgs::parse(const std::vector<std::string>& args) {
       return false;
     }
     argument->parsed = true;
-    if (argument->turn_over) {
-      argument->turn_over();
-    } else if (++i == args.size() || !argument->set(args[i])) {
-      error_ = "parameter " + text + ": expected " + argument->expected + ", got " +
+    if (argument->type == kBool) {
+      *static_cast<bool*>(argument->data) = argument->default_text == "off";
+    } else if (++i == args.size() || !set_from_text(*argument, args[i])) {
+      error_ = "parameter " + text + ": expected " + type2str(argument->type) + ", got " +
                (i == args.size() ? "nothing" : "'" + args[i] + "'");
       return false;
     }
@@ -156,6 +165,18 @@ bool CommandArgs::parse(const std::vector<std::string>& args) {
   if (left_over == _leftOvers.size()) return true;
   error_ = "missing argument: " + _leftOvers[left_over].name;
   return false;
+}
+
+const char* CommandArgs::type2str(int t) const {
+  return t >= 0 && t < kTypeCount ? kTypeNames[static_cast<size_t>(t)] : "";
+}
+
+void CommandArgs::str2arg(const std::string& input, CommandArgument& ca) const {
+  set_from_text(ca, input);
+}
+
+std::string CommandArgs::arg2str(const CommandArgument& ca) const {
+  return visit_value(ca, [](const auto& value) { return to_text(value); });
 }
 
 void CommandArgs::setBanner(const std::string& banner) {

@@ -40,7 +40,8 @@ std::string getDirname(const std::string& filename) {
 std::string changeFileExtension(const std::string& filename, const std::string& newExt, bool stripDot) {
   const size_t dot = dot_of(filename);
   if (dot == std::string::npos) return filename;
-  return filename.substr(0, stripDot ? dot : dot + 1) + newExt;
+  const bool brings_dot = stripDot || (!newExt.empty() && newExt.front() == '.');
+  return filename.substr(0, brings_dot ? dot : dot + 1) + newExt;
 }
 
 bool fileExists(const char* filename, bool regular) {
@@ -58,6 +59,18 @@ std::vector<std::string> getFilesByPattern(const char* pattern) {
     const std::string name = entry.path().filename().string();
     if (fnmatch(path.filename().c_str(), name.c_str(), FNM_PERIOD) != 0) continue;
     found.push_back(path.has_parent_path() ? (path.parent_path() / name).string() : name);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<std::string> getFilesByPattern(const std::string& directory, const std::regex& pattern) {
+  std::vector<std::string> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(directory, error)) {
+    const std::string path = entry.path().string(), name = entry.path().filename().string();
+    if (!entry.is_regular_file(error)) continue;
+    if (std::regex_match(name, pattern) || std::regex_match(path, pattern)) found.push_back(path);
   }
   std::sort(found.begin(), found.end());
   return found;

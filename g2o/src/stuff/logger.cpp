@@ -2,14 +2,20 @@
 #include "g2o/stuff/logger.h"
 
 #include <atomic>
+#include <iostream>
 #include <utility>
 
 namespace g2o {
 namespace logging {
 namespace {
 
-Sink& sink() {
-  static Sink instance;
+struct Destination {
+  Sink sink;
+  bool is_set = false;  // by the program
+};
+
+Destination& destination() {
+  static Destination instance;
   return instance;
 }
 
@@ -21,7 +27,7 @@ std::atomic<Level>& level_threshold() {
 }  // namespace
 
 void setSink(Sink new_sink) {
-  sink() = std::move(new_sink);
+  destination() = {std::move(new_sink), true};
 }
 
 void setLevel(Level level) {
@@ -29,11 +35,17 @@ void setLevel(Level level) {
 }
 
 bool wanted(Level level) {
-  return level >= level_threshold() && level != Level::kOff && sink();
+  if (level < level_threshold() || level == Level::kOff) return false;
+  return destination().is_set ? static_cast<bool>(destination().sink) : level >= Level::kError;
 }
 
 void log(Level level, const std::string& text) {
-  if (wanted(level)) sink()(level, text);
+  if (!wanted(level)) return;
+  if (destination().is_set) {
+    destination().sink(level, text);
+  } else {
+    std::cerr << "g2o: " + text + '\n';
+  }
 }
 
 }  // namespace logging

@@ -5,14 +5,22 @@ namespace g2o {
 
 BaseProperty::BaseProperty(const std::string& name) : _name(name) {}
 BaseProperty::~BaseProperty() = default;
-PropertyMap::~PropertyMap() = default;
 
-bool PropertyMap::addProperty(const std::shared_ptr<BaseProperty>& p) {
-  return emplace(p->name(), p).second;
+PropertyMap::PropertyMap() = default;
+PropertyMap::~PropertyMap() {
+  for (const auto& [name, property] : *this) delete property;
+}
+
+bool PropertyMap::addProperty(BaseProperty* p) {
+  return p != nullptr && emplace(p->name(), p).second;
 }
 
 bool PropertyMap::eraseProperty(const std::string& name) {
-  return erase(name) > 0;
+  const auto found = find(name);
+  if (found == end()) return false;
+  delete found->second;
+  erase(found);
+  return true;
 }
 
 bool PropertyMap::updatePropertyFromString(const std::string& name, const std::string& value) {
@@ -39,9 +47,17 @@ bool PropertyMap::updateMapFromString(const std::string& values) {
 }
 
 void PropertyMap::writeToCSV(std::ostream& os) const {
-  for (const auto& [name, property] : *this) os << name << ", ";
+  const char* separator = "";
+  for (const auto& [name, property] : *this) {
+    os << separator << name;
+    separator = ", ";
+  }
   os << "\n";
-  for (const auto& [name, property] : *this) os << property->toString() << ", ";
+  separator = "";
+  for (const auto& [name, property] : *this) {
+    os << separator << property->toString();
+    separator = ", ";
+  }
   os << "\n";
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "g2o/core/eigen_types.h"
+#include "g2o/types/slam3d/se3_ops.h"
 
 namespace g2o {
 namespace native {
@@ -32,6 +33,14 @@ inline Matrix3 stereo_image_jacobian(const Matrix3& K, double bf, const Vector3&
   J.row(2) = J.row(0);
   J(2, 2) += bf / (p[2] * p[2]);
   return J;
+}
+
+/// Derivatives of a camera's rotation R from the world by the vector part q_v of a quaternion that turns its
+/// pose: (q_v, 1) turns by 2 q_v, and R is the rotation of the inverse pose.
+inline void rotation_derivatives(const Matrix3& R, Matrix3& dRdx, Matrix3& dRdy, Matrix3& dRdz) {
+  dRdx = -2 * skew(Vector3::UnitX()) * R;
+  dRdy = -2 * skew(Vector3::UnitY()) * R;
+  dRdz = -2 * skew(Vector3::UnitZ()) * R;
 }
 
 }  // namespace native

@@ -161,6 +161,57 @@ TEST(OwnSolvers, AnOwnLinearSolverOfFixedSizeIsGivenTheSchurComplement) {
   EXPECT_NEAR(optimum(algorithm, true), expected, 1e-9 * expected);
 }
 
+/// Reads the blocks of H.
+class OwnBlockSolver : public g2o::BlockSolver_3_2 {
+ public:
+  using g2o::BlockSolver_3_2::BlockSolver_3_2;
+  bool solve() override {
+    poses = Eigen::MatrixXd::Zero(_sizePoses, _sizePoses);
+    for (int c = 0; c < _numPoses; ++c) {
+      for (const auto& [r, block] : _Hpp->blockCols()[static_cast<size_t>(c)])
+        poses.block<3, 3>(3 * r, 3 * c) = *block;
+    }
+    landmark = *_Hll->block(0, 0);
+    between = *_Hpl->block(0, 0);
+    return g2o::BlockSolver_3_2::solve();
+  }
+  Eigen::MatrixXd poses;
+  Eigen::Matrix2d landmark;
+  Eigen::Matrix<double, 3, 2> between;
+};
+
+TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
+  g2o::SparseOptimizer optimizer;
+  add_square(optimizer);
+  auto* l = new g2o::VertexPointXY;
+  l->setId(10);
+  l->setMarginalized(true);
+  l->setEstimate(Eigen::Vector2d(0.5, 0.5));
+  ASSERT_TRUE(optimizer.addVertex(l));
+  auto* e = new g2o::EdgeSE2PointXY;
+  e->setVertex(0, optimizer.vertex(1));
+  e->setVertex(1, l);
+  e->setMeasurement(Eigen::Vector2d(0.4, 0.6));
+  ASSERT_TRUE(optimizer.addEdge(e));
+  auto* blocks =
+      new OwnBlockSolver(std::make_unique<g2o::LinearSolverDense<g2o::BlockSolver_3_2::PoseMatrixType>>());
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(blocks));
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  e->linearizeOplus(optimizer.jacobianWorkspace());
+  const Eigen::Matrix<double, 3, 2> between = e->jacobianOplusXi().transpose() * e->jacobianOplusXj();
+  ASSERT_EQ(optimizer.optimize(1), 1);
+  ASSERT_EQ(blocks->poses.rows(), 9);
+  for (int i = 0; i < 3; ++i) {
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(blocks->poses(3 * i + r, 3 * i + c), optimizer.vertex(i + 1)->hessian(r, c));
+    }
+  }
+  EXPECT_NE(blocks->poses(0, 3), 0);  // poses 1 and 2 share an edge
+  EXPECT_EQ(blocks->landmark(0, 1), l->hessian(0, 1));
+  EXPECT_LT((blocks->between - between).norm(), 1e-12);
+}
+
 TEST(OwnSolvers, AnOwnSolverServesEveryAlgorithm) {
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
   EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmGaussNewton(new OwnSolver)), expected, 1e-9 * expected);

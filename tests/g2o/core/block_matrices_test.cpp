@@ -69,6 +69,16 @@ TEST(BlockMatrices, TransposedCompressedColumnsListTheBlocksByRow) {
   EXPECT_EQ(ccs.blockCols()[0][1].block, m.block(0, 1));
 }
 
+TEST(BlockMatrices, TransposedBlocksMayHaveAnotherType) {
+  const int rows[] = {3}, columns[] = {2, 4};
+  g2o::SparseBlockMatrix<Eigen::Matrix<double, 3, 2>> m(rows, columns, 1, 2);
+  *m.block(0, 1, true) << 1, 2, 3, 4, 5, 6;
+  const std::unique_ptr<g2o::SparseBlockMatrix<Eigen::Matrix<double, 2, 3>>> transposed =
+      m.transposed<Eigen::Matrix<double, 2, 3>>();
+  ASSERT_NE(transposed->block(1, 0), nullptr);
+  EXPECT_EQ(*transposed->block(1, 0), m.block(0, 1)->transpose());
+}
+
 TEST(BlockMatrices, ColumnsAreSortedByRow) {
   const Matrix m = sample();
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());

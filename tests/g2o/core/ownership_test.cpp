@@ -416,6 +416,25 @@ TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases
   optimizer->optimize(1);
 }
 
+/// As clients read and cast the algorithm of their base class.
+class OwnOptimizer : public g2o::SparseOptimizer {
+ public:
+  double lambda() const {
+    const auto* levenberg = dynamic_cast<g2o::OptimizationAlgorithmLevenberg*>(_algorithm);
+    return levenberg == nullptr ? -1 : levenberg->currentLambda();
+  }
+};
+
+TEST(Ownership, ADerivedOptimizerCastsItsAlgorithm) {
+  OwnOptimizer optimizer;
+  EXPECT_EQ(optimizer.lambda(), -1);
+  add_square(optimizer);
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
+  optimizer.initializeOptimization();
+  optimizer.optimize(2);
+  EXPECT_GT(optimizer.lambda(), 0);
+}
+
 TEST(Ownership, AnActionMayGoBeforeTheOptimizer) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);

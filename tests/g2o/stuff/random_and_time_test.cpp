@@ -47,6 +47,12 @@ TEST(Sampler, ASeedBeginsAnew) {
   }
 }
 
+TEST(Time, ACommandRunsAgainByTheClockOfTheCaller) {
+  int runs = 0;
+  for (double now : {10.0, 10.5, 11.0, 11.5, 3.0, 3.5}) DO_EVERY_TS(1, now, ++runs);
+  EXPECT_EQ(runs, 3);  // at 10, at 11, and when the clock was set back
+}
+
 TEST(Unscented, SigmaPointsHaveTheMomentsOfTheirGaussian) {
   const Eigen::Vector2d mean(3, -4);
   std::vector<g2o::SigmaPoint<Eigen::Vector2d>> points;

@@ -89,6 +89,7 @@ TEST(FileNames, ComeApartAndTogether) {
   EXPECT_EQ(g2o::changeFileExtension("a.g2o", "graph"), "a.graph");
   EXPECT_EQ(g2o::changeFileExtension("a.g2o", ".graph", true), "a.graph");
   EXPECT_EQ(g2o::changeFileExtension("a", "graph"), "a");
+  EXPECT_EQ(g2o::changeFileExtension("test.txt", ".dat"), "test.dat");
 }
 
 TEST(FileNames, FilesAreFoundByPattern) {
@@ -102,13 +103,44 @@ TEST(FileNames, FilesAreFoundByPattern) {
   EXPECT_THAT(g2o::getFilesByPattern((folder / "*.g2o").c_str()),
               ElementsAre((folder / "a.g2o").string(), (folder / "b.g2o").string()));
   EXPECT_THAT(g2o::getFilesByPattern((folder / "none*").c_str()), ElementsAre());
+  EXPECT_THAT(g2o::getFilesByPattern(folder.string(), std::regex(".*\\.g2o")),
+              ElementsAre((folder / "a.g2o").string(), (folder / "b.g2o").string()));
+  EXPECT_THAT(g2o::getFilesByPattern(std::string_view(folder.c_str()), std::regex("c")), ElementsAre());
   std::filesystem::remove_all(folder);
 }
 
-TEST(Text, ColoursOfATerminalAreEscapeSequences) {
+TEST(Text, ColorsOfATerminalAreEscapeSequences) {
   std::ostringstream out;
-  out << CL_RED("stop" << 1);
-  EXPECT_EQ(out.str(), "\033[31mstop1\033[0m");
+  out << CL_RED("stop" << 1) << CL_LIGHTBLUE(2) << CL_BLACK(3) << FG_GREEN << FT_BOLD << FG_NORM;
+  EXPECT_EQ(out.str(), "\033[31mstop1\033[0m\033[34m2\033[0m\033[30m3\033[0m\033[32m\033[1m\033[0m");
+}
+
+TEST(Text, IsJoinedByADelimiter) {
+  const std::vector<int> numbers{1, 2, 3};
+  EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.end(), ", "), "1, 2, 3");
+  EXPECT_EQ(g2o::strJoin(std::vector<std::string>{"one"}, ", "), "one");
+  EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.begin(), ", "), "");
+}
+
+TEST(Text, MayComeAsStringViews) {
+  const std::string_view view = std::string_view(" Edge.g2o,2 |").substr(0, 11);
+  EXPECT_EQ(g2o::trim(view), "Edge.g2o,2");
+  EXPECT_EQ(g2o::strToLower(view), " edge.g2o,2");
+  EXPECT_THAT(g2o::strSplit(view, ","), ElementsAre(" Edge.g2o", "2"));
+  EXPECT_TRUE(g2o::strStartsWith(view, " Edge"));
+  EXPECT_TRUE(g2o::strEndsWith(view, std::string_view("2")));
+  EXPECT_EQ(g2o::getFileExtension(view), "g2o,2");
+  EXPECT_EQ(g2o::changeFileExtension(view, "toro"), " Edge.toro");
+  int number = 0;
+  EXPECT_TRUE(g2o::convertString(view.substr(10), number));
+  EXPECT_EQ(number, 2);
+}
+
+TEST(Text, MacrosWriteNamesValuesAndFixedNotation) {
+  std::ostringstream out;
+  const double half_turn = 3.14159265358979323846;
+  out << PVAR(2 * 3) << "; " << PVARA(half_turn) << "; " << FIXED(0.5) << "; " << 0.5;
+  EXPECT_EQ(out.str(), "2 * 3 = 6; half_turn = 180deg; 0.500000; 0.5");
 }
 
 TEST(Tuples, AnElementIsReachedByAPositionOfRunTime) {

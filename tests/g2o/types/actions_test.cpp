@@ -203,6 +203,29 @@ TEST(Actions, UserDataAreDrawnWithTheirVertexOrEdge) {
   EXPECT_THAT(shapes, HasSubstr("text measured\n"));
 }
 
+TEST(Actions, ThoseOfTheTypesHaveClasses) {
+  const auto graph = read(kPlane);
+  std::ostringstream expected, out;
+  g2o::WriteGnuplotAction::Parameters parameters;
+  parameters.os = &expected;
+  ASSERT_NE((*action("writeGnuplot"))(graph->vertex(1), &parameters), nullptr);
+  parameters.os = &out;
+  g2o::VertexSE2WriteGnuplotAction write;
+  EXPECT_EQ(write(graph->vertex(1), &parameters), &write);
+  EXPECT_FALSE(out.str().empty());
+  EXPECT_EQ(out.str(), expected.str());
+  EXPECT_EQ(write(graph->vertex(10), &parameters), nullptr);  // a point
+  EXPECT_EQ(write.name(), "writeGnuplot");
+  EXPECT_EQ(write.typeName(), typeid(g2o::VertexSE2).name());
+
+  Record record;
+  g2o::DrawAction::Parameters draw;
+  draw.drawing = &record;
+  g2o::EdgeSE2DrawAction edges;
+  for (auto* e : graph->edges()) edges(e, &draw);
+  EXPECT_EQ(count(record.out.str(), "line"), 1);  // there is one EDGE_SE2
+}
+
 /// An action of a user, on a type of the library.
 struct CountPoses : g2o::HyperGraphElementAction {
   struct Parameters : g2o::HyperGraphElementAction::Parameters {

@@ -35,8 +35,56 @@ TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
   EXPECT_LT((pair.prec0(0.01) * pair.normal0 - pair.normal0).norm(), 1e-14);
   EXPECT_LT((pair.prec0(0.01) * across - 0.01 * across).norm(), 1e-14);
   EXPECT_LT((pair.cov1(0.01) * pair.normal1 - 0.01 * pair.normal1).norm(), 1e-14);
-  EXPECT_NEAR(pair.R0.determinant(), 1, 1e-14);
+  EXPECT_NEAR(pair.R0.determinant(), -1, 1e-14);
   EXPECT_LT((pair.R1 * pair.normal1 - g2o::Vector3::UnitZ()).norm(), 1e-14);
+}
+
+TEST(Icp, TheFrameOfANormalHasTheRowsOfG2o) {
+  g2o::EdgeGICP pair;
+  pair.normal0 = g2o::Vector3(0.6, 0, 0.8);
+  pair.makeRot0();
+  g2o::Matrix3 expected;
+  expected << -0.8, 0, 0.6, 0, 1, 0, 0.6, 0, 0.8;  // n × y, y, n
+  EXPECT_LT((pair.R0 - expected).norm(), 1e-15);
+  pair.normal1 = g2o::Vector3(0, 0, 2);
+  pair.makeRot1();
+  expected << -2, 0, 0, 0, 1, 0, 0, 0, 2;  // the normal keeps its length
+  EXPECT_EQ(pair.R1, expected);
+}
+
+TEST(Icp, ANormalOfZeroGivesAFiniteInformation) {
+  g2o::EdgeGICP pair;
+  pair.normal0.setZero();
+  EXPECT_TRUE(pair.prec0(0.01).allFinite());
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
+      "EDGE_V_V_GICP 0 1 1 2 3 0 0 0 1 2 3 0 0 0\n");
+  ASSERT_TRUE(optimizer.load(in));
+  const auto* e = static_cast<const g2o::Edge_V_V_GICP*>(*optimizer.edges().begin());
+  EXPECT_TRUE(e->information().allFinite());
+}
+
+TEST(Icp, AnEdgeIsMadeFromAnotherOne) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
+      "EDGE_V_V_GICP 0 1 1 2 3 0 0.6 0.8 1 2 4 0 0 1\n");
+  ASSERT_TRUE(optimizer.load(in));
+  const auto* e = static_cast<const g2o::Edge_V_V_GICP*>(*optimizer.edges().begin());
+  auto* second = new g2o::Edge_V_V_GICP(e);
+  EXPECT_EQ(second->vertex(1), optimizer.vertex(1));
+  EXPECT_EQ(second->measurement().normal0, e->measurement().normal0);
+  second->computeError();
+  EXPECT_LT((second->error() - g2o::Vector3(0, 0, 1)).norm(), 1e-15);
+  EXPECT_TRUE(optimizer.addEdge(second));
+}
+
+TEST(Icp, BringsTheTypesOfBundleAdjustment) {
+  const g2o::SE3Quat pose(g2o::Quaternion::Identity(), g2o::Vector3(1, 2, 3));
+  g2o::VertexCam camera;
+  camera.setEstimate(pose);  // an SBACam, of which g2o's constructor is implicit
+  EXPECT_EQ(camera.estimate().translation(), g2o::Vector3(1, 2, 3));
 }
 
 TEST(Icp, APairOfPlanesWeighsAcrossBoth) {
@@ -115,10 +163,32 @@ TEST(Icp, StereoCamerasShareTheirMatrix) {
   ASSERT_TRUE(optimizer.addEdge(e));
   e->computeError();
   EXPECT_LT((e->error() - g2o::Vector3(1, -2, 0)).norm(), 1e-12);
+  EXPECT_EQ(g2o::VertexSCam::Kcam(1, 1), 200);
+  EXPECT_EQ(g2o::VertexSCam::baseline, 0.08);
   const g2o::Vector3 image = camera->w2i * g2o::Vector4(1, 2, 3, 1);
   EXPECT_NEAR(image[0] / image[2], 35, 1e-12);
   camera->setEstimate(motion(0.1));
   edge_checks::expect_exact_jacobians(*e);
+}
+
+TEST(Icp, TheRotationOfAStereoCameraIsDifferentiatedByItsQuaternion) {
+  g2o::VertexSCam camera;
+  camera.setEstimate(motion(1));
+  camera.setAll();
+  const g2o::Matrix3 derivatives[] = {camera.dRdx, camera.dRdy, camera.dRdz};
+  for (int axis = 0; axis < 3; ++axis) {
+    g2o::Matrix3 rotations[2];
+    for (int sign : {-1, 1}) {
+      g2o::VertexSCam moved;
+      moved.setEstimate(motion(1));
+      double step[6] = {};
+      step[3 + axis] = sign * 1e-6;
+      moved.oplus(step);
+      moved.setTransform();
+      rotations[sign > 0 ? 1 : 0] = moved.w2n.leftCols<3>();
+    }
+    EXPECT_LT((derivatives[axis] - (rotations[1] - rotations[0]) / 2e-6).norm(), 1e-8);
+  }
 }
 
 }  // namespace

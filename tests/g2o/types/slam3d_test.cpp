@@ -110,6 +110,59 @@ class EdgeThroughCache : public g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::Vertex
   g2o::CacheCamera* cache = nullptr;
 };
 
+/// Edges of clients that read the caches which g2o's edges have.
+class PriorThroughCache : public g2o::EdgeSE3Prior {
+ public:
+  void computeError() override { _error = g2o::internal::toVectorMQT(_inverseMeasurement * _cache->n2w()); }
+  using g2o::EdgeSE3Prior::_cache;
+};
+class OffsetThroughCaches : public g2o::EdgeSE3Offset {
+ public:
+  void computeError() override {
+    _error = g2o::internal::toVectorMQT(_inverseMeasurement * _cacheFrom->w2n() * _cacheTo->n2w());
+  }
+};
+
+TEST(Slam3d, DerivedEdgesFindTheCachesOfTheirSensors) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "PARAMS_SE3OFFSET 0 0.1 0.2 0.3 0.5 -0.5 0.5 0.5\n"
+      "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\nVERTEX_SE3:QUAT 1 3 1 -0.7 0.1 -0.1 0.7 0.7\n"
+      "EDGE_SE3_PRIOR 0 0 3.1 0.9 -0.6 0.5 -0.5 0.5 0.5" +
+      omega(6) + "\nEDGE_SE3_OFFSET 0 1 0 0 2 0.3 -1 0.1 -0.1 0.7 0.7" + omega(6) + "\n");
+  ASSERT_TRUE(optimizer.load(in));
+  for (g2o::HyperGraph::Edge* loaded : g2o::HyperGraph::EdgeSet(optimizer.edges())) {
+    auto* e = static_cast<g2o::OptimizableGraph::Edge*>(loaded);
+    g2o::OptimizableGraph::Edge* derived = nullptr;
+    if (e->vertices().size() == 1) {
+      derived = new PriorThroughCache;
+    } else {
+      derived = new OffsetThroughCaches;
+    }
+    double z[7];
+    ASSERT_TRUE(e->getMeasurementData(z) && derived->setMeasurementData(z));
+    for (size_t i = 0; i < e->vertices().size(); ++i) {
+      derived->setVertex(i, e->vertex(i));
+      ASSERT_TRUE(derived->setParameterId(static_cast<int>(i), 0));
+    }
+    ASSERT_TRUE(optimizer.addEdge(derived));
+    for (int i = 0; i < 2; ++i) {
+      e->computeError();
+      derived->computeError();
+      for (int k = 0; k < 6; ++k) EXPECT_NEAR(e->errorData()[k], derived->errorData()[k], 1e-6);
+      const double step[] = {0.1, 0.2, -0.1, 0.1, 0.05, 0};
+      optimizer.vertex(0)->oplus(step);
+    }
+  }
+}
+
+TEST(Slam3d, APoseIsReadAndSetAsSE3Quat) {
+  g2o::VertexSE3 v;
+  const g2o::SE3Quat pose(g2o::Quaternion(0.8, 0, 0.6, 0), g2o::Vector3(1, 2, 3));
+  v.setEstimateFromSE3Quat(pose);
+  EXPECT_LT((v.estimateAsSE3Quat().toVector() - pose.toVector()).norm(), 1e-15);
+}
+
 TEST(Slam3d, TheCacheOfACameraFollowsItsVertex) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(

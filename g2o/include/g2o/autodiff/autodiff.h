@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Derivatives of a functor over arrays of numbers.
 #pragma once
+#ifndef G2O_AUTODIFF_H
+#define G2O_AUTODIFF_H
 
 #include <array>
 #include <cstddef>
@@ -61,3 +63,5 @@ class AutoDiff {
 }  // namespace internal
 }  // namespace ceres
 }  // namespace g2o
+
+#endif  // G2O_AUTODIFF_H

@@ -6,6 +6,8 @@
 // Comparisons look at the value only. Where a derivative is infinite (sqrt at 0, log at 0), directions in
 // which the argument does not change keep the derivative zero.
 #pragma once
+#ifndef G2O_JET_H
+#define G2O_JET_H
 
 #include <Eigen/Core>
 #include <cmath>
@@ -32,7 +34,8 @@ struct Jet {
   Jet() : a(0), v(Derivative::Zero()) {}
   /// A constant.
   Jet(const T& value) : a(value), v(Derivative::Zero()) {}  // NOLINT: constants mix with Jets
-  template <typename U, typename = std::enable_if_t<std::is_arithmetic_v<U> && !std::is_same_v<U, T>>>
+  template <typename U,
+            typename = std::enable_if_t<std::is_arithmetic<U>::value && !std::is_same<U, T>::value>>
   Jet(U value) : Jet(static_cast<T>(value)) {}  // NOLINT: constants mix with Jets
   /// The independent variable k: its derivative in direction k is one.
   Jet(const T& value, int k) : a(value), v(Derivative::Unit(k)) {}
@@ -346,3 +349,5 @@ template <typename T, int N>
 struct numeric_limits<g2o::ceres::Jet<T, N>> : numeric_limits<T> {};
 
 }  // namespace std
+
+#endif  // G2O_JET_H

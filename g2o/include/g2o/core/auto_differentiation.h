@@ -11,6 +11,8 @@
 // The template gets the estimates of the vertices as arrays of as many numbers as the vertices have
 // dimensions, and ⊞ of a vertex has to add to them.
 #pragma once
+#ifndef G2O_AUTO_DIFFERENTIATION_H
+#define G2O_AUTO_DIFFERENTIATION_H
 
 #include <array>
 #include <cstddef>
@@ -45,7 +47,7 @@ class EstimateAccessor {
   template <int K>
   const double* data(const EdgeType* edge) {
     const auto& estimate = edge->template vertexXn<K>()->estimate();
-    if constexpr (std::is_same_v<std::decay_t<decltype(estimate)>, double>) {
+    if constexpr (std::is_same<std::decay_t<decltype(estimate)>, double>::value) {
       return &estimate;
     } else {
       return estimate.data();
@@ -155,3 +157,5 @@ class AutoDifferentiation {
 #define G2O_MAKE_AUTO_AD_FUNCTIONS_BY_GET \
   G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET    \
   G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET
+
+#endif  // G2O_AUTO_DIFFERENTIATION_H

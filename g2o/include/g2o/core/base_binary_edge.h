@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BASE_BINARY_EDGE_H
+#define G2O_BASE_BINARY_EDGE_H
 
 #include "g2o/core/base_fixed_sized_edge.h"
 
@@ -49,3 +51,5 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_BINARY_EDGE_H

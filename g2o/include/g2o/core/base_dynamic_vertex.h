@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BASE_DYNAMIC_VERTEX_H
+#define G2O_BASE_DYNAMIC_VERTEX_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/stuff/logger.h"
@@ -36,3 +38,5 @@ class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_DYNAMIC_VERTEX_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BASE_EDGE_H
+#define G2O_BASE_EDGE_H
 
 #include <algorithm>
 #include <istream>
@@ -145,3 +147,5 @@ class BaseEdge : public OptimizableGraph::Edge {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_EDGE_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An edge over a number of vertices that the compiler knows.
 #pragma once
+#ifndef G2O_BASE_FIXED_SIZED_EDGE_H
+#define G2O_BASE_FIXED_SIZED_EDGE_H
 
 #include <algorithm>
 #include <array>
@@ -13,6 +15,9 @@
 
 #include "g2o/core/base_edge.h"
 #include "g2o/stuff/logger.h"
+
+/// Within a pack expansion over the VertexTypes of an edge: the dimensions of each (g2o's name).
+#define G2O_VERTEX_DIM VertexTypes::Dimension
 
 namespace g2o {
 namespace internal {
@@ -30,6 +35,18 @@ constexpr int pair_second(int k) {
   int j = 1;
   while (j * (j + 1) / 2 <= k) ++j;
   return j;
+}
+
+/// The positions of pair number k; the inverse of pair_to_index().
+struct TrivialPair {
+  int first = 0, second = 0;
+  constexpr TrivialPair(int f, int s) : first(f), second(s) {}
+  constexpr bool operator==(const TrivialPair& other) const {
+    return first == other.first && second == other.second;
+  }
+};
+constexpr TrivialPair index_to_pair(int k) {
+  return TrivialPair(pair_first(k), pair_second(k));
 }
 
 /// Rows × Cols numbers, column by column; a single row is the same either way.
@@ -333,7 +350,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   }
   template <class V, typename... Arguments>
   static OptimizableGraph::Vertex* newVertex(Arguments&&... arguments) {
-    if constexpr (std::is_constructible_v<V, Arguments...>) {
+    if constexpr (std::is_constructible<V, Arguments...>::value) {
       return new V(std::forward<Arguments>(arguments)...);
     } else {
       return nullptr;
@@ -342,3 +359,5 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_FIXED_SIZED_EDGE_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BASE_UNARY_EDGE_H
+#define G2O_BASE_UNARY_EDGE_H
 
 #include "g2o/core/base_fixed_sized_edge.h"
 
@@ -35,3 +37,5 @@ class BaseUnaryEdge : public BaseFixedSizedEdge<D, E, VertexXi> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_UNARY_EDGE_H

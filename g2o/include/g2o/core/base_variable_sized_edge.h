@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An edge over a number of vertices that is chosen at run time.
 #pragma once
+#ifndef G2O_BASE_VARIABLE_SIZED_EDGE_H
+#define G2O_BASE_VARIABLE_SIZED_EDGE_H
 
 #include <cassert>
 #include <new>
@@ -125,3 +127,5 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_VARIABLE_SIZED_EDGE_H

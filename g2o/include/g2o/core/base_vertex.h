@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BASE_VERTEX_H
+#define G2O_BASE_VERTEX_H
 
 #include <algorithm>
 #include <cmath>
@@ -112,3 +114,5 @@ class BaseVertex : public OptimizableGraph::Vertex {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_BASE_VERTEX_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BATCH_STATS_H_
+#define G2O_BATCH_STATS_H_
 
 #include <cstddef>
 #include <iosfwd>
@@ -47,3 +49,5 @@ using BatchStatisticsContainer = std::vector<G2OBatchStatistics>;
 G2O_CORE_API std::ostream& operator<<(std::ostream&, const G2OBatchStatistics&);
 
 }  // namespace g2o
+
+#endif  // G2O_BATCH_STATS_H_

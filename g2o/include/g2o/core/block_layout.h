@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the blocks of a block matrix begin and end, and its scalars.
 #pragma once
+#ifndef G2O_BLOCK_LAYOUT_H
+#define G2O_BLOCK_LAYOUT_H
 
 #include <cstddef>
 #include <vector>
@@ -63,3 +65,5 @@ int fillCCS(Visit&& visit, double* Cx) {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_BLOCK_LAYOUT_H

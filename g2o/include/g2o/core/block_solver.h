@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Solver of the library: a block Hessian, the Schur complement, and a LinearSolver for what is left.
 #pragma once
+#ifndef G2O_BLOCK_SOLVER_H
+#define G2O_BLOCK_SOLVER_H
 
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -88,6 +91,7 @@ class BlockSolver : public BlockSolverBase {
     if (this->_optimizer == nullptr) return false;
     if (!engine_.isCurrent(*this->_optimizer) && !(_linearSolver->init() && buildStructure())) return false;
     engine_.buildSystem(*this->_optimizer, this->_b);
+    if (typeid(*this) != typeid(BlockSolver)) copyHessian();
     return true;
   }
   bool solve() override;
@@ -115,7 +119,17 @@ class BlockSolver : public BlockSolverBase {
   std::unique_ptr<LinearSolverType> _linearSolver;
   bool _doSchur = true;
 
+  /// For derived classes: copies of the blocks of H, undamped, as buildSystem() left them. The upper triangle
+  /// of the poses; the marginalised landmarks; and between poses (rows) and landmarks (columns). A
+  /// BlockSolver itself has none. Writing to them does not change H.
+  std::unique_ptr<PoseHessianType> _Hpp;
+  std::unique_ptr<LandmarkHessianType> _Hll;
+  std::unique_ptr<PoseLandmarkHessianType> _Hpl;
+  int _numPoses = 0, _numLandmarks = 0;    ///< blocks
+  int _sizePoses = 0, _sizeLandmarks = 0;  ///< scalars
+
  private:
+  void copyHessian();
   /// The linear solver's, and exact where steps must be.
   internal::EngineSettings engineSettings() const;
   bool solveByLinearSolver();
@@ -135,3 +149,5 @@ using BlockSolver_3_2 = BlockSolverPL<3, 2>;
 }  // namespace g2o
 
 #include "g2o/core/block_solver.hpp"
+
+#endif  // G2O_BLOCK_SOLVER_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_BLOCK_SOLVER_HPP
+#define G2O_BLOCK_SOLVER_HPP
 
 #include "g2o/core/block_solver.h"
 #include "g2o/core/sparse_optimizer.h"
@@ -52,6 +54,31 @@ internal::EngineSettings BlockSolver<Traits>::engineSettings() const {
 }
 
 template <typename Traits>
+void BlockSolver<Traits>::copyHessian() {
+  const std::vector<int> ends = engine_.blockEnds();
+  _numPoses = engine_.keptBlocks();
+  _numLandmarks = static_cast<int>(ends.size()) - _numPoses;
+  _sizePoses = _numPoses == 0 ? 0 : ends[static_cast<size_t>(_numPoses - 1)];
+  _sizeLandmarks = (ends.empty() ? 0 : ends.back()) - _sizePoses;
+  const int* poses = ends.data();
+  std::vector<int> landmarks(ends.begin() + _numPoses, ends.end());
+  for (int& end : landmarks) end -= _sizePoses;
+  _Hpp = std::make_unique<PoseHessianType>(poses, poses, _numPoses, _numPoses);
+  _Hll =
+      std::make_unique<LandmarkHessianType>(landmarks.data(), landmarks.data(), _numLandmarks, _numLandmarks);
+  _Hpl = std::make_unique<PoseLandmarkHessianType>(poses, landmarks.data(), _numPoses, _numLandmarks);
+  engine_.visitBlocks([&](int i, int j, const MatrixX& block) {
+    if (j < _numPoses) {
+      *_Hpp->block(i, j, true) = block;
+    } else if (i < _numPoses) {
+      *_Hpl->block(i, j - _numPoses, true) = block;
+    } else {
+      *_Hll->block(i - _numPoses, j - _numPoses, true) = block;
+    }
+  });
+}
+
+template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   const internal::EngineSettings settings = engineSettings();
@@ -89,3 +116,5 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_BLOCK_SOLVER_HPP

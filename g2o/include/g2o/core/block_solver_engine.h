@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Hessian of an optimiser's active vertices and edges in the engine's memory.
 #pragma once
+#ifndef G2O_BLOCK_SOLVER_ENGINE_H
+#define G2O_BLOCK_SOLVER_ENGINE_H
 
 #include <functional>
 #include <memory>
@@ -45,6 +47,12 @@ class G2O_CORE_API BlockSolverEngine {
   /// Blocks of H⁻¹ by Hessian index.
   bool inverse(const std::vector<std::pair<int, int>>& blockIndices, SparseBlockMatrix<MatrixX>& spinv);
   bool save(const std::string& fileName) const;
+  /// One past the last scalar of each block, by Hessian index.
+  std::vector<int> blockEnds() const;
+  /// The number of blocks that are not eliminated: they have the first Hessian indices.
+  int keptBlocks() const;
+  /// Calls take(i, j, block) for every block (i, j) of H, i ≤ j, by Hessian index.
+  void visitBlocks(const std::function<void(int, int, const MatrixX&)>& take) const;
 
   /// For a linear solver that is not the engine's: the system that is left after the elimination, and back.
   /// blocks(): the lower triangle.
@@ -62,3 +70,5 @@ class G2O_CORE_API BlockSolverEngine {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_BLOCK_SOLVER_ENGINE_H

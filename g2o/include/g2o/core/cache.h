@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Quantities that many edges derive from one vertex and some parameters: computed once per estimate.
 #pragma once
+#ifndef G2O_CACHE_HH_
+#define G2O_CACHE_HH_
 
 #include <map>
 #include <string>
@@ -90,3 +92,5 @@ void OptimizableGraph::Edge::resolveCache(CacheType*& cache, OptimizableGraph::V
 }
 
 }  // namespace g2o
+
+#endif  // G2O_CACHE_HH_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_CREATORS_H
+#define G2O_CREATORS_H
 
 #include <memory>
 #include <string>
@@ -32,3 +34,5 @@ class HyperGraphElementCreator : public AbstractHyperGraphElementCreator {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_CREATORS_H

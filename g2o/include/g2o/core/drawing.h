@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the action "draw" draws into. SvgDrawing writes files; a viewer implements the same four functions.
 #pragma once
+#ifndef G2O_DRAWING_H
+#define G2O_DRAWING_H
 
 #include <string>
 #include <vector>
@@ -39,3 +41,5 @@ class G2O_CORE_API Drawing {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_DRAWING_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Names of Eigen types: those of today, and those of older clients.
 #pragma once
+#ifndef G2O_EIGEN_TYPES_H
+#define G2O_EIGEN_TYPES_H
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -82,3 +84,5 @@ using Affine2D = Affine2;
 using Affine3D = Affine3;
 
 }  // namespace g2o
+
+#endif  // G2O_EIGEN_TYPES_H

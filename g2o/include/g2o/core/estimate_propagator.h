@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Estimates made from those of other vertices, along the cheapest edges.
 #pragma once
+#ifndef G2O_ESTIMATE_PROPAGATOR_H
+#define G2O_ESTIMATE_PROPAGATOR_H
 
 #include <functional>
 #include <limits>
@@ -88,3 +90,5 @@ class G2O_CORE_API EstimatePropagator {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_ESTIMATE_PROPAGATOR_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The types of files: words, and what they stand for.
 #pragma once
+#ifndef G2O_FACTORY_H
+#define G2O_FACTORY_H
 
 #include <iosfwd>
 #include <map>
@@ -111,3 +113,5 @@ constexpr bool isWord(const char* text) {
 #define G2O_USE_TYPE_GROUP(type_group_name)               \
   extern "C" void g2o_type_group_##type_group_name(void); \
   static g2o::ForceLinker g2o_force_type_link_##type_group_name(g2o_type_group_##type_group_name);
+
+#endif  // G2O_FACTORY_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shortest paths.
 #pragma once
+#ifndef G2O_AIS_GENERAL_DIJKSTRA_HH
+#define G2O_AIS_GENERAL_DIJKSTRA_HH
 
 #include <functional>
 #include <limits>
@@ -91,3 +93,5 @@ struct G2O_CORE_API UniformCostFunction : public HyperDijkstra::CostFunction {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_AIS_GENERAL_DIJKSTRA_HH

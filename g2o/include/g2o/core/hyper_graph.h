@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A directed hyper-graph: vertices by integer id, edges by pointer.
 #pragma once
+#ifndef G2O_AIS_HYPER_GRAPH_HH
+#define G2O_AIS_HYPER_GRAPH_HH
 
 #include <bitset>
 #include <cstddef>
@@ -181,3 +183,5 @@ class G2O_CORE_API HyperGraph {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_AIS_HYPER_GRAPH_HH

@@ -2,6 +2,8 @@
 // Functions over a graph, called before and after iterations; and functions over its elements, found by name
 // and type.
 #pragma once
+#ifndef G2O_HYPER_GRAPH_ACTION_H
+#define G2O_HYPER_GRAPH_ACTION_H
 
 #include <iosfwd>
 #include <map>
@@ -9,6 +11,7 @@
 #include <set>
 #include <string>
 #include <typeinfo>
+#include <utility>
 
 #include "g2o/core/drawing.h"
 #include "g2o/core/hyper_graph.h"
@@ -166,10 +169,36 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
   float property(const std::string& name, float otherwise);
 
   Parameters* _previousParams = nullptr;  ///< those of the last refreshPropertyPtrs()
-  std::shared_ptr<BoolProperty> _show;
+  BoolProperty* _show = nullptr;          ///< of _previousParams
 };
 
+namespace internal {
+
+/// An action of a type under the class name that it has in g2o: does what `action` does.
+template <class Base>
+class NamedAction : public Base {
+ public:
+  HyperGraphElementAction* operator()(HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    return (*action_)(element, parameters) == nullptr ? nullptr : this;
+  }
+  HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
+                                      HyperGraphElementAction::Parameters* parameters) override {
+    return (*action_)(element, parameters) == nullptr ? nullptr : this;
+  }
+
+ protected:
+  explicit NamedAction(std::unique_ptr<HyperGraphElementAction> action)
+      : Base(action->typeName()), action_(std::move(action)) {}
+
+ private:
+  std::unique_ptr<HyperGraphElementAction> action_;
+};
+
+}  // namespace internal
 }  // namespace g2o
 
 /// Registers an action class, which has a default constructor.
 #define G2O_REGISTER_ACTION(classname) static g2o::RegisterActionProxy<classname> g_action_proxy_##classname;
+
+#endif  // G2O_HYPER_GRAPH_ACTION_H

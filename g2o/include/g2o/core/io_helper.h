@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Vectors in streams, for the read() and write() of clients' types.
 #pragma once
+#ifndef G2O_CORE_IO_HELPER_H
+#define G2O_CORE_IO_HELPER_H
 
 #include <Eigen/Core>
-#include <istream>
-#include <ostream>
+#include <iostream>
 
 namespace g2o {
 namespace internal {
@@ -25,3 +26,5 @@ bool writeVector(std::ostream& os, const Eigen::DenseBase<Derived>& b) {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_CORE_IO_HELPER_H

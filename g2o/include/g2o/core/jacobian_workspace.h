@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_JACOBIAN_WORKSPACE_H
+#define G2O_JACOBIAN_WORKSPACE_H
 
 #include <vector>
 
@@ -38,3 +40,5 @@ class G2O_CORE_API JacobianWorkspace {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_JACOBIAN_WORKSPACE_H

@@ -2,6 +2,8 @@
 // The engine's linear solvers over a SparseBlockMatrix: what the LinearSolver classes of the library are made
 // of.
 #pragma once
+#ifndef G2O_LINEAR_ENGINE_H
+#define G2O_LINEAR_ENGINE_H
 
 #include <functional>
 #include <memory>
@@ -96,3 +98,5 @@ G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_ENGINE_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seam between a BlockSolver and whatever solves its sparse systems.
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_H
+#define G2O_LINEAR_SOLVER_H
 
 #include <functional>
 #include <memory>
@@ -10,6 +12,7 @@
 #include "g2o/core/linear_engine.h"
 #include "g2o/core/marginal_covariance_cholesky.h"
 #include "g2o/core/sparse_block_matrix.h"
+#include "g2o/stuff/timeutil.h"
 
 namespace g2o {
 
@@ -120,3 +123,5 @@ class LinearSolverCCS : public LinearSolver<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_MARGINAL_COVARIANCE_CHOLESKY_H
+#define G2O_MARGINAL_COVARIANCE_CHOLESKY_H
 
 #include <unordered_map>
 #include <utility>
@@ -47,3 +49,5 @@ class G2O_CORE_API MarginalCovarianceCholesky {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_MARGINAL_COVARIANCE_CHOLESKY_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Products of a block with parts of a vector.
 #pragma once
+#ifndef G2O_CORE_MATRIX_OPERATIONS_H
+#define G2O_CORE_MATRIX_OPERATIONS_H
 
 #include "g2o/core/eigen_types.h"
 
@@ -23,3 +25,5 @@ inline void atxpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int x
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_CORE_MATRIX_OPERATIONS_H

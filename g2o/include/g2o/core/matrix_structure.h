@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_MATRIX_STRUCTURE_H
+#define G2O_MATRIX_STRUCTURE_H
 
 #include <string>
 #include <vector>
@@ -36,3 +38,5 @@ class G2O_CORE_API MatrixStructure {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_MATRIX_STRUCTURE_H

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPENMP_MUTEX
+#define G2O_OPENMP_MUTEX
+
+#include <iostream>
 
 namespace g2o {
 
@@ -19,3 +23,5 @@ class ScopedOpenMPMutex {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPENMP_MUTEX

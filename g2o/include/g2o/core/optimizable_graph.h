@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hyper-graph as an optimisation problem: vertices with an estimate, edges with an error.
 #pragma once
+#ifndef G2O_AIS_OPTIMIZABLE_GRAPH_HH_
+#define G2O_AIS_OPTIMIZABLE_GRAPH_HH_
 
 #include <functional>
 #include <iosfwd>
@@ -435,3 +437,5 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 }  // namespace g2o
 
 #include "g2o/core/cache.h"
+
+#endif  // G2O_AIS_OPTIMIZABLE_GRAPH_HH_

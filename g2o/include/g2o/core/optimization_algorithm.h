@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPTIMIZATION_ALGORITHM_H
+#define G2O_OPTIMIZATION_ALGORITHM_H
 
 #include <iosfwd>
 #include <string>
@@ -49,3 +51,5 @@ class G2O_CORE_API OptimizationAlgorithm {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPTIMIZATION_ALGORITHM_H

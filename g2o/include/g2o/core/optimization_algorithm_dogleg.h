@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPTIMIZATION_ALGORITHM_DOGLEG_H
+#define G2O_OPTIMIZATION_ALGORITHM_DOGLEG_H
 
 #include <memory>
 
@@ -28,10 +30,10 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   static const char* stepType2Str(int stepType);
 
  protected:
-  std::shared_ptr<Property<int>> _maxTrialsAfterFailure;
-  std::shared_ptr<Property<double>> _userDeltaInit;
-  std::shared_ptr<Property<double>> _initialLambda;
-  std::shared_ptr<Property<double>> _lamdbaFactor;
+  Property<int>* _maxTrialsAfterFailure;  ///< of _properties, as those below
+  Property<double>* _userDeltaInit;
+  Property<double>* _initialLambda;
+  Property<double>* _lamdbaFactor;
 
   VectorX _hsd;        ///< steepest descent step
   VectorX _hdl;        ///< dogleg step
@@ -51,3 +53,5 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPTIMIZATION_ALGORITHM_DOGLEG_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Algorithms by name: "gn_var", "lm_fix6_3", …
 #pragma once
+#ifndef G2O_OPTMIZATION_ALGORITHM_FACTORY_H
+#define G2O_OPTMIZATION_ALGORITHM_FACTORY_H
 
 #include <iosfwd>
 #include <list>
@@ -37,7 +39,9 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   void registerSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
   void registerSolver(AbstractOptimizationAlgorithmCreator* c);
   void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
-  /// A new algorithm, which is the caller's, and what it is for; nullptr where the name is unknown.
+  /// A new algorithm, which is the caller's, and what it is for; nullptr where the name is unknown. If the
+  /// library of a name that ends in _cholmod or _csparse is missing, it is the algorithm without that ending,
+  /// with a warning.
   OptimizationAlgorithm* construct(const std::string& tag,
                                    OptimizationAlgorithmProperty& solverProperty) const;
   void listSolvers(std::ostream& os) const;
@@ -92,3 +96,5 @@ class RegisterOptimizationAlgorithmProxy {
   extern "C" void g2o_optimization_algorithm_##optimizername(void);              \
   static g2o::ForceLinker g2o_force_optimization_algorithm_link_##optimizername( \
       g2o_optimization_algorithm_##optimizername);
+
+#endif  // G2O_OPTMIZATION_ALGORITHM_FACTORY_H

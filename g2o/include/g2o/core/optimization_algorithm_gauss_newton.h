@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPTIMIZATION_ALGORITHM_GAUSS_NEWTON_H
+#define G2O_OPTIMIZATION_ALGORITHM_GAUSS_NEWTON_H
 
 #include <memory>
 
@@ -21,3 +23,5 @@ class G2O_CORE_API OptimizationAlgorithmGaussNewton : public OptimizationAlgorit
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPTIMIZATION_ALGORITHM_GAUSS_NEWTON_H

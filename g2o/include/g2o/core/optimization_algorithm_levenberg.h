@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SOLVER_LEVENBERG_H
+#define G2O_SOLVER_LEVENBERG_H
 
 #include <memory>
 
@@ -29,8 +31,8 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   int levenbergIteration() { return _levenbergIterations; }
 
  protected:
-  std::shared_ptr<Property<int>> _maxTrialsAfterFailure;
-  std::shared_ptr<Property<double>> _userLambdaInit;
+  Property<int>* _maxTrialsAfterFailure;  ///< of _properties, as the one below
+  Property<double>* _userLambdaInit;
   double _currentLambda = -1;
   double _tau = 1e-5;
   double _goodStepLowerScale = 1. / 3;
@@ -44,3 +46,5 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SOLVER_LEVENBERG_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPTIMIZATION_ALGORITHM_PROPERTY_H
+#define G2O_OPTIMIZATION_ALGORITHM_PROPERTY_H
 
 #include <string>
 #include <utility>
@@ -29,3 +31,5 @@ struct G2O_CORE_API OptimizationAlgorithmProperty {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPTIMIZATION_ALGORITHM_PROPERTY_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OPTIMIZATION_ALGORITHM_WITH_HESSIAN_H
+#define G2O_OPTIMIZATION_ALGORITHM_WITH_HESSIAN_H
 
 #include <memory>
 #include <utility>
@@ -32,7 +34,7 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
 
  protected:
   Solver& _solver;
-  std::shared_ptr<Property<bool>> _writeDebug;
+  Property<bool>* _writeDebug;  ///< of _properties
 
   /// Errors, linearisation and, in the first iteration, structure.
   bool linearize(int iteration, bool online);
@@ -48,3 +50,5 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
 };
 
 }  // namespace g2o
+
+#endif  // G2O_OPTIMIZATION_ALGORITHM_WITH_HESSIAN_H

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_OWNERSHIP_H
+#define G2O_OWNERSHIP_H
+
+#include <iostream>
 
 namespace g2o {
 
@@ -14,3 +18,5 @@ void release(T* object) {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_OWNERSHIP_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_GRAPH_PARAMETER_HH_
+#define G2O_GRAPH_PARAMETER_HH_
 
 #include <iosfwd>
 
@@ -37,3 +39,5 @@ class BaseParameter : public Parameter {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_GRAPH_PARAMETER_HH_

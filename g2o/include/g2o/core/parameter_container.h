@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_GRAPH_PARAMETER_CONTAINER_HH_
+#define G2O_GRAPH_PARAMETER_CONTAINER_HH_
 
 #include <iosfwd>
 #include <map>
@@ -44,3 +46,5 @@ class G2O_CORE_API ParameterContainer : protected std::map<int, Parameter*> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_GRAPH_PARAMETER_CONTAINER_HH_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_ROBUST_KERNEL_H
+#define G2O_ROBUST_KERNEL_H
 
 #include <memory>
 
@@ -26,3 +28,5 @@ class G2O_CORE_API RobustKernel {
 using RobustKernelPtr = std::shared_ptr<RobustKernel>;
 
 }  // namespace g2o
+
+#endif  // G2O_ROBUST_KERNEL_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_ROBUST_KERNEL_FACTORY_H
+#define G2O_ROBUST_KERNEL_FACTORY_H
 
 #include <map>
 #include <memory>
@@ -79,3 +81,5 @@ class RegisterRobustKernelProxy {
 #define G2O_USE_ROBUST_KERNEL(classname)               \
   extern "C" void g2o_robust_kernel_##classname(void); \
   static g2o::ForceLinker g2o_force_robust_kernel_link_##classname(g2o_robust_kernel_##classname);
+
+#endif  // G2O_ROBUST_KERNEL_FACTORY_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The robust kernels of the library; those of boxplus/robust compute them.
 #pragma once
+#ifndef G2O_ROBUST_KERNEL_IMPL_H
+#define G2O_ROBUST_KERNEL_IMPL_H
 
 #include "g2o/core/robust_kernel.h"
 
@@ -83,3 +85,5 @@ class G2O_CORE_API RobustKernelDCS : public RobustKernel {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_ROBUST_KERNEL_IMPL_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What another registration of the same name hides.
 #pragma once
+#ifndef G2O_SHADOWED_H
+#define G2O_SHADOWED_H
 
 #include <algorithm>
 #include <memory>
@@ -64,3 +66,5 @@ class Shadowed {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_SHADOWED_H

@@ -5,6 +5,8 @@
 //
 //     const g2o::SideBySide<MyEdge> kMyEdgesRunSideBySide;
 #pragma once
+#ifndef G2O_SIDE_BY_SIDE_H
+#define G2O_SIDE_BY_SIDE_H
 
 #include <typeinfo>
 
@@ -31,3 +33,5 @@ class SideBySide {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SIDE_BY_SIDE_H

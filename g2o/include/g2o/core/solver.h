@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seam between algorithms and whatever builds and solves their linear systems.
 #pragma once
+#ifndef G2O_SOLVER_H
+#define G2O_SOLVER_H
 
 #include <cstddef>
 #include <string>
@@ -95,3 +97,5 @@ class G2O_CORE_API Solver {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SOLVER_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sparse matrix of dense blocks.
 #pragma once
+#ifndef G2O_SPARSE_BLOCK_MATRIX_
+#define G2O_SPARSE_BLOCK_MATRIX_
 
 #include <algorithm>
 #include <fstream>
@@ -137,10 +139,12 @@ class SparseBlockMatrix {
     if (dest == nullptr) dest = transposed().release();
     return transpose(*dest);
   }
-  std::unique_ptr<SparseBlockMatrix> transposed() const {
-    auto result = std::make_unique<SparseBlockMatrix>(_colBlockIndices.data(), _rowBlockIndices.data(),
-                                                      static_cast<int>(_colBlockIndices.size()),
-                                                      static_cast<int>(_rowBlockIndices.size()));
+  /// A new matrix, whose blocks are MatrixTransposedType.
+  template <class MatrixTransposedType = MatrixType>
+  std::unique_ptr<SparseBlockMatrix<MatrixTransposedType>> transposed() const {
+    auto result = std::make_unique<SparseBlockMatrix<MatrixTransposedType>>(
+        _colBlockIndices.data(), _rowBlockIndices.data(), static_cast<int>(_colBlockIndices.size()),
+        static_cast<int>(_rowBlockIndices.size()));
     transpose(*result);
     return result;
   }
@@ -382,3 +386,5 @@ using SparseBlockMatrixXd = SparseBlockMatrix<MatrixX>;
 using SparseBlockMatrixXD = SparseBlockMatrix<MatrixX>;
 
 }  // namespace g2o
+
+#endif  // G2O_SPARSE_BLOCK_MATRIX_

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The blocks of a matrix in compressed columns: contiguous lists instead of maps.
 #pragma once
+#ifndef G2O_SPARSE_BLOCK_MATRIX_CCS_H
+#define G2O_SPARSE_BLOCK_MATRIX_CCS_H
 
 #include <algorithm>
 #include <unordered_map>
@@ -135,3 +137,5 @@ class SparseBlockMatrixHashMap {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SPARSE_BLOCK_MATRIX_CCS_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SPARSE_BLOCK_MATRIX_DIAGONAL_H
+#define G2O_SPARSE_BLOCK_MATRIX_DIAGONAL_H
 
 #include <vector>
 
@@ -45,3 +47,5 @@ class SparseBlockMatrixDiagonal {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SPARSE_BLOCK_MATRIX_DIAGONAL_H

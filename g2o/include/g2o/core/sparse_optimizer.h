@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_GRAPH_OPTIMIZER_CHOL_H_
+#define G2O_GRAPH_OPTIMIZER_CHOL_H_
 
 #include <cstdint>
 #include <map>
@@ -10,6 +12,7 @@
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/core/sparse_block_matrix.h"
+#include "g2o/stuff/timeutil.h"
 
 namespace g2o {
 
@@ -83,8 +86,8 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   VertexContainer::const_iterator findActiveVertex(const OptimizableGraph::Vertex* v) const;
   EdgeContainer::const_iterator findActiveEdge(const OptimizableGraph::Edge* e) const;
 
-  const OptimizationAlgorithm* algorithm() const { return _algorithm.get(); }
-  OptimizationAlgorithm* solver() { return _algorithm.get(); }
+  const OptimizationAlgorithm* algorithm() const { return _algorithm; }
+  OptimizationAlgorithm* solver() { return _algorithm; }
   /// Takes ownership; the algorithm that was there is deleted.
   void setAlgorithm(OptimizationAlgorithm* algorithm);
   void setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm);
@@ -128,7 +131,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   VertexContainer _activeVertices;
   EdgeContainer _activeEdges;
 
-  std::unique_ptr<OptimizationAlgorithm> _algorithm;
+  OptimizationAlgorithm* _algorithm = nullptr;  ///< deleted with the optimizer
   BatchStatisticsContainer _batchStatistics;
   bool _computeBatchStatistics = false;
 
@@ -159,3 +162,5 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_GRAPH_OPTIMIZER_CHOL_H_

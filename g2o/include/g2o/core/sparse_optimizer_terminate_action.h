@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SPARSE_OPTIMIZER_TERMINATE_ACTION_H
+#define G2O_SPARSE_OPTIMIZER_TERMINATE_ACTION_H
 
 #include <limits>
 
@@ -31,3 +33,5 @@ class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SPARSE_OPTIMIZER_TERMINATE_ACTION_H

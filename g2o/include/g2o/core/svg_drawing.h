@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SVG_DRAWING_H
+#define G2O_SVG_DRAWING_H
 
 #include <iosfwd>
 #include <string>
@@ -56,3 +58,5 @@ class G2O_CORE_API SvgDrawing : public Drawing {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SVG_DRAWING_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the linear solvers of the library have in common: the engine works for them.
 #pragma once
+#ifndef G2O_ENGINE_LINEAR_SOLVER_H
+#define G2O_ENGINE_LINEAR_SOLVER_H
 
 #include <utility>
 #include <vector>
@@ -58,3 +60,5 @@ class EngineLinearSolver : public LinearSolverCCS<MatrixType> {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_ENGINE_LINEAR_SOLVER_H

@@ -1,39 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours of a terminal: CL_RED("text") in a stream.
+// Colors of a terminal, as ANSI escape sequences: CL_RED("text") in a stream, or FG_RED, which holds until
+// FG_NORM.
 #pragma once
+#ifndef G2O_COLOR_MACROS_H
+#define G2O_COLOR_MACROS_H
 
-// Attributes, foreground and background as ANSI escape sequences number them.
-#define ATTR_RESET "0"
-#define ATTR_BOLD "1"
-#define ATTR_DIM "2"
-#define ATTR_UNDERSCORE "4"
-#define ATTR_BLINK "5"
-#define ATTR_REVERSE "7"
-#define FG_BLACK "30"
-#define FG_RED "31"
-#define FG_GREEN "32"
-#define FG_YELLOW "33"
-#define FG_BLUE "34"
-#define FG_MAGENTA "35"
-#define FG_CYAN "36"
-#define FG_WHITE "37"
-#define FG_NORM "39"
-#define BG_BLACK "40"
-#define BG_RED "41"
-#define BG_GREEN "42"
-#define BG_YELLOW "43"
-#define BG_BLUE "44"
-#define BG_MAGENTA "45"
-#define BG_CYAN "46"
-#define BG_WHITE "47"
-#define BG_NORM "49"
+#include <iostream>
 
-#define CL_ESCAPE_(code) "\033[" code "m"
-#define CL_IN_(color, s) CL_ESCAPE_(color) << s << CL_ESCAPE_(ATTR_RESET)
-#define CL_RED(s) CL_IN_(FG_RED, s)
-#define CL_GREEN(s) CL_IN_(FG_GREEN, s)
-#define CL_YELLOW(s) CL_IN_(FG_YELLOW, s)
-#define CL_BLUE(s) CL_IN_(FG_BLUE, s)
-#define CL_MAGENTA(s) CL_IN_(FG_MAGENTA, s)
-#define CL_CYAN(s) CL_IN_(FG_CYAN, s)
-#define CL_WHITE(s) CL_IN_(FG_WHITE, s)
+#define ATTR_RESET "\033[0m"
+#define ATTR_BOLD "\033[1m"
+#define ATTR_DIM "\033[2m"
+#define ATTR_UNDERSCORE "\033[4m"
+#define ATTR_BLINK "\033[5m"
+#define ATTR_REVERSE "\033[7m"
+#define FT_BOLD ATTR_BOLD
+#define FT_UNDERLINE ATTR_UNDERSCORE
+
+// LIGHTBLUE is what a terminal calls blue, and BLUE what it calls cyan.
+#define FG_BLACK "\033[30m"
+#define FG_RED "\033[31m"
+#define FG_GREEN "\033[32m"
+#define FG_YELLOW "\033[33m"
+#define FG_LIGHTBLUE "\033[34m"
+#define FG_MAGENTA "\033[35m"
+#define FG_BLUE "\033[36m"
+#define FG_CYAN FG_BLUE
+#define FG_WHITE "\033[37m"
+#define FG_NORM ATTR_RESET
+#define BG_BLACK "\033[40m"
+#define BG_RED "\033[41m"
+#define BG_GREEN "\033[42m"
+#define BG_YELLOW "\033[43m"
+#define BG_LIGHTBLUE "\033[44m"
+#define BG_MAGENTA "\033[45m"
+#define BG_BLUE "\033[46m"
+#define BG_CYAN BG_BLUE
+#define BG_WHITE "\033[47m"
+#define BG_NORM "\033[49m"
+
+#define CL_BLACK(s) FG_BLACK << s << ATTR_RESET
+#define CL_RED(s) FG_RED << s << ATTR_RESET
+#define CL_GREEN(s) FG_GREEN << s << ATTR_RESET
+#define CL_YELLOW(s) FG_YELLOW << s << ATTR_RESET
+#define CL_LIGHTBLUE(s) FG_LIGHTBLUE << s << ATTR_RESET
+#define CL_MAGENTA(s) FG_MAGENTA << s << ATTR_RESET
+#define CL_BLUE(s) FG_BLUE << s << ATTR_RESET
+#define CL_CYAN(s) FG_CYAN << s << ATTR_RESET
+#define CL_WHITE(s) FG_WHITE << s << ATTR_RESET
+
+#endif  // G2O_COLOR_MACROS_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Command lines: -name value, and what is left over.
 #pragma once
+#ifndef G2O_COMMAND_ARGS_H
+#define G2O_COMMAND_ARGS_H
 
 #include <iosfwd>
 #include <memory>
@@ -46,11 +48,28 @@ class G2O_STUFF_API CommandArgs {
   const std::string& error() const { return error_; }
 
  protected:
-  struct CommandArgument;
+  /// A declared parameter. `data` is a variable of the type whose number is `type`, see type2str().
+  struct CommandArgument {
+    std::string name;
+    std::string description;
+    int type = 0;
+    void* data = nullptr;
+    bool parsed = false;
+    bool optional = true;
+    std::string default_text = {};  ///< the default value, for the help
+  };
   std::vector<CommandArgument> _args;
   std::vector<CommandArgument> _leftOvers;
   std::string _banner;
   std::string _progName;
+
+  /// What a value of a parameter is, as the help says it; by the number of its type, from 0 on: double,
+  /// float, int, std::string, bool, std::vector<int>, std::vector<double>. Empty for other numbers.
+  const char* type2str(int t) const;
+  /// Sets a parameter from text; text that is no value of its type changes nothing.
+  void str2arg(const std::string& input, CommandArgument& ca) const;
+  /// The current value of a parameter as text.
+  std::string arg2str(const CommandArgument& ca) const;
 
  private:
   bool parse(const std::vector<std::string>& args);
@@ -58,3 +77,5 @@ class G2O_STUFF_API CommandArgs {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_COMMAND_ARGS_H

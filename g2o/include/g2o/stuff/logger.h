@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages go to a sink that the program sets; without one they are dropped.
+// Messages go to a sink that the program sets. Until it does, errors go to std::cerr and the rest is dropped.
 //
 //     g2o::logging::setSink([](g2o::logging::Level, const std::string& text) { std::cerr << text << '\n'; });
 //     G2O_ERROR("vertex {} is missing", id);
 #pragma once
+#ifndef G2O_LOGGER_H
+#define G2O_LOGGER_H
 
 #include <functional>
 #include <sstream>
@@ -14,13 +16,14 @@
 namespace g2o {
 namespace logging {
 
-enum class Level { kDebug, kInfo, kWarn, kError, kOff };
+enum class Level { kTrace, kDebug, kInfo, kWarn, kError, kOff };
 
 using Sink = std::function<void(Level, const std::string&)>;
 
-/// Replaces the sink; an empty function drops all messages. Not to be called while others log.
+/// Replaces the sink; an empty function drops all messages, errors included. Not thread-safe: no other thread
+/// may log meanwhile.
 G2O_STUFF_API void setSink(Sink sink);
-/// Messages below this level are dropped; kWarn at first.
+/// Messages below this level are dropped; kWarn at first. Without a sink, messages below kError are, too.
 G2O_STUFF_API void setLevel(Level level);
 G2O_STUFF_API bool wanted(Level level);
 G2O_STUFF_API void log(Level level, const std::string& text);
@@ -54,8 +57,11 @@ void format_and_log(Level level, const char* format, const Args&... args) {
 }  // namespace logging
 }  // namespace g2o
 
+#define G2O_TRACE(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kTrace, __VA_ARGS__)
 #define G2O_DEBUG(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kDebug, __VA_ARGS__)
 #define G2O_INFO(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kInfo, __VA_ARGS__)
 #define G2O_WARN(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kWarn, __VA_ARGS__)
 #define G2O_ERROR(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kError, __VA_ARGS__)
 #define G2O_CRITICAL(...) ::g2o::logging::format_and_log(::g2o::logging::Level::kError, __VA_ARGS__)
+
+#endif  // G2O_LOGGER_H

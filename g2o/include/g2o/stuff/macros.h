@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_MACROS_H
+#define G2O_MACROS_H
 
 #include <cmath>
+#include <iomanip>
+#include <iostream>
+
+/// In a stream: the name of an expression and its value, as it is or as an angle in degrees.
+#define PVAR(s) #s << " = " << (s) << std::flush
+#define PVARA(s) #s << " = " << RAD2DEG(s) << "deg" << std::flush
+/// In a stream: a number in fixed notation; the notation of what follows is the default one.
+#define FIXED(s) std::fixed << (s) << std::resetiosflags(std::ios_base::fixed)
 
 #define DEG2RAD(x) ((x)*0.01745329251994329575)
 #define RAD2DEG(x) ((x)*57.29577951308232087721)
@@ -33,3 +43,5 @@
 #define __PRETTY_FUNCTION__ __FUNCTION__
 #endif
 #endif
+
+#endif  // G2O_MACROS_H

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small functions that clients use: angles, signs, wrapping.
 #pragma once
+#ifndef G2O_STUFF_MISC_H
+#define G2O_STUFF_MISC_H
 
 #include <cmath>
+#include <iostream>
 #include <memory>
 
 namespace g2o {
@@ -96,3 +99,5 @@ struct ForceLinker {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_STUFF_MISC_H

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named values that can be set from text.
 #pragma once
+#ifndef G2O_PROPERTY_H
+#define G2O_PROPERTY_H
 
 #include <map>
-#include <memory>
 #include <ostream>
 #include <sstream>
 #include <string>
 
 #include "g2o/stuff/g2o_stuff_api.h"
+#include "g2o/stuff/string_tools.h"
 
 namespace g2o {
 
@@ -50,36 +52,41 @@ class Property : public BaseProperty {
   T _value{};
 };
 
-/// Properties by name; owns them.
-class G2O_STUFF_API PropertyMap : protected std::map<std::string, std::shared_ptr<BaseProperty>> {
+/// Properties by name; deletes what it holds.
+class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*> {
  public:
-  using BaseClass = std::map<std::string, std::shared_ptr<BaseProperty>>;
+  using BaseClass = std::map<std::string, BaseProperty*>;
   using PropertyMapIterator = BaseClass::iterator;
   using PropertyMapConstIterator = BaseClass::const_iterator;
 
+  PropertyMap();
+  PropertyMap(const PropertyMap&) = delete;
+  PropertyMap& operator=(const PropertyMap&) = delete;
   ~PropertyMap();
-  bool addProperty(const std::shared_ptr<BaseProperty>& p);
+  /// Takes ownership. False, and the property stays the caller's, if its name is taken.
+  bool addProperty(BaseProperty* p);
+  /// Deletes the property; false if there is none of that name.
   bool eraseProperty(const std::string& name);
 
   /// The property of that name and type, or nullptr.
   template <typename P>
-  std::shared_ptr<P> getProperty(const std::string& name) {
+  P* getProperty(const std::string& name) {
     const auto found = find(name);
-    return found == end() ? nullptr : std::dynamic_pointer_cast<P>(found->second);
+    return found == end() ? nullptr : dynamic_cast<P*>(found->second);
   }
   template <typename P>
-  std::shared_ptr<const P> getProperty(const std::string& name) const {
+  const P* getProperty(const std::string& name) const {
     const auto found = find(name);
-    return found == end() ? nullptr : std::dynamic_pointer_cast<const P>(found->second);
+    return found == end() ? nullptr : dynamic_cast<const P*>(found->second);
   }
-  /// The property of that name, which is made where there is none; nullptr where there is one of another
-  /// type.
+  /// The property of that name; it is made if there is none, and nullptr if there is one of another type. It
+  /// stays the map's.
   template <typename P>
-  std::shared_ptr<P> makeProperty(const std::string& name, const typename P::ValueType& v) {
+  P* makeProperty(const std::string& name, const typename P::ValueType& v) {
     const auto found = find(name);
-    if (found != end()) return std::dynamic_pointer_cast<P>(found->second);
-    auto made = std::make_shared<P>(name, v);
-    emplace(name, made);
+    if (found != end()) return dynamic_cast<P*>(found->second);
+    P* made = new P(name, v);
+    addProperty(made);
     return made;
   }
 
@@ -87,6 +94,7 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, std::shared_pt
   bool updatePropertyFromString(const std::string& name, const std::string& value);
   /// "name=value,name=value".
   bool updateMapFromString(const std::string& values);
+  /// A line of names and a line of values, separated by ", ".
   void writeToCSV(std::ostream& os) const;
 
   using BaseClass::begin;
@@ -104,3 +112,5 @@ using DoubleProperty = Property<double>;
 using StringProperty = Property<std::string>;
 
 }  // namespace g2o
+
+#endif  // G2O_PROPERTY_H

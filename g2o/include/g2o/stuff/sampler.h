@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random numbers and vectors.
 #pragma once
+#ifndef G2O_SAMPLER_H
+#define G2O_SAMPLER_H
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -51,3 +53,5 @@ class G2O_STUFF_API Sampler {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SAMPLER_H

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Text: blanks, parts, case, numbers, lines.
 #pragma once
+#ifndef G2O_STRING_TOOLS_H
+#define G2O_STRING_TOOLS_H
 
 #include <cstdarg>
 #include <istream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#if __cplusplus >= 201703L
+#include <string_view>
+#include <type_traits>
+#endif
 #include <vector>
 
 #include "g2o/stuff/g2o_stuff_api.h"
@@ -29,6 +36,21 @@ G2O_STUFF_API int strPrintf(std::string& str, const char* fmt, ...) G2O_ATTRIBUT
 
 /// The parts between the characters of `delim`; empty parts count but for one at the end.
 G2O_STUFF_API std::vector<std::string> strSplit(const std::string& s, const std::string& delim);
+
+/// The elements of a range as text, with a delimiter between two of them.
+template <typename Iterator>
+std::string strJoin(Iterator begin, Iterator end, const std::string& delimiter) {
+  std::ostringstream out;
+  for (Iterator element = begin; element != end; ++element) {
+    if (element != begin) out << delimiter;
+    out << *element;
+  }
+  return out.str();
+}
+template <typename Range>
+std::string strJoin(const Range& range, const std::string& delimiter) {
+  return strJoin(std::begin(range), std::end(range), delimiter);
+}
 
 G2O_STUFF_API bool strStartsWith(const std::string& s, const std::string& start);
 G2O_STUFF_API bool strEndsWith(const std::string& s, const std::string& end);
@@ -63,4 +85,55 @@ T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
   return x;
 }
 
+#if __cplusplus >= 201703L
+// The functions above for a std::string_view. Text in quotes stays a std::string for them.
+namespace internal {
+template <typename View>
+using IfView = std::enable_if_t<std::is_same<View, std::string_view>::value, int>;
+}  // namespace internal
+
+template <typename View, internal::IfView<View> = 0>
+std::string trim(View s) {
+  return trim(std::string(s));
+}
+template <typename View, internal::IfView<View> = 0>
+std::string trimLeft(View s) {
+  return trimLeft(std::string(s));
+}
+template <typename View, internal::IfView<View> = 0>
+std::string trimRight(View s) {
+  return trimRight(std::string(s));
+}
+template <typename View, internal::IfView<View> = 0>
+std::string strToLower(View s) {
+  return strToLower(std::string(s));
+}
+template <typename View, internal::IfView<View> = 0>
+std::string strToUpper(View s) {
+  return strToUpper(std::string(s));
+}
+template <typename View, internal::IfView<View> = 0>
+std::string strExpandFilename(View filename) {
+  return strExpandFilename(std::string(filename));
+}
+template <typename View, typename Text, internal::IfView<View> = 0>
+std::vector<std::string> strSplit(View s, const Text& delim) {
+  return strSplit(std::string(s), std::string(delim));
+}
+template <typename View, typename Text, internal::IfView<View> = 0>
+bool strStartsWith(View s, const Text& start) {
+  return strStartsWith(std::string(s), std::string(start));
+}
+template <typename View, typename Text, internal::IfView<View> = 0>
+bool strEndsWith(View s, const Text& end) {
+  return strEndsWith(std::string(s), std::string(end));
+}
+template <typename View, typename T, internal::IfView<View> = 0>
+bool convertString(View s, T& x, bool failIfLeftoverChars = true) {
+  return convertString(std::string(s), x, failIfLeftoverChars);
+}
+#endif
+
 }  // namespace g2o
+
+#endif  // G2O_STRING_TOOLS_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times of named parts of a program, where the environment variable G2O_ENABLE_TICTOC is set.
 #pragma once
+#ifndef G2O_TICTOC_H
+#define G2O_TICTOC_H
 
 #include <string>
 
@@ -26,5 +28,8 @@ class ScopeTicToc {
  protected:
   std::string _s;
 };
+using ScopedTictoc = ScopeTicToc;
 
 }  // namespace g2o
+
+#endif  // G2O_TICTOC_H

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_TIMEUTIL_H
+#define G2O_TIMEUTIL_H
 
 #include <chrono>
 #include <ctime>
+#include <iostream>
 #include <string>
 #include <utility>
 
@@ -69,6 +72,17 @@ class AddedTime {
     }                                                               \
   } while (false)
 
+/// The same by a clock of the caller's, in seconds. A clock that was set back starts anew.
+#define DO_EVERY_TS(seconds, currentTime, ...)                               \
+  do {                                                                       \
+    static double doEveryLast = (currentTime) - (seconds);                   \
+    const double doEveryNow = (currentTime);                                 \
+    if (doEveryNow - doEveryLast >= (seconds) || doEveryNow < doEveryLast) { \
+      doEveryLast = doEveryNow;                                              \
+      __VA_ARGS__;                                                           \
+    }                                                                        \
+  } while (false)
+
 /// Runs code and writes how long it took to std::cerr, behind `text`.
 #define MEASURE_TIME(text, ...)                \
   do {                                         \
@@ -83,3 +97,5 @@ class AddedTime {
 #endif
 /// Writes how long the function took, from here to its end, behind its name.
 #define MEASURE_FUNCTION_TIME const g2o::ScopeTime measuredFunctionTime(G2O_FUNCTION_NAME)
+
+#endif  // G2O_TIMEUTIL_H

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_TUPLE_TOOLS_H
+#define G2O_TUPLE_TOOLS_H
 
 #include <cstddef>
+#include <iostream>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -16,7 +19,9 @@ void tuple_apply_i_(F&& f, T& t, int i, std::index_sequence<I...>) {
 /// Calls f with the element of the tuple at a position that is known at run time.
 template <typename F, typename T>
 void tuple_apply_i(F&& f, T& t, int i) {
-  tuple_apply_i_(f, t, i, std::make_index_sequence<std::tuple_size_v<std::decay_t<T>>>());
+  tuple_apply_i_(f, t, i, std::make_index_sequence<std::tuple_size<std::decay_t<T>>::value>());
 }
 
 }  // namespace g2o
+
+#endif  // G2O_TUPLE_TOOLS_H

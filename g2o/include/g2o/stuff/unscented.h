@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The unscented transform: Julier, "The scaled unscented transformation", 2002.
 #pragma once
+#ifndef G2O_UNSCENTED_H
+#define G2O_UNSCENTED_H
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
+#include <iostream>
 #include <vector>
 
 namespace g2o {
@@ -56,3 +59,5 @@ void reconstructGaussian(SampleType& mean, CovarianceType& covariance,
 }
 
 }  // namespace g2o
+
+#endif  // G2O_UNSCENTED_H

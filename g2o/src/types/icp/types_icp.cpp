@@ -15,13 +15,13 @@ namespace {
 
 using Native = boxplus::PointObservation3;
 
-/// A rotation whose third row is the normal.
-Matrix3 rotation_to_z(const Vector3& normal) {
-  const Vector3 z = normal.normalized();
+/// The rows n × y, y, n; y is the part of e_y across the normal, of length 1, or zero if there is none.
+Matrix3 frame_of_normal(const Vector3& normal) {
+  const Vector3 y = (Vector3::UnitY() - normal.y() * normal).normalized();
   Matrix3 R;
-  R.row(2) = z;
-  R.row(0) = z.unitOrthogonal();
-  R.row(1) = z.cross(Vector3(R.row(0)));
+  R.row(0) = normal.cross(y);
+  R.row(1) = y;
+  R.row(2) = normal;
   return R;
 }
 
@@ -36,10 +36,10 @@ constexpr double kAcross = 0.01;  // of the Ω that files do not have
 EdgeGICP::EdgeGICP() = default;
 
 void EdgeGICP::makeRot0() {
-  R0 = rotation_to_z(normal0);
+  R0 = frame_of_normal(normal0);
 }
 void EdgeGICP::makeRot1() {
-  R1 = rotation_to_z(normal1);
+  R1 = frame_of_normal(normal1);
 }
 
 Matrix3 EdgeGICP::prec0(double e) {
@@ -57,6 +57,11 @@ Matrix3 EdgeGICP::cov0(double e) {
 Matrix3 EdgeGICP::cov1(double e) {
   makeRot1();
   return turned(R1, 1, e);
+}
+
+Edge_V_V_GICP::Edge_V_V_GICP(const Edge_V_V_GICP* e) : pl_pl(e->pl_pl), cov0(e->cov0), cov1(e->cov1) {
+  _vertices = e->_vertices;
+  _measurement = e->_measurement;
 }
 
 void Edge_V_V_GICP::computeError() {
@@ -102,18 +107,8 @@ bool Edge_V_V_GICP::write(std::ostream& os) const {
 
 namespace {
 
-struct StereoCamera {
-  Matrix3 K = native::camera_matrix(1, 1, 0, 0);
-  double baseline = 0;
-};
-
-StereoCamera& shared_camera() {
-  static StereoCamera camera;
-  return camera;
-}
-
 double baseline_times_focal_length() {
-  return shared_camera().K(0, 0) * shared_camera().baseline;
+  return VertexSCam::Kcam(0, 0) * VertexSCam::baseline;
 }
 
 /// The point in the frame of the camera, beside zero.
@@ -121,29 +116,46 @@ const Native kInCamera{boxplus::Vector3(0, 0, 0)};
 
 }  // namespace
 
+Matrix3 VertexSCam::Kcam = native::camera_matrix(1, 1, 0, 0);
+double VertexSCam::baseline = 0;
+
 VertexSCam::VertexSCam() {
   setAll();
 }
 
+void VertexSCam::transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot) {
+  SBACam::transformW2F(m, trans, qrot);
+}
+
+void VertexSCam::transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot) {
+  SBACam::transformF2W(m, trans, qrot);
+}
+
 void VertexSCam::setKcam(double fx, double fy, double cx, double cy, double tx) {
-  shared_camera() = {native::camera_matrix(fx, fy, cx, cy), tx};
+  Kcam = native::camera_matrix(fx, fy, cx, cy);
+  baseline = tx;
 }
 
-const Matrix3& VertexSCam::Kcam() {
-  return shared_camera().K;
+void VertexSCam::setTransform() {
+  w2n = _estimate.inverse().matrix().topRows<3>();
 }
 
-double VertexSCam::baseline() {
-  return shared_camera().baseline;
+void VertexSCam::setProjection() {
+  w2i = Kcam * w2n;
+}
+
+void VertexSCam::setDr() {
+  native::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 void VertexSCam::setAll() {
-  w2n = _estimate.inverse().matrix().topRows<3>();
-  w2i = Kcam() * w2n;
+  setTransform();
+  setProjection();
+  setDr();
 }
 
 void VertexSCam::mapPoint(Vector3& res, const Vector3& pt3) const {
-  res = native::stereo_image(Kcam(), baseline_times_focal_length(),
+  res = native::stereo_image(Kcam, baseline_times_focal_length(),
                              kInCamera.error(native::pose(*this), boxplus::Vector3(pt3)));
 }
 
@@ -162,7 +174,7 @@ void Edge_XYZ_VSC::linearizeOplus() {
   const boxplus::Vector3 point = native::point(*vertexXn<0>());
   native::linearize(kInCamera, native::Argument<boxplus::SE3>{pose, _jacobianOplusXj.data()},
                     native::Argument<boxplus::Vector3>{point, _jacobianOplusXi.data()});
-  const Matrix3 D = native::stereo_image_jacobian(VertexSCam::Kcam(), baseline_times_focal_length(),
+  const Matrix3 D = native::stereo_image_jacobian(VertexSCam::Kcam, baseline_times_focal_length(),
                                                   kInCamera.error(pose, point));
   _jacobianOplusXi = (D * _jacobianOplusXi).eval();
   _jacobianOplusXj = (D * _jacobianOplusXj).eval();

@@ -53,12 +53,8 @@ void SBACam::setProjection() {
   w2i = Kcam * w2n;
 }
 
-// (q_v, 1) turns by 2 q_v, and the rotation in w2n is that of the inverse.
 void SBACam::setDr() {
-  const Matrix3 R = w2n.leftCols<3>();
-  dRdx = -2 * skew(Vector3::UnitX()) * R;
-  dRdy = -2 * skew(Vector3::UnitY()) * R;
-  dRdz = -2 * skew(Vector3::UnitZ()) * R;
+  native::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 std::ostream& operator<<(std::ostream& os, const SBACam& cam) {

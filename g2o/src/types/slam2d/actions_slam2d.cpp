@@ -91,4 +91,26 @@ const internal::RegisterActions<Slam2d, VertexSE2, VertexPointXY, EdgeSE2, EdgeS
 const RegisterActionProxy<internal::DrawElementAction<Slam2d, CacheSE2Offset>> draw_cache;
 
 }  // namespace
+
+VertexSE2WriteGnuplotAction::VertexSE2WriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam2d, VertexSE2>>()) {}
+VertexSE2DrawAction::VertexSE2DrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam2d, VertexSE2>>()) {}
+VertexPointXYWriteGnuplotAction::VertexPointXYWriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam2d, VertexPointXY>>()) {}
+VertexPointXYDrawAction::VertexPointXYDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam2d, VertexPointXY>>()) {}
+EdgeSE2WriteGnuplotAction::EdgeSE2WriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam2d, EdgeSE2>>()) {}
+EdgeSE2DrawAction::EdgeSE2DrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam2d, EdgeSE2>>()) {}
+EdgeSE2PointXYWriteGnuplotAction::EdgeSE2PointXYWriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam2d, EdgeSE2PointXY>>()) {}
+EdgeSE2PointXYDrawAction::EdgeSE2PointXYDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam2d, EdgeSE2PointXY>>()) {}
+EdgeSE2PointXYBearingWriteGnuplotAction::EdgeSE2PointXYBearingWriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam2d, EdgeSE2PointXYBearing>>()) {}
+EdgeSE2PointXYBearingDrawAction::EdgeSE2PointXYBearingDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam2d, EdgeSE2PointXYBearing>>()) {}
+
 }  // namespace g2o

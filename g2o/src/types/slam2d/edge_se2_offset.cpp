@@ -2,7 +2,9 @@
 #include "g2o/types/slam2d/edge_se2_offset.h"
 
 #include <algorithm>
+#include <typeinfo>
 
+#include "g2o/core/cache.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
@@ -14,14 +16,21 @@ using Native = boxplus::OffsetBetween<boxplus::SE2>;
 
 EdgeSE2Offset::EdgeSE2Offset() {
   resizeParameters(2);
-  installParameter(_offsets[0], 0);
-  installParameter(_offsets[1], 1);
+  installParameter(_offsetFrom, 0);
+  installParameter(_offsetTo, 1);
+}
+
+bool EdgeSE2Offset::resolveCaches() {
+  if (typeid(*this) == typeid(EdgeSE2Offset)) return true;
+  resolveCache(_cacheFrom, vertexXn<0>(), "CACHE_SE2_OFFSET", {_offsetFrom});
+  resolveCache(_cacheTo, vertexXn<1>(), "CACHE_SE2_OFFSET", {_offsetTo});
+  return _cacheFrom != nullptr && _cacheTo != nullptr;
 }
 
 void EdgeSE2Offset::computeError() {
   _error = Native(native::pose(_measurement))
                .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()),
-                      native::pose(_offsets[0]->offset()), native::pose(_offsets[1]->offset()));
+                      native::pose(_offsetFrom->offset()), native::pose(_offsetTo->offset()));
 }
 
 void EdgeSE2Offset::linearizeOplus() {
@@ -29,8 +38,8 @@ void EdgeSE2Offset::linearizeOplus() {
       Native(native::pose(_measurement)),
       native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
       native::Argument<boxplus::SE2>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(_offsets[0]->offset()), nullptr},
-      native::Argument<boxplus::SE2>{native::pose(_offsets[1]->offset()), nullptr});
+      native::Argument<boxplus::SE2>{native::pose(_offsetFrom->offset()), nullptr},
+      native::Argument<boxplus::SE2>{native::pose(_offsetTo->offset()), nullptr});
 }
 
 bool EdgeSE2Offset::read(std::istream& is) {
@@ -60,8 +69,8 @@ bool EdgeSE2Offset::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE2Offset::setMeasurementFromState() {
-  setMeasurement((vertexXn<0>()->estimate() * _offsets[0]->offset()).inverse() *
-                 (vertexXn<1>()->estimate() * _offsets[1]->offset()));
+  setMeasurement((vertexXn<0>()->estimate() * _offsetFrom->offset()).inverse() *
+                 (vertexXn<1>()->estimate() * _offsetTo->offset()));
   return true;
 }
 
@@ -70,7 +79,7 @@ double EdgeSE2Offset::initialEstimatePossible(const OptimizableGraph::VertexSet&
 }
 
 void EdgeSE2Offset::initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex*) {
-  const SE2 motion = _offsets[0]->offset() * _measurement * _offsets[1]->offset().inverse();
+  const SE2 motion = _offsetFrom->offset() * _measurement * _offsetTo->offset().inverse();
   if (from.count(_vertices[0]) > 0) {
     vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * motion);
   } else {

@@ -83,4 +83,26 @@ const RegisterActionProxy<internal::DrawElementAction<Slam3d, CacheSE3Offset>> d
 const RegisterActionProxy<internal::DrawElementAction<Slam3d, CacheCamera>> draw_camera;
 
 }  // namespace
+
+VertexSE3WriteGnuplotAction::VertexSE3WriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam3d, VertexSE3>>()) {}
+VertexSE3DrawAction::VertexSE3DrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, VertexSE3>>()) {}
+VertexPointXYZWriteGnuplotAction::VertexPointXYZWriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam3d, VertexPointXYZ>>()) {}
+VertexPointXYZDrawAction::VertexPointXYZDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, VertexPointXYZ>>()) {}
+EdgeSE3WriteGnuplotAction::EdgeSE3WriteGnuplotAction()
+    : NamedAction(std::make_unique<internal::GnuplotAction<Slam3d, EdgeSE3>>()) {}
+EdgeSE3DrawAction::EdgeSE3DrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, EdgeSE3>>()) {}
+EdgeSE3PointXYZDrawAction::EdgeSE3PointXYZDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, EdgeSE3PointXYZ>>()) {}
+EdgeProjectDisparityDrawAction::EdgeProjectDisparityDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, EdgeSE3PointXYZDisparity>>()) {}
+CacheSE3OffsetDrawAction::CacheSE3OffsetDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, CacheSE3Offset>>()) {}
+CacheCameraDrawAction::CacheCameraDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3d, CacheCamera>>()) {}
+
 }  // namespace g2o

@@ -2,7 +2,9 @@
 #include "g2o/types/slam3d/edge_se3_offset.h"
 
 #include <algorithm>
+#include <typeinfo>
 
+#include "g2o/core/cache.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
@@ -18,6 +20,13 @@ EdgeSE3Offset::EdgeSE3Offset() {
   resizeParameters(2);
   installParameter(_offsetFrom, 0);
   installParameter(_offsetTo, 1);
+}
+
+bool EdgeSE3Offset::resolveCaches() {
+  if (typeid(*this) == typeid(EdgeSE3Offset)) return true;
+  resolveCache(_cacheFrom, vertexXn<0>(), "CACHE_SE3_OFFSET", {_offsetFrom});
+  resolveCache(_cacheTo, vertexXn<1>(), "CACHE_SE3_OFFSET", {_offsetTo});
+  return _cacheFrom != nullptr && _cacheTo != nullptr;
 }
 
 void EdgeSE3Offset::computeError() {

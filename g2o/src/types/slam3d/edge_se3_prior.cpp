@@ -2,7 +2,9 @@
 #include "g2o/types/slam3d/edge_se3_prior.h"
 
 #include <algorithm>
+#include <typeinfo>
 
+#include "g2o/core/cache.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
@@ -17,6 +19,12 @@ EdgeSE3Prior::EdgeSE3Prior() {
   _inverseMeasurement.setIdentity();
   resizeParameters(1);
   installParameter(offsetParam, 0);
+}
+
+bool EdgeSE3Prior::resolveCaches() {
+  if (typeid(*this) == typeid(EdgeSE3Prior)) return true;
+  resolveCache(_cache, vertexXn<0>(), "CACHE_SE3_OFFSET", {offsetParam});
+  return _cache != nullptr;
 }
 
 void EdgeSE3Prior::computeError() {

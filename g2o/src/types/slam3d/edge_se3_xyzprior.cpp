@@ -2,7 +2,9 @@
 #include "g2o/types/slam3d/edge_se3_xyzprior.h"
 
 #include <algorithm>
+#include <typeinfo>
 
+#include "g2o/core/cache.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
@@ -16,6 +18,12 @@ EdgeSE3XYZPrior::EdgeSE3XYZPrior() {
   _measurement.setZero();
   resizeParameters(1);
   installParameter(offsetParam, 0);
+}
+
+bool EdgeSE3XYZPrior::resolveCaches() {
+  if (typeid(*this) == typeid(EdgeSE3XYZPrior)) return true;
+  resolveCache(_cache, vertexXn<0>(), "CACHE_SE3_OFFSET", {offsetParam});
+  return _cache != nullptr;
 }
 
 void EdgeSE3XYZPrior::computeError() {

@@ -84,4 +84,10 @@ const internal::RegisterActions<Slam3dAddons, VertexPlane, VertexSE3Euler, EdgeP
     actions;
 
 }  // namespace
+
+VertexPlaneDrawAction::VertexPlaneDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, VertexPlane>>()) {}
+EdgeSE3PlaneSensorCalibDrawAction::EdgeSE3PlaneSensorCalibDrawAction()
+    : NamedAction(std::make_unique<internal::DrawElementAction<Slam3dAddons, EdgeSE3PlaneSensorCalib>>()) {}
+
 }  // namespace g2o

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_CHOLMOD
+#define G2O_LINEAR_SOLVER_CHOLMOD
 
 #include <string>
 #include <typeinfo>
@@ -22,3 +24,5 @@ class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_CHOLMOD

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_CSPARSE_H
+#define G2O_LINEAR_SOLVER_CSPARSE_H
 
 #include <typeinfo>
 
@@ -18,3 +20,5 @@ class LinearSolverCSparse : public LinearSolverEigen<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_CSPARSE_H

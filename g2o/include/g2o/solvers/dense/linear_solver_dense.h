@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_DENSE_H
+#define G2O_LINEAR_SOLVER_DENSE_H
 
 #include <typeinfo>
 
@@ -19,3 +21,5 @@ class LinearSolverDense : public internal::EngineLinearSolver<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_DENSE_H

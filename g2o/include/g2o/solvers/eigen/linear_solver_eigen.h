@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_EIGEN_H
+#define G2O_LINEAR_SOLVER_EIGEN_H
 
 #include <typeinfo>
 
@@ -30,3 +32,5 @@ class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_EIGEN_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_LINEAR_SOLVER_PCG_H
+#define G2O_LINEAR_SOLVER_PCG_H
 
 #include <typeinfo>
 
@@ -49,3 +51,5 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_LINEAR_SOLVER_PCG_H

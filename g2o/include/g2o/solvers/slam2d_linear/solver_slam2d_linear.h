@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SOLVER_SLAM2D_LINEAR_H
+#define G2O_SOLVER_SLAM2D_LINEAR_H
 
 #include <memory>
 
@@ -28,3 +30,5 @@ class G2O_SOLVER_SLAM2D_LINEAR_API SolverSLAM2DLinear : public OptimizationAlgor
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SOLVER_SLAM2D_LINEAR_H

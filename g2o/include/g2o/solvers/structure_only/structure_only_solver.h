@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_STRUCTURE_ONLY_SOLVER_H
+#define G2O_STRUCTURE_ONLY_SOLVER_H
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -144,3 +146,5 @@ class StructureOnlySolver : public OptimizationAlgorithm {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_STRUCTURE_ONLY_SOLVER_H

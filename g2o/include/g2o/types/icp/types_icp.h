@@ -2,9 +2,12 @@
 // Pairs of points with normals (Segal, Haehnel, Thrun, "Generalized-ICP", 2009), and stereo cameras that
 // share one camera matrix.
 #pragma once
+#ifndef G2O_TYPES_ICP
+#define G2O_TYPES_ICP
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/icp/g2o_types_icp_api.h"
+#include "g2o/types/sba/types_sba.h"
 #include "g2o/types/slam3d/types_slam3d.h"
 
 namespace g2o {
@@ -16,14 +19,15 @@ class G2O_TYPES_ICP_API EdgeGICP {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeGICP();
 
-  /// Brings R0 and R1 up to date, which turn the normals to the z axis.
+  /// Brings R0 and R1 up to date. With y the unit vector across the normal n that is closest to e_y, the rows
+  /// are n × y, y and n: a left-handed frame. n keeps its length, and y is zero if n is along e_y, as in g2o.
   void makeRot0();
   void makeRot1();
 
-  /// Precision of a point: 1 along its normal, e across it.
+  /// Precision of a point with a unit normal: 1 along its normal, e across it.
   Matrix3 prec0(double e);
   Matrix3 prec1(double e);
-  /// Covariance of a point: e along its normal, 1 across it.
+  /// Covariance of a point with a unit normal: e along its normal, 1 across it.
   Matrix3 cov0(double e);
   Matrix3 cov1(double e);
 
@@ -37,6 +41,9 @@ class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, Verte
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Edge_V_V_GICP() = default;
+  /// Joins the vertices of `e`, with its measurement, pl_pl, cov0 and cov1. As in g2o, Ω is the identity, and
+  /// there is no robust kernel.
+  explicit Edge_V_V_GICP(const Edge_V_V_GICP* e);
 
   /// Where pl_pl, also sets Ω to that of a pair of planes: (cov0 + R cov1 Rᵀ)⁻¹.
   void computeError() override;
@@ -55,17 +62,26 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSCam();
 
-  /// Not to be called while another thread uses a VertexSCam.
-  static void setKcam(double fx, double fy, double cx, double cy, double tx);
-  static const Matrix3& Kcam();
-  static double baseline();
+  /// The motion from the world's frame to that of a pose, and back, as 3×4 matrix.
+  static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
+  static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
-  /// Brings w2n, from the world to the camera, and w2i, from the world to its image, up to date.
+  /// Sets Kcam and baseline. Not thread-safe: no other thread may use a VertexSCam meanwhile.
+  static void setKcam(double fx, double fy, double cx, double cy, double tx);
+
+  /// Brings what follows from the estimate and Kcam up to date: w2n; w2i; dRdx, dRdy and dRdz; all of them.
+  void setTransform();
+  void setProjection();
+  void setDr();
   void setAll();
   /// The images of a point of the world: u, v, and u in the right camera.
   void mapPoint(Vector3& res, const Vector3& pt3) const;
 
-  Eigen::Matrix<double, 3, 4> w2n, w2i;
+  static Matrix3 Kcam;
+  static double baseline;
+  Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
+  Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by q_v
 };
 
 /// The images z of a point in a stereo camera (pixels). Error: (u, v, u_right) − z. It has no word in files.
@@ -82,3 +98,5 @@ class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexP
 };
 
 }  // namespace g2o
+
+#endif  // G2O_TYPES_ICP

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGEPROJECTP2MC_H
+#define G2O_SBA_EDGEPROJECTP2MC_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/vertex_cam.h"
@@ -21,3 +23,5 @@ class G2O_TYPES_SBA_API EdgeProjectP2MC : public BaseBinaryEdge<2, Vector2, Vert
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGEPROJECTP2MC_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGEPROJECTSTEREOXYZ_H
+#define G2O_SBA_EDGEPROJECTSTEREOXYZ_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
@@ -31,3 +33,5 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGEPROJECTSTEREOXYZ_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGEPROJECTXYZ2UV_H
+#define G2O_SBA_EDGEPROJECTXYZ2UV_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/parameter_cameraparameters.h"
@@ -25,3 +27,5 @@ class G2O_TYPES_SBA_API EdgeProjectXYZ2UV
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGEPROJECTXYZ2UV_H

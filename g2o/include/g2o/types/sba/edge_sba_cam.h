@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGESBACAM_H
+#define G2O_SBA_EDGESBACAM_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/vertex_cam.h"
@@ -35,3 +37,5 @@ class G2O_TYPES_SBA_API EdgeSBACam : public BaseBinaryEdge<6, SE3Quat, VertexCam
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGESBACAM_H

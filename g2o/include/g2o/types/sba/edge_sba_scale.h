@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGESBASCALE_H
+#define G2O_SBA_EDGESBASCALE_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/vertex_cam.h"
@@ -30,3 +32,5 @@ class G2O_TYPES_SBA_API EdgeSBAScale : public BaseBinaryEdge<1, double, VertexCa
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGESBASCALE_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_EDGESE3EXPMAP_H
+#define G2O_SBA_EDGESE3EXPMAP_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
@@ -30,3 +32,5 @@ class G2O_TYPES_SBA_API EdgeSE3Expmap : public BaseBinaryEdge<6, SE3Quat, Vertex
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_EDGESE3EXPMAP_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_CAMERAPARAMETERS_H
+#define G2O_SBA_CAMERAPARAMETERS_H
 
 #include "g2o/core/eigen_types.h"
 #include "g2o/core/parameter.h"
@@ -28,3 +30,5 @@ class G2O_TYPES_SBA_API CameraParameters : public Parameter {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_CAMERAPARAMETERS_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBACAM_H
+#define G2O_SBACAM_H
 
 #include "g2o/types/sba/g2o_types_sba_api.h"
 #include "g2o/types/slam3d/se3quat.h"
@@ -12,7 +14,7 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   SBACam();
   SBACam(const Quaternion& r, const Vector3& t);
-  explicit SBACam(const SE3Quat& p);
+  SBACam(const SE3Quat& p);  // NOLINT: clients rely on its being implicit
 
   /// t ← t + Δt, in the world's frame; q ← q · (q_v, √(1 − |q_v|²)), with q_v normalised where |q_v| ≥ 1.
   void update(const Vector6& update);
@@ -38,3 +40,5 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
 G2O_TYPES_SBA_API std::ostream& operator<<(std::ostream& os, const SBACam& cam);
 
 }  // namespace g2o
+
+#endif  // G2O_SBACAM_H

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The types of sparse bundle adjustment.
 #pragma once
+#ifndef G2O_SBA_TYPES
+#define G2O_SBA_TYPES
 
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
@@ -11,3 +13,5 @@
 #include "g2o/types/sba/vertex_intrinsics.h"
 #include "g2o/types/sba/vertex_sba_pointxyz.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
+
+#endif  // G2O_SBA_TYPES

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cameras whose poses move by the exponential, and images in them.
 #pragma once
+#ifndef G2O_SIX_DOF_TYPES_EXPMAP
+#define G2O_SIX_DOF_TYPES_EXPMAP
 
 #include "g2o/types/sba/edge_project_psi2uv.h"
 #include "g2o/types/sba/edge_project_stereo_xyz.h"
@@ -15,3 +17,5 @@
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "g2o/types/slam3d/se3_ops.h"
 #include "g2o/types/slam3d/se3quat.h"
+
+#endif  // G2O_SIX_DOF_TYPES_EXPMAP

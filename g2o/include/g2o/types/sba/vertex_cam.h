@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_VERTEXCAM_H
+#define G2O_SBA_VERTEXCAM_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/sba/sbacam.h"
@@ -36,3 +38,5 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_VERTEXCAM_H

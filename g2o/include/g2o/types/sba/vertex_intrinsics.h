@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_VERTEXINTRINSICS_H
+#define G2O_SBA_VERTEXINTRINSICS_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/sba/g2o_types_sba_api.h"
@@ -24,3 +26,5 @@ class G2O_TYPES_SBA_API VertexIntrinsics
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_VERTEXINTRINSICS_H

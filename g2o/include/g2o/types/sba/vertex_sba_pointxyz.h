@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SBA_POINTXYZ_H
+#define G2O_VERTEX_SBA_POINTXYZ_H
 
 #include "g2o/types/sba/g2o_types_sba_api.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
@@ -14,3 +16,5 @@ class G2O_TYPES_SBA_API VertexSBAPointXYZ : public VertexPointXYZ {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SBA_POINTXYZ_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SBA_VERTEXSE3EXPMAP_H
+#define G2O_SBA_VERTEXSE3EXPMAP_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/sba/g2o_types_sba_api.h"
@@ -33,3 +35,5 @@ class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SBA_VERTEXSE3EXPMAP_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SIM3_H
+#define G2O_EDGE_SIM3_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sim3/vertex_sim3_expmap.h"
@@ -26,3 +28,5 @@ class G2O_TYPES_SIM3_API EdgeSim3 : public BaseBinaryEdge<7, Sim3, VertexSim3Exp
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SIM3_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SIM3_PROJECT_XYZ_H
+#define G2O_EDGE_SIM3_PROJECT_XYZ_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/sba/types_sba.h"
@@ -37,3 +39,5 @@ class G2O_TYPES_SIM3_API EdgeInverseSim3ProjectXYZ
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SIM3_PROJECT_XYZ_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SIM_3
+#define G2O_SIM_3
 
 #include <cassert>
 #include <ostream>
@@ -66,3 +68,5 @@ inline std::ostream& operator<<(std::ostream& os, const Sim3& sim3) {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_SIM_3

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Similarities that move by the exponential, and images in their cameras.
 #pragma once
+#ifndef G2O_SEVEN_DOF_EXPMAP_TYPES
+#define G2O_SEVEN_DOF_EXPMAP_TYPES
 
 #include "g2o/types/sba/types_sba.h"
 #include "g2o/types/sba/types_six_dof_expmap.h"
@@ -8,3 +10,5 @@
 #include "g2o/types/sim3/edge_sim3_project_xyz.h"
 #include "g2o/types/sim3/sim3.h"
 #include "g2o/types/sim3/vertex_sim3_expmap.h"
+
+#endif  // G2O_SEVEN_DOF_EXPMAP_TYPES

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SIM3_EXPMAP_H
+#define G2O_VERTEX_SIM3_EXPMAP_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/sim3/sim3.h"
@@ -31,3 +33,5 @@ class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SIM3_EXPMAP_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_H
+#define G2O_EDGE_SE2_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam2d/se2.h"
@@ -33,4 +35,18 @@ class G2O_TYPES_SLAM2D_API EdgeSE2 : public BaseBinaryEdge<3, SE2, VertexSE2, Ve
   SE2 _inverseMeasurement;
 };
 
+/// The action "writeGnuplot" of EdgeSE2.
+class G2O_TYPES_SLAM2D_API EdgeSE2WriteGnuplotAction : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  EdgeSE2WriteGnuplotAction();
+};
+
+/// The action "draw" of EdgeSE2.
+class G2O_TYPES_SLAM2D_API EdgeSE2DrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE2DrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_H

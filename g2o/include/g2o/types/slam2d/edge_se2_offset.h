@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-
-#include <array>
+#ifndef G2O_EDGE_SE2_OFFSET_H_
+#define G2O_EDGE_SE2_OFFSET_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam2d/parameter_se2_offset.h"
@@ -34,8 +34,16 @@ class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexS
   using BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2>::linearizeOplus;
 
  protected:
+  /// Finds the caches, for classes that are derived from this one.
+  bool resolveCaches() override;
+
   SE2 _inverseMeasurement;
-  std::array<ParameterSE2Offset*, 2> _offsets{};
+  ParameterSE2Offset* _offsetFrom = nullptr;
+  ParameterSE2Offset* _offsetTo = nullptr;
+  CacheSE2Offset* _cacheFrom = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE2Offset* _cacheTo = nullptr;
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_OFFSET_H_

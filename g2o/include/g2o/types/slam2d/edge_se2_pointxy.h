@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_POINT_XY_H
+#define G2O_EDGE_SE2_POINT_XY_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
@@ -29,4 +31,19 @@ class G2O_TYPES_SLAM2D_API EdgeSE2PointXY : public BaseBinaryEdge<2, Vector2, Ve
   using BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY>::linearizeOplus;
 };
 
+/// The action "writeGnuplot" of EdgeSE2PointXY.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYWriteGnuplotAction
+    : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  EdgeSE2PointXYWriteGnuplotAction();
+};
+
+/// The action "draw" of EdgeSE2PointXY.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE2PointXYDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_POINT_XY_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_POINT_XY_BEARING_H
+#define G2O_EDGE_SE2_POINT_XY_BEARING_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
@@ -31,4 +33,19 @@ class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearing
   using BaseBinaryEdge<1, double, VertexSE2, VertexPointXY>::linearizeOplus;
 };
 
+/// The action "writeGnuplot" of EdgeSE2PointXYBearing.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearingWriteGnuplotAction
+    : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  EdgeSE2PointXYBearingWriteGnuplotAction();
+};
+
+/// The action "draw" of EdgeSE2PointXYBearing.
+class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearingDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE2PointXYBearingDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_POINT_XY_BEARING_H

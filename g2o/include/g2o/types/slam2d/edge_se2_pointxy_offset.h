@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_POINT_XY_OFFSET_H_
+#define G2O_EDGE_SE2_POINT_XY_OFFSET_H_
 
 #include <array>
 
@@ -38,3 +40,5 @@ class G2O_TYPES_SLAM2D_API EdgeSE2PointXYOffset
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_POINT_XY_OFFSET_H_

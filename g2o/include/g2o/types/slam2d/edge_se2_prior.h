@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_PRIOR_H
+#define G2O_EDGE_SE2_PRIOR_H
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/types/slam2d/se2.h"
@@ -34,3 +36,5 @@ class G2O_TYPES_SLAM2D_API EdgeSE2Prior : public BaseUnaryEdge<3, SE2, VertexSE2
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_PRIOR_H

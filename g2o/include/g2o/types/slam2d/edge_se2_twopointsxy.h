@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE2_TWOPOINTSXY_H
+#define G2O_EDGE_SE2_TWOPOINTSXY_H
 
 #include "g2o/core/base_fixed_sized_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
@@ -32,3 +34,5 @@ class G2O_TYPES_SLAM2D_API EdgeSE2TwoPointsXY
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE2_TWOPOINTSXY_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_XY_PRIOR_H
+#define G2O_EDGE_XY_PRIOR_H
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
@@ -29,3 +31,5 @@ class G2O_TYPES_SLAM2D_API EdgeXYPrior : public BaseUnaryEdge<2, Vector2, Vertex
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_XY_PRIOR_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SE2_OFFSET_PARAMETERS_H_
+#define G2O_VERTEX_SE2_OFFSET_PARAMETERS_H_
 
 #include "g2o/core/cache.h"
 #include "g2o/types/slam2d/vertex_se2.h"
@@ -51,3 +53,5 @@ class G2O_TYPES_SLAM2D_API CacheSE2Offset : public Cache {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SE2_OFFSET_PARAMETERS_H_

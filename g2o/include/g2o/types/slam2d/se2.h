@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SE2_H_
+#define G2O_SE2_H_
 
 #include "g2o/core/eigen_types.h"
 #include "g2o/stuff/misc.h"
@@ -63,3 +65,5 @@ class SE2 {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_SE2_H_

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All types of 2-D SLAM.
 #pragma once
+#ifndef G2O_TYPES_SLAM2D_
+#define G2O_TYPES_SLAM2D_
 
 #include "g2o/types/slam2d/edge_pointxy.h"
 #include "g2o/types/slam2d/edge_se2.h"
@@ -17,3 +19,5 @@
 #include "g2o/types/slam2d/parameter_se2_offset.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
+
+#endif  // G2O_TYPES_SLAM2D_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_POINT_XY_H
+#define G2O_VERTEX_POINT_XY_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/slam2d/g2o_types_slam2d_api.h"
@@ -30,4 +32,19 @@ class G2O_TYPES_SLAM2D_API VertexPointXY : public BaseVertex<2, Vector2> {
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };
 
+/// The action "writeGnuplot" of VertexPointXY.
+class G2O_TYPES_SLAM2D_API VertexPointXYWriteGnuplotAction
+    : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  VertexPointXYWriteGnuplotAction();
+};
+
+/// The action "draw" of VertexPointXY.
+class G2O_TYPES_SLAM2D_API VertexPointXYDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  VertexPointXYDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_POINT_XY_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SE2_H
+#define G2O_VERTEX_SE2_H
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/slam2d/se2.h"
@@ -30,4 +32,18 @@ class G2O_TYPES_SLAM2D_API VertexSE2 : public BaseVertex<3, SE2> {
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };
 
+/// The action "writeGnuplot" of VertexSE2.
+class G2O_TYPES_SLAM2D_API VertexSE2WriteGnuplotAction : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  VertexSE2WriteGnuplotAction();
+};
+
+/// The action "draw" of VertexSE2.
+class G2O_TYPES_SLAM2D_API VertexSE2DrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  VertexSE2DrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SE2_H

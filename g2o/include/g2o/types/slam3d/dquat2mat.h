@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_DQUAT2MAT_H
+#define G2O_DQUAT2MAT_H
 
 #include "g2o/core/eigen_types.h"
 #include "g2o/types/slam3d/g2o_types_slam3d_api.h"
@@ -16,3 +18,5 @@ G2O_TYPES_SLAM3D_API void compute_dq_dR(Eigen::Matrix<double, 3, 9, Eigen::ColMa
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_DQUAT2MAT_H

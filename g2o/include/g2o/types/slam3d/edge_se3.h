@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_H_
+#define G2O_EDGE_SE3_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
@@ -36,4 +38,18 @@ class G2O_TYPES_SLAM3D_API EdgeSE3 : public BaseBinaryEdge<6, Isometry3, VertexS
   internal::RotationMemory rotation_;
 };
 
+/// The action "writeGnuplot" of EdgeSE3.
+class G2O_TYPES_SLAM3D_API EdgeSE3WriteGnuplotAction : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  EdgeSE3WriteGnuplotAction();
+};
+
+/// The action "draw" of EdgeSE3.
+class G2O_TYPES_SLAM3D_API EdgeSE3DrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE3DrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_LOTSOF_XYZ
+#define G2O_EDGE_SE3_LOTSOF_XYZ
 
 #include "g2o/core/base_variable_sized_edge.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
@@ -40,3 +42,5 @@ class G2O_TYPES_SLAM3D_API EdgeSE3LotsOfXYZ : public BaseVariableSizedEdge<-1, V
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_LOTSOF_XYZ

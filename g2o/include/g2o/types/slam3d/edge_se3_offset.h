@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_OFFSET_H_
+#define G2O_EDGE_SE3_OFFSET_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
@@ -31,12 +33,19 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, V
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
+  /// Finds the caches, for classes that are derived from this one.
+  bool resolveCaches() override;
+
   Isometry3 _inverseMeasurement;
   ParameterSE3Offset* _offsetFrom = nullptr;
   ParameterSE3Offset* _offsetTo = nullptr;
+  CacheSE3Offset* _cacheFrom = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE3Offset* _cacheTo = nullptr;
 
  private:
   internal::RotationMemory rotation_;
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_OFFSET_H_

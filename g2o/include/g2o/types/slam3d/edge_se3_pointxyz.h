@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_POINT_XYZ_H_
+#define G2O_EDGE_SE3_POINT_XYZ_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
@@ -34,4 +36,12 @@ class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZ : public BaseBinaryEdge<3, Vector3, V
   ParameterSE3Offset* offsetParam = nullptr;
 };
 
+/// The action "draw" of EdgeSE3PointXYZ.
+class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE3PointXYZDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_POINT_XYZ_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_PROJECT_DEPTH_H_
+#define G2O_EDGE_PROJECT_DEPTH_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d/parameter_camera.h"
@@ -37,3 +39,5 @@ class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDepth
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_PROJECT_DEPTH_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_PROJECT_DISPARITY_H_
+#define G2O_EDGE_PROJECT_DISPARITY_H_
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d/parameter_camera.h"
@@ -36,4 +38,12 @@ class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDisparity
   ParameterCamera* params = nullptr;
 };
 
+/// The action "draw" of EdgeSE3PointXYZDisparity.
+class G2O_TYPES_SLAM3D_API EdgeProjectDisparityDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeProjectDisparityDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_PROJECT_DISPARITY_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_PRIOR_H_
+#define G2O_EDGE_SE3_PRIOR_H_
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
@@ -32,10 +34,16 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, Ver
 
  protected:
   Isometry3 _inverseMeasurement;
+  /// Finds _cache, for classes that are derived from this one.
+  bool resolveCaches() override;
+
   ParameterSE3Offset* offsetParam = nullptr;
+  CacheSE3Offset* _cache = nullptr;  ///< nullptr in this class itself, which needs none
 
  private:
   internal::RotationMemory rotation_;
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_PRIOR_H_

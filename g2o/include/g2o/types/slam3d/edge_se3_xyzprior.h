@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_PRIOR_XYZ_H
+#define G2O_EDGE_SE3_PRIOR_XYZ_H
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/types/slam3d/parameter_se3_offset.h"
@@ -31,7 +33,13 @@ class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, Ve
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
+  /// Finds _cache, for classes that are derived from this one.
+  bool resolveCaches() override;
+
   ParameterSE3Offset* offsetParam = nullptr;
+  CacheSE3Offset* _cache = nullptr;  ///< nullptr in this class itself, which needs none
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_PRIOR_XYZ_H

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_XYZ_PRIOR_H_
+#define G2O_EDGE_XYZ_PRIOR_H_
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
@@ -29,3 +31,5 @@ class G2O_TYPES_SLAM3D_API EdgeXYZPrior : public BaseUnaryEdge<3, Vector3, Verte
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_XYZ_PRIOR_H_

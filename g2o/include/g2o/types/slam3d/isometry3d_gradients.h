@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of edges over poses in space, as motions, and their Jacobians through ⊞ of VertexSE3.
 #pragma once
+#ifndef G2O_ISOMETRY3D_GRADIENTS_H_
+#define G2O_ISOMETRY3D_GRADIENTS_H_
 
 #include "g2o/core/eigen_types.h"
 #include "g2o/types/slam3d/dquat2mat.h"
@@ -41,3 +43,5 @@ void computeEdgeSE3PriorGradient(Isometry3& E, const Eigen::MatrixBase<Derived>&
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_ISOMETRY3D_GRADIENTS_H_

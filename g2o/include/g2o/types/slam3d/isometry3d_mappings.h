@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rigid motions as vectors.
 #pragma once
+#ifndef G2O_ISOMETRY3D_MAPPINGS_H_
+#define G2O_ISOMETRY3D_MAPPINGS_H_
 
 #include <Eigen/SVD>
 
@@ -55,3 +57,5 @@ G2O_TYPES_SLAM3D_API Isometry3 fromSE3Quat(const SE3Quat& t);
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_ISOMETRY3D_MAPPINGS_H_

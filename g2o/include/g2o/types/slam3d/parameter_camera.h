@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_CAMERA_PARAMETERS_H_
+#define G2O_CAMERA_PARAMETERS_H_
 
 #include "g2o/types/slam3d/parameter_se3_offset.h"
 
@@ -46,4 +48,12 @@ class G2O_TYPES_SLAM3D_API CacheCamera : public CacheSE3Offset {
   Affine3 _w2i = Affine3::Identity();
 };
 
+/// The action "draw" of CacheCamera.
+class G2O_TYPES_SLAM3D_API CacheCameraDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  CacheCameraDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_CAMERA_PARAMETERS_H_

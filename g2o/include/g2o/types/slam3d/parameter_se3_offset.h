@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SE3_OFFSET_PARAMETERS_H_
+#define G2O_VERTEX_SE3_OFFSET_PARAMETERS_H_
 
 #include "g2o/core/cache.h"
 #include "g2o/types/slam3d/vertex_se3.h"
@@ -51,4 +53,12 @@ class G2O_TYPES_SLAM3D_API CacheSE3Offset : public Cache {
   Isometry3 _w2n, _n2w, _w2l;
 };
 
+/// The action "draw" of CacheSE3Offset.
+class G2O_TYPES_SLAM3D_API CacheSE3OffsetDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  CacheSE3OffsetDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SE3_OFFSET_PARAMETERS_H_

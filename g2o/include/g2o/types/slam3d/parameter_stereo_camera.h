@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_STEREO_CAMERA_PARAMETERS_H_
+#define G2O_STEREO_CAMERA_PARAMETERS_H_
 
 #include "g2o/types/slam3d/parameter_camera.h"
 
@@ -22,3 +24,5 @@ class G2O_TYPES_SLAM3D_API ParameterStereoCamera : public ParameterCamera {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_STEREO_CAMERA_PARAMETERS_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_ROTATION_MEMORY_H
+#define G2O_ROTATION_MEMORY_H
 
 #include <array>
 
@@ -28,3 +30,5 @@ class G2O_TYPES_SLAM3D_API RotationMemory {
 
 }  // namespace internal
 }  // namespace g2o
+
+#endif  // G2O_ROTATION_MEMORY_H

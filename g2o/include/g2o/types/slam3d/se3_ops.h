@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_MATH_STUFF
+#define G2O_MATH_STUFF
 
 #include "g2o/core/eigen_types.h"
 
@@ -32,3 +34,5 @@ inline Vector4 unproject(const Vector3& v) {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_MATH_STUFF

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_SE3QUAT_H_
+#define G2O_SE3QUAT_H_
 
 #include <istream>
 #include <ostream>
@@ -101,3 +103,5 @@ inline std::ostream& operator<<(std::ostream& os, const SE3Quat& se3) {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_SE3QUAT_H_

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The types of 3-D SLAM.
 #pragma once
+#ifndef G2O_TYPES_SLAM3D_
+#define G2O_TYPES_SLAM3D_
 
 #include "g2o/types/slam3d/edge_pointxyz.h"
 #include "g2o/types/slam3d/edge_se3.h"
@@ -19,3 +21,5 @@
 #include "g2o/types/slam3d/se3quat.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 #include "g2o/types/slam3d/vertex_se3.h"
+
+#endif  // G2O_TYPES_SLAM3D_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_TRACKXYZ_H_
+#define G2O_VERTEX_TRACKXYZ_H_
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/slam3d/g2o_types_slam3d_api.h"
@@ -30,4 +32,19 @@ class G2O_TYPES_SLAM3D_API VertexPointXYZ : public BaseVertex<3, Vector3> {
   bool setMinimalEstimateDataImpl(const double* est) override { return setEstimateDataImpl(est); }
 };
 
+/// The action "writeGnuplot" of VertexPointXYZ.
+class G2O_TYPES_SLAM3D_API VertexPointXYZWriteGnuplotAction
+    : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  VertexPointXYZWriteGnuplotAction();
+};
+
+/// The action "draw" of VertexPointXYZ.
+class G2O_TYPES_SLAM3D_API VertexPointXYZDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  VertexPointXYZDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_TRACKXYZ_H_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_SE3_
+#define G2O_VERTEX_SE3_
 
 #include <vector>
 
@@ -31,6 +33,9 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
   using BaseVertex<6, Isometry3>::getEstimateData;
   using BaseVertex<6, Isometry3>::getMinimalEstimateData;
 
+  SE3Quat estimateAsSE3Quat() const { return internal::toSE3Quat(estimate()); }
+  void setEstimateFromSE3Quat(const SE3Quat& se3) { setEstimate(internal::fromSE3Quat(se3)); }
+
   /// The quaternion of the estimate; see internal::RotationMemory.
   internal::RotationMemory::Coefficients quaternion() const { return rotation_.get(_estimate); }
 
@@ -46,4 +51,18 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
   std::vector<internal::RotationMemory> rotation_backup_;
 };
 
+/// The action "writeGnuplot" of VertexSE3.
+class G2O_TYPES_SLAM3D_API VertexSE3WriteGnuplotAction : public internal::NamedAction<WriteGnuplotAction> {
+ public:
+  VertexSE3WriteGnuplotAction();
+};
+
+/// The action "draw" of VertexSE3.
+class G2O_TYPES_SLAM3D_API VertexSE3DrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  VertexSE3DrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_SE3_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_PLANE_H
+#define G2O_EDGE_PLANE_H
 
 #include "g2o/core/base_binary_edge.h"
 #include "g2o/types/slam3d_addons/vertex_plane.h"
@@ -23,3 +25,5 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgePlane : public BaseBinaryEdge<4, Vector4, 
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_PLANE_H

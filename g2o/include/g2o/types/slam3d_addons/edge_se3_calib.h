@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_CALIB_H
+#define G2O_EDGE_SE3_CALIB_H
 
 #include "g2o/core/base_fixed_sized_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
@@ -35,3 +37,5 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Calib
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_CALIB_H

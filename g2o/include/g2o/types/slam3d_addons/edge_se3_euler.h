@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_EULER_
+#define G2O_EDGE_SE3_EULER_
 
 #include "g2o/types/slam3d/edge_se3.h"
 #include "g2o/types/slam3d_addons/g2o_types_slam3d_addons_api.h"
@@ -17,3 +19,5 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Euler : public EdgeSE3 {
 };
 
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_EULER_

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_EDGE_SE3_PLANE_CALIB_H
+#define G2O_EDGE_SE3_PLANE_CALIB_H
 
 #include "g2o/core/base_fixed_sized_edge.h"
 #include "g2o/types/slam3d/vertex_se3.h"
@@ -32,4 +34,13 @@ class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalib
   Vector3 color = Vector3(0.1, 0.1, 0.1);  ///< red, green, blue in [0, 1]
 };
 
+/// The action "draw" of EdgeSE3PlaneSensorCalib.
+class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalibDrawAction
+    : public internal::NamedAction<DrawAction> {
+ public:
+  EdgeSE3PlaneSensorCalibDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_EDGE_SE3_PLANE_CALIB_H

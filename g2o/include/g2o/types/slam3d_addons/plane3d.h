@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_PLANE3D_H_
+#define G2O_PLANE3D_H_
 
 #include <cmath>
 
@@ -72,3 +74,5 @@ inline Plane3D operator*(const Isometry3& t, const Plane3D& plane) {
 }
 
 }  // namespace g2o
+
+#endif  // G2O_PLANE3D_H_

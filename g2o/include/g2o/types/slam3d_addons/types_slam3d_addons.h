@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Planes, the calibration of sensors on a robot, and the poses of TORO's files.
 #pragma once
+#ifndef G2O_TYPES_SLAM3D_ADDONS_
+#define G2O_TYPES_SLAM3D_ADDONS_
 
 #include "g2o/types/slam3d/types_slam3d.h"
 #include "g2o/types/slam3d_addons/edge_plane.h"
@@ -10,3 +12,5 @@
 #include "g2o/types/slam3d_addons/plane3d.h"
 #include "g2o/types/slam3d_addons/vertex_plane.h"
 #include "g2o/types/slam3d_addons/vertex_se3_euler.h"
+
+#endif  // G2O_TYPES_SLAM3D_ADDONS_

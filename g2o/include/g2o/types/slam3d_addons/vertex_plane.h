@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#ifndef G2O_VERTEX_PLANE_H_
+#define G2O_VERTEX_PLANE_H_
 
 #include "g2o/core/base_vertex.h"
 #include "g2o/types/slam3d_addons/plane3d.h"
@@ -29,4 +31,12 @@ class G2O_TYPES_SLAM3D_ADDONS_API VertexPlane : public BaseVertex<3, Plane3D> {
   bool setEstimateDataImpl(const double* est) override;
 };
 
+/// The action "draw" of VertexPlane.
+class G2O_TYPES_SLAM3D_ADDONS_API VertexPlaneDrawAction : public internal::NamedAction<DrawAction> {
+ public:
+  VertexPlaneDrawAction();
+};
+
 }  // namespace g2o
+
+#endif  // G2O_VERTEX_PLANE_H_

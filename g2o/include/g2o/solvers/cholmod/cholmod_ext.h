@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sparse matrix of CHOLMOD that deletes its arrays. The header needs CHOLMOD, which is LGPL and GPL;
+// nothing else of these headers includes it.
+#pragma once
+#ifndef G2O_CHOLMOD_EXT_H
+#define G2O_CHOLMOD_EXT_H
+
+#if defined(__has_include) && __has_include(<suitesparse/cholmod.h>)
+#include <suitesparse/cholmod.h>
+#else
+#include <cholmod.h>
+#endif
+
+#include <cstddef>
+
+#include "g2o/config.h"
+
+namespace g2o {
+
+/// The upper triangle of a symmetric matrix of doubles; empty at first. p, i and x are arrays of int, int and
+/// double that are made with new[].
+struct CholmodExt : public cholmod_sparse {
+  CholmodExt() : cholmod_sparse() {
+    stype = 1;
+    itype = CHOLMOD_INT;
+    xtype = CHOLMOD_REAL;
+    dtype = CHOLMOD_DOUBLE;
+    sorted = 1;
+    packed = 1;
+  }
+  CholmodExt(const CholmodExt&) = delete;
+  CholmodExt& operator=(const CholmodExt&) = delete;
+  ~CholmodExt() {
+    delete[] static_cast<int*>(p);
+    delete[] static_cast<int*>(i);
+    delete[] static_cast<double*>(x);
+  }
+  std::size_t columnsAllocated = 0;  ///< the room in p, less one
+};
+
+}  // namespace g2o
+
+#endif  // G2O_CHOLMOD_EXT_H

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cholesky by CSparse in the parts that a solver repeats. The header needs CXSparse, which is LGPL, also at
+// link time; nothing else of these headers includes it.
+#pragma once
+#ifndef G2O_CSPARSE_HELPER_H
+#define G2O_CSPARSE_HELPER_H
+
+#if defined(__has_include) && __has_include(<suitesparse/cs.h>)
+#include <suitesparse/cs.h>
+#else
+#include <cs.h>
+#endif
+
+#include <string>
+
+#include "g2o/stuff/sparse_helper.h"
+
+namespace g2o {
+namespace csparse_extension {
+
+/// The factor of the upper triangle A with the analysis S, or nullptr if A is not positive definite; the
+/// caller frees it. CSparse has its own workspace: `cin` and `xin` are not used.
+inline cs_din* cs_chol_workspace(const cs_di* A, const cs_dis* S, int* cin, double* xin) {
+  static_cast<void>(cin);
+  static_cast<void>(xin);
+  return cs_di_chol(A, S);
+}
+
+/// b ← A⁻¹ b with the analysis S; `workspace` has as many doubles as A has columns, `work` is not used. False
+/// if A is not positive definite.
+inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* workspace, int* work) {
+  cs_din* factor = cs_chol_workspace(A, S, work, workspace);
+  const bool ok = factor != nullptr && cs_di_ipvec(S->pinv, b, workspace, A->n) != 0 &&
+                  cs_di_lsolve(factor->L, workspace) != 0 && cs_di_ltsolve(factor->L, workspace) != 0 &&
+                  cs_di_pvec(S->pinv, workspace, b, A->n) != 0;
+  cs_di_nfree(factor);
+  return ok;
+}
+
+/// Writes a matrix in compressed columns for Octave; see writeCCSMatrix().
+inline bool writeCs2Octave(const char* filename, const cs_di* A, bool upperTriangular = true) {
+  return writeCCSMatrix(filename, A->m, A->n, A->p, A->i, A->x, upperTriangular);
+}
+
+}  // namespace csparse_extension
+}  // namespace g2o
+
+#endif  // G2O_CSPARSE_HELPER_H

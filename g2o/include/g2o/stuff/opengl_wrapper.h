@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The headers of OpenGL, for programs that draw by it. Nothing else of these headers includes them.
+#pragma once
+#ifndef G2O_OPENGL_WRAPPER_H
+#define G2O_OPENGL_WRAPPER_H
+
+#include "g2o/config.h"
+
+#if defined(__APPLE__)
+#include <OpenGL/gl.h>
+#include <OpenGL/glu.h>
+#else
+#include <GL/gl.h>
+#include <GL/glu.h>
+#endif
+
+#endif  // G2O_OPENGL_WRAPPER_H

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors and sparse matrices as text files that Octave loads.
+#pragma once
+#ifndef G2O_SPARSE_HELPER_H
+#define G2O_SPARSE_HELPER_H
+
+#include <string>
+#include <vector>
+
+#include "g2o/stuff/g2o_stuff_api.h"
+
+namespace g2o {
+
+/// An entry of a sparse matrix; row and column count from 0.
+struct TripletEntry {
+  int r, c;
+  double x;
+  TripletEntry(int r_, int c_, double x_) : r(r_), c(c_), x(x_) {}
+};
+/// Orders entries by column, then by row.
+struct TripletColSort {
+  bool operator()(const TripletEntry& e1, const TripletEntry& e2) const {
+    return e1.c < e2.c || (e1.c == e2.c && e1.r < e2.r);
+  }
+};
+
+/// Writes n values, one a line. False if the file cannot be written, as for all functions below.
+G2O_STUFF_API bool writeVector(const std::string& filename, const double* v, int n);
+
+/// Writes a matrix in compressed columns: column c has the entries p[c] to p[c + 1] of the rows i and values
+/// v. `upperTriangle`: the entries below the diagonal are those above it, mirrored.
+G2O_STUFF_API bool writeCCSMatrix(const std::string& filename, int rows, int cols, const int* p, const int* i,
+                                  const double* v, bool upperTriangle = true);
+
+/// Writes a matrix of single entries, in any order; no position may occur twice.
+G2O_STUFF_API bool writeTripletEntries(const std::string& filename, int rows, int cols,
+                                       const std::vector<TripletEntry>& triplets);
+
+}  // namespace g2o
+
+#endif  // G2O_SPARSE_HELPER_H

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The source of libraries that exist for their names.
