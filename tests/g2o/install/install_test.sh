@@ -1,19 +1,60 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: installs the build, moves it, and builds a client of find_package(g2o).
+# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: installs the build, moves it, and builds clients of find_package(g2o),
+# and clients that know include folders and libraries alone. IS_STATIC: the build has static libraries, too.
 set -euo pipefail
-cmake="$1" build="$2" work="$3" compiler="$4"
-consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"
+cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
 rm -rf "$work"
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/moved"
 if grep -rn "#include.*boxplus/" "$work/moved/include/g2o"; then
-  echo "a header of the g2o face includes one of the engine" >&2
+  echo "a header of the g2o API includes one of the engine" >&2
   exit 1
 fi
-"$cmake" -S "$consumer" -B "$work/build" -G Ninja -DCMAKE_PREFIX_PATH="$work/moved" -DCMAKE_CXX_COMPILER="$compiler"
+launcher=$(command -v ccache || true)
+configure() { # SOURCE BUILD OPTIONS...
+  "$cmake" -S "$1" -B "$2" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" "${@:3}" >/dev/null
+}
+library=$(dirname "$(find "$work/moved" -name libg2o_core.so)")
+for name in stuff core types_data incremental csparse_extension; do
+  [[ -e "$library/libg2o_$name.so" ]] || { echo "there is no libg2o_$name.so" >&2; exit 1; }
+done
+
+configure "$here/consumer" "$work/build" -DCMAKE_PREFIX_PATH="$work/moved"
 "$cmake" --build "$work/build"
 "$work/build/consumer"
 "$work/build/old_consumer"
-"$cmake" -S "$consumer" -B "$work/by_folder" -G Ninja -Dg2o_DIR="$work/moved/lib/cmake/g2o" -DCMAKE_CXX_COMPILER="$compiler" >/dev/null
+configure "$here/consumer" "$work/by_folder" -Dg2o_DIR="$library/cmake/g2o"
+
+# Components, standards, targets, and algorithms whose libraries are missing.
+variants=(OFF)
+if [[ $is_static == 1 ]]; then variants+=(ON); fi
+for static in "${variants[@]}"; do
+  ways="$work/ways_$static"
+  configure "$here/ways" "$ways" -DCMAKE_PREFIX_PATH="$work/moved" -DG2O_USE_STATIC_LIBS="$static"
+  "$cmake" --build "$ways"
+  "$ways/icp" >/dev/null
+  "$ways/stuff_alone" >/dev/null
+  "$ways/algorithms" lm_var
+  if [[ -x "$ways/algorithms_cholmod" ]]; then "$ways/algorithms_cholmod" lm_var_cholmod; fi
+done
+
+# Without CMake: bare libraries in any order, in the oldest standard.
+flags=(-I "$work/moved/include" -isystem /usr/include/eigen3)
+compile() { $launcher "$compiler" "${flags[@]}" "$@"; }
+compile -std=c++14 -w -DEIGEN_MAX_ALIGN_BYTES=16 -c "$here/ways/plain.cpp" -o "$work/plain.o"
+for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d -lg2o_stuff -lg2o_core" \
+                 "-lg2o_stuff -lg2o_types_slam3d -lg2o_core"; do
+  # shellcheck disable=SC2086
+  "$compiler" "$work/plain.o" -L "$library" $libraries -Wl,-rpath,"$library" -o "$work/plain" 2>"$work/err.txt" ||
+    { cat "$work/err.txt" >&2; exit 1; }
+  "$work/plain" >/dev/null 2>"$work/err.txt"
+  grep -q "g2o: .*parameter" "$work/err.txt" || { echo "a refused edge is not named on stderr" >&2; exit 1; }
+done
+
+# A client whose flags align Eigen's types otherwise does not link, and the symbol says what to do.
+compile -std=c++17 -DEIGEN_MAX_ALIGN_BYTES=64 -c "$here/ways/plain.cpp" -o "$work/plain.o"
+if "$compiler" "$work/plain.o" -L "$library" -lg2o_core -lg2o_stuff -lg2o_types_slam3d -o "$work/plain" 2>"$work/err.txt"; then exit 1; fi
+grep -q "g2o_abi_1_64_add_EIGEN_MAX_ALIGN_BYTES_16" "$work/err.txt"

@@ -47,10 +47,10 @@ refuses() { # SYMBOL FLAGS...
   grep -q "cannot be loaded.*$1" "$work/err.txt"
   grep -q "unknown word .VERTEX_BEACON" "$work/err.txt" # and it goes on
 }
-refuses g2o_abi_1_32 -DEIGEN_MAX_ALIGN_BYTES=32
-refuses g2o_abi_1_16_static_0 -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=0
-refuses g2o_abi_1_16_row_major -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_DEFAULT_TO_ROW_MAJOR
-refuses g2o_abi_1_16_debug_containers -DEIGEN_MAX_ALIGN_BYTES=16 -D_GLIBCXX_DEBUG
+refuses g2o_abi_1_32_add_EIGEN_MAX_ALIGN_BYTES_16 -DEIGEN_MAX_ALIGN_BYTES=32
+refuses g2o_abi_1_16_remove_EIGEN_MAX_STATIC_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=0
+refuses g2o_abi_1_16_remove_EIGEN_DEFAULT_TO_ROW_MAJOR -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_DEFAULT_TO_ROW_MAJOR
+refuses g2o_abi_1_16_remove_GLIBCXX_DEBUG -DEIGEN_MAX_ALIGN_BYTES=16 -D_GLIBCXX_DEBUG
 sed 's/EDGE_RANGE 0 3 5/EDGE_RANGE 0 3 five/' "$work/beacon.g2o" > "$work/broken.g2o"
 if "$tool" -typeslib "$types" "$work/broken.g2o" 2> "$work/err.txt"; then exit 1; fi
 grep -q "line 6: EDGE_RANGE: expected a number, got 'five'" "$work/err.txt"

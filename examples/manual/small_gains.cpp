@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ends Levenberg-Marquardt after three iterations in a row that gain little, as ORB_SLAM2's copy of g2o does.
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/core/robust_kernel_impl.h"
+#include "g2o/core/sparse_optimizer.h"
+#include "g2o/solvers/dense/linear_solver_dense.h"
+#include "g2o/types/slam2d/types_slam2d.h"
+
+using namespace g2o;
+
+// [action]
+/// Stops the optimizer after three iterations in a row that lower chi2 by less than a thousandth of it.
+class EndAfterSmallGains : public HyperGraphAction {
+ public:
+  explicit EndAfterSmallGains(SparseOptimizer& optimizer) : optimizer_(optimizer) {
+    optimizer_.addPostIterationAction(this);
+    optimizer_.setForceStopFlag(&stop_);
+  }
+
+  HyperGraphAction* operator()(const HyperGraph*, Parameters* parameters) override {
+    const int iteration = static_cast<ParametersIteration*>(parameters)->iteration;
+    if (iteration < 0) {  // initializeOptimization()
+      optimizer_.computeActiveErrors();
+      small_gains_ = 0;
+    }
+    const double chi2 = optimizer_.activeRobustChi2();
+    if (iteration >= 0) small_gains_ = (chi2_before_ - chi2) * 1e3 < chi2_before_ ? small_gains_ + 1 : 0;
+    chi2_before_ = chi2;
+    stop_ = small_gains_ >= 3;
+    return this;
+  }
+
+ private:
+  SparseOptimizer& optimizer_;
+  bool stop_ = false;
+  double chi2_before_ = 0;
+  int small_gains_ = 0;
+};
+// [/action]
+
+/// A robot drives a loop of 30 poses; some of its measurements are wrong.
+void add_loop(SparseOptimizer& optimizer) {
+  constexpr int kPoses = 30;
+  const double turn = 2 * const_pi() / kPoses;
+  for (int i = 0; i < kPoses; ++i) {
+    auto* pose = new VertexSE2;
+    pose->setId(i);
+    pose->setFixed(i == 0);
+    pose->setEstimate(SE2(std::sin(i), std::cos(3 * i), turn * i));
+    optimizer.addVertex(pose);
+  }
+  for (int i = 0; i < 2 * kPoses; ++i) {
+    auto* motion = new EdgeSE2;
+    motion->setVertex(0, optimizer.vertex(i % kPoses));
+    motion->setVertex(1, optimizer.vertex((i + 1) % kPoses));
+    const double wrong = i % 17 == 5 ? 2 : 0;
+    motion->setMeasurement(SE2(1 + 0.05 * std::sin(5 * i) + wrong, wrong, turn));
+    motion->setInformation(Eigen::Vector3d(100, 100, 1000).asDiagonal());
+    motion->setRobustKernel(new RobustKernelHuber);
+    optimizer.addEdge(motion);
+  }
+}
+
+int main() {
+  int iterations[2];
+  double chi2[2];
+  for (const bool ends_early : {false, true}) {
+    SparseOptimizer optimizer;
+    optimizer.setAlgorithm(new OptimizationAlgorithmLevenberg(
+        std::make_unique<BlockSolverX>(std::make_unique<LinearSolverDense<BlockSolverX::PoseMatrixType>>())));
+    add_loop(optimizer);
+    // [use]
+    std::unique_ptr<EndAfterSmallGains> end;
+    if (ends_early) end = std::make_unique<EndAfterSmallGains>(optimizer);
+    optimizer.initializeOptimization();
+    iterations[ends_early] = optimizer.optimize(100);
+    // [/use]
+    optimizer.computeActiveErrors();
+    chi2[ends_early] = optimizer.activeRobustChi2();
+  }
+  const bool ok = iterations[1] < iterations[0] && chi2[1] < 1.01 * chi2[0];
+  std::printf("without the action: %d iterations\nwith it: %d iterations, %.2f %% above that chi2\n",
+              iterations[0], iterations[1], 100 * (chi2[1] / chi2[0] - 1));
+  return ok ? 0 : 1;
+}

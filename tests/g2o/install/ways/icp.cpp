@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Brings definitions of its own for a type, under the include guard of g2o's header, and uses what types_icp.h brings.
+#define G2O_EDGE_XYZ_PRIOR_H_
+#include "g2o/types/icp/types_icp.h"
+
+namespace g2o {
+class EdgeXYZPrior {
+ public:
+  int own() const { return 7; }
+};
+}  // namespace g2o
+
+int main() {
+  const g2o::VertexCam camera;
+  const g2o::Edge_V_V_GICP pair;
+  std::cout << camera.estimate() << PVAR(pair.pl_pl) << FIXED(1.5) << std::endl;
+  return g2o::EdgeXYZPrior().own() == 7 ? 0 : 1;
+}
