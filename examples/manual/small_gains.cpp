@@ -78,7 +78,7 @@ int main() {
     std::unique_ptr<EndAfterSmallGains> end;
     if (ends_early) end = std::make_unique<EndAfterSmallGains>(optimizer);
     optimizer.initializeOptimization();
-    iterations[ends_early] = optimizer.optimize(100);
+    iterations[ends_early] = optimizer.optimize(20);
     // [/use]
     optimizer.computeActiveErrors();
     chi2[ends_early] = optimizer.activeRobustChi2();

@@ -113,7 +113,8 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
 
   void resize(size_t size) override {
     if (size != _nr_of_vertices) {
-      G2O_ERROR("resize: the edge has {} vertices, and keeps them; {} were asked for", _nr_of_vertices, size);
+      constexpr std::size_t kVertices = _nr_of_vertices;  // in C++14, the member itself has no address
+      G2O_ERROR("resize: the edge has {} vertices, and keeps them; {} were asked for", kVertices, size);
       return;
     }
     BaseEdge<D, E>::resize(size);

@@ -37,7 +37,7 @@ bool BlockSolver<Traits>::buildStructure(bool) {
     if (!fits) {
       G2O_ERROR(
           "vertex {}: expected a marginalised vertex of {} dimensions, as the block solver is for, it has {}",
-          v->id(), LandmarkDim, v->dimension());
+          v->id(), static_cast<int>(LandmarkDim), v->dimension());
       return false;
     }
   }
@@ -94,7 +94,8 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
   int end = 0;
   for (int dim : dims) {
     if (PoseDim != Eigen::Dynamic && dim != PoseDim) {
-      G2O_ERROR("expected vertices of {} dimensions, as the linear solver is for, one has {}", PoseDim, dim);
+      G2O_ERROR("expected vertices of {} dimensions, as the linear solver is for, one has {}",
+                static_cast<int>(PoseDim), dim);
       return false;
     }
     ends.push_back(end += dim);
