@@ -246,7 +246,7 @@ class PlotTest(CommandCase):
 
     def test_sizes_and_fonts_are_checked(self):
         for words, text in ((["--size", "100"], "WIDTHxHEIGHT"), (["--size", "1x1"], "from 16 to 10000"), (["--size", "nanx100"], "WIDTHxHEIGHT"),
-                            (["--font-size", "0"], "--font-size"), (["--resolution", "99"], "--resolution")):
+                            (["--font-size", "0"], "--font-size"), (["--format", "png", "--size", "9000x9000"], "at most 5e+07 pixels"), (["--resolution", "99"], "--resolution")):
             self.assert_refused(run("plot", "-", "-o", "-", *words, stdin=CHAIN), text)
         picture = self.drawn("-", "--size", "200x150", "--font-size", 9, stdin=CHAIN)
         self.assertEqual((picture.root.get("width"), picture.root.get("height")), ("200", "150"))

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "boxplus/base/error.h"
 #include "plot/colors.h"
 #include "plot/ellipses.h"
 #include "plot/legend.h"
@@ -13,12 +16,21 @@
 namespace boxplus::app {
 namespace {
 
+void require_few_pixels(const Layout& layout, double resolution) {
+  constexpr double kMost = 5e7;
+  const double pixels = layout.width() * layout.height() * resolution * resolution;
+  if (pixels <= kMost) return;
+  throw InvalidArgument(
+      fmt::format("--size and --resolution: expected at most {:g} pixels, got {:.3g}", kMost, pixels));
+}
+
 std::unique_ptr<Canvas> make_canvas(const Layout& layout, const std::string& title, PictureFormat format,
                                     double resolution) {
   switch (format) {
     case PictureFormat::kPdf:
       return make_pdf_canvas(layout.width(), layout.height(), title);
     case PictureFormat::kPng:
+      require_few_pixels(layout, resolution);
       return make_png_canvas(layout.width(), layout.height(), resolution);
     default:
       return make_svg_canvas(layout.width(), layout.height(), title);
