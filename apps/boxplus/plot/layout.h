@@ -14,7 +14,7 @@ struct PictureOptions {
   double width = 0, height = 0;  ///< of the picture; 0: 620 per panel, and 666
   double font_size = 0;          ///< of most text; 0: in proportion to the panels
   bool is_bare = false;          ///< the graphs alone: no frame, header, scale bar, legend or background
-  bool has_axes = false;         ///< ticks with their values, or arrows where no axis lies in the picture
+  bool has_axes = false;         ///< ticks with their values, or arrows if no axis lies in the picture
   bool has_one_scale = false;    ///< for all panels, even if that makes one of them tiny
 };
 

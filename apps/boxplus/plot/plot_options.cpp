@@ -126,7 +126,7 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
       ->group("Look");
   command
       .add_flag("--axes", picture.has_axes,
-                "Axes with their values in metres; arrows where the view is along no axis")
+                "Axes with their values in metres; arrows if the view is along no axis")
       ->group("Look");
   command
       .add_flag("--ellipses", arguments.has_ellipses,
@@ -135,7 +135,7 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
       ->group("Look");
   command
       .add_flag("--equal-scale", picture.has_one_scale,
-                "One scale for both panels in any case; without, only where neither becomes tiny")
+                "One scale for both panels in any case; without, only if neither becomes tiny")
       ->group("Look");
   command
       .add_option_function<std::string>(
