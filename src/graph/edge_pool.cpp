@@ -16,9 +16,9 @@ namespace boxplus {
 std::string_view to_string(JacobianSource source) {
   switch (source) {
     case JacobianSource::kAnalytic:
-      return "analytic";
+      return "own";
     case JacobianSource::kAutomatic:
-      return "automatic";
+      return "exact";
     default:
       return "numeric";
   }
@@ -149,6 +149,7 @@ std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots
   std::copy(vertex_slots.begin(), vertex_slots.end(),
             vertex_slots_.begin() + static_cast<std::ptrdiff_t>(vertex_start(edge)));
   flags_[edge] = kAlive | kEnabled;
+  generations_[edge] = next_generation_++;
   if (!levels_.empty()) levels_[edge] = 0;
   return edge;
 }
@@ -165,7 +166,7 @@ void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const In
   vertex_slots_.insert(vertex_slots_.end(), vertex_slots.begin(), vertex_slots.end());
   if (uniform_arity_ < 0) vertex_start_.push_back(static_cast<std::uint32_t>(vertex_slots_.size()));
   flags_.push_back(kAlive | kEnabled);
-  generations_.push_back(first_generation_);
+  generations_.push_back(next_generation_++);
   if (!levels_.empty()) levels_.push_back(0);
   if (!kernels_.empty()) kernels_.emplace_back();
 }
@@ -173,7 +174,6 @@ void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const In
 void EdgePool::remove(std::uint32_t edge) {
   free_.push_back(edge);
   flags_[edge] = 0;
-  ++generations_[edge];
   if (!kernels_.empty()) kernels_[edge].reset();
 }
 

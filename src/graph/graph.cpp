@@ -314,12 +314,9 @@ std::vector<EdgeRef> Graph::all_edges() const {
 }
 
 void Graph::clear() {
-  constexpr std::uint32_t kGenerationsPerEpoch = 1u << 20;
   const std::uint64_t revision = revision_ + 1;
-  const std::uint32_t epoch = epoch_ + kGenerationsPerEpoch;
   *this = Graph();
   revision_ = revision;
-  epoch_ = epoch;
 }
 
 }  // namespace boxplus

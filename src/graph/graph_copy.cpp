@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a Graph is made, copied and moved.
+#include <atomic>
 #include <utility>
 
 #include "boxplus/graph/graph.h"
@@ -10,7 +11,14 @@ namespace boxplus {
 Graph::Graph() = default;
 Graph::~Graph() = default;
 
-// The cache and the index of edges are made again where they are needed.
+std::uint32_t Graph::new_epoch() noexcept {
+  static std::atomic<std::uint32_t> epochs = 0;
+  constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // times 2^32: its multiples spread evenly
+  return kGoldenRatio * epochs.fetch_add(1, std::memory_order_relaxed);
+}
+
+// The cache and the index of edges are made again where they are needed. The elements keep their generations,
+// so that the handles of `other` fit; from now on, the copy counts from a number of its own.
 Graph::Graph(const Graph& other)
     : edge_access_(other.edge_access_),
       vertex_pool_of_(other.vertex_pool_of_),
@@ -22,10 +30,15 @@ Graph::Graph(const Graph& other)
       next_id_(other.next_id_),
       next_parameter_id_(other.next_parameter_id_),
       revision_(other.revision_),
-      epoch_(other.epoch_),
       stack_(other.stack_) {
-  for (const auto& pool : other.vertex_pools_) vertex_pools_.push_back(pool->clone());
-  for (const auto& pool : other.edge_pools_) edge_pools_.push_back(pool->clone(vertex_pools_));
+  for (const auto& pool : other.vertex_pools_) {
+    vertex_pools_.push_back(pool->clone());
+    vertex_pools_.back()->next_generation_ = epoch_;
+  }
+  for (const auto& pool : other.edge_pools_) {
+    edge_pools_.push_back(pool->clone(vertex_pools_));
+    edge_pools_.back()->next_generation_ = epoch_;
+  }
 }
 
 Graph& Graph::operator=(const Graph& other) {
@@ -53,7 +66,7 @@ Graph& Graph::operator=(Graph&& other) noexcept {
   next_id_ = other.next_id_;
   next_parameter_id_ = other.next_parameter_id_;
   revision_ = other.revision_;
-  epoch_ = other.epoch_;
+  epoch_ = std::exchange(other.epoch_, new_epoch());
   stack_ = std::move(other.stack_);
   incidence_ = std::move(other.incidence_);
   return *this;

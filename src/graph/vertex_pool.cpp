@@ -10,6 +10,7 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
     const std::uint32_t slot = free_.back();
     free_.pop_back();
     ids_[slot] = id;
+    generations_[slot] = next_generation_++;
     flags_[slot] = kAlive;
     return slot;
   }
@@ -17,7 +18,7 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
   make_room(generations_);
   make_room(flags_);
   ids_.push_back(id);
-  generations_.push_back(first_generation_);
+  generations_.push_back(next_generation_++);
   flags_.push_back(kAlive);
   return slots() - 1;
 }
@@ -25,7 +26,6 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
 void VertexPool::release_slot(std::uint32_t slot) {
   free_.push_back(slot);
   flags_[slot] = 0;
-  ++generations_[slot];
 }
 
 void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {

@@ -30,18 +30,18 @@ void check(const Options& options) {
 /// Empties the report without giving its memory back.
 void reset(Report& report) {
   std::vector<IterationRecord> records = std::move(report.records);
-  std::vector<std::string_view> numeric = std::move(report.numeric_jacobians);
+  std::vector<EdgeJacobians> jacobians = std::move(report.jacobians);
   GaugeReport gauge = std::move(report.gauge);
   std::string message = std::move(report.message);
   report = Report();
   records.clear();
-  numeric.clear();
+  jacobians.clear();
   gauge.held.clear();
   gauge.released.clear();
   gauge.damped_components = 0;
   message.clear();
   report.records = std::move(records);
-  report.numeric_jacobians = std::move(numeric);
+  report.jacobians = std::move(jacobians);
   report.gauge = std::move(gauge);
   report.message = std::move(message);
 }

@@ -2,6 +2,7 @@
 #include "boxplus/optimize/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -95,6 +96,24 @@ void add_start(Text& text, const StartReport& start) {
   add(text, "\n");
 }
 
+/// "own: Between<SE2>, …; exact: …; numeric: …"
+void add_jacobians(Text& text, const std::vector<EdgeJacobians>& jacobians) {
+  if (jacobians.empty()) return;
+  add(text, "  {:<16}", "Jacobians");
+  std::string_view separator;
+  for (const JacobianSource source :
+       {JacobianSource::kAnalytic, JacobianSource::kAutomatic, JacobianSource::kNumeric}) {
+    std::vector<std::string_view> types;
+    for (const EdgeJacobians& edge : jacobians) {
+      if (edge.source == source) types.push_back(edge.edge_type);
+    }
+    if (types.empty()) continue;
+    add(text, "{}{}: {}", separator, to_string(source), fmt::join(types, ", "));
+    separator = "; ";
+  }
+  add(text, "\n");
+}
+
 void add_notes(Text& text, const Report& report) {
   add_ids(text, "gauge", report.gauge.held);
   add_ids(text, "gauge released", report.gauge.released);
@@ -102,8 +121,7 @@ void add_notes(Text& text, const Report& report) {
     add(text, "  {:<16}{} component(s) not held in all directions: damped minutely\n", "gauge",
         report.gauge.damped_components);
   }
-  for (std::string_view type : report.numeric_jacobians)
-    add(text, "  {:<16}numeric for {}\n", "Jacobians", type);
+  add_jacobians(text, report.jacobians);
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
   if (report.regularised_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",

@@ -40,13 +40,12 @@ void Run::describe_problem() {
   for (const GaugeVertex& gauge : plan.held) report_.gauge.held.push_back(gauge.id);
   report_.gauge.released.clear();
   for (const VertexRef& vertex : session_->released()) report_.gauge.released.push_back(graph_.id(vertex));
-  report_.numeric_jacobians.clear();
+  report_.jacobians.clear();
   report_.disabled_edges = 0;
   for (const EdgeList& list : plan.edges) {
     const EdgePool& pool = *graph_.edge_pools()[list.pool];
-    if (options_.numeric_jacobians || pool.jacobian_source() == JacobianSource::kNumeric) {
-      report_.numeric_jacobians.push_back(pool.type_name());
-    }
+    report_.jacobians.push_back(
+        {pool.type_name(), options_.numeric_jacobians ? JacobianSource::kNumeric : pool.jacobian_source()});
     for (std::uint32_t edge : list.edges) report_.disabled_edges += !pool.enabled(edge);
   }
 }

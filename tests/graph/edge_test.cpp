@@ -90,6 +90,29 @@ TEST(Edge, JacobiansOfItsOwnAreUsed) {
   }
 }
 
+/// A template over Eigen's own vectors, which no Vector<S, 2> matches.
+struct Eigens {
+  template <class S>
+  Eigen::Matrix<S, 2, 1> error(const Eigen::Matrix<S, 2, 1>& p, const S& scale) const {
+    return scale * p;
+  }
+};
+
+TEST(Edge, ATemplateOverEigensVectorsIsDifferentiatedExactly) {
+  Graph graph;
+  const auto scale = graph.add_vertex(2.0);
+  for (const auto& point : {graph.add_vertex(Vector2(3, 4)), graph.add_vertex(Eigen::Vector2d(3, 4))}) {
+    const auto edge = graph.add_edge(Eigens{}, point, scale);
+    EXPECT_THAT(graph.error(edge), ElementsAre(6, 8));
+    EXPECT_EQ(source(graph, edge), JacobianSource::kAutomatic);
+    std::array<double, 2> error{};
+    std::array<double, 6> jacobian{};
+    EdgeTile tile{.error = error.data(), .jacobian = jacobian.data()};
+    graph.edge_pools()[edge.pool]->linearize(std::span(&edge.slot, 1), tile, false);
+    EXPECT_THAT(jacobian, ElementsAre(2, 0, 0, 2, 3, 4));
+  }
+}
+
 TEST(Edge, ResultsMayBeScalarsArraysAndVectors) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);

@@ -78,6 +78,23 @@ TEST(GraphCopy, AndItsOriginalChangeIndependently) {
   EXPECT_EQ(graph.edges(b).size(), 1u);
 }
 
+TEST(GraphCopy, AndItsOriginalGiveOutHandlesThatTheOtherRefuses) {
+  Graph graph;
+  const auto old = graph.add_vertex(1.0), removed = graph.add_vertex(2.0);
+  graph.remove(removed);
+  Graph copy = graph;
+  EXPECT_TRUE(copy.contains(old));
+  EXPECT_FALSE(copy.contains(removed));
+  for (int i = 0; i < 3; ++i) {  // the first takes the slot of the removed vertex
+    const auto a = graph.add_vertex(3.0), b = copy.add_vertex(3.0);
+    EXPECT_EQ(a.slot, b.slot);
+    EXPECT_FALSE(copy.contains(a));
+    EXPECT_FALSE(graph.contains(b));
+    const auto e = graph.add_edge([](const auto& x) { return x; }, a);
+    EXPECT_FALSE(copy.contains(e));
+  }
+}
+
 TEST(GraphCopy, TailsReadTheVerticesOfTheCopy) {
   Graph graph;
   const std::vector tail{graph.add_vertex(1.0), graph.add_vertex(2.0)};

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <type_traits>
+#include <vector>
+
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/robust/huber.h"
@@ -187,6 +190,71 @@ TEST(Graph, AnEdgeHandleOfAnotherGraphWithAnotherTypeIsRefused) {
   const double target = 5;
   const auto foreign = other.add_edge([target](double x) { return x - target; }, other.add_vertex(1.0));
   EXPECT_THROW((void)graph.measurement(foreign), InvalidArgument);
+}
+
+TEST(Graph, AHandleOfAnotherGraphIsRefusedAlsoIfItsSlotAndTypeCoincide) {
+  std::vector<Graph> graphs(50);
+  std::vector<VertexHandle<double>> vertices;
+  std::vector<EdgeRef> edges;
+  for (Graph& graph : graphs) {
+    vertices.push_back(graph.add_vertex(1.0));
+    edges.push_back(graph.add_edge(kPrior, vertices.back()));
+    graph.remove(graph.add_vertex(2.0));  // so that slots are used again, too
+    graph.add_vertex(3.0);
+  }
+  for (std::size_t a = 0; a < graphs.size(); ++a) {
+    for (std::size_t b = 0; b < graphs.size(); ++b) {
+      EXPECT_EQ(graphs[a].contains(vertices[b]), a == b);
+      EXPECT_EQ(graphs[a].contains(edges[b]), a == b);
+    }
+  }
+  EXPECT_THAT(complaint([&] { graphs[0].fix(vertices[1]); }), HasSubstr("of another graph"));
+  EXPECT_THAT(complaint([&] { (void)graphs[0].chi2(edges[1]); }), HasSubstr("of another graph"));
+  EXPECT_THAT(complaint([&] { graphs[0].add_edge(kPrior, vertices[1]); }), HasSubstr("of another graph"));
+}
+
+TEST(Graph, HandlesOfAMovedGraphAreNotThoseOfWhatIsLeft) {
+  Graph graph;
+  const auto a = graph.add_vertex(1.0);
+  const Graph moved(std::move(graph));
+  const auto b = graph.add_vertex(2.0);  // NOLINT(bugprone-use-after-move): it is empty
+  EXPECT_TRUE(moved.contains(a));
+  EXPECT_FALSE(moved.contains(b));
+  EXPECT_TRUE(graph.contains(b));
+  EXPECT_FALSE(graph.contains(a));
+}
+
+TEST(Graph, EigensVectorsAndOursAreOneVertexType) {
+  Graph graph;
+  const auto ours = graph.add_vertex(Vector2(1, 2), 0);
+  const auto eigens = graph.add_vertex(Eigen::Vector2d(3, 4), 1);
+  const auto expression = graph.add_vertex(2.0 * Eigen::Vector2d(3, 4), 2);
+  static_assert(std::is_same_v<decltype(ours), decltype(eigens)>);
+  static_assert(std::is_same_v<decltype(ours), decltype(expression)>);
+  EXPECT_EQ(graph.vertex_pools().size(), 1u);
+  EXPECT_EQ(graph.vertex<Eigen::Vector2d>(0), ours);
+  EXPECT_EQ(graph.vertex<Vector2>(1), eigens);
+  EXPECT_EQ(graph.typed<Eigen::Vector2d>(*graph.find_vertex(1)), eigens);
+  EXPECT_EQ(graph.estimate(expression), Vector2(6, 8));
+  const auto parameter = graph.add_parameter(Eigen::Vector3d(1, 2, 3), 5);
+  EXPECT_EQ(graph.parameter<Vector3>(5), parameter);
+  EXPECT_EQ(graph.parameter<Eigen::Vector3d>(5), parameter);
+  const auto dynamic = graph.add_vertex(Eigen::VectorXd(Eigen::VectorXd::Ones(4)));
+  EXPECT_EQ((graph.vertex<Vector<double, kDynamic>>(graph.id(dynamic))), dynamic);
+}
+
+TEST(Graph, AHandleOfAnEigenVectorConvertsToOursAndBack) {
+  Graph graph;
+  VertexHandle<Eigen::Vector2d> eigens = graph.add_vertex(Eigen::Vector2d(1, 2));
+  const VertexHandle<Vector2> ours = eigens;
+  eigens = ours;
+  graph.set_estimate(eigens, Vector2(3, 4));
+  graph.set_estimate(ours, Eigen::Vector2d(3, 5));
+  graph.set_estimate(ours, 2 * graph.estimate(eigens));
+  EXPECT_EQ(graph.estimate(eigens), Eigen::Vector2d(6, 10));
+  const std::vector<VertexHandle<Eigen::Vector2d>> range{eigens};
+  graph.add_edge([](const auto& x) { return x[0]; }, eigens);
+  EXPECT_EQ(graph.error(graph.add_edge([](const auto& x) { return x[0][1]; }, range))[0], 10);
 }
 
 TEST(Graph, ChiSquaredCountsEnabledEdgesAndTheirKernels) {

@@ -86,5 +86,14 @@ TEST(Between, IsAReadyMadeEdgeOfAGraph) {
   EXPECT_EQ(graph.edge_pools()[0]->jacobian_source(), JacobianSource::kAnalytic);
 }
 
+TEST(Between, OfEigensVectorsIsThatOfOurs) {
+  static_assert(std::is_same_v<decltype(Between(Eigen::Vector2d(1, 2))), Between<Vector2>>);
+  static_assert(std::is_same_v<decltype(Prior(Eigen::Vector3d(1, 2, 3))), Prior<Vector3>>);
+  static_assert(std::is_same_v<decltype(PositionPrior(Eigen::Vector2d(1, 2))), PositionPrior<Vector2>>);
+  Graph graph;
+  const auto a = graph.add_vertex(Vector2(0, 0)), b = graph.add_vertex(Eigen::Vector2d(4, 6));
+  EXPECT_EQ(graph.chi2(graph.add_edge(Between(Eigen::Vector2d(1, 2)), a, b)), 25);
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -43,7 +43,18 @@ Json gauge_json(const GaugeReport& gauge) {
 
 Json kernel_json(const KernelFacts& kernel) {
   if (kernel.name.empty()) return nullptr;
-  return {{"name", kernel.name}, {"width", kernel.width}, {"edges", kernel.edges}};
+  if (kernel.width) return {{"name", kernel.name}, {"width", *kernel.width}, {"edges", kernel.edges}};
+  Json widths = Json::object();
+  for (const auto& [rows, width] : kernel.widths) widths[std::to_string(rows)] = width;
+  return {{"name", kernel.name}, {"width_by_rows", widths}, {"edges", kernel.edges}};
+}
+
+Json jacobians_json(const std::vector<EdgeJacobians>& jacobians) {
+  Json result = Json::array();
+  for (const EdgeJacobians& edge : jacobians) {
+    result.push_back({{"edge_type", edge.edge_type}, {"source", to_string(edge.source)}});
+  }
+  return result;
 }
 
 Json time_json(const Timings& time, const RunFacts& facts) {
@@ -95,7 +106,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"edges", report.edges},
                      {"skipped_lines", facts.skipped_lines},
                      {"scalars", report.scalars},
-                     {"numeric_jacobians", report.numeric_jacobians},
+                     {"jacobians", jacobians_json(report.jacobians)},
                      {"regularised_steps", report.regularised_steps},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};

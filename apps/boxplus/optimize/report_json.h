@@ -2,6 +2,8 @@
 // A Report as JSON, for scripts.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "boxplus/optimize/report.h"
@@ -11,8 +13,9 @@ namespace boxplus::app {
 /// The robust kernel that --kernel asked for; without a name there is none.
 struct KernelFacts {
   std::string name;
-  double width = 0;
-  std::size_t edges = 0;  ///< that have it
+  std::optional<double> width;   ///< as asked for
+  std::map<int, double> widths;  ///< else the default ones, by the rows of the edges
+  std::size_t edges = 0;         ///< that have it
 };
 
 /// What only the command knows.

@@ -12,6 +12,7 @@
 #include "boxplus/graph/frame.h"
 #include "boxplus/graph/handle.h"
 #include "boxplus/graph/information.h"
+#include "boxplus/graph/jacobian_source.h"
 #include "boxplus/graph/vertex_pool.h"
 #include "boxplus/robust/robust_kernel.h"
 
@@ -39,10 +40,6 @@ struct EdgeTile {
   /// last lanes of a tile that is not full are copies of its last edge.
   bool in_lanes = false;
 };
-
-/// Where Jacobians come from.
-enum class JacobianSource : std::uint8_t { kAnalytic, kAutomatic, kNumeric };
-std::string_view to_string(JacobianSource source);
 
 /// The erased interface of the edges of one type: one virtual call per pool and list, never one per edge.
 class EdgePool {
@@ -143,7 +140,7 @@ class EdgePool {
   std::vector<std::uint32_t> generations_;
   std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while none is set
   std::vector<std::uint32_t> free_;
-  std::uint32_t first_generation_ = 0;
+  std::uint32_t next_generation_ = 0;  // of the next edge, whichever slot it takes
 };
 
 }  // namespace boxplus

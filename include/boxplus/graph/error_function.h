@@ -3,13 +3,21 @@
 //
 // Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
 // arrive by const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen
-// at run time. The result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+// at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes Eigen::Matrix<S, N, 1> is
+// given copies. The result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+//
+// Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
+// Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
+// must protect it.
 //
 //   - A function that is generic in the scalar of its arguments is differentiated exactly, by dual numbers.
 //   - One that takes plain estimates only is differentiated numerically, and the Report says so.
 //   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows ×
 //   dim(x_i), brings
-//     its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0. Fixed sizes and arity only.
+//     its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0. Fixed sizes and arity only. A member function
+//     named `jacobians` or `jacobian` that cannot be called so does not compile (graph/check_types.h). An
+//     edge template that brings Jacobians for some of its types only says `static constexpr bool
+//     kJacobiansForSomeTypes = true`.
 #pragma once
 
 #include <array>
@@ -20,6 +28,7 @@
 #include <utility>
 
 #include "boxplus/autodiff/dual.h"
+#include "boxplus/graph/jacobian_source.h"
 #include "boxplus/manifold/manifold.h"
 
 namespace boxplus {
@@ -84,14 +93,34 @@ concept HasErrorMember = requires(const E& e, A&&... a) {
 };
 
 template <class E, class... A>
-concept Callable = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
+concept CallableAsIs = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
+
+/// An argument with Eigen's own alignment where it is a vector, which templates over Eigen::Matrix<S, N, 1>
+/// ask for.
+template <class A>
+struct AlignedArgument {
+  using Type = A;
+};
+template <class S, int N>
+struct AlignedArgument<const Eigen::Matrix<S, N, 1, Eigen::DontAlign>&> {
+  using Type = const Eigen::Matrix<S, N, 1>&;
+};
+template <class A>
+using Aligned = typename AlignedArgument<A>::Type;
 
 template <class E, class... A>
+concept Callable = CallableAsIs<E, A...> || CallableAsIs<E, Aligned<A>...>;
+
+template <class E, class... A>
+requires Callable<E, A...>
 decltype(auto) call(const E& e, A&&... a) {
   if constexpr (HasErrorMember<E, A...>) {
     return e.error(std::forward<A>(a)...);
-  } else {
+  } else if constexpr (CallableAsIs<E, A...>) {
     return e(std::forward<A>(a)...);
+  } else {
+    auto result = call<E, Aligned<A&&>...>(e, std::forward<A>(a)...);
+    return result;  // by value: a reference might refer to the copies
   }
 }
 
@@ -218,6 +247,9 @@ requires HasErrorMember<E, A...>
 struct UnevaluatedResult<E, A...> {
   using Type = decltype(std::declval<const E&>().error(std::declval<A>()...));
 };
+template <class E, class... A>
+requires(!CallableAsIs<E, A...>) struct UnevaluatedResult<E, A...> : UnevaluatedResult<E, Aligned<A>...> {
+};
 
 /// The function carries S from its arguments to its result. (One that takes plain Eigen vectors can be called
 /// with vectors of S, since Eigen offers to convert them, but what it returns is plain.)
@@ -262,6 +294,12 @@ inline constexpr bool kAnalytic = [] {
     };
   }
 }();
+
+/// What optimize() takes unless it is told to differentiate numerically.
+template <class E, class... V>
+inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? JacobianSource::kAnalytic
+                                                  : kDifferentiable<E, V...> ? JacobianSource::kAutomatic
+                                                                             : JacobianSource::kNumeric;
 
 }  // namespace edge
 

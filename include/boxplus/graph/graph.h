@@ -8,12 +8,14 @@
 #include <ranges>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <typeindex>
 #include <typeinfo>
 #include <unordered_map>
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/graph/check_types.h"
 #include "boxplus/graph/id_map.h"
 #include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/graph/typed_vertex_pool.h"
@@ -30,7 +32,7 @@ template <class H>
 struct VertexTypeOf;
 template <class T>
 struct VertexTypeOf<VertexHandle<T>> {
-  using Type = T;
+  using Type = StoredEstimate<T>;
 };
 template <std::ranges::range R>
 requires kIsVertexHandle<std::ranges::range_value_t<R>>
@@ -66,8 +68,12 @@ concept Attachable = requires {
 
 /// A hyper-graph: vertices of any manifold type, edges over any number of them.
 ///
-/// Handles stay valid until their element is removed; a stale handle throws InvalidArgument. Methods that
-/// take a handle are O(1) unless they say otherwise. A Graph is used by one thread at a time.
+/// Handles stay valid until their element is removed. A stale handle, or one of another graph, throws
+/// InvalidArgument. Methods that take a handle are O(1) unless they say otherwise. A Graph is used by one
+/// thread at a time.
+///
+/// Eigen's column vectors of doubles are kept as Vector<double, N> (graph/stored_estimate.h). Every method
+/// takes either type.
 class Graph {
  public:
   Graph();
@@ -86,49 +92,51 @@ class Graph {
 
   /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument where the id is taken or
   /// negative.
-  template <ManifoldType T>
-  VertexHandle<T> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
+  template <class T>
+  VertexHandle<StoredEstimate<T>> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
+    static_assert(check_vertex_type<StoredEstimate<T>>());
     const Id chosen = claim_id(vertex_ids_, next_id_, id, "vertex");
-    return register_vertex<T>(std::move(estimate), chosen, vertex_ids_);
+    return register_vertex<StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
   }
 
   /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed from the start, never fixes
   /// the gauge and has its own ids. Calibrating it is unfix()ing it.
-  template <ManifoldType T>
-  VertexHandle<T> add_parameter(T value, std::optional<Id> id = std::nullopt) {
+  template <class T>
+  VertexHandle<StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
+    static_assert(check_vertex_type<StoredEstimate<T>>());
     const Id chosen = claim_id(parameter_ids_, next_parameter_id_, id, "parameter");
-    const VertexHandle<T> handle = register_vertex<T>(std::move(value), chosen, parameter_ids_);
+    const auto handle = register_vertex<StoredEstimate<T>>(std::move(value), chosen, parameter_ids_);
     mark_parameter(handle);
     return handle;
   }
 
   /// The vertex (parameter) with that id. Throws InvalidArgument where there is none or its type is another.
   template <ManifoldType T>
-  VertexHandle<T> vertex(Id id) const {
+  VertexHandle<StoredEstimate<T>> vertex(Id id) const {
     return typed<T>(lookup(vertex_ids_, id, "vertex"));
   }
   template <ManifoldType T>
-  VertexHandle<T> parameter(Id id) const {
+  VertexHandle<StoredEstimate<T>> parameter(Id id) const {
     return typed<T>(lookup(parameter_ids_, id, "parameter"));
   }
   std::optional<VertexRef> find_vertex(Id id) const;
   std::optional<VertexRef> find_parameter(Id id) const;
   /// `vertex` as a handle of its type. Throws InvalidArgument where the estimate is no T.
   template <ManifoldType T>
-  VertexHandle<T> typed(VertexRef vertex) const {
+  VertexHandle<StoredEstimate<T>> typed(VertexRef vertex) const {
     typed_pool<T>(vertex);
     return {vertex};
   }
 
   template <ManifoldType T>
-  const T& estimate(VertexHandle<T> vertex) const {
+  const StoredEstimate<T>& estimate(VertexHandle<T> vertex) const {
     return typed_pool<T>(vertex).value(vertex.slot);
   }
   /// Moves a vertex. Where a run-time-size estimate changes its size, the errors of its edges must follow
   /// suit.
   template <ManifoldType T>
-  void set_estimate(VertexHandle<T> vertex, T estimate) {
-    T& value = typed_pool<T>(vertex).value(vertex.slot);
+  void set_estimate(VertexHandle<T> vertex, std::type_identity_t<StoredEstimate<T>> estimate) {
+    StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
     const bool resized = boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate);
     value = std::move(estimate);
     if (resized) ++revision_;
@@ -172,8 +180,7 @@ class Graph {
            (edge::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
                                                                 const H&... vertices) {
     static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last argument may be a range of handles");
-    static_assert(EdgeType<E, edge::VertexType<H>...>,
-                  "the error function cannot be called with the estimates of these vertices (in this order)");
+    static_assert(check_edge_type<E, edge::VertexType<H>...>());
     edge::ListFor<VertexRef, edge::VertexType<H>...> refs;
     (gather(refs, vertices), ...);
     check_distinct(refs);
@@ -283,6 +290,10 @@ class Graph {
     std::vector<std::vector<std::uint32_t>> generations;  // per pool
   };
 
+  /// Where the generations of a graph's pools begin to count. Each call gives another number, and numbers
+  /// given so far lie as far apart as they can: handles of another graph, and handles from before clear(),
+  /// are recognized. Thread-safe.
+  static std::uint32_t new_epoch() noexcept;
   static Id claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what);
   VertexRef lookup(const IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
@@ -314,11 +325,13 @@ class Graph {
     return found == vertex_pool_of_.end() ? 0xFFFFFFFFu : found->second;
   }
   template <class T>
-  TypedVertexPool<T>& typed_pool(VertexRef vertex) const {
+  TypedVertexPool<StoredEstimate<T>>& typed_pool(VertexRef vertex) const {
     check(vertex);
     VertexPool& pool = *vertex_pools_[vertex.pool];
-    if (typeid(pool) != typeid(TypedVertexPool<T>)) throw_wrong_type(vertex, type_name<T>());
-    return static_cast<TypedVertexPool<T>&>(pool);
+    if (typeid(pool) != typeid(TypedVertexPool<StoredEstimate<T>>)) {
+      throw_wrong_type(vertex, type_name<StoredEstimate<T>>());
+    }
+    return static_cast<TypedVertexPool<StoredEstimate<T>>&>(pool);
   }
   /// The index of T's pool, which is made where it is missing.
   template <class T>
@@ -328,7 +341,7 @@ class Graph {
         vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
     if (fresh) {
       vertex_pools_.push_back(std::make_unique<TypedVertexPool<T>>());
-      vertex_pools_.back()->first_generation_ = epoch_;
+      vertex_pools_.back()->next_generation_ = epoch_;
     }
     last_vertex_pool_ = {&typeid(T), entry->second};
     return entry->second;
@@ -383,7 +396,7 @@ class Graph {
       typename Pool::VertexPools pools{static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
           vertex_pools_[vertex_pool_index<edge::ElementOf<V>>()].get())...};
       edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
-      edge_pools_.back()->first_generation_ = epoch_;
+      edge_pools_.back()->next_generation_ = epoch_;
       edge_access_.push_back(EdgeAccess::of<E, Pool>());
     }
     last_edge_pool_ = {&typeid(Pool), entry->second};
@@ -405,7 +418,7 @@ class Graph {
   IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
   std::uint64_t revision_ = 1;
-  std::uint32_t epoch_ = 0;  // first generation of new slots: handles from before clear() stay stale
+  std::uint32_t epoch_ = new_epoch();  // of new pools
   std::vector<Saved> stack_;
   std::unique_ptr<Cache> cache_;
   mutable std::unique_ptr<Incidence> incidence_;  // made by the first call of edges()

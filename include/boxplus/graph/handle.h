@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light references to elements of a Graph. They stay valid until their element is removed; a stale one is
-// detected.
+// Light references to elements of a Graph. They stay valid until their element is removed. A stale one is
+// detected, and so is one of another graph.
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
+
+#include "boxplus/graph/stored_estimate.h"
 
 namespace boxplus {
 
 /// The integer name of a vertex: chosen by the user or the file, else the next free one.
 using Id = std::int64_t;
 
-/// A vertex of any type: slot `slot` of vertex pool `pool`; `generation` tells a re-used slot from its
-/// predecessor.
+/// A vertex of any type: slot `slot` of vertex pool `pool`. `generation` tells a re-used slot from its
+/// predecessor, and the slot of one graph from that of another: graphs count generations from different
+/// numbers.
 struct VertexRef {
   std::uint32_t pool = 0xFFFFFFFFu;
   std::uint32_t slot = 0;
@@ -32,6 +36,16 @@ struct EdgeRef {
 template <class T>
 struct VertexHandle : VertexRef {
   using Estimate = T;
+};
+
+/// The same vertex type under another name: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert
+/// into each other.
+template <class T>
+requires(!std::same_as<T, StoredEstimate<T>>) struct VertexHandle<T> : VertexHandle<StoredEstimate<T>> {
+  VertexHandle() = default;
+  VertexHandle(const VertexHandle<StoredEstimate<T>>& vertex)  // NOLINT(google-explicit-constructor)
+      : VertexHandle<StoredEstimate<T>>(vertex) {}
+  explicit VertexHandle(const VertexRef& vertex) : VertexHandle<StoredEstimate<T>>{vertex} {}
 };
 
 /// An edge whose error function is an E.

@@ -99,10 +99,7 @@ class TypedEdgePool final : public EdgePool {
 
   std::string_view type_name() const override { return boxplus::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
-  JacobianSource jacobian_source() const override {
-    if constexpr (edge::kAnalytic<E, V...>) return JacobianSource::kAnalytic;
-    return edge::kDifferentiable<E, V...> ? JacobianSource::kAutomatic : JacobianSource::kNumeric;
-  }
+  JacobianSource jacobian_source() const override { return edge::kJacobianSource<E, V...>; }
 
   EdgeShape shape(std::uint32_t edge) const override {
     if constexpr (kCols != kDynamic) {

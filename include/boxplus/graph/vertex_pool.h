@@ -72,7 +72,7 @@ class VertexPool {
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> flags_;
   std::vector<std::uint32_t> free_;
-  std::uint32_t first_generation_ = 0;
+  std::uint32_t next_generation_ = 0;  // of the next vertex, whichever slot it takes
 };
 
 }  // namespace boxplus

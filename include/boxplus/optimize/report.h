@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boxplus/graph/jacobian_source.h"
 #include "boxplus/optimize/options.h"
 
 namespace boxplus {
@@ -58,6 +59,12 @@ struct GaugeReport {
   int damped_components = 0;  ///< components held only in part (or GaugePolicy::kDamp): H was damped minutely
 };
 
+/// Where the Jacobians of one edge type came from.
+struct EdgeJacobians {
+  std::string_view edge_type;
+  JacobianSource source;
+};
+
 struct Timings {
   double plan_s = 0, start_s = 0, linearize_s = 0, factorize_s = 0, solve_s = 0, evaluate_s = 0, total_s = 0;
 };
@@ -76,7 +83,7 @@ struct Report {
 
   std::string_view algorithm, linear_solver;
   std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
-  std::vector<std::string_view> numeric_jacobians;  ///< edge types that were differentiated numerically
+  std::vector<EdgeJacobians> jacobians;  ///< of each edge type that takes part
   LinearStatistics linear;
   int regularised_steps = 0;  ///< steps for which H had to be damped to be positive definite
   int threads = 1;            ///< the bound asked for

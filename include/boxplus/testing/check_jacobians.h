@@ -4,7 +4,7 @@
 //     const JacobianCheck check = check_jacobians(MyEdge{…}, x_1, x_2);
 //     if (!check.ok) std::cerr << check.message;
 //
-// The edge's own Jacobians (if it has any) are compared with exact ones from dual numbers (if the error is
+// The type's own Jacobians (if it has any) are compared with exact ones from dual numbers (if the error is
 // generic in its scalar), and those with numeric ones. The estimates should be away from kinks and far from
 // all-zero errors, so that no term vanishes.
 #pragma once
@@ -13,20 +13,25 @@
 #include <string>
 #include <vector>
 
+#include "boxplus/graph/check_types.h"
 #include "boxplus/graph/differentiate.h"
+#include "boxplus/graph/edge_pool.h"
 #include "boxplus/graph/type_name.h"
 
 namespace boxplus {
 
 struct JacobianTolerances {
-  double analytic = 1e-10;  ///< analytic against dual numbers, relative to the largest entry (at least 1)
+  double analytic = 1e-10;  ///< own against exact ones, relative to the largest entry (at least 1)
   double numeric = 1e-7;    ///< anything against numeric derivatives, likewise
 };
 
 struct JacobianCheck {
   bool ok = true;
-  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
-  /// against automatic)". Rows, columns and vertices count from 1. Empty where ok.
+  /// The Jacobians that optimize() takes: the type's own, exact ones, or numeric ones. to_string(source) is
+  /// "own", "exact" or "numeric".
+  JacobianSource source = JacobianSource::kNumeric;
+  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (own against
+  /// exact)". Rows, columns and vertices count from 1. Empty where ok.
   std::string message;
   double largest_difference = 0;  ///< relative to the largest entry of the Jacobian (at least 1)
 };
@@ -44,15 +49,21 @@ void compare_jacobians(std::span<const double> expected, std::span<const double>
                        double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
                        JacobianCheck& check);
 
+/// How an estimate that is given to the check arrives at the edge: as in a graph.
 template <class A>
 struct CheckedType {
-  using Type = A;
-  static const A& argument(const A& x) { return x; }
+  using Type = StoredEstimate<A>;
+  static const Type& argument(const Type& x) { return x; }
+};
+template <EigenColumn A>
+struct CheckedType<A> {
+  using Type = StoredEstimate<A>;
+  static Type argument(const A& x) { return x; }
 };
 template <class T>
 struct CheckedType<std::vector<T>> {
-  using Type = Tail<T>;
-  static std::span<const T> argument(const std::vector<T>& x) { return x; }
+  using Type = Tail<StoredEstimate<T>>;
+  static std::vector<StoredEstimate<T>> argument(const std::vector<T>& x) { return {x.begin(), x.end()}; }
 };
 
 template <class... V, class E>
@@ -70,6 +81,7 @@ void analytic_jacobian(const E& e, std::vector<double>& jacobian, int rows, Argu
 
 template <class... V, class E>
 JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerances, Argument<V>... x) {
+  static_assert(check_edge_type<E, V...>());
   const int rows = row_count(evaluate(e, x...));
   int cols = 0;
   const auto columns = [&](std::string_view type, int count) {
@@ -82,20 +94,20 @@ JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerance
   std::vector<double> error(static_cast<std::size_t>(rows)), numeric(size), automatic(size), analytic(size);
 
   JacobianCheck check;
+  check.source = kJacobianSource<E, V...>;
   numeric_jacobian<V...>(e, error.data(), numeric.data(), rows, cols, x...);
   if constexpr (kDifferentiable<E, V...>) {
     automatic_jacobian<V...>(e, error.data(), automatic.data(), rows, cols, x...);
-    compare_jacobians(numeric, automatic, rows, tolerances.numeric, arguments, "automatic against numeric",
+    compare_jacobians(numeric, automatic, rows, tolerances.numeric, arguments, "exact against numeric",
                       check);
   }
   if constexpr (kAnalytic<E, V...>) {
     analytic_jacobian<V...>(e, analytic, rows, x...);
     if constexpr (kDifferentiable<E, V...>) {
-      compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments,
-                        "analytic against automatic", check);
-    } else {
-      compare_jacobians(numeric, analytic, rows, tolerances.numeric, arguments, "analytic against numeric",
+      compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments, "own against exact",
                         check);
+    } else {
+      compare_jacobians(numeric, analytic, rows, tolerances.numeric, arguments, "own against numeric", check);
     }
   }
   return check;

@@ -28,6 +28,7 @@ struct BetweenText {
 template <class T>
 struct Between {
   static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
+  static constexpr bool kJacobiansForSomeTypes = true;
   T measurement;
 
   explicit Between(T z) : measurement(std::move(z)) {}
@@ -47,6 +48,9 @@ struct Between {
     return relative_pose(0, 1, measurement);
   }
 };
+
+template <class T>
+Between(T) -> Between<StoredEstimate<T>>;
 
 /// What the kernels do for Between<SE2> and Between<SE3>: errors and, unless `jacobian` is null, Jacobians in
 /// lanes. The arguments point to the numbers of each edge's measurement and poses.

@@ -38,6 +38,6 @@ struct PositionPrior {
 };
 
 template <class V>
-PositionPrior(const V&) -> PositionPrior<V>;
+PositionPrior(const V&) -> PositionPrior<StoredEstimate<V>>;
 
 }  // namespace boxplus

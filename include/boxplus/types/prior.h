@@ -34,4 +34,7 @@ struct Prior {
   }
 };
 
+template <class T>
+Prior(T) -> Prior<StoredEstimate<T>>;
+
 }  // namespace boxplus
