@@ -40,7 +40,8 @@ int main() {
   std::printf("least squares:  m %.3f, c %.3f\n", trusting[0], trusting[1]);
 
   // [kernel]
-  for (const auto& sample : samples) graph.set_kernel(sample, Cauchy(2));  // in standard deviations
+  for (const auto& sample : samples)
+    graph.set_kernel(sample, Cauchy(default_width(1)));  // of errors of one row
   const Report report = optimize(graph);
   // [/kernel]
   const Vector2 robust = graph.estimate(curve);

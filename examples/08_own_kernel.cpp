@@ -16,7 +16,7 @@ using namespace boxplus;
 class LogCosh final : public KernelBase<LogCosh> {
  public:
   static constexpr std::string_view kName = "LogCosh";
-  explicit LogCosh(double delta = 1) : KernelBase(delta) {}
+  explicit LogCosh(double delta) : KernelBase(delta) {}
 
   Rho operator()(double e2) const override {
     const double d2 = delta_ * delta_, t = e2 / d2;

@@ -42,7 +42,7 @@ Rho DCS::operator()(double e2) const {
   const double sum = delta_ + e2;
   const double scale = 2 * delta_ / sum;
   const double weight = scale * scale;
-  return {weight * e2, weight * ((delta_ - e2) / sum), 2 * weight * ((e2 - 2 * delta_) / sum) / sum};
+  return {delta_ * (3 - 2 * scale), weight, -2 * weight / sum};
 }
 
 }  // namespace boxplus

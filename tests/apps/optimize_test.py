@@ -144,11 +144,21 @@ class OptimizeTest(CommandCase):
                            ("chordal", "chordal")):
             self.assertEqual(self.report_of(TOWN, "--start", name)["start"]["used"], used)
 
+    def test_the_default_width_of_a_kernel_follows_from_the_rows_of_each_edge(self):
+        widths = self.report_of(TOWN, "--kernel", "Cauchy")["kernel"]["width_by_rows"]
+        self.assertEqual(list(widths), ["3"])
+        self.assertAlmostEqual(widths["3"], 2.795483, places=6)
+        widths = self.report_of(self.simulated("city", 50), "--kernel", "DCS")["kernel"]["width_by_rows"]
+        self.assertEqual(list(widths), ["2", "3"])
+        self.assertAlmostEqual(widths["2"], 5.991465, places=6)
+        self.assertIn("Cauchy kernel of width 2.795 (3 rows) on 125 of 125 edges",
+                      run("optimize", TOWN, "--kernel", "Cauchy").stdout)
+
     def test_kernels_can_be_for_loop_closures_only(self):
         self.assertIsNone(self.report_of(TOWN)["kernel"])
         report = self.report_of(TOWN, "--kernel", "Huber", "--kernel-width", 2)
         self.assertEqual(report["kernel"], {"name": "Huber", "width": 2, "edges": 125})
-        report = self.report_of(TOWN, "--kernel", "Barron:-2", "--kernel-on", "loop-closures")
+        report = self.report_of(TOWN, "--kernel", "Barron:-2", "--kernel-on", "loop-closures", "--kernel-width", 1)
         self.assertEqual(report["kernel"], {"name": "Barron:-2", "width": 1, "edges": 6})
         self.assertEqual(self.report_of(TOWN, "--kernel", "barron:1")["kernel"]["name"], "Barron:1")
         self.assert_refused(run("optimize", TOWN, "--kernel", "Hubert"), "unknown robust kernel 'Hubert'")

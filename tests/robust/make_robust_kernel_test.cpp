@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "boxplus/base/error.h"
+#include "boxplus/robust/default_width.h"
 
 namespace boxplus {
 namespace {
@@ -46,6 +48,30 @@ TEST(MakeRobustKernel, RefusesBadWidthsAndShapes) {
   EXPECT_THAT(message_of("DCS", std::numeric_limits<double>::quiet_NaN()), HasSubstr("robust kernel DCS"));
   EXPECT_THAT(message_of("Barron:", 1), HasSubstr("expected a number as shape"));
   EXPECT_THAT(message_of("Barron:1x", 1), HasSubstr("got '1x'"));
+}
+
+TEST(MakeDefaultKernel, HasAWidthThatNinetyFivePercentOfGoodErrorsStayWithin) {
+  EXPECT_NEAR(make_default_kernel("Huber", 1)->delta(), 1.959964, 1e-6);
+  EXPECT_NEAR(make_default_kernel("Cauchy", 6)->delta(), std::sqrt(12.591587), 1e-6);
+  EXPECT_NEAR(make_default_kernel("Barron:-2", 3)->delta(), std::sqrt(7.814728), 1e-6);
+}
+
+TEST(MakeDefaultKernel, SquaresTheWidthOfKernelsThatMeasureTheSquaredError) {
+  // A good error of 95 % probability is where DCS begins to act, as it is for Huber.
+  for (const int rows : {1, 3, 6}) {
+    const double e2 = chi2_quantile(rows, 0.95);
+    for (const char* name : {"Huber", "DCS"}) {
+      const auto kernel = make_default_kernel(name, rows);
+      EXPECT_EQ((*kernel)(0.999 * e2).first, 1) << name;
+      EXPECT_LT((*kernel)(1.001 * e2).first, 1) << name;
+    }
+    EXPECT_NEAR((*make_default_kernel("GemanMcClure", rows))(e2).first, 0.25, 1e-12);
+  }
+}
+
+TEST(MakeDefaultKernel, RefusesUnknownNamesAndNoRows) {
+  EXPECT_THROW(make_default_kernel("Hubert", 3), InvalidArgument);
+  EXPECT_THROW(make_default_kernel("Huber", 0), InvalidArgument);
 }
 
 }  // namespace

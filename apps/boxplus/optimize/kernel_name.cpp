@@ -34,7 +34,7 @@ CLI::Validator kernel_name() {
   const auto check = [](std::string& name) {
     name = spelt_out(name);
     try {
-      make_robust_kernel(name);
+      make_default_kernel(name, 1);
       return std::string();
     } catch (const InvalidArgument& error) {
       return std::string(error.what());

@@ -157,10 +157,11 @@ void add_robust_options(CLI::App& command, KernelArguments& arguments) {
           ->group("Outliers");
   command
       .add_option("--kernel-width", arguments.kernel_width,
-                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared")
+                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared. "
+                  "Without, it follows from the rows of each edge, so that 95 % of good errors lie within: "
+                  "1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared for those two)")
       ->check(number_above(0))
       ->type_name("X")
-      ->capture_default_str()
       ->needs(kernel)
       ->group("Outliers");
   add_choice(command, "--kernel-on", arguments.kernel_scope, kScopes,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
 
 /// The robust kernel that edges get, if any.
 struct KernelArguments {
-  std::string kernel;  ///< empty: none
-  double kernel_width = 1;
+  std::string kernel;                  ///< empty: none
+  std::optional<double> kernel_width;  ///< else the default for the rows of each edge
   KernelScope kernel_scope = KernelScope::kAll;
 };
 /// Adds --kernel and the options that go with it.

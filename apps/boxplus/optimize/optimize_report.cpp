@@ -17,6 +17,17 @@ std::string where_written(const OptimizeArguments& arguments) {
                                                : "written to " + arguments.output;
 }
 
+/// " of width 2", or " of width 1.96 (1 row), 2.795 (3 rows)".
+std::string widths_text(const KernelFacts& kernel) {
+  if (kernel.width) return fmt::format(" of width {:g}", *kernel.width);
+  std::string text;
+  for (const auto& [rows, width] : kernel.widths) {
+    text += fmt::format("{}{:.4g} ({} row{})", text.empty() ? " of width " : ", ", width, rows,
+                        rows == 1 ? "" : "s");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
@@ -26,9 +37,8 @@ std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   std::string text = to_string(report);
   if (!facts.kernel.name.empty()) {
-    text += fmt::format(
-        "\n{} kernel of width {:g} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
-        facts.kernel.name, facts.kernel.width, facts.kernel.edges, facts.edges);
+    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
+                        facts.kernel.name, widths_text(facts.kernel), facts.kernel.edges, facts.edges);
   }
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/optimize_run.h"
 
+#include <map>
 #include <memory>
 
 #include "boxplus/optimize/optimize.h"
@@ -33,6 +34,11 @@ class FixForRun {
   std::vector<VertexRef> fixed_;
 };
 
+std::shared_ptr<const RobustKernel> make_kernel(const KernelArguments& arguments, int rows) {
+  return arguments.kernel_width ? make_robust_kernel(arguments.kernel, *arguments.kernel_width)
+                                : make_default_kernel(arguments.kernel, rows);
+}
+
 }  // namespace
 
 KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
@@ -40,12 +46,15 @@ KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
   if (arguments.kernel.empty()) return facts;
   facts.name = arguments.kernel;
   facts.width = arguments.kernel_width;
-  const std::shared_ptr<const RobustKernel> kernel =
-      make_robust_kernel(arguments.kernel, arguments.kernel_width);
+  std::map<int, std::shared_ptr<const RobustKernel>> kernels;  // by the rows of the edge
   const EdgeRoles role(graph);
   for (const EdgeRef& edge : graph.all_edges()) {
     if (arguments.kernel_scope == KernelScope::kAll || role(edge) == EdgeRole::kLoopClosure) {
+      const int rows = graph.edge_pools()[edge.pool]->shape(edge.slot).rows;
+      std::shared_ptr<const RobustKernel>& kernel = kernels[rows];
+      if (!kernel) kernel = make_kernel(arguments, rows);
       graph.set_kernel(edge, kernel);
+      if (!facts.width) facts.widths[rows] = kernel->delta();
       ++facts.edges;
     }
   }

@@ -14,7 +14,7 @@ namespace boxplus {
 class Barron final : public RobustKernel {
  public:
   /// The shape may be any number or ±∞; c > 0 is the width in units of √e².
-  explicit Barron(double shape, double c = 1);
+  Barron(double shape, double c);
   Rho operator()(double e2) const override;
   std::string_view name() const override { return "Barron"; }
   double delta() const override { return c_; }

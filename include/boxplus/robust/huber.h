@@ -12,7 +12,7 @@ namespace boxplus {
 class Huber final : public KernelBase<Huber> {
  public:
   static constexpr std::string_view kName = "Huber";
-  explicit Huber(double delta = 1) : KernelBase(delta) {}
+  explicit Huber(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
@@ -20,7 +20,7 @@ class Huber final : public KernelBase<Huber> {
 class PseudoHuber final : public KernelBase<PseudoHuber> {
  public:
   static constexpr std::string_view kName = "PseudoHuber";
-  explicit PseudoHuber(double delta = 1) : KernelBase(delta) {}
+  explicit PseudoHuber(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
@@ -29,7 +29,7 @@ class PseudoHuber final : public KernelBase<PseudoHuber> {
 class Fair final : public KernelBase<Fair> {
  public:
   static constexpr std::string_view kName = "Fair";
-  explicit Fair(double delta = 1) : KernelBase(delta) {}
+  explicit Fair(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 

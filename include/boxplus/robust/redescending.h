@@ -11,15 +11,15 @@ namespace boxplus {
 class Cauchy final : public KernelBase<Cauchy> {
  public:
   static constexpr std::string_view kName = "Cauchy";
-  explicit Cauchy(double delta = 1) : KernelBase(delta) {}
+  explicit Cauchy(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
-/// Geman & McClure (1985): δ e²/(δ + e²). Here δ is in units of e², not squared.
+/// Geman & McClure (1985): δ e²/(δ + e²). δ is in units of e², not squared.
 class GemanMcClure final : public KernelBase<GemanMcClure> {
  public:
   static constexpr std::string_view kName = "GemanMcClure";
-  explicit GemanMcClure(double delta = 1) : KernelBase(delta) {}
+  explicit GemanMcClure(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
@@ -27,7 +27,7 @@ class GemanMcClure final : public KernelBase<GemanMcClure> {
 class Welsch final : public KernelBase<Welsch> {
  public:
   static constexpr std::string_view kName = "Welsch";
-  explicit Welsch(double delta = 1) : KernelBase(delta) {}
+  explicit Welsch(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
@@ -35,7 +35,7 @@ class Welsch final : public KernelBase<Welsch> {
 class Tukey final : public KernelBase<Tukey> {
  public:
   static constexpr std::string_view kName = "Tukey";
-  explicit Tukey(double delta = 1) : KernelBase(delta) {}
+  explicit Tukey(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
@@ -43,16 +43,17 @@ class Tukey final : public KernelBase<Tukey> {
 class Saturated final : public KernelBase<Saturated> {
  public:
   static constexpr std::string_view kName = "Saturated";
-  explicit Saturated(double delta = 1) : KernelBase(delta) {}
+  explicit Saturated(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 
-/// Dynamic covariance scaling (Agarwal et al., ICRA 2013): s²e² with s = min(1, 2Φ/(Φ + e²)); δ is Φ, in
-/// units of e². ρ falls again for e² > Φ: ρ′ is negative there.
+/// Dynamic covariance scaling (Agarwal et al., ICRA 2013): the weight is s² = min(1, 2Φ/(Φ + e²))², so that ρ
+/// is its integral: e² up to Φ, 3Φ − 4Φ²/(Φ + e²) beyond. δ is Φ, in units of e², not squared. (The paper's
+/// own s²e² is not the integral of its weight, and falls again beyond Φ.)
 class DCS final : public KernelBase<DCS> {
  public:
   static constexpr std::string_view kName = "DCS";
-  explicit DCS(double delta = 1) : KernelBase(delta) {}
+  explicit DCS(double delta) : KernelBase(delta) {}
   Rho operator()(double e2) const override;
 };
 

@@ -5,8 +5,8 @@
 // it):
 //   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e²
 //   wherever these exist. At a kink, the values of the inner side are returned.
-// ρ′ is the weight of the edge in H and b. A kernel may return a negative ρ′ (DCS): the linearisation clamps
-// it.
+// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization would take 0, so that
+// an edge far away would never pull.
 #pragma once
 
 #include <memory>

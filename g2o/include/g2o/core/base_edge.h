@@ -113,7 +113,7 @@ class BaseEdge : public OptimizableGraph::Edge {
   InformationType _information;
   ErrorVector _error;
 
-  /// ρ′Ω. A ρ′ < 0 (which DCS has) would make the Hessian indefinite; it counts as 0.
+  /// ρ′Ω. A ρ′ < 0 would make the Hessian indefinite; it counts as 0.
   InformationType robustInformation(const Vector3& rho) const { return std::max(0.0, rho[1]) * _information; }
 
   /// Reads and writes the upper triangle of Ω, row by row.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robust kernels of the g2o API under the checker of the engine's.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "boxplus/testing/check_kernel.h"
+#include "g2o/core/robust_kernel_factory.h"
+#include "g2o/core/robust_kernel_impl.h"
+
+namespace {
+
+/// A kernel of the g2o API in the place of one of the engine.
+class Adapter final : public boxplus::RobustKernel {
+ public:
+  Adapter(const std::string& name, double delta)
+      : name_(name), kernel_(g2o::RobustKernelFactory::instance()->construct(name)) {
+    kernel_->setDelta(delta);
+  }
+  boxplus::Rho operator()(double e2) const override {
+    g2o::Vector3 rho;
+    kernel_->robustify(e2, rho);
+    return {rho[0], rho[1], rho[2]};
+  }
+  std::string_view name() const override { return name_; }
+  double delta() const override { return kernel_->delta(); }
+  std::unique_ptr<boxplus::RobustKernel> clone() const override {
+    return std::make_unique<Adapter>(name_, delta());
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<g2o::RobustKernel> kernel_;
+};
+
+TEST(RobustKernels, OfTheFactoryObeyTheContractAtEveryWidth) {
+  std::vector<std::string> names;
+  g2o::RobustKernelFactory::instance()->fillKnownKernels(names);
+  ASSERT_GE(names.size(), 9u);
+  for (const std::string& name : names) {
+    for (const double delta : {0.1, 1.0, 5.0, 300.0}) {
+      const boxplus::KernelCheck check = check_kernel(Adapter(name, delta));
+      EXPECT_TRUE(check) << check.message << ", delta " << delta;
+    }
+  }
+}
+
+TEST(RobustKernels, DynamicCovarianceScalingHasTheWeightOfThePaper) {
+  g2o::RobustKernelDCS kernel(1);
+  g2o::Vector3 rho;
+  kernel.robustify(100, rho);
+  EXPECT_DOUBLE_EQ(rho[1], 4.0 / (101 * 101));
+  EXPECT_DOUBLE_EQ(rho[0], 3 - 4.0 / 101);
+}
+
+}  // namespace
