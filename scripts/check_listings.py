@@ -4,26 +4,35 @@
 
     check_listings.py [--fix] [PROGRAMS]
 
-Each C++ block of these pages follows a line that names its source, each block of output one that names the
-example that prints it:
+Each C++ block of these pages follows a line that names its source, each block of text one that names the
+command that prints it, or says that no program does:
 
     <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge],
                                                     or # [edge] and # [/edge]
-    <!-- output of 02_own_edge -->                  checked where PROGRAMS, the folder of the examples, is given
+    <!-- output of 02_own_edge -->                  what a command prints that succeeds,
+    <!-- output of boxplus info data/01_town.g2o -->
+    <!-- complaint of boxplus info nowhere.g2o -->  or one that refuses its input (exit code 2)
+    <!-- drawing -->
 
-Numbers in outputs may differ by rounding. With --fix the pages are corrected instead. Words of files that
+Outputs are checked if PROGRAMS is given, the folder of the examples in a build; the command boxplus is that of
+the same build. A command is run by the shell in an empty folder, in which data/ is that of the project. Numbers
+may differ by rounding; times (four decimals) and threads by anything. With --fix the pages are corrected instead.
+docs/cli.md must be what `boxplus help --markdown` prints, and is not searched for blocks. Words of files that
 src/io registers must stand in docs/formats.md, and links to files must lead somewhere.
 """
 
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"(?:<!-- (?P<source>.+?) -->\n)?```(?P<language>\w*)\n(?P<text>.*?)```", re.DOTALL)
 MARKER = re.compile(r"^ *(?://|#) \[/?\w+\]\n", re.MULTILINE)
+VARIES = re.compile(r"\b\d+\.\d{4}\b|\d+ of \d+ threads?")
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 WORD = re.compile(r'(?:vertex|parameter|edge|old_vertex|old_edge)<.*?>\(\s*"([^"]+)"')
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
@@ -42,12 +51,29 @@ def region(source):
     return textwrap.dedent(MARKER.sub("", text))
 
 
-def output(programs, name):
-    return subprocess.run([programs / name], check=True, capture_output=True, text=True).stdout
+def run(programs, command):
+    """The command, run to its end; programs of the build come first."""
+    path = os.pathsep.join([str(programs), str(programs.parents[1] / "bin"), os.environ["PATH"]])
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / "data").symlink_to(ROOT / "data")
+        (pathlib.Path(folder) / "build").mkdir()
+        return subprocess.run(["bash", "-c", command], check=False, capture_output=True, text=True, cwd=folder,
+                              env={**os.environ, "PATH": path})
+
+
+def printed_by(programs, source):
+    """What stands on the output, or on the error output, of the command in "output of …", "complaint of …"."""
+    kind, _, command = source.partition(" of ")
+    done = run(programs, command)
+    expected = 0 if kind == "output" else 2
+    if done.returncode != expected:
+        raise LookupError(f"{command}: exit code {done.returncode}, expected {expected}: {done.stderr.strip()}")
+    return done.stdout if kind == "output" else done.stderr
 
 
 def alike(shown, printed):
     """The same text, and the same numbers but for rounding."""
+    shown, printed = VARIES.sub("…", shown), VARIES.sub("…", printed)
     if NUMBER.sub("0", shown) != NUMBER.sub("0", printed):
         return False
     pairs = zip(NUMBER.findall(shown), NUMBER.findall(printed))
@@ -61,16 +87,18 @@ def check_block(match, programs, complain):
         if source and source.startswith("examples/"):
             expected = region(source)
             right = shown == expected
-        elif source and source.startswith("output of "):
+        elif source and source.startswith(("output of ", "complaint of ")):
             if not programs:
                 return match[0]
-            expected = output(programs, source.removeprefix("output of "))
+            expected = printed_by(programs, source)
             right = alike(shown, expected)
         else:
             if language == "cpp":
                 complain("C++ that does not say which example compiles it", match)
+            if language in ("", "text", "console") and source != "drawing":
+                complain("text that does not say which command prints it", match)
             return match[0]
-    except (LookupError, OSError, subprocess.CalledProcessError) as error:
+    except (LookupError, OSError) as error:
         complain(str(error), match)
         return match[0]
     if right:
@@ -96,6 +124,18 @@ def check_page(page, programs, fix):
     return complaints
 
 
+def check_command_page(programs, fix):
+    page = ROOT / "docs/cli.md"
+    done = run(programs, "boxplus help --markdown")
+    if done.returncode != 0:
+        return [f"docs/cli.md: boxplus help --markdown: exit code {done.returncode}: {done.stderr.strip()}"]
+    if page.read_text(encoding="utf-8") == done.stdout:
+        return []
+    if fix:
+        page.write_text(done.stdout, encoding="utf-8")
+    return ["docs/cli.md: differs from what boxplus help --markdown prints"]
+
+
 def missing_words():
     page = (ROOT / "docs/formats.md").read_text(encoding="utf-8")
     for file in sorted((ROOT / "src/io").glob("register_*.cpp")):
@@ -108,9 +148,13 @@ def main():
     arguments = sys.argv[1:]
     fix = "--fix" in arguments
     folders = [pathlib.Path(a).resolve() for a in arguments if a != "--fix"]
+    programs = folders[0] if folders else None
     complaints = list(missing_words())
+    if programs:
+        complaints += check_command_page(programs, fix)
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]:
-        complaints += check_page(page, folders[0] if folders else None, fix)
+        if page != ROOT / "docs/cli.md":
+            complaints += check_page(page, programs, fix)
     print(*complaints, sep="\n", end="\n" if complaints else "")
     return 1 if complaints else 0
 

@@ -12,6 +12,23 @@ mkdir -p "$work/my_robot"
 cp "$examples/own_project/CMakeLists.txt" "$work/my_robot"
 cp "$examples/01_pose_graph.cpp" "$work/my_robot/main.cpp"
 cd "$work/my_robot"
-"$cmake" -B build -DCMAKE_PREFIX_PATH="$work/boxplus" -DCMAKE_CXX_COMPILER="$compiler"
+# configure FOLDER OPTION...: prints what CMake says, and keeps it in FOLDER.txt.
+configure() {
+  env -u CXXFLAGS "$cmake" -B "$1" -DCMAKE_PREFIX_PATH="$work/boxplus" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" 2>&1 | tee "$1.txt"
+}
+configure build
 "$cmake" --build build
 build/my_robot
+
+# Without a build type the project optimizes all the same, and one that does not is told so.
+grep -q -e '-O3' build/compile_commands.json || { echo "expected an optimized build"; exit 1; }
+configure debug -DCMAKE_BUILD_TYPE=Debug >/dev/null
+grep -q -e '-O3' debug/compile_commands.json && { echo "expected the build type that was asked for"; exit 1; }
+sed -i '/^if(NOT CMAKE_BUILD_TYPE/,/^endif/d' CMakeLists.txt
+configure bare >/dev/null
+grep -q "CMAKE_BUILD_TYPE is empty" bare.txt || { echo "expected a notice: nothing optimizes this build"; exit 1; }
+if grep -q "CMAKE_BUILD_TYPE is empty" build.txt debug.txt; then
+  echo "expected no notice: these have a build type"
+  exit 1
+fi

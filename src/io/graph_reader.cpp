@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "boxplus/graph/make_room.h"
@@ -35,6 +38,12 @@ struct PendingLine {
 /// A word that stands for nothing, and where it came first.
 struct UnknownWord {
   std::int64_t count = 0, first_line = 0;
+};
+
+/// A line with an unknown word that is followed by an id: perhaps it defines a vertex or a parameter.
+struct UnreadLine {
+  const std::string* word;
+  std::int64_t number;
 };
 
 /// What an error says after its place, "file:line:column: ".
@@ -214,7 +223,10 @@ class GraphReader {
       const Id id = in.integer("the id of a vertex");
       const auto vertex = file_.graph.find_vertex(id);
       if (!vertex && !all_known_) return false;
-      if (!vertex) in.fail(column, fmt::format("expected the id of a vertex, but there is no vertex {}", id));
+      if (!vertex) {
+        in.fail(column, fmt::format("expected the id of a vertex, but there is no vertex {}{}", id,
+                                    unread_line_of(id, false)));
+      }
       vertices_.push_back(*vertex);
     } while (!in.at_end());
     for (const VertexRef& vertex : vertices_) file_.graph.fix(vertex);
@@ -329,8 +341,10 @@ class GraphReader {
       vertices_.push_back({});
       return Vertices::kKnown;
     }
-    if (!found)
-      in.fail(column, fmt::format("expected the id of a {}, but there is no {} {}", kind, kind, id));
+    if (!found) {
+      in.fail(column, fmt::format("expected the id of a {}, but there is no {} {}{}", kind, kind, id,
+                                  unread_line_of(id, argument.is_parameter)));
+    }
     const VertexPool& pool = *graph.vertex_pools()[found->pool];
     if (std::type_index(typeid(pool)) != argument.pool) {
       in.fail(column, fmt::format("expected the id of a {} of type {}, but {} {} is a {}", kind,
@@ -355,8 +369,25 @@ class GraphReader {
 
   void note_unknown(const Line& line) {
     FieldReader in(name_, line.number, line.text);
-    UnknownWord& unknown = unknown_[quoted(in.word("a word"))];
-    if (unknown.count++ == 0) unknown.first_line = line.number;
+    const std::string_view word = in.word("a word");
+    const auto entry = unknown_.try_emplace(quoted(word)).first;
+    if (entry->second.count++ == 0) entry->second.first_line = line.number;
+    if (word.starts_with("EDGE") || in.at_end()) return;
+    const std::string_view field = in.word("an id");
+    const char* const end = field.data() + field.size();
+    Id id = 0;
+    if (const auto [stop, error] = std::from_chars(field.data(), end, id);
+        error == std::errc() && stop == end) {
+      unread_[word.starts_with("PARAM")].try_emplace(id, UnreadLine{&entry->first, line.number});
+    }
+  }
+
+  /// Why there is no vertex (parameter) of that id, if a line with an unknown tag has it; else nothing.
+  std::string unread_line_of(Id id, bool is_parameter) const {
+    const auto found = unread_[is_parameter].find(id);
+    if (found == unread_[is_parameter].end()) return {};
+    return fmt::format("; line {} has that id after the unknown tag {}", found->second.number,
+                       *found->second.word);
   }
 
   void add_notes() {
@@ -395,6 +426,7 @@ class GraphReader {
   std::vector<VertexRef> vertices_, sorted_;
   std::vector<Missing> missing_;
   std::map<std::string, UnknownWord> unknown_;
+  std::unordered_map<Id, UnreadLine> unread_[2];  // vertices, parameters: by id
   std::int64_t created_ = 0, unassigned_ = 0;
 };
 

@@ -76,6 +76,23 @@ TEST(GraphReader, ReadsTorosRollPitchAndYaw) {
   EXPECT_EQ(omega(3, 5), 4 * 7);
 }
 
+TEST(GraphReader, NamesTheUnknownTagOfTheLineThatAMissingVertexIsIn) {
+  EXPECT_EQ(
+      complaint("VERTEX_XY 7 2 3\nVERTEX_CAM 4 0 0 0 1 500\nEDGE_SE2_XY 4 7 2 3 1 0 1\n"),
+      "g:3:13: expected the id of a vertex, but there is no vertex 4; line 2 has that id after the unknown "
+      "tag 'VERTEX_CAM'");
+  EXPECT_THAT(complaint("VERTEX_SE2 0 0 0 0\nVERTEX_XY 1 3 0\nPARAMS_CAMERA 5 1 0 0\n"
+                        "EDGE_SE2_POINTXY_OFFSET 0 1 5 2 0 1 0 1\n"),
+              HasSubstr("there is no parameter 5; line 3 has that id after the unknown tag 'PARAMS_CAMERA'"));
+  EXPECT_THAT(complaint("VERTEX_CAM 4 0 0 0 1 500\nVERTEX_XY 7 2 3\nFIX 4\n"), HasSubstr("'VERTEX_CAM'"));
+}
+
+TEST(GraphReader, BlamesNoUnknownTagForAVertexThatNoLineHas) {
+  EXPECT_THAT(
+      complaint("VERTEX_XY 7 2 3\nVERTEX_CAM 5 0\nEDGE_CAM 4 7 1\nVERTEX_CAM\nEDGE_SE2_XY 4 7 2 3 1 0 1\n"),
+      testing::EndsWith("there is no vertex 4"));
+}
+
 TEST(GraphReader, ReadsTheSameForAnyNumberOfThreads) {
   Simulation simulation = simulate(World::kCity, {.poses = 3000});
   const GraphFile made{.graph = std::move(simulation.graph), .edges = std::move(simulation.edges)};

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/check_listings.py compares outputs in documents with what programs print now."""
+
+import importlib.util
+import pathlib
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).parents[2] / "scripts" / "check_listings.py"
+spec = importlib.util.spec_from_file_location("check_listings", SCRIPT)
+check_listings = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(check_listings)
+
+
+class CheckListings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.programs = pathlib.Path(folder.name) / "examples/bin"
+        self.program(self.programs / "hello", "echo 'chi2 2.5 in 0.1234 s'")
+        self.program(pathlib.Path(folder.name) / "bin/boxplus", "echo \"x of $1\" >&2; exit ${2:-0}")
+
+    @staticmethod
+    def program(path, text):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
+        path.chmod(0o755)
+
+    def complaints(self, block):
+        """What the checker says about one block, and the block as it should be."""
+        found = []
+        match = check_listings.BLOCK.search(block)
+        corrected = check_listings.check_block(match, self.programs, lambda what, _: found.append(what))
+        return found, corrected
+
+    def test_an_output_that_the_program_prints_is_right(self):
+        block = "<!-- output of hello -->\n```text\nchi2 2.5 in 0.9999 s\n```"
+        self.assertEqual(self.complaints(block), ([], block))
+
+    def test_an_output_that_the_program_prints_no_more_is_wrong_and_corrected(self):
+        found, corrected = self.complaints("<!-- output of hello -->\n```text\nchi2 2.4 in 0.1 s\n```")
+        self.assertEqual(found, ["differs from: output of hello"])
+        self.assertIn("chi2 2.5 in 0.1234 s", corrected)
+
+    def test_the_command_and_its_complaints_are_checked(self):
+        self.assertEqual(self.complaints("<!-- complaint of boxplus a 2 -->\n```text\nx of a\n```")[0], [])
+        found, _ = self.complaints("<!-- output of boxplus a 2 -->\n```text\nx of a\n```")
+        self.assertIn("exit code 2, expected 0", found[0])
+
+    def test_text_without_a_source_is_refused_unless_it_is_a_drawing(self):
+        self.assertEqual(self.complaints("```text\nchi2 3\n```")[0], ["text that does not say which command prints it"])
+        self.assertEqual(self.complaints("<!-- drawing -->\n```text\na -- b\n```")[0], [])
+
+    def test_numbers_may_differ_by_rounding_times_and_threads_by_anything(self):
+        self.assertTrue(check_listings.alike("1.25e-09 of 2.0", "1.31e-09 of 2.0000001"))
+        self.assertTrue(check_listings.alike("1 of 2 threads, 0.0007 s", "3 of 16 threads, 12.3456 s"))
+        self.assertFalse(check_listings.alike("4 iterations", "5 iterations"))
+        self.assertFalse(check_listings.alike("start chordal 1", "start current 1"))
+
+
+if __name__ == "__main__":
+    unittest.main()
