@@ -113,6 +113,31 @@ TEST(Edge, ATemplateOverEigensVectorsIsDifferentiatedExactly) {
   }
 }
 
+/// The same for a tail.
+struct EigensSum {
+  template <class S>
+  Eigen::Matrix<S, 2, 1> error(const S& scale, std::span<const Eigen::Matrix<S, 2, 1>> points) const {
+    Eigen::Matrix<S, 2, 1> sum = Eigen::Matrix<S, 2, 1>::Zero();
+    for (const auto& p : points) sum += scale * p;
+    return sum;
+  }
+};
+
+TEST(Edge, ATailMayBeASpanOfEigensVectors) {
+  Graph graph;
+  const auto scale = graph.add_vertex(2.0);
+  const std::vector<VertexHandle<Eigen::Vector2d>> points{graph.add_vertex(Eigen::Vector2d(3, 4)),
+                                                          graph.add_vertex(Vector2(5, 6))};
+  const auto exact = graph.add_edge(EigensSum{}, scale, points);
+  EXPECT_THAT(graph.error(exact), ElementsAre(16, 20));
+  EXPECT_EQ(source(graph, exact), JacobianSource::kAutomatic);
+  EXPECT_EQ(graph.jacobian(exact)[0], Vector2(8, 10));
+  EXPECT_EQ(graph.jacobian(exact)[2], 2 * Eigen::Matrix2d::Identity());
+  const auto plain =
+      graph.add_edge([](std::span<const Eigen::Vector2d> p) { return p[1][0] - p[0][0]; }, points);
+  EXPECT_THAT(graph.error(plain), ElementsAre(2));
+}
+
 TEST(Edge, ResultsMayBeScalarsArraysAndVectors) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);

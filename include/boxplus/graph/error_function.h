@@ -4,7 +4,8 @@
 // Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
 // arrive by const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen
 // at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes Eigen::Matrix<S, N, 1> is
-// given copies. The result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+// given copies (of a tail in new memory). The result is a scalar, a std::array, or an Eigen vector, of fixed
+// or run-time size.
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
 // Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
@@ -26,6 +27,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "boxplus/autodiff/dual.h"
 #include "boxplus/graph/jacobian_source.h"
@@ -95,15 +97,34 @@ concept HasErrorMember = requires(const E& e, A&&... a) {
 template <class E, class... A>
 concept CallableAsIs = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
 
-/// An argument with Eigen's own alignment where it is a vector, which templates over Eigen::Matrix<S, N, 1>
-/// ask for.
+/// An argument with Eigen's own alignment, if it is a vector or a span of vectors: what templates over
+/// Eigen::Matrix<S, N, 1> ask for.
+template <class T>
+struct AlignedCopy {};
+template <class S, int N>
+struct AlignedCopy<Eigen::Matrix<S, N, 1, Eigen::DontAlign>> {
+  using Type = Eigen::Matrix<S, N, 1>;
+  using Argument = const Type&;
+  static Type of(const Vector<S, N>& x) { return x; }
+};
+template <class S, int N>
+struct AlignedCopy<std::span<const Eigen::Matrix<S, N, 1, Eigen::DontAlign>>> {
+  using Type = std::vector<Eigen::Matrix<S, N, 1>>;
+  using Argument = std::span<const Eigen::Matrix<S, N, 1>>;
+  static Type of(std::span<const Vector<S, N>> x) { return {x.begin(), x.end()}; }
+};
+
 template <class A>
 struct AlignedArgument {
   using Type = A;
+  static A&& of(A&& a) { return std::forward<A>(a); }
 };
-template <class S, int N>
-struct AlignedArgument<const Eigen::Matrix<S, N, 1, Eigen::DontAlign>&> {
-  using Type = const Eigen::Matrix<S, N, 1>&;
+template <class A>
+requires requires {
+  typename AlignedCopy<std::remove_cvref_t<A>>::Type;
+}
+struct AlignedArgument<A> : AlignedCopy<std::remove_cvref_t<A>> {
+  using Type = typename AlignedCopy<std::remove_cvref_t<A>>::Argument;
 };
 template <class A>
 using Aligned = typename AlignedArgument<A>::Type;
@@ -119,7 +140,7 @@ decltype(auto) call(const E& e, A&&... a) {
   } else if constexpr (CallableAsIs<E, A...>) {
     return e(std::forward<A>(a)...);
   } else {
-    auto result = call<E, Aligned<A&&>...>(e, std::forward<A>(a)...);
+    auto result = call<E, Aligned<A>...>(e, AlignedArgument<A>::of(std::forward<A>(a))...);
     return result;  // by value: a reference might refer to the copies
   }
 }

@@ -63,8 +63,7 @@ template <class... P, class... V>
 requires(sizeof...(P) == sizeof...(V)) inline constexpr bool kAllFit<Parameters<P...>, V...> = (kFits<P, V> &&
                                                                                                 ...);
 
-/// E could be called if argument A, between others, were a vector of another size, or a tail of Eigen's own
-/// vectors.
+/// E could be called if argument A, between others, were a vector (a tail of vectors) of another size.
 template <class E, class Before, class A, class After, class Sizes = std::make_integer_sequence<int, 12>>
 inline constexpr bool kTakesAnother = false;
 template <class E, class... B, EigenColumn A, class... C, int... N>
@@ -74,7 +73,7 @@ inline constexpr bool
 template <class E, class... B, EigenColumn A, int... N>
 inline constexpr bool
     kTakesAnother<E, Parameters<B...>, Tail<A>, Parameters<>, std::integer_sequence<int, N...>> =
-        Callable<E, Argument<B>..., std::span<const Eigen::Matrix<double, A::RowsAtCompileTime, 1>>>;
+        (Callable<E, Argument<B>..., std::span<const Vector<double, N + 1>>> || ...);
 
 template <class E, class Before, class After>
 inline constexpr bool kTakesOtherVectors = false;

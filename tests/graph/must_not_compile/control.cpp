@@ -54,6 +54,7 @@ void control(boxplus::Graph& graph) {
   graph.add_edge([](const auto& x, const auto& tail) { return x[0] - tail[0]; }, a, rest);
   graph.add_edge([](const Eigen::VectorXd& x) { return x[0]; }, a);
   graph.add_edge([](std::span<const boxplus::Vector2> points) { return points[0][0]; }, std::vector{a});
+  graph.add_edge([](std::span<const Eigen::Vector2d> points) { return points[0][0]; }, std::vector{a});
   graph.add_edge(Square{}, rest[0]);
   graph.add_edge(Linear{1, 2}, rest[0]);
   graph.add_edge(Doubled<double>{}, rest[0]);

@@ -6,7 +6,7 @@
 #include "boxplus/manifold/rn.h"
 
 struct Width {
-  double error(std::span<const Eigen::Vector2d> points) const { return points[1][0] - points[0][0]; }
+  double error(std::span<const boxplus::Vector3> points) const { return points[1][0] - points[0][0]; }
 };
 
 void span_of_other_vectors(boxplus::Graph& graph) {
