@@ -21,6 +21,12 @@ class EndAfterSmallGains : public HyperGraphAction {
     optimizer_.addPostIterationAction(this);
     optimizer_.setForceStopFlag(&stop_);
   }
+  ~EndAfterSmallGains() override {
+    optimizer_.removePostIterationAction(this);
+    optimizer_.setForceStopFlag(nullptr);
+  }
+  EndAfterSmallGains(const EndAfterSmallGains&) = delete;
+  EndAfterSmallGains& operator=(const EndAfterSmallGains&) = delete;
 
   HyperGraphAction* operator()(const HyperGraph*, Parameters* parameters) override {
     const int iteration = static_cast<ParametersIteration*>(parameters)->iteration;
@@ -66,25 +72,34 @@ void add_loop(SparseOptimizer& optimizer) {
   }
 }
 
-int main() {
-  int iterations[2];
-  double chi2[2];
-  for (const bool ends_early : {false, true}) {
-    SparseOptimizer optimizer;
-    optimizer.setAlgorithm(new OptimizationAlgorithmLevenberg(
-        std::make_unique<BlockSolverX>(std::make_unique<LinearSolverDense<BlockSolverX::PoseMatrixType>>())));
-    add_loop(optimizer);
+struct Result {
+  int iterations;
+  double chi2;
+};
+
+Result optimized(bool ends_early) {
+  SparseOptimizer optimizer;
+  optimizer.setAlgorithm(new OptimizationAlgorithmLevenberg(
+      std::make_unique<BlockSolverX>(std::make_unique<LinearSolverDense<BlockSolverX::PoseMatrixType>>())));
+  add_loop(optimizer);
+  int iterations = 0;
+  if (ends_early) {
     // [use]
-    std::unique_ptr<EndAfterSmallGains> end;
-    if (ends_early) end = std::make_unique<EndAfterSmallGains>(optimizer);
+    EndAfterSmallGains end(optimizer);
     optimizer.initializeOptimization();
-    iterations[ends_early] = optimizer.optimize(20);
+    iterations = optimizer.optimize(20);
     // [/use]
-    optimizer.computeActiveErrors();
-    chi2[ends_early] = optimizer.activeRobustChi2();
+  } else {
+    optimizer.initializeOptimization();
+    iterations = optimizer.optimize(20);
   }
-  const bool ok = iterations[1] < iterations[0] && chi2[1] < 1.01 * chi2[0];
+  optimizer.computeActiveErrors();
+  return {iterations, optimizer.activeRobustChi2()};
+}
+
+int main() {
+  const Result without = optimized(false), with = optimized(true);
   std::printf("without the action: %d iterations\nwith it: %d iterations, %.2f %% above that chi2\n",
-              iterations[0], iterations[1], 100 * (chi2[1] / chi2[0] - 1));
-  return ok ? 0 : 1;
+              without.iterations, with.iterations, 100 * (with.chi2 / without.chi2 - 1));
+  return with.iterations < without.iterations && with.chi2 < 1.01 * without.chi2 ? 0 : 1;
 }
