@@ -65,6 +65,40 @@ TEST(Sim3, CouplingAgreesBetweenSeriesAndClosedForm) {
   }
 }
 
+/// The series with many terms, in long double.
+Sim3Coupling<long double> long_series(long double sigma, long double theta2) {
+  long double p = 1, q = 0, r = 0, power = 1, factor = 1;
+  Sim3Coupling<long double> sum{0, 0, 1};
+  for (int n = 1; n < 60; ++n) {
+    factor /= n + 1;
+    r = sigma * r + q;
+    const long double next_p = sigma * p - theta2 * q;
+    q = p + sigma * q;
+    p = next_p;
+    power *= sigma;
+    sum.a += factor * q;
+    sum.b += factor * r;
+    sum.c += factor * power;
+  }
+  return sum;
+}
+
+TEST(Sim3, CouplingIsExactForEveryNumberOfTermsThatItSums) {
+  for (const double size : {1e-9, 1e-3, 0.0624, 0.0626, 0.3, 0.9999, 1.0001, 2.0, 3.9999}) {
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double sigma = sign * size * share, theta2 = size * size * (1 - share * share);
+        const auto coupling = Sim3Coupling<double>::of(sigma, theta2);
+        const auto expected = long_series(sigma, theta2);
+        const double tolerance = 2e-15 * std::exp(size);
+        EXPECT_NEAR(coupling.a, static_cast<double>(expected.a), tolerance) << sigma << " " << theta2;
+        EXPECT_NEAR(coupling.b, static_cast<double>(expected.b), tolerance) << sigma << " " << theta2;
+        EXPECT_NEAR(coupling.c, static_cast<double>(expected.c), tolerance) << sigma << " " << theta2;
+      }
+    }
+  }
+}
+
 TEST(Sim3, ActsAsScaledRotationAndTranslation) {
   Samples s;
   const Sim3 a = Sim3::exp(random_tangent(s, 1.7, 1)), b = Sim3::exp(random_tangent(s, 1.7, 1));

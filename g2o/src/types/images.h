@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The images of points in cameras: the first two rows of K p over its third, and their derivatives by p.
+//
+// For cameras without skew also in closed form, and by the motion of p: the points of visual SLAM are
+// projected and differentiated in every iteration.
 #pragma once
 
 #include "g2o/core/eigen_types.h"
@@ -41,6 +44,56 @@ inline void rotation_derivatives(const Matrix3& R, Matrix3& dRdx, Matrix3& dRdy,
   dRdx = -2 * skew(Vector3::UnitX()) * R;
   dRdy = -2 * skew(Vector3::UnitY()) * R;
   dRdz = -2 * skew(Vector3::UnitZ()) * R;
+}
+
+/// A camera without skew: u = fx x/z + cx, v = fy y/z + cy.
+struct Pinhole {
+  double fx, fy, cx, cy;
+};
+
+inline Vector2 image(const Pinhole& camera, const Vector3& p) {
+  const double inverse = 1 / p[2];
+  return {camera.fx * p[0] * inverse + camera.cx, camera.fy * p[1] * inverse + camera.cy};
+}
+inline Vector3 stereo_image(const Pinhole& camera, double bf, const Vector3& p) {
+  const double inverse = 1 / p[2], u = camera.fx * p[0] * inverse + camera.cx;
+  return {u, camera.fy * p[1] * inverse + camera.cy, u - bf * inverse};
+}
+
+inline Eigen::Matrix<double, 2, 3> image_jacobian(const Pinhole& camera, const Vector3& p) {
+  const double inverse = 1 / p[2], a = camera.fx * inverse, b = camera.fy * inverse;
+  Eigen::Matrix<double, 2, 3> J;
+  J << a, 0, -a * p[0] * inverse, 0, b, -b * p[1] * inverse;
+  return J;
+}
+inline Matrix3 stereo_image_jacobian(const Pinhole& camera, double bf, const Vector3& p) {
+  Matrix3 J;
+  J.topRows<2>() = image_jacobian(camera, p);
+  J.row(2) = J.row(0);
+  J(2, 2) += bf / (p[2] * p[2]);
+  return J;
+}
+
+/// The derivatives of the images of exp(δ) p by δ = (ω, υ), at δ = 0: D [−[p]×, I] with D of
+/// image_jacobian().
+inline Eigen::Matrix<double, 2, 6> image_by_motion(const Pinhole& camera, const Vector3& p) {
+  const double inverse = 1 / p[2], x = p[0] * inverse, y = p[1] * inverse;
+  const double a = camera.fx * inverse, b = camera.fy * inverse;
+  Eigen::Matrix<double, 2, 6> J;
+  J << -camera.fx * x * y, camera.fx * (1 + x * x), -camera.fx * y, a, 0, -a * x, -camera.fy * (1 + y * y),
+      camera.fy * x * y, camera.fy * x, 0, b, -b * y;
+  return J;
+}
+inline Eigen::Matrix<double, 3, 6> stereo_image_by_motion(const Pinhole& camera, double bf,
+                                                          const Vector3& p) {
+  const double disparity_rate = bf / (p[2] * p[2]);  // by the depth, of u − bf/depth
+  Eigen::Matrix<double, 3, 6> J;
+  J.topRows<2>() = image_by_motion(camera, p);
+  J.row(2) = J.row(0);
+  J(2, 0) += disparity_rate * p[1];
+  J(2, 1) -= disparity_rate * p[0];
+  J(2, 5) += disparity_rate;
+  return J;
 }
 
 }  // namespace native

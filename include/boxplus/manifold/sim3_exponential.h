@@ -6,11 +6,13 @@
 //     W = ∫₀¹ e^{σu} Exp(uω) du = C I + A [ω]× + B [ω]×².
 // With θ = |ω|, z = σ + iθ and φ(z) = (e^z − 1)/z = Σ zⁿ/(n+1)! the coefficients are
 //     C = φ(σ),   A = Im φ(z) / θ,   B = (φ(σ) − Re φ(z)) / θ²,
-// all of them entire functions of (σ, θ²). The series is summed for |z| < 4, so that there is no small-angle
-// hole to patch; beyond, the closed form is used.
+// all of them entire functions of (σ, θ²). The series is summed for |z| < 4, with the terms that |z| asks
+// for, so that there is no small-angle hole to patch; beyond, the closed form is used.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/scalar.h"
@@ -22,23 +24,29 @@ template <class S>
 struct Sim3Coupling {
   S a, b, c;
 
+  /// As many terms as |z|² = z2 < 16 asks for: the rest of a, b, c and of their derivatives, for which
+  /// N³ |z|ᴺ⁻³ / (N + 1)! is a bound, is below 1e-17.
+  static int series_terms(const S& z2) {
+    if (z2 < S(1.0 / 256)) return 12;
+    return z2 < S(1) ? 22 : kSeriesTerms;
+  }
+
   /// Sums the series. With zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ²:
   /// pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, rₙ₊₁ = σ rₙ + qₙ; nothing is divided by θ.
   static Sim3Coupling from_series(const S& sigma, const S& theta2) {
     S p(1), q(0), r(0), power(1);
     Sim3Coupling sum{S(0), S(0), S(1)};
-    double inverse_factorial = 1;  // 1 / (n + 1)!
-    constexpr int kTerms = 36;     // 4³⁶ / 37! < 1e-21
-    for (int n = 1; n < kTerms; ++n) {
-      inverse_factorial /= n + 1;
+    const int terms = series_terms(sigma * sigma + theta2);
+    for (int n = 1; n < terms; ++n) {
+      const double factor = kInverseFactorials[n];
       r = sigma * r + q;
       const S next_p = sigma * p - theta2 * q;
       q = p + sigma * q;
       p = next_p;
       power = power * sigma;
-      sum.a = sum.a + inverse_factorial * q;
-      sum.b = sum.b + inverse_factorial * r;
-      sum.c = sum.c + inverse_factorial * power;
+      sum.a = sum.a + factor * q;
+      sum.b = sum.b + factor * r;
+      sum.c = sum.c + factor * power;
     }
     return sum;
   }
@@ -89,6 +97,14 @@ struct Sim3Coupling {
   }
 
  private:
+  static constexpr int kSeriesTerms = 36;  // 4³⁶ / 37! < 1e-21
+  /// 1 / (n + 1)!
+  static constexpr std::array<double, kSeriesTerms> kInverseFactorials = [] {
+    std::array<double, kSeriesTerms> result{1};
+    for (std::size_t n = 1; n < result.size(); ++n) result[n] = result[n - 1] / static_cast<double>(n + 1);
+    return result;
+  }();
+
   static Vector<S, 3> cross(const Vector<S, 3>& x, const Vector<S, 3>& y) {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
   }

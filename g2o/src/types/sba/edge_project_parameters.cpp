@@ -10,9 +10,8 @@
 namespace g2o {
 namespace {
 
-Matrix3 camera_matrix(const CameraParameters& cam) {
-  return native::camera_matrix(cam.focal_length, cam.focal_length, cam.principle_point[0],
-                               cam.principle_point[1]);
+native::Pinhole pinhole(const CameraParameters& cam) {
+  return {cam.focal_length, cam.focal_length, cam.principle_point[0], cam.principle_point[1]};
 }
 
 /// Between a point and ψ = (x/depth, y/depth, 1/depth): the same both ways.
@@ -35,9 +34,9 @@ void EdgeProjectXYZ2UV::computeError() {
 void EdgeProjectXYZ2UV::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera_matrix(*_cam), p);
-  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -D * native::motion_of_point(p);
+  const native::Pinhole camera = pinhole(*_cam);
+  _jacobianOplusXi.noalias() = native::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -native::image_by_motion(camera, p);
 }
 
 bool EdgeProjectXYZ2UV::read(std::istream& is) {
@@ -62,10 +61,11 @@ void EdgeProjectXYZ2UVU::computeError() {
 void EdgeProjectXYZ2UVU::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const Matrix3 D =
-      native::stereo_image_jacobian(camera_matrix(*_cam), _cam->focal_length * _cam->baseline, p);
-  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -D * native::motion_of_point(p);
+  const native::Pinhole camera = pinhole(*_cam);
+  const double bf = _cam->focal_length * _cam->baseline;
+  _jacobianOplusXi.noalias() =
+      native::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -native::stereo_image_by_motion(camera, bf, p);
 }
 
 bool EdgeProjectXYZ2UVU::read(std::istream& is) {
@@ -94,12 +94,13 @@ void EdgeProjectPSI2UV::linearizeOplus() {
   const Vector3& psi = vertexXn<0>()->estimate();
   const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
   const Vector3 q = invert_depth(psi), p = motion.map(q);
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera_matrix(*_cam), p);
+  const native::Pinhole camera = pinhole(*_cam);
+  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera, p);
   const Eigen::Matrix<double, 2, 3> DR = D * motion.rotation().toRotationMatrix();
   Matrix3 dq_dpsi = Matrix3::Identity() / psi[2];
   dq_dpsi.col(2) = -q / psi[2];
   std::get<0>(_jacobianOplus) = -DR * dq_dpsi;
-  std::get<1>(_jacobianOplus) = -D * native::motion_of_point(p);
+  std::get<1>(_jacobianOplus) = -native::image_by_motion(camera, p);
   std::get<2>(_jacobianOplus) = DR * native::motion_of_point(q);
 }
 

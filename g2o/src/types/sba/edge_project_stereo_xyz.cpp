@@ -3,7 +3,6 @@
 #include "g2o/types/sba/edge_project_stereo_xyz.h"
 
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
-#include "types/exponential.h"
 #include "types/images.h"
 #include "types/sba/native_sba.h"
 
@@ -20,10 +19,10 @@ void EdgeStereoSE3ProjectXYZ::computeError() {
 void EdgeStereoSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const Eigen::Matrix<double, 3, 3> D =
-      native::stereo_image_jacobian(native::camera_matrix(fx, fy, cx, cy), bf, p);
-  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -D * native::motion_of_point(p);
+  const native::Pinhole camera{fx, fy, cx, cy};
+  _jacobianOplusXi.noalias() =
+      native::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -native::stereo_image_by_motion(camera, bf, p);
 }
 
 bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
@@ -31,7 +30,7 @@ bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
 }
 
 Vector3 EdgeStereoSE3ProjectXYZ::cam_project(const Vector3& trans_xyz, const double& baseline_fx) const {
-  return native::stereo_image(native::camera_matrix(fx, fy, cx, cy), baseline_fx, trans_xyz);
+  return native::stereo_image(native::Pinhole{fx, fy, cx, cy}, baseline_fx, trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZ::read(std::istream& is) {
@@ -54,11 +53,8 @@ void EdgeStereoSE3ProjectXYZOnlyPose::computeError() {
 }
 
 void EdgeStereoSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const SE3Quat& T = vertexXn<0>()->estimate();
-  const Vector3 p = T.map(Xw);
-  const Eigen::Matrix<double, 3, 3> D =
-      native::stereo_image_jacobian(native::camera_matrix(fx, fy, cx, cy), bf, p);
-  _jacobianOplusXi = -D * native::motion_of_point(p);
+  const Vector3 p = vertexXn<0>()->estimate().map(Xw);
+  _jacobianOplusXi = -native::stereo_image_by_motion({fx, fy, cx, cy}, bf, p);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -66,7 +62,7 @@ bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
 }
 
 Vector3 EdgeStereoSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return native::stereo_image(native::camera_matrix(fx, fy, cx, cy), bf, trans_xyz);
+  return native::stereo_image(native::Pinhole{fx, fy, cx, cy}, bf, trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::read(std::istream& is) {

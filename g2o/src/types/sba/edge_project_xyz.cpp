@@ -3,7 +3,6 @@
 #include "g2o/types/sba/edge_project_xyz.h"
 
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
-#include "types/exponential.h"
 #include "types/images.h"
 #include "types/sba/native_sba.h"
 
@@ -20,9 +19,9 @@ void EdgeSE3ProjectXYZ::computeError() {
 void EdgeSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(native::camera_matrix(fx, fy, cx, cy), p);
-  _jacobianOplusXi = -D * T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -D * native::motion_of_point(p);
+  const native::Pinhole camera{fx, fy, cx, cy};
+  _jacobianOplusXi.noalias() = native::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -native::image_by_motion(camera, p);
 }
 
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
@@ -30,7 +29,7 @@ bool EdgeSE3ProjectXYZ::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZ::cam_project(const Vector3& trans_xyz) const {
-  return native::image(native::camera_matrix(fx, fy, cx, cy), trans_xyz);
+  return native::image(native::Pinhole{fx, fy, cx, cy}, trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZ::read(std::istream& is) {
@@ -53,10 +52,8 @@ void EdgeSE3ProjectXYZOnlyPose::computeError() {
 }
 
 void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
-  const SE3Quat& T = vertexXn<0>()->estimate();
-  const Vector3 p = T.map(Xw);
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(native::camera_matrix(fx, fy, cx, cy), p);
-  _jacobianOplusXi = -D * native::motion_of_point(p);
+  const Vector3 p = vertexXn<0>()->estimate().map(Xw);
+  _jacobianOplusXi = -native::image_by_motion({fx, fy, cx, cy}, p);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -64,7 +61,7 @@ bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return native::image(native::camera_matrix(fx, fy, cx, cy), trans_xyz);
+  return native::image(native::Pinhole{fx, fy, cx, cy}, trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::read(std::istream& is) {

@@ -56,13 +56,13 @@ CameraParameters::CameraParameters(double focalLength, const Vector2& principleP
     : focal_length(focalLength), principle_point(principlePoint), baseline(baseLine) {}
 
 Vector2 CameraParameters::cam_map(const Vector3& trans_xyz) const {
-  return native::image(
-      native::camera_matrix(focal_length, focal_length, principle_point[0], principle_point[1]), trans_xyz);
+  return native::image(native::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
+                       trans_xyz);
 }
 
 Vector3 CameraParameters::stereocam_uvu_map(const Vector3& trans_xyz) const {
   return native::stereo_image(
-      native::camera_matrix(focal_length, focal_length, principle_point[0], principle_point[1]),
+      native::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
       focal_length * baseline, trans_xyz);
 }
 

@@ -11,14 +11,12 @@ G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
 namespace g2o {
 namespace {
 
-Matrix3 first_camera(const VertexSim3Expmap& v) {
-  return native::camera_matrix(v._focal_length1[0], v._focal_length1[1], v._principle_point1[0],
-                               v._principle_point1[1]);
+native::Pinhole first_camera(const VertexSim3Expmap& v) {
+  return {v._focal_length1[0], v._focal_length1[1], v._principle_point1[0], v._principle_point1[1]};
 }
 
-Matrix3 second_camera(const VertexSim3Expmap& v) {
-  return native::camera_matrix(v._focal_length2[0], v._focal_length2[1], v._principle_point2[0],
-                               v._principle_point2[1]);
+native::Pinhole second_camera(const VertexSim3Expmap& v) {
+  return {v._focal_length2[0], v._focal_length2[1], v._principle_point2[0], v._principle_point2[1]};
 }
 
 /// ∂(exp(δ) p)/∂δ of a point p; without the scale, where that is fixed.
