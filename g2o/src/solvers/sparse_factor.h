@@ -32,8 +32,8 @@ struct LowerFactor {
 };
 
 /// Factor has:
-///   bool analyze(const UpperTriangle&, const std::vector<int>& order)   empty: an order of its own choice
-///   bool factorize(const UpperTriangle&)                                false: not positive definite
+///   bool analyze(UpperTriangle&, const std::vector<int>& order)   empty: an order of its own choice
+///   bool factorize(UpperTriangle&)                                false: not positive definite
 ///   bool solve(const double* b, double* x)
 ///   LowerFactor lower()                                                 until the next factorize()
 ///   size_t nonZeros() const
@@ -79,17 +79,49 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
 
   /// Whether the pattern is another one than before.
   bool load(const SparseBlockMatrix<MatrixType>& A) {
-    UpperTriangle next;
-    next.n = A.cols();
-    next.p.resize(static_cast<size_t>(next.n) + 1);
-    next.i.resize(A.nonZeros());
-    next.x.resize(A.nonZeros());
-    const auto count = static_cast<size_t>(A.fillCCS(next.p.data(), next.i.data(), next.x.data(), true));
-    next.i.resize(count);
-    next.x.resize(count);
-    const bool changed = next.p != upper_.p || next.i != upper_.i;
-    upper_ = std::move(next);
+    std::vector<int> pattern = pattern_of(A);
+    const bool changed = pattern != pattern_;
+    if (changed) {
+      pattern_ = std::move(pattern);
+      upper_.n = A.cols();
+      upper_.p.resize(static_cast<size_t>(upper_.n) + 1);
+      upper_.i.resize(A.nonZeros());
+      upper_.x.resize(A.nonZeros());
+      const auto count =
+          static_cast<size_t>(A.fillCCS(upper_.p.data(), upper_.i.data(), upper_.x.data(), true));
+      upper_.i.resize(count);
+      upper_.x.resize(count);
+    } else {
+      load_values(A);
+    }
     return changed;
+  }
+
+  /// The ends of the blocks, then the rows of the blocks of each column, each time after their number.
+  static std::vector<int> pattern_of(const SparseBlockMatrix<MatrixType>& A) {
+    std::vector<int> pattern = A.colBlockIndices();
+    for (const auto& column : A.blockCols()) {
+      pattern.push_back(static_cast<int>(column.size()));
+      for (const auto& [row, block] : column) pattern.push_back(row);
+    }
+    return pattern;
+  }
+
+  /// The values of a matrix whose pattern is loaded, each block after those above it in its columns.
+  void load_values(const SparseBlockMatrix<MatrixType>& A) {
+    const int* begin = upper_.p.data();
+    for (size_t c = 0; c < A.blockCols().size(); ++c) {
+      Eigen::Index above = 0;
+      for (const auto& [row, block] : A.blockCols()[c]) {
+        if (row > static_cast<int>(c)) break;
+        const bool diagonal = row == static_cast<int>(c);
+        for (Eigen::Index j = 0; j < block->cols(); ++j)
+          std::copy_n(&block->coeffRef(0, j), diagonal ? j + 1 : block->rows(),
+                      upper_.x.data() + begin[j] + above);
+        above += block->rows();
+      }
+      begin += A.colsOfBlock(static_cast<int>(c));
+    }
   }
 
   /// Minimum degree of the blocks, as an order of scalars.
@@ -110,6 +142,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return true;
   }
 
+  std::vector<int> pattern_;  // of the blocks of upper_
   UpperTriangle upper_;
   Factor factor_;
   bool analyzed_ = false;

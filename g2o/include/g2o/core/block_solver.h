@@ -133,8 +133,11 @@ class BlockSolver : public BlockSolverBase {
   /// The linear solver's, and exact where steps must be.
   internal::EngineSettings engineSettings() const;
   bool solveByLinearSolver();
+  bool layOutReducedMatrix();
 
   internal::BlockSolverEngine engine_;
+  std::unique_ptr<PoseHessianType> reduced_;     ///< for the linear solver; null until it is laid out
+  std::vector<PoseMatrixType*> reduced_blocks_;  ///< of reduced_, in the order of the engine's blocks
   double lambda_ = 0;
 };
 

@@ -41,6 +41,7 @@ bool BlockSolver<Traits>::buildStructure(bool) {
       return false;
     }
   }
+  reduced_.reset();
   if (!engine_.buildStructure(*this->_optimizer, _doSchur, engineSettings())) return false;
   this->resizeVector(engine_.scalars());
   return true;
@@ -86,9 +87,9 @@ bool BlockSolver<Traits>::solve() {
   return engine_.solve(lambda_, this->_b, this->_x, settings);
 }
 
+/// Makes the matrix that the linear solver is given, once per structure.
 template <typename Traits>
-bool BlockSolver<Traits>::solveByLinearSolver() {
-  if (!engine_.reduce(lambda_, this->_b)) return false;
+bool BlockSolver<Traits>::layOutReducedMatrix() {
   const std::vector<int>& dims = engine_.reducedDims();
   std::vector<int> ends;
   int end = 0;
@@ -101,14 +102,26 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
     ends.push_back(end += dim);
   }
   const int n = static_cast<int>(ends.size());
-  PoseHessianType A(ends.data(), ends.data(), n, n);
+  auto A = std::make_unique<PoseHessianType>(ends.data(), ends.data(), n, n);
+  reduced_blocks_.clear();
+  for (const internal::EngineBlock& block : engine_.reducedBlocks())
+    reduced_blocks_.push_back(A->block(block.column, block.row, true));
+  reduced_ = std::move(A);
+  return true;
+}
+
+template <typename Traits>
+bool BlockSolver<Traits>::solveByLinearSolver() {
+  if (!engine_.reduce(lambda_, this->_b)) return false;
+  if (reduced_ == nullptr && !layOutReducedMatrix()) return false;
+  PoseMatrixType* const* target = reduced_blocks_.data();
   for (const internal::EngineBlock& block : engine_.reducedBlocks()) {
-    const int rows = dims[static_cast<size_t>(block.row)], cols = dims[static_cast<size_t>(block.column)];
-    *A.block(block.column, block.row, true) = Eigen::Map<const MatrixX>(block.values, rows, cols).transpose();
+    PoseMatrixType& to = **target++;
+    to = Eigen::Map<const PoseMatrixType>(block.values, to.cols(), to.rows()).transpose();
   }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   const internal::AddedTime time(statistics ? &statistics->timeLinearSolver : nullptr);
-  if (!_linearSolver->solve(A, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
+  if (!_linearSolver->solve(*reduced_, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
     G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
     return false;
   }

@@ -4,6 +4,27 @@
 namespace g2o {
 namespace internal {
 
+namespace {
+
+/// The matrix as CHOLMOD sees it; it only reads.
+cholmod_sparse view(UpperTriangle& A) {
+  constexpr int kUpper = 1;
+  cholmod_sparse m{};
+  m.nrow = m.ncol = static_cast<size_t>(A.n);
+  m.nzmax = A.i.size();
+  m.p = A.p.data();
+  m.i = A.i.data();
+  m.x = A.x.data();
+  m.stype = kUpper;
+  m.itype = CHOLMOD_INT;
+  m.xtype = CHOLMOD_REAL;
+  m.dtype = CHOLMOD_DOUBLE;
+  m.sorted = m.packed = 1;
+  return m;
+}
+
+}  // namespace
+
 CholmodFactor::CholmodFactor() {
   cholmod_start(&common_);
   common_.print = 0;
@@ -14,30 +35,22 @@ CholmodFactor::CholmodFactor() {
 CholmodFactor::~CholmodFactor() {
   cholmod_free_factor(&simplicial_, &common_);
   cholmod_free_factor(&factor_, &common_);
-  cholmod_free_sparse(&matrix_, &common_);
   cholmod_finish(&common_);
 }
 
-bool CholmodFactor::analyze(const UpperTriangle& A, const std::vector<int>& order) {
+bool CholmodFactor::analyze(UpperTriangle& A, const std::vector<int>& order) {
   cholmod_free_factor(&factor_, &common_);
-  cholmod_free_sparse(&matrix_, &common_);
-  const auto n = static_cast<size_t>(A.n);
-  constexpr int kSorted = 1, kPacked = 1, kUpper = 1;
-  matrix_ = cholmod_allocate_sparse(n, n, A.i.size(), kSorted, kPacked, kUpper, CHOLMOD_REAL, &common_);
-  if (matrix_ == nullptr) return false;
-  std::copy(A.p.begin(), A.p.end(), static_cast<int*>(matrix_->p));
-  std::copy(A.i.begin(), A.i.end(), static_cast<int*>(matrix_->i));
-  std::copy(A.x.begin(), A.x.end(), static_cast<double*>(matrix_->x));
+  cholmod_sparse matrix = view(A);
   common_.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
   std::vector<int> given = order;
-  factor_ = cholmod_analyze_p(matrix_, given.empty() ? nullptr : given.data(), nullptr, 0, &common_);
+  factor_ = cholmod_analyze_p(&matrix, given.empty() ? nullptr : given.data(), nullptr, 0, &common_);
   return factor_ != nullptr && common_.status == CHOLMOD_OK;
 }
 
-bool CholmodFactor::factorize(const UpperTriangle& A) {
+bool CholmodFactor::factorize(UpperTriangle& A) {
   cholmod_free_factor(&simplicial_, &common_);
-  std::copy(A.x.begin(), A.x.end(), static_cast<double*>(matrix_->x));
-  cholmod_factorize(matrix_, factor_, &common_);
+  cholmod_sparse matrix = view(A);
+  cholmod_factorize(&matrix, factor_, &common_);
   return common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
 }
 

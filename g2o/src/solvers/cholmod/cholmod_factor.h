@@ -18,15 +18,14 @@ class CholmodFactor {
   CholmodFactor& operator=(const CholmodFactor&) = delete;
   ~CholmodFactor();
 
-  bool analyze(const UpperTriangle& A, const std::vector<int>& order);
-  bool factorize(const UpperTriangle& A);
+  bool analyze(UpperTriangle& A, const std::vector<int>& order);
+  bool factorize(UpperTriangle& A);
   bool solve(const double* b, double* x);
   LowerFactor lower();
   size_t nonZeros() const { return static_cast<size_t>(common_.lnz); }
 
  private:
   cholmod_common common_;
-  cholmod_sparse* matrix_ = nullptr;
   cholmod_factor* factor_ = nullptr;
   cholmod_factor* simplicial_ = nullptr;  // a copy for lower()
   std::vector<int> place_;
