@@ -13,6 +13,7 @@
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/stuff/logger.h"
 #include "incremental.h"
+#include "io/printable.h"
 #include "iterate.h"
 #include "options.h"
 #include "outputs.h"
@@ -29,6 +30,8 @@ G2O_USE_OPTIMIZATION_LIBRARY(slam2d_linear)
 
 namespace g2o_tool {
 namespace {
+
+using boxplus::escaped;
 
 void list(const Options& options) {
   if (options.list_types) g2o::Factory::instance()->printRegisteredTypes(std::cerr, true);
@@ -56,15 +59,15 @@ int load(g2o::SparseOptimizer& optimizer, const Options& options) {
   if (options.input != "-") file.open(options.input);
   const bool unreadable = options.input != "-" && (!file || (file.peek(), file.bad()));  // as folders are
   if (unreadable) {
-    std::cerr << "g2o: " << options.input << " cannot be opened\n";
+    std::cerr << "g2o: " << escaped(options.input) << " cannot be opened\n";
     return 1;
   }
   if (!optimizer.load(options.input == "-" ? std::cin : file)) {
-    std::cerr << "g2o: " << options.input << " has lines that cannot be read\n";
+    std::cerr << "g2o: " << escaped(options.input) << " has lines that cannot be read\n";
     return 2;
   }
   if (optimizer.vertices().empty()) {
-    std::cerr << "g2o: " << options.input << " has no vertices\n";
+    std::cerr << "g2o: " << escaped(options.input) << " has no vertices\n";
     return 2;
   }
   std::cerr << "# loaded " << optimizer.vertices().size() << " vertices and " << optimizer.edges().size()
@@ -130,13 +133,14 @@ int run(const Options& options) {
   g2o::OptimizationAlgorithm* algorithm =
       g2o::OptimizationAlgorithmFactory::instance()->construct(options.solver, property);
   if (algorithm == nullptr) {
-    std::cerr << "g2o: there is no solver " << options.solver
+    std::cerr << "g2o: there is no solver " << escaped(options.solver)
               << "; see -listSolvers, and -solverlib for those of plug-ins\n";
     return 0;
   }
   optimizer.setAlgorithm(algorithm);
   if (!options.solver_properties.empty() && !algorithm->updatePropertiesFromString(options.solver_properties))
-    std::cerr << "g2o: not all of the properties could be set: " << options.solver_properties << '\n';
+    std::cerr << "g2o: not all of the properties could be set: " << escaped(options.solver_properties)
+              << '\n';
   if (options.print_solver_properties) algorithm->printProperties(std::cerr);
   if (const int code = load(optimizer, options); code != 0) return code;
   if (!optimizer.isSolverSuitable(property)) {
@@ -149,7 +153,8 @@ int run(const Options& options) {
   if (!fix_gauge(optimizer, options)) return 2;
   warn_about_unconnected(optimizer);
   if (!options.robust_kernel.empty() && !add_robust_kernels(optimizer, options))
-    std::cerr << "g2o: there is no robust kernel " << options.robust_kernel << "; see -listRobustKernels\n";
+    std::cerr << "g2o: there is no robust kernel " << escaped(options.robust_kernel)
+              << "; see -listRobustKernels\n";
   return write_outputs(optimizer, options, optimize(optimizer, *algorithm, options)) ? 0 : 1;
 }
 
@@ -157,8 +162,9 @@ int run(const Options& options) {
 }  // namespace g2o_tool
 
 int main(int argc, char** argv) {
-  g2o::logging::setSink(
-      [](g2o::logging::Level, const std::string& text) { std::cerr << "g2o: " << text << '\n'; });
+  g2o::logging::setSink([](g2o::logging::Level, const std::string& text) {
+    std::cerr << "g2o: " << boxplus::escaped(text) << '\n';
+  });
   const g2o_tool::Options options = g2o_tool::read_options(argc, argv);
   g2o_tool::load_type_libraries(options.type_libraries, argv[0]);
   g2o_tool::load_solver_libraries(options.solver_libraries, argv[0]);

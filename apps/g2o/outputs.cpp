@@ -11,6 +11,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/core/hyper_graph_action.h"
 #include "g2o/core/optimization_algorithm_with_hessian.h"
+#include "io/printable.h"
 
 namespace g2o_tool {
 namespace {
@@ -92,7 +93,7 @@ bool save_graph(const g2o::SparseOptimizer& optimizer, const std::string& path) 
 }
 
 bool said_if_not(bool written, const std::string& path) {
-  if (!written) std::cerr << "g2o: " << path << " cannot be written\n";
+  if (!written) std::cerr << "g2o: " << boxplus::escaped(path) << " cannot be written\n";
   return written;
 }
 

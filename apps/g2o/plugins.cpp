@@ -9,6 +9,8 @@
 #include <iostream>
 #include <sstream>
 
+#include "io/printable.h"
+
 namespace g2o_tool {
 namespace {
 
@@ -24,7 +26,8 @@ void load(const std::string& path) {
   std::error_code error;
   const bool is_here = path.find('/') == std::string::npos && fs::exists(path, error);
   if (dlopen((is_here ? "./" + path : path).c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr)
-    std::cerr << "g2o: " << path << " cannot be loaded: " << dlerror() << '\n';
+    std::cerr << "g2o: " << boxplus::escaped(path) << " cannot be loaded: " << boxplus::escaped(dlerror())
+              << '\n';
 }
 
 /// The folders that the variables name, separated by colons; what is none is said.
@@ -37,7 +40,7 @@ std::vector<std::string> named_folders(const std::vector<const char*>& variables
     for (std::string folder; std::getline(in, folder, ':');) {
       if (folder.empty()) continue;
       if (!fs::is_directory(folder, error))
-        std::cerr << "g2o: " << variable << ": there is no folder " << folder << '\n';
+        std::cerr << "g2o: " << variable << ": there is no folder " << boxplus::escaped(folder) << '\n';
       result.push_back(folder);
     }
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/characters.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
+#include "io/printable.h"
 
 namespace boxplus {
 namespace {
@@ -22,12 +20,12 @@ std::string quoted(std::string_view text) {
   if (text.empty()) return "the end of the line";
   const std::string_view shown = beginning(text, kLongest);
   std::string result = "'";
-  for (const char c : shown) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7f) {
-      result += fmt::format("\\x{:02x}", code);
+  for (std::size_t i = 0; i < shown.size();) {
+    if (const std::size_t length = printable_length(shown, i); length > 0) {
+      result += shown.substr(i, length);
+      i += length;
     } else {
-      result += c;
+      result += hexadecimal_escape(shown[i++]);
     }
   }
   return result + (shown.size() < text.size() ? "…'" : "'");

@@ -12,7 +12,8 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// `text` in quotes, not too long, its control characters as \xNN; "the end of the line" for nothing.
+/// `text` in quotes, not too long, its control characters and bytes that are not UTF-8 as \xNN; "the end of
+/// the line" for nothing.
 std::string quoted(std::string_view text);
 
 }  // namespace boxplus

@@ -31,6 +31,11 @@ is "other unknown words, skipped" err.txt
 lines 7 err.txt
 if LC_ALL=C grep -q "$(printf '[\001-\010]')" err.txt; then complain "expected no control characters" err.txt; fi
 
+# words that are not UTF-8, and names that would control a terminal
+(cat square.g2o; printf 'W\377\302\233 1\n') > bytes.g2o
+expect 0 "unknown word 'W\\xff\\xc2\\x9b', skipped" bytes.g2o
+expect 1 "g2o: no\\xff\\x1b[31m.g2o cannot be opened" "$(printf 'no\377\033[31m.g2o')"
+
 # lines
 # broken TEXT LINE: square.g2o with this line more is refused, and TEXT is said of it.
 broken() {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/characters.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace boxplus {
+namespace {
+
+TEST(Characters, AreQuotedAsTheyAreIfATerminalCanShowThem) {
+  EXPECT_EQ(quoted("VERTEX_SE2"), "'VERTEX_SE2'");
+  EXPECT_EQ(quoted("Größe €😀"), "'Größe €😀'");
+  EXPECT_EQ(quoted(""), "the end of the line");
+}
+
+TEST(Characters, AreEscapedIfTheyControlATerminalOrAreNotUtf8) {
+  EXPECT_EQ(quoted("a\x1b[31mb\x7f"), "'a\\x1b[31mb\\x7f'");
+  EXPECT_EQ(quoted("\xff\xfe x"), "'\\xff\\xfe x'");
+  EXPECT_EQ(quoted("\xc2\x9b"), "'\\xc2\\x9b'") << "a C1 control character";
+  EXPECT_EQ(quoted("\xc0\xaf"), "'\\xc0\\xaf'") << "an overlong form";
+  EXPECT_EQ(quoted("\xed\xa0\x80"), "'\\xed\\xa0\\x80'") << "a surrogate";
+  EXPECT_EQ(quoted("x\xe2\x82"), "'x\\xe2\\x82'") << "a character that is cut off";
+}
+
+TEST(Characters, AreNotCutInTheMiddle) {
+  EXPECT_EQ(boxplus::quoted(std::string(39, 'a') + "€"), "'" + std::string(39, 'a') + "…'");
+}
+
+}  // namespace
+}  // namespace boxplus
