@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
 
 #include "core/pushed_estimates.h"
+#include "core/refused_steps.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
 
@@ -102,9 +104,11 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     block_solver_.multiplyHessian(_auxVector.data(), _hdl.data());
     const double promise = 2 * b.dot(_hdl) - _hdl.dot(_auxVector);
     internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
-    _optimizer->update(_hdl.data());
-    _optimizer->computeActiveErrors();
-    const double trial = _optimizer->activeRobustChi2();
+    double trial = std::numeric_limits<double>::infinity();
+    if (internal::update(*_optimizer, _hdl.data())) {
+      _optimizer->computeActiveErrors();
+      trial = _optimizer->activeRobustChi2();
+    }
     const double gain = (chi2 - trial) / promise;
     const bool good = gain > 0 && std::isfinite(trial);
     if (good) {

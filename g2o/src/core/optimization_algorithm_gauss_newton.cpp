@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "core/refused_steps.h"
 #include "g2o/core/sparse_optimizer.h"
 
 namespace g2o {
@@ -17,8 +18,7 @@ OptimizationAlgorithmGaussNewton::~OptimizationAlgorithmGaussNewton() = default;
 
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmGaussNewton::solve(int iteration, bool online) {
   if (!linearize(iteration, online) || !solveSystem()) return Fail;
-  _optimizer->update(_solver.x());
-  return OK;
+  return internal::update(*_optimizer, _solver.x()) ? OK : Fail;
 }
 
 void OptimizationAlgorithmGaussNewton::printVerbose(std::ostream& os) const {

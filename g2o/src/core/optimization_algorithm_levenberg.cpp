@@ -7,9 +7,30 @@
 #include <ostream>
 
 #include "core/pushed_estimates.h"
+#include "core/refused_steps.h"
 #include "g2o/core/sparse_optimizer.h"
 
 namespace g2o {
+namespace {
+
+/// The largest decrease of chi2 that the model of H and b predicts along a step x of H + λI: 2αbᵀx − α²xᵀHx
+/// at its best α.
+double largest_decrease_along(const Solver& solver, double lambda) {
+  const auto n = static_cast<Eigen::Index>(solver.vectorSize());
+  const Eigen::Map<const VectorX> x(solver.x(), n), b(solver.b(), n);
+  const double slope = b.dot(x), curvature = slope - lambda * x.squaredNorm();
+  return curvature > 0 ? slope * slope / curvature : std::numeric_limits<double>::infinity();
+}
+
+/// Whether neither the prediction nor the errors show a change of chi2 above its rounding errors, and the
+/// prediction does so not only because a large λ makes the step short.
+bool is_below_rounding(double chi2, double predicted, double largest_predicted, double decrease) {
+  constexpr double kRounding = 1e-13, kMostShortening = 1000;
+  return predicted <= kRounding * chi2 && std::abs(decrease) <= kRounding * chi2 &&
+         largest_predicted <= kMostShortening * kRounding * chi2;
+}
+
+}  // namespace
 
 OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(std::unique_ptr<Solver> solver)
     : OptimizationAlgorithmWithHessian(solver.release()),
@@ -35,17 +56,20 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int it
     _ni = 2;
   }
   double gain = 0;
+  bool finished = false;
   _levenbergIterations = 0;
   do {
     internal::PushedEstimates<SparseOptimizer> pushed(*_optimizer);
     const bool solved = solveDamped(_currentLambda);
     double trial = std::numeric_limits<double>::max();
-    if (solved) {
-      _optimizer->update(_solver.x());
+    if (solved && internal::update(*_optimizer, _solver.x())) {
       _optimizer->computeActiveErrors();
       trial = _optimizer->activeRobustChi2();
     }
-    gain = solved ? (chi2 - trial) / computeScale() : -1;
+    const double predicted = solved ? computeScale() : 0;
+    gain = solved ? (chi2 - trial) / predicted : -1;
+    finished = solved && is_below_rounding(chi2, predicted, largest_decrease_along(_solver, _currentLambda),
+                                           chi2 - trial);
     ++_levenbergIterations;
     if (gain > 0 && std::isfinite(trial)) {
       const double shrink = 1 - std::pow(2 * gain - 1, 3);
@@ -59,10 +83,11 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int it
       pushed.restore();
       if (!std::isfinite(_currentLambda)) break;
     }
-  } while (gain < 0 && _levenbergIterations < _maxTrialsAfterFailure->value() && !_optimizer->terminate());
+  } while (gain < 0 && !finished && _levenbergIterations < _maxTrialsAfterFailure->value() &&
+           !_optimizer->terminate());
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->levenbergIterations = _levenbergIterations;
-  if (gain > 0) return OK;
+  if (gain > 0) return finished ? Terminate : OK;
   _optimizer->computeActiveErrors();  // those of the rejected step stand in the edges
   return Terminate;
 }

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "g2o/core/base_unary_edge.h"
+#include "g2o/core/block_solver.h"
+#include "g2o/core/optimization_algorithm_gauss_newton.h"
+#include "g2o/core/optimization_algorithm_levenberg.h"
+#include "g2o/solvers/dense/linear_solver_dense.h"
 #include "g2o/types/edge_checks.h"
 #include "g2o/types/types_seven_dof_expmap.h"
 #include "g2o/types/types_six_dof_expmap.h"
@@ -98,6 +107,70 @@ TEST(Sba, AFixedScaleHasNoDerivative) {
   for (int id : {0, 1}) static_cast<g2o::VertexSim3Expmap*>(optimizer.vertex(id))->_fix_scale = true;
   for (g2o::HyperGraph::Edge* e : optimizer.edges())
     edge_checks::expect_exact_jacobians(*static_cast<g2o::OptimizableGraph::Edge*>(e));
+}
+
+TEST(Sba, ASimilarityRefusesAStepThatOverflowsAndCanBeSaved) {
+  g2o::VertexSim3Expmap v;
+  double overflow[] = {0, 0, 0, 0, 0, 0, 1000}, underflow[] = {0, 0, 0, 0, 0, 0, -1000};
+  for (double* step : {overflow, underflow}) {
+    v.oplus(step);
+    EXPECT_EQ(v.estimate().scale(), 1);
+    std::ostringstream out;
+    EXPECT_TRUE(v.write(out));
+    std::istringstream in(out.str());
+    g2o::VertexSim3Expmap again;
+    EXPECT_TRUE(again.read(in));
+  }
+  std::istringstream huge("0 0 0 0 0 0 800 1 1 0 0");
+  EXPECT_FALSE(v.read(huge)) << "its inverse could not be written";
+  g2o::EdgeSim3 e;
+  std::istringstream huge_measurement("0 0 0 0 0 0 800" + omega(7));
+  EXPECT_FALSE(e.read(huge_measurement));
+}
+
+/// The measured logarithm of a scale, which may be more than a number can hold.
+class ScaleEdge : public g2o::BaseUnaryEdge<1, double, g2o::VertexSim3Expmap> {
+ public:
+  void computeError() override { _error[0] = std::log(vertexXn<0>()->estimate().scale()) - _measurement; }
+  bool read(std::istream&) override { return false; }
+  bool write(std::ostream&) const override { return false; }
+};
+
+TEST(Sba, AnAlgorithmStopsBeforeAStepThatASimilarityRefuses) {
+  for (const bool is_levenberg : {false, true}) {
+    g2o::SparseOptimizer optimizer;
+    auto solver = std::make_unique<g2o::BlockSolverX>(
+        std::make_unique<g2o::LinearSolverDense<g2o::BlockSolverX::PoseMatrixType>>());
+    if (is_levenberg) {
+      optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(std::move(solver)));
+    } else {
+      optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(std::move(solver)));
+    }
+    auto* v = new g2o::VertexSim3Expmap;
+    v->setId(0);
+    ASSERT_TRUE(optimizer.addVertex(v));
+    auto* e = new ScaleEdge;
+    e->setVertex(0, v);
+    e->setMeasurement(1e4);
+    e->setInformation(Eigen::Matrix<double, 1, 1>::Identity());
+    ASSERT_TRUE(optimizer.addEdge(e));
+    auto* prior = new g2o::EdgeSim3;
+    auto* origin = new g2o::VertexSim3Expmap;
+    origin->setId(1);
+    origin->setFixed(true);
+    ASSERT_TRUE(optimizer.addVertex(origin));
+    prior->setVertex(0, origin);
+    prior->setVertex(1, v);
+    prior->setInformation(1e-6 * g2o::Matrix7::Identity());
+    ASSERT_TRUE(optimizer.addEdge(prior));
+    ASSERT_TRUE(optimizer.initializeOptimization());
+    const int done = optimizer.optimize(10);
+    EXPECT_TRUE(is_levenberg || done == 0) << "Gauss-Newton has no other step than the refused one";
+    std::ostringstream out;
+    EXPECT_TRUE(optimizer.saveVertex(out, v));
+    EXPECT_EQ(out.str().find("nan"), std::string::npos) << out.str();
+    EXPECT_EQ(out.str().find("inf"), std::string::npos) << out.str();
+  }
 }
 
 TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {

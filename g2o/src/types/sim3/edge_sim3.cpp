@@ -4,6 +4,7 @@
 #include "g2o/core/factory.h"
 #include "types/exponential.h"
 #include "types/native.h"
+#include "types/sim3/usable_sim3.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
 
@@ -43,11 +44,15 @@ void EdgeSim3::linearizeOplus() {
 }
 
 bool EdgeSim3::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector<double, 7>>(
-      is, 7, _information, [this](const auto& z) { setMeasurement(Sim3(Vector7(z)).inverse()); });
+  return native::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& z) {
+    const Sim3 measured(Vector7{z});
+    if (!native::is_usable(measured)) throw boxplus::Error(native::kExpectedUsableSim3);
+    setMeasurement(measured.inverse());
+  });
 }
 
 bool EdgeSim3::write(std::ostream& os) const {
+  if (!native::is_usable(_measurement)) return false;
   return native::write_measurement(os, boxplus::Vector<double, 7>(_measurement.inverse().log()),
                                    _information);
 }

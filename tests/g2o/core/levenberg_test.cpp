@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When Levenberg-Marquardt ends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "g2o/core/small_graph.h"
+
+namespace {
+
+/// Records chi2 after each iteration.
+class Chi2Record : public g2o::HyperGraphAction {
+ public:
+  explicit Chi2Record(const g2o::SparseOptimizer& optimizer) : optimizer_(&optimizer) {}
+  HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+    chi2.push_back(optimizer_->activeRobustChi2());
+    return this;
+  }
+  std::vector<double> chi2;
+
+ private:
+  const g2o::SparseOptimizer* optimizer_;
+};
+
+constexpr double kMinimum = 2.26455873132957;  // of chi2 of the contradiction
+
+/// A square whose diagonals contradict it, so that chi2 at the minimum is far from zero.
+void add_contradiction(g2o::SparseOptimizer& optimizer) {
+  small_graph::add_square(optimizer);
+  for (int k = 1; k <= 3; ++k) small_graph::add_motion(optimizer, 0, 2, g2o::SE2(1 + 0.5 * k, 0.2, 2.5));
+}
+
+TEST(Levenberg, StopsWhenChi2ChangesByItsRoundingErrorsAlone) {
+  g2o::SparseOptimizer optimizer;
+  add_contradiction(optimizer);
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver()));
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  Chi2Record record(optimizer);
+  ASSERT_TRUE(optimizer.addPostIterationAction(&record));
+  const int done = optimizer.optimize(512);
+  ASSERT_EQ(record.chi2.size(), static_cast<size_t>(done));
+  EXPECT_GT(done, 5);
+  int below_rounding = 0;
+  for (size_t i = 1; i < record.chi2.size(); ++i)
+    below_rounding += std::abs(record.chi2[i - 1] - record.chi2[i]) < 1e-13 * record.chi2[i];
+  EXPECT_LE(below_rounding, 1) << "of " << done << " iterations";
+  EXPECT_LT(record.chi2.back(), kMinimum * (1 + 1e-12));
+}
+
+TEST(Levenberg, GoesOnWhenStepsAreShortBecauseLambdaIsLarge) {
+  g2o::SparseOptimizer optimizer;
+  add_contradiction(optimizer);
+  auto* algorithm = new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver());
+  algorithm->setUserLambdaInit(1e15);
+  optimizer.setAlgorithm(algorithm);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_GT(optimizer.optimize(512), 30) << "lambda falls by a factor of three per iteration";
+  optimizer.computeActiveErrors();
+  EXPECT_LT(optimizer.activeChi2(), kMinimum * (1 + 1e-12));
+}
+
+}  // namespace
