@@ -49,6 +49,18 @@ void SparseOptimizer::forgetInitialization() {
   _activeEdges.clear();
 }
 
+/// Edges whose vertices are taken away by setVertex() or vertices(), which tell nobody, take no part any
+/// more.
+void SparseOptimizer::dropIncompleteEdges() {
+  const auto is_incomplete = [](const Edge* e) { return e->numUndefinedVertices() > 0; };
+  const auto incomplete = std::find_if(_activeEdges.begin(), _activeEdges.end(), is_incomplete);
+  if (incomplete == _activeEdges.end()) return;
+  G2O_WARN("edges that have lost a vertex take no part any more: {}",
+           std::count_if(incomplete, _activeEdges.end(), is_incomplete));
+  _activeEdges.erase(std::remove_if(incomplete, _activeEdges.end(), is_incomplete), _activeEdges.end());
+  ++structure_revision_;
+}
+
 void SparseOptimizer::sortVectorContainers() {
   std::sort(_activeVertices.begin(), _activeVertices.end(), VertexIDCompare());
   std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());

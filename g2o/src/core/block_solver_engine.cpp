@@ -201,6 +201,7 @@ void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
 
 bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
                                        const EngineSettings& settings) {
+  optimizer.dropIncompleteEdges();
   if (!state_) state_ = std::make_unique<State>();
   if (!state_->lay_out(optimizer, schur)) {
     state_.reset();
@@ -233,6 +234,7 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   for (OptimizableGraph::Vertex* v : s.vertices) v->clearQuadraticForm();
   optimizer.edgeParts().for_each_by_parts(optimizer.jacobianWorkspace(),
                                           [](OptimizableGraph::Edge& edge, JacobianWorkspace& workspace) {
+                                            if (!internal::is_complete(edge)) return;
                                             edge.linearizeOplus(workspace);
                                             edge.constructQuadraticForm();
                                           });

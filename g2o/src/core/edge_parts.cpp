@@ -64,6 +64,7 @@ class VertexParts {
  private:
   static constexpr size_t kFixed = static_cast<size_t>(-1);
   static size_t index(const HyperGraph::Vertex* v) {
+    if (v == nullptr) return kFixed;
     const int h = static_cast<const OptimizableGraph::Vertex*>(v)->hessianIndex();
     return h < 0 ? kFixed : static_cast<size_t>(h);
   }

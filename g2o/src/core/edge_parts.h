@@ -13,6 +13,14 @@
 namespace g2o {
 namespace internal {
 
+/// Whether all vertices are there: clients may take them away by setVertex() or vertices() at any time.
+inline bool is_complete(const OptimizableGraph::Edge& edge) {
+  for (const HyperGraph::Vertex* v : edge.vertices()) {
+    if (v == nullptr) return false;
+  }
+  return true;
+}
+
 /// Edges of one part share no vertex that may move with those of another: neither blocks of H nor of b. Edges
 /// between parts, and those of types that nothing is known of, are left for one thread. How many parts there
 /// are, and so the order in which blocks are added up, does not depend on the number of threads.

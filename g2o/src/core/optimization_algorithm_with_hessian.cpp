@@ -21,7 +21,8 @@ void blame_edge(const SparseOptimizer& optimizer) {
     if (std::isfinite(e->chi2())) continue;
     std::string name = Factory::instance()->tag(e);
     if (name.empty()) name = typeid(*e).name();
-    for (const HyperGraph::Vertex* v : e->vertices()) name += " " + std::to_string(v->id());
+    for (const HyperGraph::Vertex* v : e->vertices())
+      name += v != nullptr ? " " + std::to_string(v->id()) : " -";
     return G2O_ERROR("the error of the edge {} is not finite", name);
   }
   G2O_ERROR("the derivatives of an error are not finite");

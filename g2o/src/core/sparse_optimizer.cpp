@@ -2,6 +2,7 @@
 #include "g2o/core/sparse_optimizer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iomanip>
 #include <iostream>
 #include <set>
@@ -91,6 +92,7 @@ void SparseOptimizer::computeInitialGuess(EstimatePropagatorCost& propagator) {
       }
     }
   }
+  dropIncompleteEdges();
   const OptimizableGraph::VertexSet nothing;
   for (OptimizableGraph::Edge* edge : _activeEdges) {
     if (edge->vertices().size() != 1) continue;
@@ -107,6 +109,20 @@ void SparseOptimizer::setToOrigin() {
   for (const auto& [id, v] : vertices()) as_vertex(v)->setToOrigin();
 }
 
+/// While one lives, no algorithm is deleted.
+class SparseOptimizer::OptimizeScope {
+ public:
+  explicit OptimizeScope(SparseOptimizer& optimizer) : optimizer_(optimizer) { ++optimizer_.optimize_depth_; }
+  OptimizeScope(const OptimizeScope&) = delete;
+  OptimizeScope& operator=(const OptimizeScope&) = delete;
+  ~OptimizeScope() {
+    if (--optimizer_.optimize_depth_ == 0) optimizer_.replaced_algorithms_.clear();
+  }
+
+ private:
+  SparseOptimizer& optimizer_;
+};
+
 int SparseOptimizer::optimize(int iterations, bool online) {
   if (_ivMap.empty()) {
     G2O_WARN("optimize: no vertices to optimise; was initializeOptimization() called?");
@@ -121,6 +137,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     return -1;
   }
   own_stop_flag_ = false;
+  const OptimizeScope keep_algorithms(*this);
   for (const OptimizableGraph::Edge* e : _activeEdges) {
     if (e->numUndefinedVertices() == 0) continue;
     G2O_ERROR("optimize: an edge has lost a vertex since initializeOptimization()");
@@ -130,10 +147,19 @@ int SparseOptimizer::optimize(int iterations, bool online) {
   const StatisticsScope scope;
   OptimizationAlgorithm::SolverResult result = OptimizationAlgorithm::OK;
   double total = 0;
-  int done = 0;
+  OptimizationAlgorithm* algorithm = _algorithm;
+  int done = 0, first_of_algorithm = 0;
   for (; done < iterations && !terminate() && result == OptimizationAlgorithm::OK; ++done) {
     preIteration(done);
     if (_algorithm == nullptr) break;  // an action took it away
+    if (_algorithm != algorithm) {
+      algorithm = _algorithm;
+      first_of_algorithm = done;
+      if (!algorithm->init(online)) {
+        G2O_ERROR("optimize: the algorithm that an action set could not be initialised");
+        return 0;
+      }
+    }
     if (_computeBatchStatistics) {
       _batchStatistics.emplace_back();
       G2OBatchStatistics& statistics = _batchStatistics.back();
@@ -148,7 +174,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
       }
     }
     const double begin = get_monotonic_time();
-    result = _algorithm->solve(done, online);
+    result = algorithm->solve(done - first_of_algorithm, online);
     const double seconds = get_monotonic_time() - begin;
     total += seconds;
     if (_computeBatchStatistics || _verbose) computeActiveErrors();
@@ -156,16 +182,17 @@ int SparseOptimizer::optimize(int iterations, bool online) {
       _batchStatistics.back().chi2 = activeRobustChi2();
       _batchStatistics.back().timeIteration = seconds;
     }
-    if (_verbose) writeVerboseLine(done, seconds, total);
+    if (_verbose) writeVerboseLine(*algorithm, done, seconds, total);
     postIteration(done);
   }
   return result == OptimizationAlgorithm::Fail ? 0 : done;
 }
 
-void SparseOptimizer::writeVerboseLine(int iteration, double seconds, double total) const {
+void SparseOptimizer::writeVerboseLine(const OptimizationAlgorithm& algorithm, int iteration, double seconds,
+                                       double total) const {
   std::cerr << "iteration= " << iteration << "\t chi2= " << std::fixed << activeRobustChi2()
             << "\t time= " << seconds << "\t cumTime= " << total << "\t edges= " << _activeEdges.size();
-  _algorithm->printVerbose(std::cerr);
+  algorithm.printVerbose(std::cerr);
   std::cerr << std::defaultfloat << '\n';
 }
 
@@ -252,8 +279,12 @@ void SparseOptimizer::setForceStopFlag(bool* flag) {
 
 void SparseOptimizer::setAlgorithm(OptimizationAlgorithm* algorithm) {
   if (algorithm != _algorithm) {
-    delete _algorithm;
+    std::unique_ptr<OptimizationAlgorithm> before(_algorithm);
+    for (auto& replaced : replaced_algorithms_) {
+      if (replaced.get() == algorithm) static_cast<void>(replaced.release());  // it is in use again
+    }
     _algorithm = algorithm;
+    if (optimize_depth_ > 0 && before != nullptr) replaced_algorithms_.push_back(std::move(before));
   }
   if (_algorithm != nullptr) _algorithm->setOptimizer(this);
 }
@@ -319,7 +350,15 @@ internal::EdgeParts& SparseOptimizer::edgeParts() {
 
 void SparseOptimizer::computeActiveErrors() {
   callActions(AT_COMPUTEACTIVERROR);
-  edgeParts().for_each([](OptimizableGraph::Edge& e) { e.computeError(); });
+  std::atomic<bool> is_any_incomplete = false;
+  edgeParts().for_each([&](OptimizableGraph::Edge& e) {
+    if (internal::is_complete(e)) {
+      e.computeError();
+    } else {
+      is_any_incomplete = true;
+    }
+  });
+  if (is_any_incomplete) dropIncompleteEdges();
 }
 
 void SparseOptimizer::update(const double* update) {

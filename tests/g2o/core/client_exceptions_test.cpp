@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "g2o/core/base_unary_edge.h"
 #include "g2o/core/optimization_algorithm_dogleg.h"
@@ -98,6 +99,41 @@ TEST_F(ClientExceptions, APushThatThrowsHalfwayIsTakenBack) {
   ASSERT_TRUE(optimizer.initializeOptimization());
   EXPECT_THROW(optimizer.optimize(1), std::runtime_error);
   expect_empty_stacks();
+}
+
+/// An action that throws when it is called for the n-th time.
+class FragileAction : public g2o::HyperGraphAction {
+ public:
+  explicit FragileAction(int calls) : left(calls) {}
+  HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
+    if (--left == 0) throw std::runtime_error("fragile");
+    return this;
+  }
+  int left;
+};
+
+TEST_F(ClientExceptions, AnActionThatThrowsEndsOptimizeAndLeavesTheOptimizerUsable) {
+  using Add = bool (g2o::SparseOptimizer::*)(g2o::HyperGraphAction*);
+  const std::pair<Add, Add> kinds[] = {
+      {&g2o::SparseOptimizer::addPreIterationAction, &g2o::SparseOptimizer::removePreIterationAction},
+      {&g2o::SparseOptimizer::addPostIterationAction, &g2o::SparseOptimizer::removePostIterationAction},
+      {&g2o::SparseOptimizer::addComputeErrorAction, &g2o::SparseOptimizer::removeComputeErrorAction}};
+  for (const auto& [add, remove] : kinds) {
+    for (const bool is_verbose : {false, true}) {
+      optimizer.clear();
+      add_square(optimizer);
+      optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
+      optimizer.setComputeBatchStatistics(is_verbose);
+      ASSERT_TRUE(optimizer.initializeOptimization());
+      FragileAction action(2);
+      ASSERT_TRUE((optimizer.*add)(&action));
+      EXPECT_THROW(optimizer.optimize(5), std::runtime_error);
+      EXPECT_EQ(action.left, 0);
+      ASSERT_TRUE((optimizer.*remove)(&action));
+      expect_empty_stacks();
+      EXPECT_GT(optimizer.optimize(5), 0);
+    }
+  }
 }
 
 }  // namespace

@@ -88,7 +88,9 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   const OptimizationAlgorithm* algorithm() const { return _algorithm; }
   OptimizationAlgorithm* solver() { return _algorithm; }
-  /// Takes ownership; the algorithm that was there is deleted.
+  /// Takes ownership; the algorithm that was there is deleted, during optimize() when that ends: the
+  /// iteration that it is in goes on, and the next one is the first of the new algorithm, or none without
+  /// one.
   void setAlgorithm(OptimizationAlgorithm* algorithm);
   void setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm);
 
@@ -154,11 +156,19 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   std::unique_ptr<internal::EdgeParts> edge_parts_;
   std::uint64_t parts_revision_ = 0;
 
+  /// How many optimize() are under way, one within an action of the other; until the last one ends,
+  /// algorithms that were replaced are kept.
+  int optimize_depth_ = 0;
+  std::vector<std::unique_ptr<OptimizationAlgorithm>> replaced_algorithms_;
+  class OptimizeScope;
+
   internal::EdgeParts& edgeParts();
+  void dropIncompleteEdges();
   bool startOptimization();
   void sizeWorkspace();
   void forgetInitialization();
-  void writeVerboseLine(int iteration, double seconds, double total) const;
+  void writeVerboseLine(const OptimizationAlgorithm& algorithm, int iteration, double seconds,
+                        double total) const;
 };
 
 }  // namespace g2o

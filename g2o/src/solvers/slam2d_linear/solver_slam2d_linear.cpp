@@ -137,6 +137,7 @@ bool SolverSLAM2DLinear::solveOrientation() {
   const AddTurns now(headings);
   Headings system(mapping.size());
   for (const OptimizableGraph::Edge* e : _optimizer->activeEdges()) {
+    if (e->numUndefinedVertices() > 0) continue;
     const auto* edge = static_cast<const EdgeSE2*>(e);
     const VertexSE2 &from = *edge->vertexXn<0>(), &to = *edge->vertexXn<1>();
     const double turn = edge->measurement().rotation().angle();

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A process that optimises for days must not grow.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "g2o/core/small_graph.h"
+
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#include <malloc.h>
+#define HAS_HEAP_STATISTICS
+#endif
+
+namespace {
+
+void optimize_square(g2o::SparseOptimizer& optimizer) {
+  small_graph::add_square(optimizer);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  ASSERT_GT(optimizer.optimize(3), 0);
+}
+
+TEST(Memory, StaysTheSameOverManyCyclesOfOptimizeAndClear) {
+#ifndef HAS_HEAP_STATISTICS
+  GTEST_SKIP() << "the heap tells nothing about itself here";
+#else
+  constexpr int kWarmUp = 100, kCycles = 10000;
+  g2o::SparseOptimizer kept;
+  kept.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver()));
+  kept.setComputeBatchStatistics(true);
+  size_t before = 0;
+  for (int cycle = 0; cycle < kCycles; ++cycle) {
+    if (cycle == kWarmUp) before = mallinfo2().uordblks;
+    optimize_square(kept);
+    kept.clear();
+    if (cycle % 10 != 0) continue;
+    g2o::SparseOptimizer passing;
+    passing.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver()));
+    optimize_square(passing);
+  }
+  EXPECT_LE(mallinfo2().uordblks, before + 4096);
+#endif
+}
+
+}  // namespace
