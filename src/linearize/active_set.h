@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/linearize/plan.h"
+#include "linearize/gauge.h"
 
 namespace boxplus {
 
@@ -18,9 +19,7 @@ struct ActiveSet {
   std::vector<std::vector<std::uint32_t>> block;
   std::vector<VertexRef> block_vertex;
   std::uint32_t eliminated_blocks = 0;
-  std::vector<GaugeVertex> held;
-  int free_components = 0;
-  int damped_components = 0;
+  Gauge gauge;
 };
 
 ActiveSet find_active_set(const Graph& graph, const PlanRequest& request);

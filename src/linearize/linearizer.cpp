@@ -22,40 +22,6 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   }
 }
 
-/// gᵀA⁻¹g by Cholesky, in place; directions in which A is flat to within rounding are left out. `a` holds n
-/// numbers of scratch after the n × n of A.
-double newton_decrease(std::vector<double>& a, std::vector<double>& g) {
-  constexpr double kFlat = 1e-12;  // of the diagonal entry that the pivot began as
-  const std::size_t n = g.size();
-  double* least = a.data() + n * n;
-  for (std::size_t k = 0; k < n; ++k) least[k] = kFlat * a[k + k * n];
-  double decrease = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const double pivot = a[k + k * n];
-    if (!(pivot > least[k])) continue;
-    decrease += g[k] * g[k] / pivot;
-    for (std::size_t j = k + 1; j < n; ++j) {
-      const double factor = a[j + k * n] / pivot;
-      g[j] -= factor * g[k];
-      for (std::size_t i = k + 1; i < n; ++i) a[i + j * n] -= factor * a[i + k * n];
-    }
-  }
-  return decrease;
-}
-
-/// What a step of 1e-9 of the vertex' distance from the origin could change F by: less than that is rounding.
-double rounding_decrease(const Graph& graph, VertexRef vertex, std::span<const double> hessian,
-                         std::size_t n) {
-  double scale = 1, largest = 0;
-  Frame frame;
-  if (graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) {
-    for (double t : frame.translation) scale = std::max(scale, std::abs(t));
-  }
-  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, hessian[i * (n + 1)]);
-  const double step = 1e-9 * scale;
-  return largest * step * step;
-}
-
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
@@ -194,34 +160,6 @@ std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptio
     }
   }
   return std::nullopt;
-}
-
-double Linearizer::held_vertex_decrease(std::size_t k, const LinearizeOptions& options) {
-  const GaugeVertex& held = plan_->held[k];
-  const int dim = graph_->tangent_dim(held.vertex);
-  held_gradient_.assign(static_cast<std::size_t>(dim), 0.0);
-  held_hessian_.assign(static_cast<std::size_t>(dim * dim + dim), 0.0);
-  TileMemory& memory = memory_.front();
-  EdgeTile tile;
-  tile.error = memory.error.data();
-  tile.jacobian = memory.jacobian.data();
-  for (const GaugeVertex::Use& use : held.uses) {
-    const EdgePool& pool = *graph_->edge_pools()[use.pool];
-    if (!pool.enabled(use.edge)) continue;
-    vertex_dims(*graph_, pool, use.edge, memory.dims);
-    pool.linearize(std::span(&use.edge, 1), tile, options.numeric_jacobians);
-    held_targets_.assign(Scatter::targets_of(static_cast<int>(memory.dims.size())), Scatter::kNowhere);
-    held_targets_[use.position] = 0;
-    held_targets_[memory.dims.size() + use.position * (use.position + 1) / 2 + use.position] = 0;
-    const InformationView omega = pool.information(use.edge, tile.rows);
-    const EdgeWeight weight = edge_weight(pool.kernel(use.edge), omega.squared_norm(tile.error), false);
-    accumulate({tile.rows, tile.cols, memory.dims, tile.error, tile.jacobian}, omega, weight,
-               held_targets_.data(), held_hessian_.data(), held_gradient_.data(), memory.weighted.data(),
-               memory.weighted_error.data());
-  }
-  const double noise = rounding_decrease(*graph_, held.vertex, held_hessian_, held_gradient_.size());
-  const double decrease = newton_decrease(held_hessian_, held_gradient_);
-  return decrease > noise ? decrease : 0;
 }
 
 }  // namespace boxplus

@@ -127,6 +127,17 @@ void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
   }
 }
 
+void place_gauge(const ActiveSet& active, Plan& plan) {
+  const auto block_of = [&](const VertexRef& vertex) { return active.block[vertex.pool][vertex.slot]; };
+  plan.held = active.gauge.held;
+  plan.freedoms = active.gauge.freedoms;
+  for (const auto& [vertex, component] : active.gauge.held_directions) {
+    plan.held_scalars.push_back(plan.structure.offset[block_of(vertex)] +
+                                static_cast<std::uint32_t>(component));
+  }
+  for (const VertexRef& vertex : active.gauge.loose) plan.loose_blocks.push_back(block_of(vertex));
+}
+
 /// Contiguous ranges of block columns with about the same number of touching edges.
 std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers) {
   std::vector<std::uint64_t> weight(active.block_vertex.size(), 1);
@@ -240,10 +251,8 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   Plan plan;
   plan.block_vertex = active.block_vertex;
   plan.eliminated_blocks = active.eliminated_blocks;
-  plan.held = active.held;
-  plan.free_components = active.free_components;
-  plan.damped_components = active.damped_components;
   plan.structure = hessian_structure(graph, active);
+  place_gauge(active, plan);
   list_vertices(active, plan);
   list_edges(graph, active, plan);
   const double worth = std::min(predicted_nanoseconds(graph, plan) / kWorthAWorker, 1.0 * request.threads);

@@ -56,16 +56,6 @@ RunResult minimize_from_better(Run& run, double chi2_current) {
   return minimize_from_other(run, first, other_chi2);
 }
 
-/// Rows of the active edges beyond the unknowns: what chi2 is expected to be where the noise is that of Ω.
-double degrees_of_freedom(Run& run) {
-  double rows = 0;
-  for (const EdgeList& list : run.system().plan().edges) {
-    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
-    for (const std::uint32_t edge : list.edges) rows += pool.enabled(edge) ? pool.shape(edge).rows : 0;
-  }
-  return rows - run.system().plan().scalars();
-}
-
 /// A trust region's "very good", on either side: the model holds as far as the minimum, and so the estimates
 /// lie in its valley.
 bool keeps_promise(const IterationRecord& step) {
@@ -88,7 +78,7 @@ bool has_robust_kernels(Run& run) {
 /// Whether chi2 is what noise explains: a local minimum far from the best one is hardly so good.
 bool is_plausible(Run& run, double chi2) {
   constexpr double kAtMost = 2;
-  return chi2 <= std::max(1.0, kAtMost * degrees_of_freedom(run));
+  return chi2 <= std::max(1.0, kAtMost * run.degrees_of_freedom());
 }
 
 /// Runs from the current estimates; gives up, with Reason::kCallback, after a first step that does not do

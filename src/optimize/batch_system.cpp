@@ -10,9 +10,9 @@
 namespace boxplus {
 namespace {
 
-/// What GaugePolicy::kDamp adds to the diagonal, as a fraction of its largest entry: enough to lift pivots
-/// that are rounding noise, too little to be seen in a step.
-constexpr double kGaugeDamping = 1e-11;
+/// What GaugePolicy::kDamp adds to each diagonal entry, as a fraction of it: enough to lift pivots that are
+/// rounding noise, too little to be seen in a step.
+constexpr double kGaugeDamping = 1e-10;
 
 /// The forcing term, at least, where the direct solver was wanted and did not fit into memory: on large maps
 /// far fewer iterations than an exact step takes.
@@ -22,8 +22,19 @@ constexpr double kRoughTolerance = 0.1;
 /// squared in each step, and half the refinement.
 constexpr double kRefinedTolerance = 1e-6;
 
-/// The diagonal that damping is scaled by stays above this fraction of its largest entry.
-constexpr double kDiagonalFloor = 1e-12;
+/// The diagonal that damping is scaled by stays above this fraction of its largest entry: less is rounding of
+/// Jacobians that are zero.
+constexpr double kDiagonalFloor = 1e-20;
+
+/// The blocks of the plan that come last in the elimination, as the linear solver numbers them.
+std::vector<std::uint32_t> last_blocks(const Plan& plan, bool reduced) {
+  std::vector<std::uint32_t> last;
+  const std::uint32_t first = reduced ? plan.eliminated_blocks : 0;
+  for (const std::uint32_t block : plan.loose_blocks) {
+    if (block >= first) last.push_back(block - first);
+  }
+  return last;
+}
 
 /// Where only solve() finds that a matrix is not positive definite, as with a factor in float: factorize(),
 /// which names the block.
@@ -43,7 +54,14 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
       assembled_(plan_->structure, linearizer_.values()),
       solver_(std::move(solver)) {
   hints.threads = request.threads;
-  if (plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks()) {
+  gauge_ = request.gauge;
+  const bool reduces = plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks();
+  const std::vector<std::uint32_t> last = last_blocks(*plan_, reduces);
+  if (!last.empty()) {
+    hints.last = last;
+    hints.precision = Precision::kDouble;  // a factor in float cannot tell a lost pivot
+  }
+  if (reduces) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
     const bool make_values =
         schur == SchurMode::kExplicit || !(operator_suffices || schur == SchurMode::kImplicit);
@@ -71,6 +89,7 @@ void BatchSystem::configure(const Options& options, Timings& timings, const Stop
                                                                    : 0;
   control_ = {std::max(least, options.linear_tolerance), 0};
   solver_->set_stop(stop);
+  lost_scalars_.clear();
   timings_ = &timings;
 }
 
@@ -99,30 +118,87 @@ double BatchSystem::curvature(std::span<const double> d) {
   return dot(d, product_);
 }
 
-/// λD plus the gauge damping, where a component is not held in all directions.
+/// λD, and the diagonal of H once more for what is held. Damping holds the gauge by itself.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
-  const double largest = max_abs(diagonal_);
-  const bool loose = plan_->free_components > 0 || plan_->damped_components > 0;
-  const double gauge = loose ? kGaugeDamping * largest : 0;
-  if (damping.scale == DampingScale::kIdentity || damping.lambda == 0)
-    return {damping.lambda + gauge, nullptr};
-  const double floor = std::max(kDiagonalFloor * largest, 1e-300);
-  for (std::size_t i = 0; i < damping_.size(); ++i) {
-    damping_[i] = damping.lambda * std::max(diagonal_[i], floor) + gauge;
+  const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
+  const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : 0;
+  const bool holds = damping.lambda == 0 && !plan_->held_scalars.empty();
+  const bool identity = damping.scale == DampingScale::kIdentity || damping.lambda == 0;
+  if (identity && gauge == 0 && !holds && lost_scalars_.empty()) return {damping.lambda, nullptr};
+  const double floor = std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
+  const auto scale = [&](std::size_t i) { return std::max(diagonal_[i], floor); };
+  for (std::size_t i = 0; i < damping_.size(); ++i)
+    damping_[i] = damping.lambda * (identity ? 1 : scale(i)) + gauge * scale(i);
+  if (holds) {
+    for (const std::uint32_t i : plan_->held_scalars) damping_[i] += scale(i);
   }
+  for (const std::uint32_t i : lost_scalars_) damping_[i] += scale(i);
   return {1.0, damping_.data()};
 }
 
 StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step) {
   const auto gradient = linearizer_.gradient();
   for (std::size_t i = 0; i < gradient.size(); ++i) right_hand_side_[i] = -gradient[i];
+  StepResult result = solve_once(damping, step);
+  if (result.status == LinearStatus::kOk && !lost_pivots_are_gauge(step)) {
+    lost_scalars_.clear();
+    result = solve_once(damping, step);
+  }
+  while (result.status == LinearStatus::kNotPositiveDefinite && hold_lost_pivots())
+    result = solve_once(damping, step);
+  if (result.status == LinearStatus::kOk) {
+    for (const std::uint32_t i : lost_scalars_) step[i] = 0;
+    if (damping.lambda == 0) {
+      for (const std::uint32_t i : plan_->held_scalars) step[i] = 0;
+    }
+  }
+  return result;
+}
+
+StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
   return schur_ ? solve_reduced(full, step) : solve_full(full, step);
+}
+
+/// Holds the direction of a loose block whose pivot was lost, or all of the block if the solver does not say
+/// which. (H + c e eᵀ) δ = −g has the Gauss-Newton step with δ = 0 along e, if H leaves e free.
+bool BatchSystem::hold_lost_pivots() {
+  const auto& loose = plan_->loose_blocks;
+  if (gauge_ != GaugePolicy::kFixFirst || std::find(loose.begin(), loose.end(), failed_block_) == loose.end())
+    return false;
+  const std::uint32_t begin = plan_->structure.offset[failed_block_];
+  const std::uint32_t end = plan_->structure.offset[failed_block_ + 1];
+  const bool known = failed_scalar_ != BlockStructure::kAbsent;
+  const std::size_t before = lost_scalars_.size();
+  for (std::uint32_t i = known ? failed_scalar_ : begin; i < (known ? failed_scalar_ + 1 : end); ++i) {
+    if (std::find(lost_scalars_.begin(), lost_scalars_.end(), i) == lost_scalars_.end())
+      lost_scalars_.push_back(i);
+  }
+  return lost_scalars_.size() > before;
+}
+
+/// The gradient vanishes along every direction that H leaves free. So a step along what is held, more than
+/// rounding, says that H measures it by now.
+bool BatchSystem::lost_pivots_are_gauge(std::span<const double> step) const {
+  constexpr double kNegligible = 1e-9;  // of the predicted decrease
+  double along = 0;
+  for (const std::uint32_t i : lost_scalars_) along += diagonal_[i] * step[i] * step[i];
+  return along <= kNegligible * dot(right_hand_side_, step);
+}
+
+bool BatchSystem::is_free() {
+  if (!plan_->freedoms.empty()) return true;
+  if (plan_->loose_blocks.empty() || !linearize()) return false;
+  std::vector<double> step(plan_->scalars());
+  return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }
 
 StepResult BatchSystem::fail(const FactorResult& result, std::uint32_t first_block) {
   failed_block_ =
       result.failed_block == BlockStructure::kAbsent ? first_block : first_block + result.failed_block;
+  failed_scalar_ = result.failed_scalar == BlockStructure::kAbsent
+                       ? BlockStructure::kAbsent
+                       : plan_->structure.offset[first_block] + result.failed_scalar;
   return {result.status, 0};
 }
 

@@ -35,6 +35,9 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
   }
 }
 
+/// The part of chi2 that the rounding of its sum may be.
+constexpr double kChi2Rounding = 1e-13;
+
 /// Data without noise, fitted: errors of less than 1e-10 standard deviations are all rounding, whatever the
 /// model promises of the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
@@ -42,11 +45,23 @@ bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unk
   return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
 }
 
+/// Neither what the iteration gained nor what the model predicted for it is more than `fraction` of chi2.
+bool gains_less_than(double fraction, const IterationRecord& record) {
+  return std::abs(record.chi2_decrease) <= fraction * record.chi2 && record.promise <= fraction * record.chi2;
+}
+
+/// The fraction of chi2 that Options::noise_tolerance stands for.
+double insignificant_fraction(const RunContext& context) {
+  constexpr double kAtMost = 2e-7;
+  return std::min(kAtMost, context.options.noise_tolerance / std::max(1.0, context.degrees_of_freedom));
+}
+
 std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
                                   std::size_t unknowns, double largest_step, bool cut_short) {
   if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
   if (is_exact(record, chi2_before, unknowns)) return Reason::kNoFurtherDecrease;
   if (cut_short) return std::nullopt;
+  if (gains_less_than(kChi2Rounding, record)) return Reason::kNoFurtherDecrease;
   if (record.step_max <= options.step_tolerance * largest_step) return Reason::kStepTolerance;
   if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
   return std::nullopt;
@@ -56,6 +71,8 @@ std::optional<Reason> convergence(const Options& options, const IterationRecord&
 
 RunResult minimize(System& system, Algorithm& algorithm, const RunContext& context, double chi2) {
   double largest_step = 0;
+  int insignificant = 0;  // iterations in a row
+  const double least = insignificant_fraction(context);
   for (int iteration = 0;; ++iteration) {
     if (const auto reason = end_before(iteration, context)) {
       return {Status::kNotConverged, *reason, chi2, iteration};
@@ -77,6 +94,8 @@ RunResult minimize(System& system, Algorithm& algorithm, const RunContext& conte
     if (const auto reason = convergence(context.options, record, before, unknowns, largest_step, cut_short)) {
       return {Status::kConverged, *reason, chi2, iteration + 1};
     }
+    insignificant = !cut_short && gains_less_than(least, record) ? insignificant + 1 : 0;
+    if (insignificant == 2) return {Status::kConverged, Reason::kCostTolerance, chi2, iteration + 1};
     if (!wanted) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
   }
 }

@@ -26,7 +26,8 @@ constexpr bool is_interruption(Reason reason) {
 /// What a run needs besides the problem and the method.
 struct RunContext {
   const Options& options;
-  int max_iterations;  ///< what earlier runs left of Options::max_iterations
+  int max_iterations;         ///< what earlier runs left of Options::max_iterations
+  double degrees_of_freedom;  ///< rows of the errors beyond the unknowns; less than 1 if there are none
   const StopToken& stop;
   const Stopwatch& clock;                           ///< began with optimize()
   FunctionRef<bool(const IterationRecord&)> go_on;  ///< asked after every iteration

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "optimize/gauge_release.h"
 #include "optimize/non_finite.h"
 #include "optimize/run.h"
 #include "optimize/starts.h"
@@ -18,6 +17,7 @@ void check(const Options& options) {
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
+  require(options.noise_tolerance >= 0, "noise_tolerance ≥ 0");
   require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
   require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
   require(options.linear_tolerance > 0 && options.linear_tolerance < 1, "0 < linear_tolerance < 1");
@@ -37,8 +37,7 @@ void reset(Report& report) {
   records.clear();
   jacobians.clear();
   gauge.held.clear();
-  gauge.released.clear();
-  gauge.damped_components = 0;
+  gauge.free.clear();
   message.clear();
   report.records = std::move(records);
   report.jacobians = std::move(jacobians);
@@ -48,6 +47,7 @@ void reset(Report& report) {
 
 void finish(Run& run, const RunResult& result) {
   run.report().linear = run.system().linear_solver().statistics();
+  run.report().gauge.held_directions = run.system().held_directions();
   run.report().status = result.status;
   run.report().reason = result.reason;
   run.report().chi2_final = run.system().chi2();
@@ -68,10 +68,10 @@ RunResult minimize_problem(Run& run) {
   const double chi2 = run.report().chi2_initial;
   const Plan& plan = run.system().plan();
   if (plan.scalars() == 0) return {Status::kConverged, Reason::kNothingToOptimize, chi2, 0};
-  if (run.options().gauge == GaugePolicy::kError && plan.free_components > 0) {
+  if (run.options().gauge == GaugePolicy::kError && run.system().is_free()) {
     return {Status::kFailed, Reason::kGaugeFreedom, chi2, 0};
   }
-  return release_and_go_on(run, minimize_from_starts(run));
+  return minimize_from_starts(run);
 }
 
 }  // namespace

@@ -73,13 +73,11 @@ void add_records(Text& text, const Report& report) {
 }
 
 void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
-  if (ids.empty()) return;
   constexpr std::size_t kShown = 8;
-  add(text, "  {:<16}", what);
+  add(text, "{} ", what);
   for (std::size_t k = 0; k < std::min(ids.size(), kShown); ++k)
     add(text, "{}{}", k == 0 ? "" : ", ", ids[k]);
   if (ids.size() > kShown) add(text, ", … ({} in all)", ids.size());
-  add(text, "\n");
 }
 
 void add_start(Text& text, const StartReport& start) {
@@ -114,13 +112,24 @@ void add_jacobians(Text& text, const std::vector<EdgeJacobians>& jacobians) {
   add(text, "\n");
 }
 
-void add_notes(Text& text, const Report& report) {
-  add_ids(text, "gauge", report.gauge.held);
-  add_ids(text, "gauge released", report.gauge.released);
-  if (report.gauge.damped_components > 0) {
-    add(text, "  {:<16}{} component(s) not held in all directions: damped minutely\n", "gauge",
-        report.gauge.damped_components);
+void add_gauge(Text& text, const GaugeReport& gauge) {
+  if (!gauge.held.empty()) {
+    add(text, "  {:<16}", "gauge");
+    add_ids(text, gauge.held.size() == 1 ? "held vertex" : "held vertices", gauge.held);
+    add(text, ": nothing else fixes {} component\n", gauge.held.size() == 1 ? "its" : "their");
   }
+  constexpr std::size_t kShown = 4;
+  for (std::size_t k = 0; k < std::min(gauge.free.size(), kShown); ++k)
+    add(text, "  {:<16}{} free in the component of vertex {}\n", "gauge", to_string(gauge.free[k]),
+        gauge.free[k].id);
+  if (gauge.free.size() > kShown) add(text, "  {:<16}… ({} components in all)\n", "gauge", gauge.free.size());
+  if (gauge.held_directions > 0)
+    add(text, "  {:<16}held {} direction{} that nothing measures\n", "gauge", gauge.held_directions,
+        gauge.held_directions == 1 ? "" : "s");
+}
+
+void add_notes(Text& text, const Report& report) {
+  add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
   if (report.regularised_steps > 0) {
@@ -195,7 +204,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kNotFinite:
       return "the problem is not finite";
     default:
-      return "a component is held by nothing (Options::gauge = error)";
+      return "a component can move without changing any error (Options::gauge = error)";
   }
 }
 

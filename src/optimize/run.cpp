@@ -30,23 +30,28 @@ void Run::describe_problem() {
   report_.algorithm = session_->algorithm(options_).name();
   report_.vertices = plan.structure.blocks();
   report_.scalars = plan.scalars();
+  scalars_ = plan.scalars();
   report_.eliminated = plan.eliminated_blocks;
   report_.edges = plan.edge_count;
   report_.linear = system().linear_solver().statistics();
   report_.threads = resolved_threads(options_);
   report_.workers = std::max(system().linearizer().workers(), report_.linear.workers);
-  report_.gauge.damped_components = plan.damped_components + plan.free_components;
   report_.gauge.held.clear();
   for (const GaugeVertex& gauge : plan.held) report_.gauge.held.push_back(gauge.id);
-  report_.gauge.released.clear();
-  for (const VertexRef& vertex : session_->released()) report_.gauge.released.push_back(graph_.id(vertex));
+  report_.gauge.free = plan.freedoms;
   report_.jacobians.clear();
   report_.disabled_edges = 0;
   for (const EdgeList& list : plan.edges) {
     const EdgePool& pool = *graph_.edge_pools()[list.pool];
     report_.jacobians.push_back(
         {pool.type_name(), options_.numeric_jacobians ? JacobianSource::kNumeric : pool.jacobian_source()});
-    for (std::uint32_t edge : list.edges) report_.disabled_edges += !pool.enabled(edge);
+    for (std::uint32_t edge : list.edges) {
+      if (pool.enabled(edge)) {
+        rows_ += pool.shape(edge).rows;
+      } else {
+        ++report_.disabled_edges;
+      }
+    }
   }
 }
 
@@ -59,7 +64,7 @@ RunResult Run::minimize_while(FunctionRef<bool(const IterationRecord&)> wanted, 
   Algorithm& algorithm = session_->algorithm(options_);
   algorithm.reset(options_, system().plan().scalars());
   const auto go_on = [&](const IterationRecord& record) { return call_back(record) && wanted(record); };
-  const RunContext context{options_, iterations_left(), stop_, clock_, go_on, report_.records};
+  const RunContext context{options_, iterations_left(), degrees_of_freedom(), stop_, clock_, go_on, report_.records};
   const RunResult result = boxplus::minimize(system(), algorithm, context, chi2);
   report_.iterations += result.iterations;
   report_.regularised_steps += algorithm.regularised_steps();
@@ -74,15 +79,6 @@ bool Run::call_back(const IterationRecord& record) {
     throw InvalidArgument("Options::callback changed the structure of the graph, or optimised it");
   }
   return go_on;
-}
-
-void Run::plan_again(FunctionRef<void()> change) {
-  {
-    const TimeAdder adder(report_.time.plan_s);
-    change();
-  }
-  system().configure(options_, report_.time, stop_);
-  describe_problem();
 }
 
 }  // namespace boxplus

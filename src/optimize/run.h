@@ -27,12 +27,13 @@ class Run {
   /// Neither stopped nor out of iterations.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
 
+  /// Rows of the enabled active edges beyond the unknowns: the chi2 to expect if the noise is that of Ω.
+  double degrees_of_freedom() const { return rows_ - scalars_; }
+
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult minimize(double chi2);
   /// The same, but for an end with Reason::kCallback after the first iteration that `wanted` refuses.
   RunResult minimize_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
-  /// Has `change` change the plan.
-  void plan_again(FunctionRef<void()> change);
 
  private:
   int iterations_left() const { return options_.max_iterations - report_.iterations; }
@@ -45,6 +46,7 @@ class Run {
   Stopwatch clock_;
   StopToken stop_;
   Session* session_ = nullptr;
+  double rows_ = 0, scalars_ = 0;
   /// Marks the session as in use, also where the constructor throws.
   struct InUse {
     Graph& graph;

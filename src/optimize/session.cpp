@@ -60,7 +60,7 @@ bool Session::has_precision(Precision wanted) const {
 }
 
 void Session::plan(Graph& graph) {
-  const PlanRequest request{level_, vertices_, edges_, gauge_, released_, threads_};
+  const PlanRequest request{level_, vertices_, edges_, gauge_, threads_};
   system_.reset();
   AnalyzeHints hints;
   hints.max_factor_bytes = max_factor_bytes_;
@@ -68,18 +68,6 @@ void Session::plan(Graph& graph) {
   system_ = std::make_unique<BatchSystem>(
       graph, request, own_solver_ ? own_solver_ : std::shared_ptr(make_linear_solver(solver_)), schur_,
       hints);
-}
-
-void Session::release(Graph& graph, const std::vector<VertexRef>& vertices) {
-  released_before_ = released_.size();
-  released_.insert(released_.end(), vertices.begin(), vertices.end());
-  plan(graph);
-}
-
-void Session::hold_again(Graph& graph) {
-  released_.resize(released_before_);
-  keeps_held_ = true;
-  plan(graph);
 }
 
 Algorithm& Session::algorithm(const Options& options) {

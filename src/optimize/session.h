@@ -20,12 +20,6 @@ class Session final : public Graph::Cache {
   /// While it is in use, find() throws InvalidArgument.
   void set_in_use(bool in_use) { in_use_ = in_use; }
   Algorithm& algorithm(const Options& options);
-  /// Plans anew without holding these vertices for the gauge.
-  void release(Graph& graph, const std::vector<VertexRef>& vertices);
-  /// Takes the last release() back: its vertices are held, and stay so while the structure does.
-  void hold_again(Graph& graph);
-  bool keeps_held() const { return keeps_held_; }
-  const std::vector<VertexRef>& released() const { return released_; }
 
  private:
   bool fits(const Graph& graph, const Options& options) const;
@@ -40,10 +34,9 @@ class Session final : public Graph::Cache {
   SchurMode schur_ = SchurMode::kAutomatic;
   std::uint64_t max_factor_bytes_ = 0;
   Precision precision_ = Precision::kAutomatic;
-  std::vector<VertexRef> vertices_, released_;
+  std::vector<VertexRef> vertices_;
   std::vector<EdgeRef> edges_;
-  std::size_t released_before_ = 0;  // by earlier calls of release()
-  bool keeps_held_ = false, in_use_ = false;
+  bool in_use_ = false;
   std::unique_ptr<BatchSystem> system_;
   std::array<std::unique_ptr<Algorithm>, 4> algorithms_;
 };

@@ -8,7 +8,7 @@
 
 namespace boxplus::app {
 
-/// Fills components, isolated and damped_components. O(n log n).
+/// Fills components and isolated. O(n log n).
 void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFacts& facts);
 
 }  // namespace boxplus::app

@@ -46,6 +46,7 @@ struct ComponentFacts {
   std::size_t vertices = 0, edges = 0;
   std::vector<Id> fixed, held;  ///< by FIX; by optimize, because nothing else does
   std::size_t priors = 0;
+  std::string_view free;  ///< motions that change no error, beyond what optimize holds; or empty
 };
 
 struct GraphFacts {
@@ -57,7 +58,6 @@ struct GraphFacts {
   std::vector<EdgeFacts> worst;                 ///< largest chi2 first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   double chi2 = 0;
-  int damped_components = 0;       ///< held by too little: optimize damps them minutely
   int dimension = 0;               ///< of the world; 0: no vertex has a place
   std::array<double, 3> extent{};  ///< of all places, metres
 };

@@ -61,7 +61,8 @@ Json components_json(const GraphFacts& facts) {
                       {"edges", component.edges},
                       {"fixed", component.fixed},
                       {"priors", component.priors},
-                      {"held", component.held}});
+                      {"held", component.held},
+                      {"free", component.free}});
   }
   return result;
 }
@@ -108,7 +109,6 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"vertex_types", vertex_types_json(facts)},
                      {"edge_types", edge_types_json(facts)},
                      {"components", components_json(facts)},
-                     {"damped_components", facts.damped_components},
                      {"isolated", facts.isolated},
                      {"worst_edges", worst},
                      {"kept_lines", file.kept.size()},

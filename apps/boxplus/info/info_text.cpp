@@ -134,6 +134,7 @@ std::string anchor_text(const ComponentFacts& component) {
     anchors.push_back(
         fmt::format("{}optimize holds vertex {}", anchors.empty() ? "nothing: " : "", list(component.held)));
   }
+  if (!component.free.empty()) anchors.push_back(fmt::format("free: {}", component.free));
   return anchors.empty() ? "nothing" : fmt::format("{}", fmt::join(anchors, "; "));
 }
 
@@ -149,11 +150,6 @@ std::string components_text(const GraphFacts& facts) {
     text = "\n" + table.text();
     if (facts.components.size() > kShownComponents)
       text += fmt::format("  … and {} smaller ones\n", facts.components.size() - kShownComponents);
-  }
-  if (facts.damped_components > 0) {
-    text += fmt::format("  {} component{} held in some directions only: optimize damps {} minutely\n",
-                        facts.damped_components, facts.damped_components == 1 ? " is" : "s are",
-                        facts.damped_components == 1 ? "it" : "them");
   }
   if (!facts.isolated.empty()) {
     text += fmt::format("\n  without edges: vert{} {}\n", facts.isolated.size() == 1 ? "ex" : "ices",

@@ -38,7 +38,15 @@ Json start_json(const StartReport& start) {
 }
 
 Json gauge_json(const GaugeReport& gauge) {
-  return {{"held", gauge.held}, {"released", gauge.released}, {"damped_components", gauge.damped_components}};
+  json free = json::array();
+  for (const GaugeFreedom& freedom : gauge.free) {
+    free.push_back({{"vertex", freedom.id},
+                    {"directions", freedom.directions},
+                    {"translation", freedom.translation},
+                    {"rotation", freedom.rotation},
+                    {"scale", freedom.scale}});
+  }
+  return {{"held", gauge.held}, {"free", free}, {"held_directions", gauge.held_directions}};
 }
 
 Json kernel_json(const KernelFacts& kernel) {

@@ -66,6 +66,9 @@ class EdgePool {
   virtual bool errors_in_lanes(std::span<const std::uint32_t> /*edges*/, double* /*out*/) const {
     return false;
   }
+  /// True if all edges of this type measure poses or points fully relative to a pose, or a pose relative to
+  /// the world (graph/error_function.h, kRigid).
+  virtual bool is_rigid() const { return false; }
   /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 

@@ -289,6 +289,18 @@ concept WantsNumeric = requires {
   requires E::kNumeric;
 };
 
+/// E declares `static constexpr bool kRigid = true`: its error tells all about the position of one vertex in
+/// the frame of another, or of one in the world; so it changes with every similarity of some of its vertices,
+/// but for a rigid motion of all of them. Spares the search for gauge freedom.
+template <class E>
+inline constexpr bool kIsRigid = [] {
+  if constexpr (requires { E::kRigid; }) {
+    return static_cast<bool>(E::kRigid);
+  } else {
+    return false;
+  }
+}();
+
 /// Exact Jacobians are available.
 template <class E, class... V>
 inline constexpr bool kDifferentiable = [] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames of the manifold types: SE2 and SE3 are poses, vectors of two or three numbers are points.
+// The frames of the manifold types: SE2 and SE3 are poses, vectors of two or three numbers are points, and a
+// product has the frame of its first part.
 //
 // Included by the vertex pools, so that every translation unit sees the same pools.
 #pragma once
@@ -8,6 +9,7 @@
 #include <cmath>
 
 #include "boxplus/graph/frame.h"
+#include "boxplus/manifold/product.h"
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
@@ -55,6 +57,17 @@ requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options
     return frame;
   }
   static void set(Point& x, const Frame& frame) { std::copy_n(frame.translation.begin(), N, x.data()); }
+};
+
+/// A pose with more about it: a camera with its intrinsics, a robot with its velocity.
+template <FrameType First, class... Rest>
+struct FrameTrait<Product<First, Rest...>> {
+  static Frame get(const Product<First, Rest...>& x) {
+    return FrameTrait<First>::get(x.template get<0>());
+  }
+  static void set(Product<First, Rest...>& x, const Frame& frame) {
+    FrameTrait<First>::set(x.template get<0>(), frame);
+  }
 };
 
 }  // namespace boxplus

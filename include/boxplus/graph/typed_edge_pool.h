@@ -153,6 +153,8 @@ class TypedEdgePool final : public EdgePool {
     return LaneKernel<E, V...>::kExists;
   }
 
+  bool is_rigid() const override { return edge::kIsRigid<E>; }
+
   bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {
     return with_arguments(edge, [&](auto... x) {
       if constexpr (requires { edges_[edge].relative_frame(x.get()...); }) {

@@ -102,6 +102,12 @@ class TypedVertexPool final : public VertexPool {
     }
   }
 
+  void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const override {
+    T there = values_[slot];
+    if constexpr (FrameType<T>) FrameTrait<T>::set(there, frame);
+    Manifold<T>::ominus(there, values_[slot], delta);
+  }
+
  private:
   std::vector<T> values_;
   std::vector<std::vector<T>> backups_;

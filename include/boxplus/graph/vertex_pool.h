@@ -44,6 +44,9 @@ class VertexPool {
   /// The pose or point in `slot`; false where the type is neither.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}
+  /// δ such that the estimate ⊞ δ has the given frame; nothing else about it changes. Zero if the type is
+  /// neither pose nor point.
+  virtual void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
   std::uint32_t alive_count() const { return slots() - static_cast<std::uint32_t>(free_.size()); }

@@ -33,6 +33,8 @@ struct FactorResult {
   LinearStatus status = LinearStatus::kOk;
   std::uint32_t failed_block =
       BlockStructure::kAbsent;  ///< in the numbering of the structure, not of the ordering
+  /// The scalar of the system whose pivot was lost, or kAbsent if the solver does not know.
+  std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
 struct SolveControl {

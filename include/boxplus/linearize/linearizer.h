@@ -40,10 +40,6 @@ class Linearizer {
 
   std::span<const double> values() const { return values_; }
   std::span<const double> gradient() const { return gradient_; }
-  /// By how much F would fall if the k-th held vertex of the plan moved alone, 0 where rounding may be all of
-  /// it: gᵀH⁻¹g of its own normal equations. Zero, up to rounding, at a minimum over the other vertices, if
-  /// and only if holding it cost nothing, that is, if it was a gauge freedom indeed. O(its edges).
-  double held_vertex_decrease(std::size_t k, const LinearizeOptions& options = {});
   int workers() const { return static_cast<int>(plan_->chunks.size()); }
 
  private:
@@ -58,8 +54,6 @@ class Linearizer {
   const Plan* plan_;
   std::vector<double> values_, gradient_, edge_chi2_;
   std::vector<TileMemory> memory_;
-  std::vector<double> held_gradient_, held_hessian_;
-  std::vector<std::uint32_t> held_targets_;
 };
 
 }  // namespace boxplus

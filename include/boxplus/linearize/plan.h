@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
@@ -12,12 +13,14 @@
 
 namespace boxplus {
 
-/// What to do about a connected component that nothing holds in place.
+/// What to do about a connected component that can move without changing any error.
 enum class GaugePolicy : std::uint8_t {
-  kFixFirst,  ///< hold its lowest-id vertex of largest dimension for the solve; its estimate and flag stay
-              ///< untouched
-  kDamp,      ///< add a vanishing damping to H
-  kError      ///< stop with Status::kGaugeFreedom
+  /// Hold its lowest-id vertex of largest dimension for the solve, if all of that vertex is gauge; its
+  /// estimate and flag stay untouched. Of other freedom (a scale, a heading) hold single directions, unless
+  /// damping does.
+  kFixFirst,
+  kDamp,  ///< add 1e-10 of itself to each diagonal entry of H
+  kError  ///< stop with Status::kGaugeFreedom
 };
 
 struct PlanRequest {
@@ -26,7 +29,6 @@ struct PlanRequest {
       {};  ///< if not empty: only these move, and only edges that touch them take part
   std::span<const EdgeRef> edges = {};  ///< if not empty: only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  std::span<const VertexRef> never_hold = {};  ///< vertices that were found not to be gauge freedoms
   int threads = 1;                             ///< upper bound; small problems are given fewer
 };
 
@@ -76,15 +78,21 @@ struct Chunk {
   std::vector<Run> runs;
 };
 
-/// A component that nothing holds, and the vertex that is held for it.
+/// A vertex that is held because nothing else holds its component.
 struct GaugeVertex {
-  struct Use {
-    std::uint32_t pool, edge, position;  ///< the vertex is at `position` of that edge
-  };
   VertexRef vertex;
   Id id = 0;
-  std::vector<Use> uses;
 };
+
+/// Motions of a component, with all of its poses and points, that change no error.
+struct GaugeFreedom {
+  VertexRef vertex;  ///< of the component
+  Id id = 0;
+  int directions = 0;  ///< how many independent motions
+  bool translation = false, rotation = false, scale = false;
+};
+/// "rotation and scale"
+std::string_view to_string(const GaugeFreedom& freedom);
 
 /// Immutable once made.
 struct Plan {
@@ -96,9 +104,13 @@ struct Plan {
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
-  std::vector<GaugeVertex> held;  ///< GaugePolicy::kFixFirst
-  int free_components = 0;        ///< components that nothing holds, under the other policies
-  int damped_components = 0;      ///< components that are held in fewer directions than they have
+  std::vector<GaugeVertex> held;         ///< GaugePolicy::kFixFirst
+  std::vector<GaugeFreedom> freedoms;    ///< beyond what `held` holds
+  /// Entries of a step that are held for `freedoms` (GaugePolicy::kFixFirst).
+  std::vector<std::uint32_t> held_scalars;
+  /// One block of each component that nothing anchors, and whose freedom is not known: should its pivots be
+  /// lost when it is eliminated last, they are gauge.
+  std::vector<std::uint32_t> loose_blocks;
   int max_tile_values = 0;        ///< doubles of the largest tile
   int max_tile_rows = 0;
 

@@ -41,6 +41,11 @@ class BatchSystem final : public System {
   std::span<const std::uint32_t> elimination_order() const {
     return schur_ ? std::span<const std::uint32_t>() : solver_->elimination_order();
   }
+  /// Whether a component can move without changing any error; to tell, it may factorise H at the current
+  /// estimates.
+  bool is_free();
+  /// Directions that were held because their pivots were lost (Plan::loose_blocks).
+  int held_directions() const { return static_cast<int>(lost_scalars_.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
@@ -51,6 +56,9 @@ class BatchSystem final : public System {
 
  private:
   Damping full_damping(const StepDamping& damping);
+  StepResult solve_once(const StepDamping& damping, std::span<double> step);
+  bool hold_lost_pivots();
+  bool lost_pivots_are_gauge(std::span<const double> step) const;
   StepResult solve_full(const Damping& damping, std::span<double> step);
   StepResult solve_reduced(const Damping& damping, std::span<double> step);
   StepResult fail(const FactorResult& result, std::uint32_t first_block);
@@ -64,7 +72,9 @@ class BatchSystem final : public System {
   std::shared_ptr<LinearSolver> solver_;
   std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_,
       reduced_step_;
-  std::uint32_t failed_block_ = 0;
+  std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
+  GaugePolicy gauge_ = GaugePolicy::kFixFirst;
+  std::vector<std::uint32_t> lost_scalars_;
   LinearizeOptions linearize_options_;
   SolveControl control_;
   Timings* timings_ = nullptr;

@@ -54,9 +54,10 @@ struct StartReport {
 };
 
 struct GaugeReport {
-  std::vector<Id> held;       ///< vertices held for the solve, one per component that nothing else holds
-  std::vector<Id> released;   ///< held at first, found to be observable, and let go
-  int damped_components = 0;  ///< components held only in part (or GaugePolicy::kDamp): H was damped minutely
+  std::vector<Id> held;            ///< vertices held for the solve, one per component that nothing else holds
+  std::vector<GaugeFreedom> free;  ///< what is free beyond these: a scale, a heading, or by GaugePolicy all
+  /// Single directions of vertices of unknown type that were held because nothing measured them.
+  int held_directions = 0;
 };
 
 /// Where the Jacobians of one edge type came from.

@@ -29,6 +29,7 @@ template <class T>
 struct Between {
   static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
   static constexpr bool kJacobiansForSomeTypes = true;
+  static constexpr bool kRigid = kIsPose<T>;
   T measurement;
 
   explicit Between(T z) : measurement(std::move(z)) {}

@@ -7,6 +7,13 @@
 
 namespace boxplus {
 
+/// T has a rotation and a translation.
+template <class T>
+inline constexpr bool kIsPose = requires(const T& x) {
+  x.rotation();
+  x.translation();
+};
+
 /// b seen from a: a⁻¹ b for poses and rotations, b − a for vectors.
 template <class X>
 X motion_between(const X& a, const X& b) {

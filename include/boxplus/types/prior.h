@@ -20,6 +20,7 @@ struct PriorText {
 template <class T>
 struct Prior {
   static constexpr std::string_view kName = TypeLabel<PriorText, T>::kValue;
+  static constexpr bool kRigid = kIsPose<T>;
   T measurement;
 
   explicit Prior(T z) : measurement(std::move(z)) {}

@@ -101,7 +101,9 @@ FactorResult BlockCholesky::failure(std::uint32_t permuted_scalar, const double*
   if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   const auto above = std::upper_bound(symbolic_.offset.begin(), symbolic_.offset.end(), permuted_scalar);
   const auto position = static_cast<std::size_t>(above - symbolic_.offset.begin()) - 1;
-  return {LinearStatus::kNotPositiveDefinite, symbolic_.order[position]};
+  const std::uint32_t block = symbolic_.order[position];
+  const std::uint32_t scalar = structure_->offset[block] + permuted_scalar - symbolic_.offset[position];
+  return {LinearStatus::kNotPositiveDefinite, block, scalar};
 }
 
 SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const SolveControl& control) {

@@ -90,7 +90,7 @@ FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& da
   }
   const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
   if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
-  return {LinearStatus::kNotPositiveDefinite, block_of(*structure_, failed)};
+  return {LinearStatus::kNotPositiveDefinite, block_of(*structure_, failed), failed};
 }
 
 SolveResult DenseSolver::solve(const double* b, int columns, double* x, const SolveControl& /*control*/) {

@@ -13,6 +13,7 @@ namespace boxplus {
 /// z measures the point l in the frame of the pose X (metres). Error: X⁻¹ l − z. EDGE_SE2_XY.
 struct PointObservation2 {
   static constexpr std::string_view kName = "PointObservation2";
+  static constexpr bool kRigid = true;
   Vector2 measurement;
 
   explicit PointObservation2(const Vector2& z) : measurement(z) {}
@@ -39,6 +40,7 @@ struct PointObservation2 {
 /// EDGE_SE2_POINTXY_OFFSET with P a parameter; EDGE_SE2_XY_CALIB with P a vertex.
 struct OffsetPointObservation2 {
   static constexpr std::string_view kName = "OffsetPointObservation2";
+  static constexpr bool kRigid = true;
   Vector2 measurement;
 
   explicit OffsetPointObservation2(const Vector2& z) : measurement(z) {}

@@ -14,6 +14,7 @@ namespace boxplus {
 /// z measures the point l in the frame of the pose X (metres). Error: X⁻¹ l − z.
 struct PointObservation3 {
   static constexpr std::string_view kName = "PointObservation3";
+  static constexpr bool kRigid = true;
   Vector3 measurement;
 
   explicit PointObservation3(const Vector3& z) : measurement(z) {}
@@ -40,6 +41,7 @@ struct PointObservation3 {
 /// EDGE_SE3_TRACKXYZ.
 struct OffsetPointObservation3 {
   static constexpr std::string_view kName = "OffsetPointObservation3";
+  static constexpr bool kRigid = true;
   Vector3 measurement;
 
   explicit OffsetPointObservation3(const Vector3& z) : measurement(z) {}

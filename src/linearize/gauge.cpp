@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linearize/gauge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+
+#include "linearize/disjoint_sets.h"
+#include "linearize/similarity_freedom.h"
+#include "linearize/subspace.h"
+
+namespace boxplus {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// Vertices that move together, and the edges between them.
+struct Component {
+  std::vector<VertexSlot> vertices;
+  std::vector<EdgeSlot> edges;
+  int most_anchor_rows = 0;    // of one edge with exactly one moving vertex
+  bool anchored = false;       // an edge reaches a fixed vertex, or has only one moving vertex
+  bool only_rigid = true;      // all edges are of types that measure poses relative to each other
+};
+
+/// Tells the moving vertices of an edge; parameters count neither as moving nor as fixed.
+class EdgeEnds {
+ public:
+  EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable)
+      : graph_(graph), movable_(movable) {}
+
+  template <class F>
+  void for_each_moving(EdgeSlot edge, F&& f) const {
+    for_each(edge, [&](VertexSlot v, bool moves) {
+      if (moves) f(v);
+    });
+  }
+  bool has_fixed(EdgeSlot edge) const {
+    bool result = false;
+    for_each(edge, [&](VertexSlot, bool moves) { result |= !moves; });
+    return result;
+  }
+
+ private:
+  template <class F>
+  void for_each(EdgeSlot edge, F&& f) const {
+    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const auto slots = pool.vertex_slots(edge.slot);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      if (!graph_.vertex_pools()[p]->parameter(slots[i])) f(VertexSlot{p, slots[i]}, movable_[p][slots[i]] != 0);
+    }
+  }
+
+  const Graph& graph_;
+  const std::vector<std::vector<std::uint8_t>>& movable_;
+};
+
+class GaugeFinder {
+ public:
+  GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy)
+      : graph_(graph), movable_(movable), ends_(graph, movable), policy_(policy) {}
+
+  Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
+    for (const Component& component : components(active_edges)) decide(component);
+    return std::move(gauge_);
+  }
+
+ private:
+  std::vector<Component> components(const std::vector<std::vector<std::uint32_t>>& active_edges) const {
+    std::vector<std::size_t> first;
+    std::size_t count = 0;
+    for (const auto& pool : graph_.vertex_pools()) {
+      first.push_back(count);
+      count += pool->slots();
+    }
+    const auto index = [&](VertexSlot v) { return static_cast<std::uint32_t>(first[v.pool] + v.slot); };
+    const auto for_each_edge = [&](auto&& f) {
+      for (std::uint32_t p = 0; p < active_edges.size(); ++p) {
+        for (const std::uint32_t slot : active_edges[p]) f(EdgeSlot{p, slot});
+      }
+    };
+    constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+    DisjointSets sets(count);
+    for_each_edge([&](EdgeSlot edge) {
+      std::uint32_t last = kNone;
+      ends_.for_each_moving(edge, [&](VertexSlot v) {
+        if (last != kNone) sets.join(last, index(v));
+        last = index(v);
+      });
+    });
+    std::vector<Component> result;
+    std::vector<std::uint32_t> component_of(count, kNone);  // by root
+    std::vector<std::uint8_t> seen(count, 0);
+    for_each_edge([&](EdgeSlot edge) {
+      std::uint32_t root = kNone;
+      int moving = 0;
+      ends_.for_each_moving(edge, [&](VertexSlot v) {
+        root = sets.find(index(v));
+        ++moving;
+        if (component_of[root] == kNone) {
+          component_of[root] = static_cast<std::uint32_t>(result.size());
+          result.emplace_back();
+        }
+        if (!seen[index(v)]) result[component_of[root]].vertices.push_back(v);
+        seen[index(v)] = 1;
+      });
+      if (moving > 0) add_edge(edge, moving, result[component_of[root]]);
+    });
+    return result;
+  }
+
+  void add_edge(EdgeSlot edge, int moving, Component& component) const {
+    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    component.edges.push_back(edge);
+    component.only_rigid = component.only_rigid && pool.is_rigid();
+    component.anchored = component.anchored || moving == 1 || ends_.has_fixed(edge);
+    if (moving == 1)
+      component.most_anchor_rows = std::max(component.most_anchor_rows, pool.shape(edge.slot).rows);
+  }
+
+  VertexRef reference(VertexSlot v) const {
+    return {v.pool, v.slot, graph_.vertex_pools()[v.pool]->generation(v.slot)};
+  }
+
+  /// The vertex that is held first: of largest dimension, rather a pose than a point than anything else, of
+  /// lowest id. Eliminated vertices are not held.
+  auto rank(VertexSlot v) const {
+    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    Frame frame;
+    const bool has_frame = pool.get_frame(v.slot, frame);
+    return std::tuple(pool.eliminated(v.slot), -pool.tangent_dim(v.slot),
+                      has_frame ? (frame.has_rotation ? 0 : 1) : 2, pool.id(v.slot));
+  }
+
+  VertexSlot first_choice(std::span<const VertexSlot> vertices) const {
+    return *std::min_element(vertices.begin(), vertices.end(),
+                             [&](VertexSlot a, VertexSlot b) { return rank(a) < rank(b); });
+  }
+
+  void decide(const Component& component) {
+    if (component.only_rigid) {
+      const VertexSlot first = first_choice(component.vertices);
+      const int dim = graph_.vertex_pools()[first.pool]->tangent_dim(first.slot);
+      if (component.most_anchor_rows >= dim) return;
+      if (!component.anchored) return hold_rigid(first, dim);
+    }
+    bool is_known = false;
+    for (const int dimension : {2, 3}) {
+      if (!has_frames(component, dimension)) continue;
+      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_);
+      const SimilarityFreedom freedom = test_->find(component.vertices, component.edges, dimension);
+      is_known = is_known || freedom.directions() > 0;
+      if (freedom.directions() > 0) hold_similarity(component, freedom);
+    }
+    if (!component.anchored && !is_known) gauge_.loose.push_back(reference(first_choice(component.vertices)));
+  }
+
+  bool has_frames(const Component& component, int dimension) const {
+    return std::any_of(component.vertices.begin(), component.vertices.end(), [&](VertexSlot v) {
+      Frame frame;
+      return graph_.vertex_pools()[v.pool]->get_frame(v.slot, frame) && frame.dimension == dimension;
+    });
+  }
+
+  /// Relative poses alone: the pose `first` is gauge, all of it.
+  void hold_rigid(VertexSlot first, int dim) {
+    const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
+    if (policy_ == GaugePolicy::kFixFirst) {
+      gauge_.held.push_back({reference(first), id});
+    } else {
+      gauge_.freedoms.push_back({reference(first), id, dim, true, true, false});
+    }
+  }
+
+  void hold_similarity(const Component& component, const SimilarityFreedom& freedom) {
+    const VertexSlot first = gauge_vertex(component, freedom);
+    const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
+    SimilarityFreedom left = freedom;  // what nothing resists yet
+    if (policy_ == GaugePolicy::kFixFirst) {
+      const bool whole = !component.anchored && is_all_gauge(first, freedom);
+      if (whole) {
+        gauge_.held.push_back({reference(first), id});
+        left.basis *= kernel_of(freedom.of_vertex(graph_, first), kNoticeable * freedom.unit());
+      }
+      hold_directions(component, first, whole, left);
+    }
+    if (left.directions() > 0) gauge_.freedoms.push_back(describe(first, left));
+  }
+
+  int taken_by(VertexSlot v, const SimilarityFreedom& freedom) const {
+    const MatrixXd own = freedom.of_vertex(graph_, v);
+    return freedom.directions() - static_cast<int>(kernel_of(own, kNoticeable * freedom.unit()).cols());
+  }
+  bool is_all_gauge(VertexSlot v, const SimilarityFreedom& freedom) const {
+    return taken_by(v, freedom) == graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
+  }
+
+  /// The vertex that takes up most of the freedom; rather one that is nothing but gauge.
+  VertexSlot gauge_vertex(const Component& component, const SimilarityFreedom& freedom) const {
+    std::vector<VertexSlot> firsts;  // per vertex pool
+    for (const VertexSlot v : component.vertices) {
+      const auto same =
+          std::find_if(firsts.begin(), firsts.end(), [&](VertexSlot f) { return f.pool == v.pool; });
+      if (same == firsts.end()) {
+        firsts.push_back(v);
+      } else if (rank(v) < rank(*same)) {
+        *same = v;
+      }
+    }
+    const auto order = [&](VertexSlot v) {
+      return std::tuple(-taken_by(v, freedom), !is_all_gauge(v, freedom), rank(v));
+    };
+    return *std::min_element(firsts.begin(), firsts.end(),
+                             [&](VertexSlot a, VertexSlot b) { return order(a) < order(b); });
+  }
+
+  /// Holds as many directions of tangents, rather of `first`, as there are motions, such that every motion
+  /// moves one of them: a step that is zero there is an exact Gauss-Newton step.
+  void hold_directions(const Component& component, VertexSlot first, bool first_is_held,
+                       SimilarityFreedom left) {
+    const auto row_norms = [&](VertexSlot v) -> Eigen::VectorXd {
+      return left.of_vertex(graph_, v).rowwise().norm();
+    };
+    const auto hold = [&](VertexSlot v) {
+      Eigen::Index row = 0;
+      row_norms(v).maxCoeff(&row);
+      gauge_.held_directions.push_back({reference(v), static_cast<int>(row)});
+      left.basis *= kernel_of(left.of_vertex(graph_, v).row(row), kNoticeable * left.unit());
+    };
+    const auto may_hold = [&](VertexSlot v) {
+      return graph_.vertex_pools()[v.pool]->tangent_dim(v.slot) > 0 &&
+             !graph_.vertex_pools()[v.pool]->eliminated(v.slot) &&
+             !(first_is_held && v.pool == first.pool && v.slot == first.slot);
+    };
+    while (left.directions() > 0) {
+      const int before = left.directions();
+      VertexSlot best = first;
+      double most = may_hold(first) ? row_norms(first).maxCoeff() : 0;
+      if (most <= kNoticeable * left.unit()) {
+        for (const VertexSlot v : component.vertices) {
+          const double size = may_hold(v) ? row_norms(v).maxCoeff() : 0;
+          if (size > most) std::tie(most, best) = std::tuple(size, v);
+        }
+      }
+      if (most > 0) hold(best);
+      if (left.directions() == before) return;
+    }
+  }
+
+  GaugeFreedom describe(VertexSlot vertex, const SimilarityFreedom& left) const {
+    constexpr double kZero = 1e-6;
+    const MatrixXd turns = left.basis.bottomRows(left.motions.rotations() + 1);
+    const int turning = left.directions() - static_cast<int>(kernel_of(turns, kZero).cols());
+    const bool scale = left.basis.bottomRows(1).norm() > kZero;
+    const Id id = graph_.vertex_pools()[vertex.pool]->id(vertex.slot);
+    return {reference(vertex), id, left.directions(), turning < left.directions(), turning > (scale ? 1 : 0),
+            scale};
+  }
+
+  /// Of the unit of a motion: less is rounding.
+  static constexpr double kNoticeable = 1e-5;
+
+  const Graph& graph_;
+  const std::vector<std::vector<std::uint8_t>>& movable_;
+  EdgeEnds ends_;
+  GaugePolicy policy_;
+  std::unique_ptr<SimilarityTest> test_;
+  Gauge gauge_;
+};
+
+}  // namespace
+
+std::string_view to_string(const GaugeFreedom& freedom) {
+  if (freedom.translation && freedom.rotation)
+    return freedom.scale ? "translation, rotation and scale" : "translation and rotation";
+  if (freedom.translation) return freedom.scale ? "translation and scale" : "translation";
+  if (freedom.rotation) return freedom.scale ? "rotation and scale" : "rotation";
+  return "scale";
+}
+
+Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
+                 const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy) {
+  return GaugeFinder(graph, movable, policy).find(active_edges);
+}
+
+}  // namespace boxplus

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linearize/similarity_freedom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "linearize/disjoint_sets.h"
+#include "linearize/subspace.h"
+
+namespace boxplus {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Sums, over the rows of the edges' Jacobians, how much each motion changes the errors. A row that cancels to
+/// within `tolerance` of its terms resists nothing.
+class Resistance {
+ public:
+  explicit Resistance(Eigen::Index motions) : sum_(MatrixXd::Zero(motions, motions)) {}
+
+  void add(const MatrixXd& jacobian, const MatrixXd& tangents, double tolerance) {
+    const VectorXd magnitude = jacobian.cwiseAbs() * tangents.rowwise().norm();
+    const MatrixXd change = jacobian * tangents;
+    for (Eigen::Index row = 0; row < change.rows(); ++row) {
+      const double size = change.row(row).norm();
+      if (!std::isfinite(size) || size <= tolerance * magnitude[row]) continue;
+      const VectorXd relative = change.row(row).transpose() / magnitude[row];
+      sum_.noalias() += relative * relative.transpose();
+    }
+  }
+  /// Combinations of the motions that nothing resists.
+  MatrixXd unresisted() const {
+    constexpr double kNothing = 1e-12;
+    return eigenvectors_of(sum_, [](double resistance) { return resistance <= kNothing; });
+  }
+
+ private:
+  MatrixXd sum_;
+};
+
+/// About `count` of the edges of each pool, evenly spaced.
+std::vector<EdgeSlot> sample_of(std::span<const EdgeSlot> edges, std::size_t count) {
+  std::vector<EdgeSlot> sample;
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin;
+    while (end < edges.size() && edges[end].pool == edges[begin].pool) ++end;
+    const std::size_t stride = (end - begin + count - 1) / count;
+    for (std::size_t k = begin; k < end; k += stride) sample.push_back(edges[k]);
+    begin = end;
+  }
+  return sample;
+}
+
+}  // namespace
+
+MatrixXd SimilarityFreedom::of_vertex(const Graph& graph, VertexSlot vertex) const {
+  const VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+  MatrixXd tangents(pool.tangent_dim(vertex.slot), motions.count());
+  motion_tangents(pool, vertex.slot, (*roles)[vertex.pool][vertex.slot], motions, tangents.data());
+  return tangents * basis;
+}
+
+/// Vertices of one type that stand at the same positions in the same types of edges.
+struct SimilarityTest::Kind {
+  std::uint32_t id;
+  std::vector<WorldRole> candidates;  // the likeliest first
+};
+
+SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable)
+    : graph_(graph), movable_(movable) {
+  for (const auto& pool : graph.vertex_pools()) {
+    roles_.emplace_back(pool->slots(), WorldRole::kNone);
+    kind_of_.emplace_back(pool->slots(), 0);
+  }
+}
+
+std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const VertexSlot> vertices,
+                                                             std::span<const EdgeSlot> edges, int dimension) {
+  constexpr std::uint32_t kNew = 0xFFFFFFFFu;
+  for (const VertexSlot v : vertices) kind_of_[v.pool][v.slot] = kNew;
+  std::map<std::pair<std::uint32_t, int>, std::uint32_t> places;  // edge pool and position
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
+  for (const EdgeSlot edge : edges) {
+    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const auto slots = pool.vertex_slots(edge.slot);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      if (!movable_[p][slots[i]] || graph_.vertex_pools()[p]->parameter(slots[i])) continue;
+      const auto next = static_cast<std::uint32_t>(places.size());
+      const std::uint32_t place = places.try_emplace({edge.pool, static_cast<int>(i)}, next).first->second;
+      std::uint32_t& kind = kind_of_[p][slots[i]];
+      if (kind == kNew) {
+        kind = place;
+      } else if (kind != place) {
+        equal.emplace_back(kind, place);
+      }
+    }
+  }
+  DisjointSets sets(places.size());
+  for (const auto& [a, b] : equal) sets.join(a, b);
+  std::vector<Kind> kinds;
+  for (const VertexSlot v : vertices) {
+    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    std::uint32_t& kind = kind_of_[v.pool][v.slot];
+    kind = sets.find(kind);
+    Frame frame;
+    if (!pool.get_frame(v.slot, frame) || frame.dimension != dimension) continue;
+    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.id == kind; });
+    if (known != kinds.end()) continue;
+    if (frame.has_rotation) {
+      kinds.push_back({kind, {WorldRole::kFrame, WorldRole::kInverse, WorldRole::kNone}});
+    } else {
+      kinds.push_back({kind, {WorldRole::kFrame, WorldRole::kNone}});
+    }
+  }
+  return kinds;
+}
+
+/// Reads `choice` as a number whose digits choose among the candidates of each kind.
+void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds,
+                                  unsigned choice) {
+  std::map<std::uint32_t, WorldRole> role_of;
+  for (const Kind& kind : kinds) {
+    const auto options = static_cast<unsigned>(kind.candidates.size());
+    role_of[kind.id] = kind.candidates[choice % options];
+    choice /= options;
+  }
+  for (const VertexSlot v : vertices) {
+    const auto found = role_of.find(kind_of_[v.pool][v.slot]);
+    roles_[v.pool][v.slot] = found == role_of.end() ? WorldRole::kNone : found->second;
+  }
+}
+
+/// Centered on the vertices, with their distance from there (root mean square) as unit of translation.
+WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, int dimension) const {
+  WorldMotions motions;
+  motions.dimension = dimension;
+  std::array<double, 3> sum{};
+  double squares = 0, count = 0;
+  for (const VertexSlot v : vertices) {
+    Frame frame;
+    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    if (!world_frame(pool, v.slot, roles_[v.pool][v.slot], dimension, frame)) continue;
+    ++count;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum[i] += frame.translation[i];
+      squares += frame.translation[i] * frame.translation[i];
+    }
+  }
+  if (count == 0) return motions;
+  double center_squared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    motions.center[i] = sum[i] / count;
+    center_squared += motions.center[i] * motions.center[i];
+  }
+  const double variance = squares / count - center_squared;
+  if (std::isfinite(variance) && variance > 1e-20 * center_squared) motions.length = std::sqrt(variance);
+  return motions;
+}
+
+/// The motions, as an orthonormal basis, that move at least one vertex.
+MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) const {
+  const int count = motions.count();
+  MatrixXd sum = MatrixXd::Zero(count, count), tangents;
+  for (const VertexSlot v : vertices) {
+    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    if (roles_[v.pool][v.slot] == WorldRole::kNone) continue;
+    tangents.resize(pool.tangent_dim(v.slot), count);
+    motion_tangents(pool, v.slot, roles_[v.pool][v.slot], motions, tangents.data());
+    if (tangents.allFinite()) sum.noalias() += tangents.transpose() * tangents;
+  }
+  const double least = 1e-12 * std::max(sum.trace(), 1e-300);
+  return eigenvectors_of(sum, [&](double squared) { return squared > least; });
+}
+
+void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, const WorldMotions& motions,
+                                      MatrixXd& out) const {
+  out.setZero();
+  Eigen::Index first = 0;
+  const auto slots = pool.vertex_slots(edge);
+  MatrixXd tangents;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+    const VertexPool& vertices = *graph_.vertex_pools()[p];
+    const Eigen::Index dim = vertices.tangent_dim(slots[i]);
+    if (movable_[p][slots[i]] && roles_[p][slots[i]] != WorldRole::kNone) {
+      tangents.resize(dim, motions.count());
+      motion_tangents(vertices, slots[i], roles_[p][slots[i]], motions, tangents.data());
+      out.middleRows(first, dim) = tangents;
+    }
+    first += dim;
+  }
+}
+
+/// Combinations of the candidates that no edge resists.
+MatrixXd SimilarityTest::unresisted(std::span<const EdgeSlot> edges, const WorldMotions& motions,
+                                    const MatrixXd& candidates) {
+  constexpr double kExact = 1e-7, kNumeric = 1e-5;
+  constexpr std::size_t kOften = 1024;  // edges between two looks whether anything is left
+  Resistance resistance(candidates.cols());
+  MatrixXd tangents, jacobian;
+  VectorXd error;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const EdgePool& pool = *graph_.edge_pools()[edges[k].pool];
+    const EdgeShape shape = pool.shape(edges[k].slot);
+    tangents.resize(shape.cols, motions.count());
+    tangents_of_edge(pool, edges[k].slot, motions, tangents);
+    jacobian.resize(shape.rows, shape.cols);
+    error.resize(shape.rows);
+    EdgeTile tile;
+    tile.error = error.data();
+    tile.jacobian = jacobian.data();
+    pool.linearize(std::span(&edges[k].slot, 1), tile, false);
+    const bool exact = pool.jacobian_source() != JacobianSource::kNumeric;
+    resistance.add(jacobian, tangents * candidates, exact ? kExact : kNumeric);
+    if (k % kOften == kOften - 1 && resistance.unresisted().cols() == 0) break;
+  }
+  return candidates * resistance.unresisted();
+}
+
+SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> vertices,
+                                               std::span<const EdgeSlot> edges, int dimension) {
+  SimilarityFreedom freedom;
+  freedom.motions = motions_for(vertices, dimension);
+  freedom.basis = unresisted(edges, freedom.motions, moving(vertices, freedom.motions));
+  freedom.roles = &roles_;
+  return freedom;
+}
+
+SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                                       int dimension) {
+  constexpr unsigned kMostChoices = 100;
+  const std::vector<Kind> kinds = list_kinds(vertices, edges, dimension);
+  unsigned choices = 1;
+  for (const Kind& kind : kinds) {
+    choices *= static_cast<unsigned>(kind.candidates.size());
+    if (choices > kMostChoices) break;
+  }
+  if (choices > kMostChoices) choices = 1;
+  unsigned best = 0;
+  int most = -1;
+  const std::vector<EdgeSlot> sample = sample_of(edges, 8);
+  std::vector<VertexSlot> seen;
+  for (const EdgeSlot edge : sample) {
+    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const auto slots = pool.vertex_slots(edge.slot);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i])) seen.push_back({p, slots[i]});
+    }
+  }
+  for (unsigned choice = 0; choice < choices && choices > 1; ++choice) {
+    assign_roles(seen, kinds, choice);
+    const int directions = free_motions(seen, sample, dimension).directions();
+    if (directions <= most) continue;
+    most = directions;
+    best = choice;
+  }
+  assign_roles(vertices, kinds, best);
+  return free_motions(vertices, edges, dimension);
+}
+
+}  // namespace boxplus

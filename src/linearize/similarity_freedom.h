@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which similarities of the world leave every error of a component as it is: its gauge freedom.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "linearize/world_motion.h"
+
+namespace boxplus {
+
+/// One active edge, and one vertex that may move.
+struct EdgeSlot {
+  std::uint32_t pool, slot;
+};
+struct VertexSlot {
+  std::uint32_t pool, slot;
+};
+
+/// The motions z = motions · basis with J z = 0 for every edge, where J is the edge's Jacobian at the current
+/// estimates. Each column of `basis` is one free motion; no combination of them leaves all vertices in place.
+struct SimilarityFreedom {
+  WorldMotions motions;
+  Eigen::MatrixXd basis;  ///< motions.count() × number of free motions
+  /// Per vertex pool and slot.
+  const std::vector<std::vector<WorldRole>>* roles = nullptr;
+
+  /// The least that a motion of unit size moves a tangent by, if it moves it: metres or radians.
+  double unit() const { return std::min(1.0, motions.length); }
+  int directions() const { return static_cast<int>(basis.cols()); }
+  /// The free motions as the vertex makes them: tangent_dim × directions().
+  Eigen::MatrixXd of_vertex(const Graph& graph, VertexSlot vertex) const;
+};
+
+/// Tests components of one graph.
+///
+/// An edge resists a motion if a row of J z is not zero to within rounding, relative to the sum of the
+/// magnitudes of its terms: no weight and no condition number matters, and neither does Ω. Edges that are
+/// disabled take part, because enabling one does not change the structure of the problem.
+class SimilarityTest {
+ public:
+  /// `movable`: per vertex pool and slot, whether the vertex moves. Vertices of one kind, which play the same
+  /// part in edges of the same types, share a role, which is found by trial.
+  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable);
+
+  /// The freedom of one component in a world of 2 or 3 dimensions. O(edges).
+  SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges, int dimension);
+
+ private:
+  struct Kind;
+
+  std::vector<Kind> list_kinds(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                               int dimension);
+  void assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds, unsigned choice);
+  WorldMotions motions_for(std::span<const VertexSlot> vertices, int dimension) const;
+  Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) const;
+  Eigen::MatrixXd unresisted(std::span<const EdgeSlot> edges, const WorldMotions& motions,
+                             const Eigen::MatrixXd& candidates);
+  void tangents_of_edge(const EdgePool& pool, std::uint32_t edge, const WorldMotions& motions,
+                        Eigen::MatrixXd& out) const;
+  SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                                 int dimension);
+
+  const Graph& graph_;
+  const std::vector<std::vector<std::uint8_t>>& movable_;
+  std::vector<std::vector<WorldRole>> roles_;
+  std::vector<std::vector<std::uint32_t>> kind_of_;
+};
+
+}  // namespace boxplus

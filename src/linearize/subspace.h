@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eigenspaces of small symmetric matrices.
+#pragma once
+
+#include <Eigen/Eigenvalues>
+
+namespace boxplus {
+
+/// Orthonormal eigenvectors of the symmetric A whose eigenvalues `wanted` accepts, as columns.
+template <class F>
+Eigen::MatrixXd eigenvectors_of(const Eigen::MatrixXd& A, F&& wanted) {
+  if (A.rows() == 0) return A;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
+  Eigen::MatrixXd result(A.rows(), A.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    if (wanted(solver.eigenvalues()[i])) result.col(count++) = solver.eigenvectors().col(i);
+  }
+  return result.leftCols(count);
+}
+
+/// The x with ‖A x‖ ≤ least · ‖x‖, as an orthonormal basis.
+inline Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& A, double least) {
+  return eigenvectors_of(A.transpose() * A, [&](double squared) { return squared <= least * least; });
+}
+
+}  // namespace boxplus
