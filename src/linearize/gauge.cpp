@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 struct Component {
   std::vector<VertexSlot> vertices;
   std::vector<EdgeSlot> edges;
-  int most_anchor_rows = 0;    // of one edge with exactly one moving vertex
-  bool anchored = false;       // an edge reaches a fixed vertex, or has only one moving vertex
-  bool only_rigid = true;      // all edges are of types that measure poses relative to each other
+  int most_anchor_rows = 0;  // of one edge with exactly one moving vertex
+  bool anchored = false;     // an edge reaches a fixed vertex, or has only one moving vertex
+  bool only_rigid = true;    // all edges are of types that measure poses relative to each other
 };
 
 /// Tells the moving vertices of an edge; parameters count neither as moving nor as fixed.
@@ -49,7 +49,8 @@ class EdgeEnds {
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
-      if (!graph_.vertex_pools()[p]->parameter(slots[i])) f(VertexSlot{p, slots[i]}, movable_[p][slots[i]] != 0);
+      if (!graph_.vertex_pools()[p]->parameter(slots[i]))
+        f(VertexSlot{p, slots[i]}, movable_[p][slots[i]] != 0);
     }
   }
 
@@ -255,7 +256,7 @@ class GaugeFinder {
     const int turning = left.directions() - static_cast<int>(kernel_of(turns, kZero).cols());
     const bool scale = left.basis.bottomRows(1).norm() > kZero;
     const Id id = graph_.vertex_pools()[vertex.pool]->id(vertex.slot);
-    return {reference(vertex), id, left.directions(), turning < left.directions(), turning > (scale ? 1 : 0),
+    return {reference(vertex), id, left.directions(), turning<left.directions(), turning>(scale ? 1 : 0),
             scale};
   }
 

@@ -14,8 +14,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Sums, over the rows of the edges' Jacobians, how much each motion changes the errors. A row that cancels to
-/// within `tolerance` of its terms resists nothing.
+/// Sums, over the rows of the edges' Jacobians, how much each motion changes the errors. A row that cancels
+/// to within `tolerance` of its terms resists nothing.
 class Resistance {
  public:
   explicit Resistance(Eigen::Index motions) : sum_(MatrixXd::Zero(motions, motions)) {}
@@ -248,7 +248,8 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
-      if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i])) seen.push_back({p, slots[i]});
+      if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i]))
+        seen.push_back({p, slots[i]});
     }
   }
   for (unsigned choice = 0; choice < choices && choices > 1; ++choice) {

@@ -47,7 +47,8 @@ class SimilarityTest {
   SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable);
 
   /// The freedom of one component in a world of 2 or 3 dimensions. O(edges).
-  SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges, int dimension);
+  SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                         int dimension);
 
  private:
   struct Kind;

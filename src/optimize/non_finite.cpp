@@ -10,14 +10,6 @@
 namespace boxplus {
 namespace {
 
-std::string name_of(Run& run, const EdgeRef& edge) {
-  std::string text = "the edge " + std::string(run.graph().edge_pools()[edge.pool]->type_name());
-  text += " between vertices";
-  for (const VertexRef& vertex : run.graph().vertices(edge))
-    text += " " + std::to_string(run.graph().id(vertex));
-  return text;
-}
-
 /// The active edge of the largest `size`, where what is not finite is the largest.
 EdgeRef largest_edge(Run& run, FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
   double largest = -1;
@@ -53,13 +45,20 @@ double curvature_of(const EdgePool& pool, std::uint32_t edge, bool numeric) {
 
 }  // namespace
 
+std::string edge_text(const Graph& graph, const EdgeRef& edge) {
+  std::string text = "the edge " + std::string(graph.edge_pools()[edge.pool]->type_name());
+  text += " between vertices";
+  for (const VertexRef& vertex : graph.vertices(edge)) text += " " + std::to_string(graph.id(vertex));
+  return text;
+}
+
 std::string describe_non_finite(Run& run) {
   const Linearizer& linearizer = run.system().linearizer();
   const LinearizeOptions& options = run.system().linearize_options();
   if (const auto edge = linearizer.find_non_finite_error())
-    return "the error (or its robust kernel) of " + name_of(run, *edge) + " is NaN or infinite";
+    return "the error (or its robust kernel) of " + edge_text(run.graph(), *edge) + " is NaN or infinite";
   if (const auto edge = linearizer.find_non_finite_jacobian(options))
-    return "a Jacobian (or the weight of the robust kernel) of " + name_of(run, *edge) +
+    return "a Jacobian (or the weight of the robust kernel) of " + edge_text(run.graph(), *edge) +
            " is NaN or infinite";
   if (!std::isfinite(run.system().chi2())) {
     const auto chi2 = [](const EdgePool& pool, std::uint32_t edge) {
@@ -67,13 +66,13 @@ std::string describe_non_finite(Run& run) {
       pool.chi2(std::span(&edge, 1), &value);
       return value;
     };
-    return "chi2 overflows; the largest part is that of " + name_of(run, largest_edge(run, chi2));
+    return "chi2 overflows; the largest part is that of " + edge_text(run.graph(), largest_edge(run, chi2));
   }
   const auto curvature = [&](const EdgePool& pool, std::uint32_t edge) {
     return curvature_of(pool, edge, options.numeric_jacobians);
   };
   return "the linear system overflows; the largest Jacobian is that of " +
-         name_of(run, largest_edge(run, curvature));
+         edge_text(run.graph(), largest_edge(run, curvature));
 }
 
 }  // namespace boxplus

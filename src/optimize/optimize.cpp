@@ -2,10 +2,14 @@
 #include "boxplus/optimize/optimize.h"
 
 #include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "optimize/non_finite.h"
 #include "optimize/run.h"
 #include "optimize/starts.h"
+#include "optimize/weight_span.h"
 
 namespace boxplus {
 namespace {
@@ -45,7 +49,12 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
-void finish(Run& run, const RunResult& result) {
+void finish(Run& run, RunResult result) {
+  // A minimum of what double precision kept of H is not one of the problem.
+  std::optional<SwampingEdge> swamping;
+  if (result.status == Status::kConverged) swamping = find_swamping_edge(run);
+  if (swamping)
+    std::tie(result.status, result.reason) = std::pair(Status::kNotConverged, Reason::kWeightSpan);
   run.report().linear = run.system().linear_solver().statistics();
   run.report().gauge.held_directions = run.system().held_directions();
   run.report().status = result.status;
@@ -60,6 +69,11 @@ void finish(Run& run, const RunResult& result) {
                             "); nothing measures it in some direction";
   } else if (result.reason == Reason::kNotFinite) {
     run.report().message += ": " + describe_non_finite(run);
+  } else if (swamping) {
+    run.report().message += ": " + edge_text(run.graph(), swamping->edge) +
+                            " leaves no digit of other edges at vertex " +
+                            std::to_string(run.graph().id(swamping->vertex)) +
+                            "; merge the vertices that it joins, or lower its Ω";
   }
   run.report().time.total_s = run.seconds();
 }

@@ -201,6 +201,8 @@ std::string_view to_string(Reason reason) {
       return "no step that lowers chi2 was found";
     case Reason::kNotPositiveDefinite:
       return "the linear system cannot be solved";
+    case Reason::kWeightSpan:
+      return "the weights span more digits than double precision has";
     case Reason::kNotFinite:
       return "the problem is not finite";
     default:

@@ -64,7 +64,8 @@ RunResult Run::minimize_while(FunctionRef<bool(const IterationRecord&)> wanted, 
   Algorithm& algorithm = session_->algorithm(options_);
   algorithm.reset(options_, system().plan().scalars());
   const auto go_on = [&](const IterationRecord& record) { return call_back(record) && wanted(record); };
-  const RunContext context{options_, iterations_left(), degrees_of_freedom(), stop_, clock_, go_on, report_.records};
+  const RunContext context{options_, iterations_left(), degrees_of_freedom(), stop_, clock_,
+                           go_on,    report_.records};
   const RunResult result = boxplus::minimize(system(), algorithm, context, chi2);
   report_.iterations += result.iterations;
   report_.regularised_steps += algorithm.regularised_steps();

@@ -62,9 +62,7 @@ requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options
 /// A pose with more about it: a camera with its intrinsics, a robot with its velocity.
 template <FrameType First, class... Rest>
 struct FrameTrait<Product<First, Rest...>> {
-  static Frame get(const Product<First, Rest...>& x) {
-    return FrameTrait<First>::get(x.template get<0>());
-  }
+  static Frame get(const Product<First, Rest...>& x) { return FrameTrait<First>::get(x.template get<0>()); }
   static void set(Product<First, Rest...>& x, const Frame& frame) {
     FrameTrait<First>::set(x.template get<0>(), frame);
   }

@@ -29,7 +29,7 @@ struct PlanRequest {
       {};  ///< if not empty: only these move, and only edges that touch them take part
   std::span<const EdgeRef> edges = {};  ///< if not empty: only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  int threads = 1;                             ///< upper bound; small problems are given fewer
+  int threads = 1;  ///< upper bound; small problems are given fewer
 };
 
 /// The active vertices of one pool.
@@ -104,14 +104,14 @@ struct Plan {
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
-  std::vector<GaugeVertex> held;         ///< GaugePolicy::kFixFirst
-  std::vector<GaugeFreedom> freedoms;    ///< beyond what `held` holds
+  std::vector<GaugeVertex> held;       ///< GaugePolicy::kFixFirst
+  std::vector<GaugeFreedom> freedoms;  ///< beyond what `held` holds
   /// Entries of a step that are held for `freedoms` (GaugePolicy::kFixFirst).
   std::vector<std::uint32_t> held_scalars;
   /// One block of each component that nothing anchors, and whose freedom is not known: should its pivots be
   /// lost when it is eliminated last, they are gauge.
   std::vector<std::uint32_t> loose_blocks;
-  int max_tile_values = 0;        ///< doubles of the largest tile
+  int max_tile_values = 0;  ///< doubles of the largest tile
   int max_tile_rows = 0;
 
   std::uint32_t scalars() const { return structure.scalars(); }

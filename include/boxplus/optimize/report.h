@@ -36,6 +36,7 @@ enum class Reason : std::uint8_t {
   kNoStepFound,          ///< every damped step raised chi2
   kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
   kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
+  kWeightSpan,           ///< the Ω of an edge leaves no digit of another's in H; `message` names the edge
   kGaugeFreedom          ///< GaugePolicy::kError and a component that nothing holds
 };
 std::string_view to_string(Reason reason);
