@@ -2,6 +2,7 @@
 #include "linearize/similarity_freedom.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -18,26 +19,49 @@ using Eigen::VectorXd;
 /// to within `tolerance` of its terms resists nothing.
 class Resistance {
  public:
-  explicit Resistance(Eigen::Index motions) : sum_(MatrixXd::Zero(motions, motions)) {}
+  explicit Resistance(int motions) : motions_(motions) {}
 
-  void add(const MatrixXd& jacobian, const MatrixXd& tangents, double tolerance) {
-    const VectorXd magnitude = jacobian.cwiseAbs() * tangents.rowwise().norm();
-    const MatrixXd change = jacobian * tangents;
-    for (Eigen::Index row = 0; row < change.rows(); ++row) {
-      const double size = change.row(row).norm();
-      if (!std::isfinite(size) || size <= tolerance * magnitude[row]) continue;
-      const VectorXd relative = change.row(row).transpose() / magnitude[row];
-      sum_.noalias() += relative * relative.transpose();
+  /// `tangents`: a row for each of the Jacobian's columns.
+  void add(const EdgeTile& edge, const double* tangents, double tolerance) {
+    for (int row = 0; row < edge.rows; ++row) {
+      std::array<double, WorldMotions::kMost> change{};
+      double magnitude = 0;
+      for (int c = 0; c < edge.cols; ++c) {
+        const double slope = edge.jacobian[c * edge.rows + row];
+        const double* tangent = tangents + c * motions_;
+        double squares = 0;
+        for (int m = 0; m < motions_; ++m) {
+          change[static_cast<std::size_t>(m)] += slope * tangent[m];
+          squares += tangent[m] * tangent[m];
+        }
+        magnitude += std::abs(slope) * std::sqrt(squares);
+      }
+      add_row(change, magnitude, tolerance);
     }
   }
-  /// Combinations of the motions that nothing resists.
-  MatrixXd unresisted() const {
+  /// Combinations of the candidates that nothing resists.
+  MatrixXd unresisted(const MatrixXd& candidates) const {
     constexpr double kNothing = 1e-12;
-    return eigenvectors_of(sum_, [](double resistance) { return resistance <= kNothing; });
+    const MatrixXd among = candidates.transpose() * sum_.topLeftCorner(motions_, motions_) * candidates;
+    return candidates * eigenvectors_of(among, [](double resistance) { return resistance <= kNothing; });
   }
 
  private:
-  MatrixXd sum_;
+  void add_row(const std::array<double, WorldMotions::kMost>& change, double magnitude, double tolerance) {
+    double squares = 0;
+    for (const double value : change) squares += value * value;
+    if (!std::isfinite(squares) || std::sqrt(squares) <= tolerance * magnitude) return;
+    for (int i = 0; i < motions_; ++i) {
+      for (int j = 0; j < motions_; ++j) {
+        sum_(i, j) += change[static_cast<std::size_t>(i)] * change[static_cast<std::size_t>(j)] /
+                      (magnitude * magnitude);
+      }
+    }
+  }
+
+  int motions_;
+  Eigen::Matrix<double, WorldMotions::kMost, WorldMotions::kMost> sum_ =
+      Eigen::Matrix<double, WorldMotions::kMost, WorldMotions::kMost>::Zero();
 };
 
 /// About `count` of the edges of each pool, evenly spaced.
@@ -73,6 +97,7 @@ SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector
   for (const auto& pool : graph.vertex_pools()) {
     roles_.emplace_back(pool->slots(), WorldRole::kNone);
     kind_of_.emplace_back(pool->slots(), 0);
+    tangents_of_.emplace_back(pool->slots(), kStill);
   }
 }
 
@@ -160,53 +185,59 @@ WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, i
   return motions;
 }
 
-/// The motions, as an orthonormal basis, that move at least one vertex.
-MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) const {
+/// The motions, as an orthonormal basis, that move at least one vertex. Keeps the tangents of all.
+MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) {
   const int count = motions.count();
   MatrixXd sum = MatrixXd::Zero(count, count), tangents;
+  tangents_.clear();
   for (const VertexSlot v : vertices) {
     const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    tangents_of_[v.pool][v.slot] = kStill;
     if (roles_[v.pool][v.slot] == WorldRole::kNone) continue;
     tangents.resize(pool.tangent_dim(v.slot), count);
     motion_tangents(pool, v.slot, roles_[v.pool][v.slot], motions, tangents.data());
-    if (tangents.allFinite()) sum.noalias() += tangents.transpose() * tangents;
+    if (!tangents.allFinite()) continue;
+    sum.noalias() += tangents.transpose() * tangents;
+    tangents_of_[v.pool][v.slot] = tangents_.size();
+    tangents_.resize(tangents_.size() + static_cast<std::size_t>(tangents.size()));
+    Eigen::Map<RowMajor>(tangents_.data() + tangents_of_[v.pool][v.slot], tangents.rows(), count) = tangents;
   }
   const double least = 1e-12 * std::max(sum.trace(), 1e-300);
   return eigenvectors_of(sum, [&](double squared) { return squared > least; });
 }
 
-void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, const WorldMotions& motions,
-                                      MatrixXd& out) const {
-  out.setZero();
-  Eigen::Index first = 0;
+void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, RowMajor& out) const {
+  double* row = out.data();
   const auto slots = pool.vertex_slots(edge);
-  MatrixXd tangents;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
     const VertexPool& vertices = *graph_.vertex_pools()[p];
-    const Eigen::Index dim = vertices.tangent_dim(slots[i]);
-    if (movable_[p][slots[i]] && roles_[p][slots[i]] != WorldRole::kNone) {
-      tangents.resize(dim, motions.count());
-      motion_tangents(vertices, slots[i], roles_[p][slots[i]], motions, tangents.data());
-      out.middleRows(first, dim) = tangents;
+    const auto size = static_cast<std::size_t>(vertices.tangent_dim(slots[i]) * out.cols());
+    const bool moves = movable_[p][slots[i]] && !vertices.parameter(slots[i]);
+    const std::size_t from = moves ? tangents_of_[p][slots[i]] : kStill;
+    if (from == kStill) {
+      std::fill_n(row, size, 0.0);
+    } else {
+      std::copy_n(tangents_.data() + from, size, row);
     }
-    first += dim;
+    row += size;
   }
 }
 
 /// Combinations of the candidates that no edge resists.
-MatrixXd SimilarityTest::unresisted(std::span<const EdgeSlot> edges, const WorldMotions& motions,
-                                    const MatrixXd& candidates) {
+MatrixXd SimilarityTest::unresisted(std::span<const EdgeSlot> edges, const MatrixXd& candidates) const {
   constexpr double kExact = 1e-7, kNumeric = 1e-5;
   constexpr std::size_t kOften = 1024;  // edges between two looks whether anything is left
-  Resistance resistance(candidates.cols());
-  MatrixXd tangents, jacobian;
+  const auto motions = static_cast<int>(candidates.rows());
+  Resistance resistance(motions);
+  RowMajor tangents;
+  MatrixXd jacobian;
   VectorXd error;
-  for (std::size_t k = 0; k < edges.size(); ++k) {
+  for (std::size_t k = 0; k < edges.size() && candidates.cols() > 0; ++k) {
     const EdgePool& pool = *graph_.edge_pools()[edges[k].pool];
     const EdgeShape shape = pool.shape(edges[k].slot);
-    tangents.resize(shape.cols, motions.count());
-    tangents_of_edge(pool, edges[k].slot, motions, tangents);
+    tangents.resize(shape.cols, motions);
+    tangents_of_edge(pool, edges[k].slot, tangents);
     jacobian.resize(shape.rows, shape.cols);
     error.resize(shape.rows);
     EdgeTile tile;
@@ -214,17 +245,17 @@ MatrixXd SimilarityTest::unresisted(std::span<const EdgeSlot> edges, const World
     tile.jacobian = jacobian.data();
     pool.linearize(std::span(&edges[k].slot, 1), tile, false);
     const bool exact = pool.jacobian_source() != JacobianSource::kNumeric;
-    resistance.add(jacobian, tangents * candidates, exact ? kExact : kNumeric);
-    if (k % kOften == kOften - 1 && resistance.unresisted().cols() == 0) break;
+    resistance.add(tile, tangents.data(), exact ? kExact : kNumeric);
+    if (k % kOften == kOften - 1 && resistance.unresisted(candidates).cols() == 0) break;
   }
-  return candidates * resistance.unresisted();
+  return resistance.unresisted(candidates);
 }
 
 SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> vertices,
                                                std::span<const EdgeSlot> edges, int dimension) {
   SimilarityFreedom freedom;
   freedom.motions = motions_for(vertices, dimension);
-  freedom.basis = unresisted(edges, freedom.motions, moving(vertices, freedom.motions));
+  freedom.basis = unresisted(edges, moving(vertices, freedom.motions));
   freedom.roles = &roles_;
   return freedom;
 }

@@ -52,16 +52,15 @@ class SimilarityTest {
 
  private:
   struct Kind;
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   std::vector<Kind> list_kinds(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                int dimension);
   void assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds, unsigned choice);
   WorldMotions motions_for(std::span<const VertexSlot> vertices, int dimension) const;
-  Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) const;
-  Eigen::MatrixXd unresisted(std::span<const EdgeSlot> edges, const WorldMotions& motions,
-                             const Eigen::MatrixXd& candidates);
-  void tangents_of_edge(const EdgePool& pool, std::uint32_t edge, const WorldMotions& motions,
-                        Eigen::MatrixXd& out) const;
+  Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
+  Eigen::MatrixXd unresisted(std::span<const EdgeSlot> edges, const Eigen::MatrixXd& candidates) const;
+  void tangents_of_edge(const EdgePool& pool, std::uint32_t edge, RowMajor& out) const;
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension);
 
@@ -69,6 +68,10 @@ class SimilarityTest {
   const std::vector<std::vector<std::uint8_t>>& movable_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;
+  /// By vertex pool and slot, where the tangents of its motions begin in tangents_, dim × count, row-major.
+  static constexpr std::size_t kStill = static_cast<std::size_t>(-1);
+  std::vector<std::vector<std::size_t>> tangents_of_;
+  std::vector<double> tangents_;
 };
 
 }  // namespace boxplus

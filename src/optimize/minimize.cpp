@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "optimize/significance.h"
+
 namespace boxplus {
 namespace {
 
@@ -50,12 +52,6 @@ bool gains_less_than(double fraction, const IterationRecord& record) {
   return std::abs(record.chi2_decrease) <= fraction * record.chi2 && record.promise <= fraction * record.chi2;
 }
 
-/// The fraction of chi2 that Options::noise_tolerance stands for.
-double insignificant_fraction(const RunContext& context) {
-  constexpr double kAtMost = 2e-7;
-  return std::min(kAtMost, context.options.noise_tolerance / std::max(1.0, context.degrees_of_freedom));
-}
-
 std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
                                   std::size_t unknowns, double largest_step, bool cut_short) {
   if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
@@ -71,8 +67,7 @@ std::optional<Reason> convergence(const Options& options, const IterationRecord&
 
 RunResult minimize(System& system, Algorithm& algorithm, const RunContext& context, double chi2) {
   double largest_step = 0;
-  int insignificant = 0;  // iterations in a row
-  const double least = insignificant_fraction(context);
+  Significance significance(context.options.noise_tolerance, context.degrees_of_freedom);
   for (int iteration = 0;; ++iteration) {
     if (const auto reason = end_before(iteration, context)) {
       return {Status::kNotConverged, *reason, chi2, iteration};
@@ -94,8 +89,8 @@ RunResult minimize(System& system, Algorithm& algorithm, const RunContext& conte
     if (const auto reason = convergence(context.options, record, before, unknowns, largest_step, cut_short)) {
       return {Status::kConverged, *reason, chi2, iteration + 1};
     }
-    insignificant = !cut_short && gains_less_than(least, record) ? insignificant + 1 : 0;
-    if (insignificant == 2) return {Status::kConverged, Reason::kCostTolerance, chi2, iteration + 1};
+    if (significance.is_lost(record))
+      return {Status::kConverged, Reason::kCostTolerance, chi2, iteration + 1};
     if (!wanted) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
   }
 }

@@ -58,5 +58,26 @@ TEST(Optimize, NamesAnEdgeWhoseKernelGivesNoNumber) {
   EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
 }
 
+TEST(Optimize, NeverCallsAProblemSolvedWhoseWeightsExceedTheDigitsOfDoubles) {
+  for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
+    for (const int digits : {6, 10, 14, 16, 18, 20, 60, 100, 300}) {
+      Graph graph;
+      const auto a = graph.add_vertex(SE2(1, 0, 0)), b = graph.add_vertex(SE2(2, 3, 0));
+      graph.add_edge(Prior(SE2(0, 0, 0)), a);
+      graph.add_edge(Prior(SE2(1, 0, 0)), b);
+      graph.add_edge(Between(SE2(0, 0, 0)), std::pow(10.0, digits), a, b);
+      const Report report = optimize(graph, {.algorithm = algorithm});
+      if (digits <= 14) {
+        EXPECT_TRUE(report.converged()) << digits << report;
+        EXPECT_NEAR(report.chi2_final, 0.5, 1e-4);
+      } else if (report.converged()) {
+        EXPECT_NEAR(report.chi2_final, 0.5, 1e-4) << digits << report;
+      } else if (report.reason == Reason::kWeightSpan) {
+        EXPECT_THAT(report.message, HasSubstr("Between<SE2> between vertices 0 1 leaves no digit"));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace boxplus

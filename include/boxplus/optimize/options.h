@@ -79,9 +79,10 @@ struct Options {
   int max_iterations = 100;       ///< … there were so many iterations, of all runs together,
   double cost_tolerance = 1e-10;  ///< … chi2 fell by less than this fraction of itself,
   /// … two iterations in a row lowered chi2, and were predicted to, by less than this part of the noise's
-  /// variance: chi2 / (rows − unknowns), which is 1 where Ω is right. A fall of 1 moves the estimates by one
-  /// standard deviation in one direction. Never by more than 2e-7 of chi2. 0: off.
-  double noise_tolerance = 1e-2;
+  /// variance, or ten together by less than ten times that. The variance is chi2 / (rows − unknowns), which
+  /// is 1 if Ω is right; a fall of chi2 by it moves the estimates by one standard deviation in one direction.
+  /// The two fall by at most 2e-7 of chi2 each, the ten by 5e-6. 0: off,
+  double noise_tolerance = 2e-2;
   double step_tolerance =
       1e-12;  ///< … no entry of the step is larger than this fraction of the run's largest,
   double gradient_tolerance = 0;  ///< … or none of the gradient is larger than this (in its own units).
