@@ -144,8 +144,10 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
     lost_scalars_.clear();
     result = solve_once(damping, step);
   }
-  while (result.status == LinearStatus::kNotPositiveDefinite && hold_lost_pivots())
+  const std::vector<std::uint32_t>::size_type before = lost_scalars_.size();
+  while (result.status == LinearStatus::kNotPositiveDefinite && hold_lost_pivot())
     result = solve_once(damping, step);
+  if (result.status == LinearStatus::kNotPositiveDefinite) lost_scalars_.resize(before);
   if (result.status == LinearStatus::kOk) {
     for (const std::uint32_t i : lost_scalars_) step[i] = 0;
     if (damping.lambda == 0) {
@@ -160,21 +162,25 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   return schur_ ? solve_reduced(full, step) : solve_full(full, step);
 }
 
-/// Holds the direction of a loose block whose pivot was lost, or all of the block if the solver does not say
-/// which. (H + c e eᵀ) δ = −g has the Gauss-Newton step with δ = 0 along e, if H leaves e free.
-bool BatchSystem::hold_lost_pivots() {
+/// Holds the direction of a loose block whose pivot was lost. If another block's was, because the solver does
+/// not eliminate the loose ones last, holds the next direction of a loose block. (H + c e eᵀ) δ = −g has the
+/// Gauss-Newton step with δ = 0 along e, if e is no more than gauge.
+bool BatchSystem::hold_lost_pivot() {
+  if (gauge_ != GaugePolicy::kFixFirst) return false;
+  const auto hold = [&](std::uint32_t scalar) {
+    const bool is_new = std::find(lost_scalars_.begin(), lost_scalars_.end(), scalar) == lost_scalars_.end();
+    if (is_new) lost_scalars_.push_back(scalar);
+    return is_new;
+  };
   const auto& loose = plan_->loose_blocks;
-  if (gauge_ != GaugePolicy::kFixFirst || std::find(loose.begin(), loose.end(), failed_block_) == loose.end())
-    return false;
-  const std::uint32_t begin = plan_->structure.offset[failed_block_];
-  const std::uint32_t end = plan_->structure.offset[failed_block_ + 1];
-  const bool known = failed_scalar_ != BlockStructure::kAbsent;
-  const std::size_t before = lost_scalars_.size();
-  for (std::uint32_t i = known ? failed_scalar_ : begin; i < (known ? failed_scalar_ + 1 : end); ++i) {
-    if (std::find(lost_scalars_.begin(), lost_scalars_.end(), i) == lost_scalars_.end())
-      lost_scalars_.push_back(i);
+  const bool is_loose = std::find(loose.begin(), loose.end(), failed_block_) != loose.end();
+  if (is_loose && failed_scalar_ != BlockStructure::kAbsent) return hold(failed_scalar_);
+  for (const std::uint32_t block : loose) {
+    for (std::uint32_t i = plan_->structure.offset[block]; i < plan_->structure.offset[block + 1]; ++i) {
+      if (hold(i)) return true;
+    }
   }
-  return lost_scalars_.size() > before;
+  return false;
 }
 
 /// The gradient vanishes along every direction that H leaves free. So a step along what is held, more than

@@ -68,7 +68,8 @@ struct ByPoseAndIntrinsics {
 };
 
 SE3 pose_of(const std::array<double, 9>& camera) {
-  return {Vector3(camera[3], camera[4], camera[5]), SO3::exp(Vector3(camera[0], camera[1], camera[2]))};
+  return {Vector3(camera[3], camera[4], camera[5]),
+          SO3::from_rotation_vector(Vector3(camera[0], camera[1], camera[2]))};
 }
 
 enum class Form { kCamera, kPoseAndIntrinsics };
@@ -173,8 +174,8 @@ INSTANTIATE_TEST_SUITE_P(BundleAdjustment, PublicBundle,
                          testing::Values(PublicProblem{"problem-16-22106-pre.txt", 18033.904, 59100.4540, 7},
                                          PublicProblem{"problem-21-11315-pre.txt", 30378.638, 46804.5951, 9},
                                          PublicProblem{"problem-49-7776-pre.txt", 13344.317, 13747.3817, 40}),
-                         [](const auto& info) {
-                           return std::string(info.param.file).substr(8, 2) + "Cameras";
+                         [](const auto& problem) {
+                           return std::string(problem.param.file).substr(8, 2) + "Cameras";
                          });
 
 }  // namespace

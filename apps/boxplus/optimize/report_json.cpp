@@ -38,7 +38,7 @@ Json start_json(const StartReport& start) {
 }
 
 Json gauge_json(const GaugeReport& gauge) {
-  json free = json::array();
+  Json free = Json::array();
   for (const GaugeFreedom& freedom : gauge.free) {
     free.push_back({{"vertex", freedom.id},
                     {"directions", freedom.directions},

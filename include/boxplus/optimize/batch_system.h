@@ -57,7 +57,7 @@ class BatchSystem final : public System {
  private:
   Damping full_damping(const StepDamping& damping);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
-  bool hold_lost_pivots();
+  bool hold_lost_pivot();
   bool lost_pivots_are_gauge(std::span<const double> step) const;
   StepResult solve_full(const Damping& damping, std::span<double> step);
   StepResult solve_reduced(const Damping& damping, std::span<double> step);
