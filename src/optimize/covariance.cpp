@@ -77,10 +77,14 @@ class CovarianceMaker {
   void factorize() {
     linearizer_.linearize({options_.numeric_jacobians, options_.triggs_correction});
     solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
-    solver_->analyze(plan_.structure,
-                     {.threads = resolved_threads(options_), .precision = Precision::kDouble});
-    const FactorResult factor =
-        solver_->factorize(AssembledSystem(plan_.structure, linearizer_.values()), Damping{});
+    solver_->analyze(
+        plan_.structure,
+        {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .precision = Precision::kDouble});
+    const AssembledSystem system(plan_.structure, linearizer_.values());
+    stiffness_.assign(plan_.scalars(), 0.0);
+    FactorResult factor = solver_->factorize(system, {1.0, stiffness_.data()});
+    while (factor.status == LinearStatus::kNotPositiveDefinite && hold(factor))
+      factor = solver_->factorize(system, {1.0, stiffness_.data()});
     if (factor.status == LinearStatus::kOk) return;
     const VertexRef vertex = plan_.block_vertex[factor.failed_block];
     if (factor.status == LinearStatus::kNotFinite) {
@@ -88,6 +92,24 @@ class CovarianceMaker {
     } else {
       fail(CovarianceStatus::kSingular, vertex, "the edges leave it free to move in some direction");
     }
+  }
+
+  /// A lost pivot of a block that the plan calls loose is gauge: holds its direction.
+  bool hold(const FactorResult& factor) {
+    constexpr double kStiff = 1e30;  // times the diagonal of H: then its variance is less than any rounding
+    const auto& loose = plan_.loose_blocks;
+    const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
+    if (options_.gauge != GaugePolicy::kFixFirst || !is_loose || stiffness_[factor.failed_scalar] > 0)
+      return false;
+    const std::uint32_t block = factor.failed_block, dim = plan_.structure.dim(block);
+    const std::uint32_t i = factor.failed_scalar - plan_.structure.offset[block];
+    const double* diagonal =
+        linearizer_.values().data() + plan_.structure.value_start[plan_.structure.column_start[block]];
+    stiffness_[factor.failed_scalar] = kStiff * std::max(diagonal[i * (dim + 1)], 1e-300);
+    const auto own = std::span(stiffness_).subspan(plan_.structure.offset[block], dim);
+    if (std::all_of(own.begin(), own.end(), [](double s) { return s > 0; }))
+      result_.held_.push_back(plan_.block_vertex[block]);
+    return true;
   }
 
   void invert() {
@@ -121,12 +143,18 @@ class CovarianceMaker {
 
   /// Keeps a block of the inverse as that of vertices i and j, in this order; exactly symmetric if i is j.
   void store(std::size_t i, std::size_t j, BlockCoordinate block, const double* values) {
-    const Eigen::Map<const Eigen::MatrixXd> inverse(values, plan_.structure.dim(block.row),
-                                                    plan_.structure.dim(block.column));
+    Eigen::MatrixXd inverse = Eigen::Map<const Eigen::MatrixXd>(values, plan_.structure.dim(block.row),
+                                                                plan_.structure.dim(block.column));
     std::vector<double>& out = result_.blocks_[result_.block_index(i, j)];
     out.resize(static_cast<std::size_t>(inverse.size()));
     Eigen::Map<Eigen::MatrixXd> kept(out.data(), plan_.structure.dim(blocks_[i]),
                                      plan_.structure.dim(blocks_[j]));
+    for (std::uint32_t r = 0; r < plan_.structure.dim(block.row); ++r) {
+      if (stiffness_[plan_.structure.offset[block.row] + r] > 0) inverse.row(r).setZero();
+    }
+    for (std::uint32_t c = 0; c < plan_.structure.dim(block.column); ++c) {
+      if (stiffness_[plan_.structure.offset[block.column] + c] > 0) inverse.col(c).setZero();
+    }
     if (i == j) {
       kept = (inverse + inverse.transpose()) / 2;
     } else if (block.row == blocks_[i]) {
@@ -141,6 +169,7 @@ class CovarianceMaker {
   Plan plan_;
   Linearizer linearizer_;
   std::unique_ptr<LinearSolver> solver_;
+  std::vector<double> stiffness_;      // added to the diagonal of H in directions that are held
   std::vector<std::uint32_t> blocks_;  // of H, per vertex
   Covariance result_;
 };
