@@ -226,7 +226,7 @@ class PlotTest(CommandCase):
 
     def test_with_a_kernel_the_colors_are_those_of_the_robust_chi2(self):
         graph = CHAIN + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n" + f"EDGE_SE2 0 2 2 400 0 {INFORMATION}\n"
-        plain, robust = self.drawn("-", stdin=graph), self.drawn("-", "--kernel", "GemanMcClure", stdin=graph)
+        plain, robust = self.drawn("-", stdin=graph), self.drawn("-", "--kernel", "GemanMcClure", "--kernel-width", 1, stdin=graph)
         self.assertNotIn(GREY, plain.closures())
         self.assertEqual(set(robust.closures()), {GREY})
         self.assertIn("robust chi2 per row of loop closures", robust.words)
