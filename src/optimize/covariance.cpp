@@ -27,6 +27,7 @@ class CovarianceMaker {
 
   Covariance make(std::span<const VertexRef> vertices) {
     list(vertices);
+    refuse_freedoms();
     if (!result_.ok() || plan_.structure.blocks() == 0) return std::move(result_);
     factorize();
     if (result_.ok()) invert();
@@ -56,6 +57,25 @@ class CovarianceMaker {
       result_.blocks_.resize(result_.block_index(blocks_.size() - 1, blocks_.size() - 1) + 1);
   }
 
+  /// Motions of a component that nothing anchors are gauge. Other freedom is not determined.
+  void refuse_freedoms() {
+    for (const GaugeFreedom& freedom : plan_.freedoms) {
+      if (result_.ok() && !is_gauge(freedom))
+        fail(CovarianceStatus::kSingular, freedom.vertex,
+             "nothing measures the " + std::string(to_string(freedom)) + " of its part of the graph");
+    }
+  }
+
+  bool is_gauge(const GaugeFreedom& freedom) const {
+    if (options_.gauge != GaugePolicy::kFixFirst) return false;
+    const auto is_it = [&](const GaugeVertex& gauge) { return gauge.vertex == freedom.vertex; };
+    if (std::any_of(plan_.held.begin(), plan_.held.end(), is_it)) return true;
+    Frame frame;
+    graph_.vertex_pools()[freedom.vertex.pool]->get_frame(freedom.vertex.slot, frame);
+    const int rigid_motions = frame.dimension == 2 ? 3 : 6;
+    return freedom.translation && freedom.rotation && freedom.directions >= rigid_motions;
+  }
+
   bool moves(VertexRef vertex) const {
     const auto contains = [&](const std::vector<VertexRef>& list) {
       return std::find(list.begin(), list.end(), vertex) != list.end();
@@ -82,6 +102,11 @@ class CovarianceMaker {
         {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .precision = Precision::kDouble});
     const AssembledSystem system(plan_.structure, linearizer_.values());
     stiffness_.assign(plan_.scalars(), 0.0);
+    for (const std::uint32_t scalar : plan_.held_scalars) {
+      const auto next =
+          std::upper_bound(plan_.structure.offset.begin(), plan_.structure.offset.end(), scalar);
+      hold(static_cast<std::uint32_t>(next - plan_.structure.offset.begin() - 1), scalar);
+    }
     FactorResult factor = solver_->factorize(system, {1.0, stiffness_.data()});
     while (factor.status == LinearStatus::kNotPositiveDefinite && hold(factor))
       factor = solver_->factorize(system, {1.0, stiffness_.data()});
@@ -96,20 +121,23 @@ class CovarianceMaker {
 
   /// A lost pivot of a block that the plan calls loose is gauge: holds its direction.
   bool hold(const FactorResult& factor) {
-    constexpr double kStiff = 1e30;  // times the diagonal of H: then its variance is less than any rounding
     const auto& loose = plan_.loose_blocks;
     const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
     if (options_.gauge != GaugePolicy::kFixFirst || !is_loose || stiffness_[factor.failed_scalar] > 0)
       return false;
-    const std::uint32_t block = factor.failed_block, dim = plan_.structure.dim(block);
-    const std::uint32_t i = factor.failed_scalar - plan_.structure.offset[block];
+    hold(factor.failed_block, factor.failed_scalar);
+    return true;
+  }
+
+  void hold(std::uint32_t block, std::uint32_t scalar) {
+    constexpr double kStiff = 1e30;  // times the diagonal of H: then its variance is less than any rounding
+    const std::uint32_t dim = plan_.structure.dim(block), i = scalar - plan_.structure.offset[block];
     const double* diagonal =
         linearizer_.values().data() + plan_.structure.value_start[plan_.structure.column_start[block]];
-    stiffness_[factor.failed_scalar] = kStiff * std::max(diagonal[i * (dim + 1)], 1e-300);
+    stiffness_[scalar] = kStiff * std::max(diagonal[i * (dim + 1)], 1e-300);
     const auto own = std::span(stiffness_).subspan(plan_.structure.offset[block], dim);
     if (std::all_of(own.begin(), own.end(), [](double s) { return s > 0; }))
       result_.held_.push_back(plan_.block_vertex[block]);
-    return true;
   }
 
   void invert() {

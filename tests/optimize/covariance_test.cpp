@@ -264,6 +264,61 @@ TEST(Covariance, IsRelativeToTheVertexThatIsHeldForTheGauge) {
   expect_equal_to_dense(graph, all, std::vector<VertexRef>(poses.begin() + 1, poses.end()));
 }
 
+TEST(Covariance, IsRefusedIfOnlyAPartOfTheGaugeIsHeld) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 6);
+  graph.add_edge(PositionPrior(Vector2(1, 2)), 4.0, poses[0]);  // the circle may still turn around it
+  const Covariance open = covariance(graph, poses);
+  EXPECT_EQ(open.status(), CovarianceStatus::kSingular);
+  EXPECT_THAT(open.message(), HasSubstr("rotation"));
+  graph.add_edge(PositionPrior(Vector2(2, 2)), 4.0, poses[1]);
+  EXPECT_TRUE(covariance(graph, poses).held().empty());
+  expect_equal_to_dense(graph, graph.all_vertices(), graph.all_vertices());
+}
+
+/// The pinhole cameras of a bundle without odometry, seen from nowhere in particular: seven motions are
+/// gauge.
+TEST(Covariance, OfFreeBundleAdjustmentIsRelativeToACameraAndAScale) {
+  Bundle bundle = make_bundle(4, 30, true);
+  Graph& graph = bundle.graph;
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (graph.vertices(edge)[1].pool == bundle.cameras[0].pool) graph.remove(edge);
+  }
+  const Covariance one_camera = covariance(graph, {bundle.cameras[1]});
+  EXPECT_EQ(one_camera.status(), CovarianceStatus::kSingular);
+  EXPECT_THAT(one_camera.message(), HasSubstr("scale"));
+  graph.unfix(bundle.cameras[0]);
+  const Covariance free = covariance(graph, bundle.cameras);
+  ASSERT_TRUE(free.ok()) << free.message();
+  EXPECT_FALSE(free.held().empty());
+  EXPECT_TRUE(free.joint().allFinite());
+  EXPECT_TRUE(free.of(free.held()[0]).isZero(0));
+}
+
+TEST(Covariance, HoldsNothingThatTheEdgesMeasure) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), c = graph.add_vertex(2.0);
+  graph.add_edge(kDifference, 4.0, a, b);
+  graph.add_edge(kDifference, 4.0, b, c);
+  graph.add_edge([](const auto& x, const auto& y, const auto& z) { return x + y + z; }, 4.0, a, b, c);
+  EXPECT_TRUE(covariance(graph, {a, b, c}).held().empty());
+  expect_equal_to_dense(graph, {a, b, c}, {a, b, c});
+}
+
+TEST(Covariance, OfVerticesOfUnknownTypeIsRelativeToOneIfNothingElseHoldsThem) {
+  Graph graph;
+  const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), c = graph.add_vertex(2.0);
+  graph.add_edge(kDifference, 4.0, a, b);
+  graph.add_edge(kDifference, 4.0, b, c);
+  const Covariance result = covariance(graph, {a, b, c});
+  ASSERT_TRUE(result.ok()) << result.message();
+  ASSERT_EQ(result.held().size(), 1u);
+  EXPECT_EQ(result.of(result.held()[0])(0, 0), 0);
+  std::vector<VertexRef> others{a, b, c};
+  std::erase(others, result.held()[0]);
+  expect_equal_to_dense(graph, {a, b, c}, others);
+}
+
 TEST(Covariance, TakesTheEdgesOfTheLevelThatIsAskedFor) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0);

@@ -36,7 +36,8 @@ class Covariance {
   const std::string& message() const { return message_; }
   std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
   /// The vertices that were held because nothing else holds their component of the graph (GaugePolicy). Their
-  /// covariance is zero, and that of the other vertices is relative to them.
+  /// covariance is zero, and that of the other vertices is relative to them. (If the scale of the component
+  /// is open, too, one direction of another vertex is held and has zero variance.)
   const std::vector<VertexRef>& held() const { return held_; }
 
   /// The covariance of one of the vertices that were asked for; symmetric. Throws InvalidArgument if it was
