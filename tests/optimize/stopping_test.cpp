@@ -183,6 +183,16 @@ TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
   EXPECT_EQ(reason_with(&Options::gradient_tolerance, 1e-1), Reason::kGradientTolerance);
 }
 
+TEST_P(EveryAlgorithm, EndsAtRoundingIfAskedForManyIterationsWithoutTolerances) {
+  Graph graph;
+  add_noisy_grid(graph, 6);
+  options_.cost_tolerance = options_.noise_tolerance = options_.step_tolerance = 0;
+  options_.max_iterations = 512;
+  const Report report = optimize(graph, options_);
+  EXPECT_EQ(report.reason, Reason::kNoFurtherDecrease) << report;
+  EXPECT_LT(report.iterations, 20) << report;
+}
+
 TEST_P(EveryAlgorithm, NamesTheEdgeWhoseErrorIsNotANumber) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 10);

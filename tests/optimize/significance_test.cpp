@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/significance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace boxplus {
+namespace {
+
+/// The iteration of a run with that last gain as a fraction of chi2 = 1000.
+IterationRecord gain_of(double fraction) {
+  IterationRecord record;
+  record.chi2 = 1000;
+  record.chi2_decrease = record.promise = 1000 * fraction;
+  return record;
+}
+
+/// How many gains q, q², q³ … of chi2 it takes until none matters any more.
+int iterations_until_lost(double first, double q, double tolerance, double degrees_of_freedom, int most) {
+  Significance significance(tolerance, degrees_of_freedom);
+  for (int k = 0; k < most; ++k) {
+    if (significance.is_lost(gain_of(first * std::pow(q, k)))) return k + 1;
+  }
+  return most + 1;
+}
+
+TEST(Significance, IsLostAfterTwoGainsBelowTheNoise) {
+  // 0.02 of s² = 1000 / 1e6 is 2e-8 of chi2.
+  Significance significance(0.02, 1e6);
+  EXPECT_FALSE(significance.is_lost(gain_of(1e-3)));
+  EXPECT_FALSE(significance.is_lost(gain_of(1.9e-8)));
+  EXPECT_TRUE(significance.is_lost(gain_of(1e-9)));
+}
+
+TEST(Significance, NeedsMoreThanAFewPartsInTenMillion) {
+  Significance significance(0.02, 10);  // few measurements: s² is large
+  EXPECT_FALSE(significance.is_lost(gain_of(1e-3)));
+  EXPECT_FALSE(significance.is_lost(gain_of(1e-4)));
+  EXPECT_FALSE(significance.is_lost(gain_of(1e-5)));
+}
+
+TEST(Significance, OfAPredictedGainKeepsTheRunGoing) {
+  Significance significance(0.02, 1e6);
+  for (int k = 0; k < 30; ++k) {
+    IterationRecord record = gain_of(1e-12);
+    record.promise = 1;
+    EXPECT_FALSE(significance.is_lost(record));
+  }
+}
+
+TEST(Significance, IsLostInALongTailThatGainsLessThanTheNoiseInTenIterations) {
+  EXPECT_LE(iterations_until_lost(1e-7, 0.995, 0.02, 5e4, 100), 10);
+  EXPECT_GT(iterations_until_lost(1e-5, 0.995, 0.02, 5e4, 100), 100);
+}
+
+TEST(Significance, OfGainsThatGrowOutOfASmallTrustRegionIsNotLost) {
+  EXPECT_GT(iterations_until_lost(1e-20, 3, 0.02, 1e3, 25), 25);
+}
+
+TEST(Significance, IsNeverLostWithoutTolerance) {
+  EXPECT_GT(iterations_until_lost(1e-6, 0.5, 0, 1e3, 60), 60);
+}
+
+}  // namespace
+}  // namespace boxplus
