@@ -22,6 +22,7 @@
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "boxplus/robust/redescending.h"
+#include "boxplus/types/dense_prior.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 // IWYU pragma: end_exports

@@ -29,10 +29,26 @@ void edge::throw_row_count(int expected, int actual) {
                         std::to_string(expected) + " it had when its edge was added");
 }
 
-EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity)
+EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, int tails)
     : vertex_pools_(std::move(vertex_pools)),
-      uniform_arity_(run_time_arity ? -1 : static_cast<int>(vertex_pools_.size())) {
-  if (run_time_arity) vertex_start_.push_back(0);
+      uniform_arity_(tails > 0 ? -1 : static_cast<int>(vertex_pools_.size())),
+      tails_(tails) {
+  if (tails > 0) vertex_start_.push_back(0);
+}
+
+/// vertex_pool() of an edge with several tails.
+std::uint32_t EdgePool::pool_in_tails(std::uint32_t edge, int i) const {
+  const std::size_t singles = vertex_pools_.size() - static_cast<std::size_t>(tails_);
+  auto rest = static_cast<std::size_t>(i);
+  if (rest < singles) return vertex_pools_[rest];
+  rest -= singles;
+  std::size_t argument = singles;
+  for (const std::uint32_t size : tail_sizes(edge)) {
+    if (rest < size) break;
+    rest -= size;
+    ++argument;
+  }
+  return vertex_pools_[argument];
 }
 
 InformationKind EdgePool::informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
@@ -137,10 +153,11 @@ std::uint32_t EdgePool::next_slot(std::size_t arity) const {
 }
 
 std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots,
+                                     std::span<const std::uint32_t> tail_sizes,
                                      const Information& information, int rows) {
   const std::size_t at = find_free(vertex_slots.size());
   if (at == free_.size()) {
-    append_slot(vertex_slots, information, rows);
+    append_slot(vertex_slots, tail_sizes, information, rows);
     return slots() - 1;
   }
   const std::uint32_t edge = free_[at];
@@ -148,23 +165,27 @@ std::uint32_t EdgePool::acquire_slot(std::span<const std::uint32_t> vertex_slots
   free_.erase(free_.begin() + static_cast<std::ptrdiff_t>(at));
   std::copy(vertex_slots.begin(), vertex_slots.end(),
             vertex_slots_.begin() + static_cast<std::ptrdiff_t>(vertex_start(edge)));
+  if (tails_ > 1) std::copy(tail_sizes.begin(), tail_sizes.end(), tail_sizes_.begin() + edge * tails_);
   flags_[edge] = kAlive | kEnabled;
   generations_[edge] = next_generation_++;
   if (!levels_.empty()) levels_[edge] = 0;
   return edge;
 }
 
-void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
+void EdgePool::append_slot(std::span<const std::uint32_t> vertex_slots,
+                           std::span<const std::uint32_t> tail_sizes, const Information& information,
                            int rows) {
   make_room(vertex_slots_, vertex_slots.size());
   make_room(flags_);
   make_room(generations_);
   if (uniform_arity_ < 0) make_room(vertex_start_);
+  if (tails_ > 1) make_room(tail_sizes_, tail_sizes.size());
   if (!levels_.empty()) make_room(levels_);
   if (!kernels_.empty()) make_room(kernels_);
   information_.append(information, rows);
   vertex_slots_.insert(vertex_slots_.end(), vertex_slots.begin(), vertex_slots.end());
   if (uniform_arity_ < 0) vertex_start_.push_back(static_cast<std::uint32_t>(vertex_slots_.size()));
+  if (tails_ > 1) tail_sizes_.insert(tail_sizes_.end(), tail_sizes.begin(), tail_sizes.end());
   flags_.push_back(kAlive | kEnabled);
   generations_.push_back(next_generation_++);
   if (!levels_.empty()) levels_.push_back(0);

@@ -131,6 +131,27 @@ bool Graph::is_fixed(VertexRef vertex) const {
   return vertex_pools_[vertex.pool]->fixed(vertex.slot);
 }
 
+void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
+  const int dim = tangent_dim(vertex);
+  std::vector<int> sorted(directions.begin(), directions.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  for (const int direction : sorted) {
+    if (direction >= 0 && direction < dim) continue;
+    throw InvalidArgument("fix_directions(): expected a direction of the tangent of vertex " +
+                          std::to_string(id(vertex)) + ", from 0 to " + std::to_string(dim - 1) + ", got " +
+                          std::to_string(direction));
+  }
+  if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
+  vertex_pools_[vertex.pool]->set_fixed_directions(vertex.slot, std::move(sorted));
+  ++revision_;
+}
+
+std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
+  check(vertex);
+  return vertex_pools_[vertex.pool]->fixed_directions(vertex.slot);
+}
+
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
   if (is_eliminated(vertex) == eliminated) return;
   vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kEliminated, eliminated);
@@ -147,7 +168,7 @@ std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
   const EdgePool& pool = *edge_pools_[edge.pool];
   std::vector<VertexRef> result;
   for (std::uint32_t slot : pool.vertex_slots(edge.slot)) {
-    const std::uint32_t index = pool.vertex_pool(static_cast<int>(result.size()));
+    const std::uint32_t index = pool.vertex_pool(edge.slot, static_cast<int>(result.size()));
     result.push_back({index, slot, vertex_pools_[index]->generation(slot)});
   }
   return result;

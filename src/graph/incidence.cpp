@@ -12,7 +12,7 @@ Graph::Incidence::Incidence(const Graph& graph) {
     const EdgePool& pool = *graph.edge_pools()[edge.pool];
     int position = 0;
     for (const std::uint32_t slot : pool.vertex_slots(edge.slot))
-      edges_[pool.vertex_pool(position++)][slot].push_back(edge);
+      edges_[pool.vertex_pool(edge.slot, position++)][slot].push_back(edge);
   }
 }
 
@@ -69,7 +69,7 @@ std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
       if (!pool.alive(edge)) continue;
       const auto slots = pool.vertex_slots(edge);
       for (std::size_t i = 0; i < slots.size(); ++i) {
-        if (slots[i] != vertex.slot || pool.vertex_pool(static_cast<int>(i)) != vertex.pool) continue;
+        if (slots[i] != vertex.slot || pool.vertex_pool(edge, static_cast<int>(i)) != vertex.pool) continue;
         result.push_back({p, edge, pool.generation(edge)});
         break;
       }

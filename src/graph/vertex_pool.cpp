@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/graph/vertex_pool.h"
 
+#include <utility>
+
 #include "boxplus/graph/make_room.h"
 
 namespace boxplus {
@@ -26,6 +28,15 @@ std::uint32_t VertexPool::acquire_slot(Id id) {
 void VertexPool::release_slot(std::uint32_t slot) {
   free_.push_back(slot);
   flags_[slot] = 0;
+  if (slot < fixed_directions_.size()) fixed_directions_[slot].clear();
+}
+
+void VertexPool::set_fixed_directions(std::uint32_t slot, std::vector<int> directions) {
+  if (slot >= fixed_directions_.size()) {
+    if (directions.empty()) return;
+    fixed_directions_.resize(slots());
+  }
+  fixed_directions_[slot] = std::move(directions);
 }
 
 void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {

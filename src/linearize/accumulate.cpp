@@ -67,19 +67,27 @@ void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVe
   }
 }
 
+/// `weighted` ← ΩJ, the first rows of `weighted_error` ← Ωe and those behind ← JᵀΩe.
+void weigh(const EdgeSystem& edge, const InformationView& information, double* weighted,
+           double* weighted_error) {
+  const int rows = edge.rows;
+  information.apply(edge.jacobian, edge.cols, weighted);
+  information.apply(edge.error, 1, weighted_error);
+  double* v = weighted_error + rows;
+  for (int c = 0; c < edge.cols; ++c) {
+    double sum = 0;
+    for (int r = 0; r < rows; ++r) sum += edge.jacobian[c * rows + r] * weighted_error[r];
+    v[c] = sum;
+  }
+}
+
 /// The edge one number at a time: of any size, and with a rank-one weight.
 void accumulate_any(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                     const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                     double* weighted_error) {
   const int rows = edge.rows, cols = edge.cols;
-  information.apply(edge.jacobian, cols, weighted);
-  information.apply(edge.error, 1, weighted_error);
-  double* v = weighted_error + rows;  // JᵀΩe, all vertices
-  for (int c = 0; c < cols; ++c) {
-    double sum = 0;
-    for (int r = 0; r < rows; ++r) sum += edge.jacobian[c * rows + r] * weighted_error[r];
-    v[c] = sum;
-  }
+  weigh(edge, information, weighted, weighted_error);
+  const double* v = weighted_error + rows;
   if (weight.first != 1) {
     for (int k = 0; k < rows * cols; ++k) weighted[k] *= weight.first;
   }
@@ -127,7 +135,51 @@ void accumulate_small(const EdgeSystem& edge, const InformationView& information
       });
 }
 
+/// The edge by the dense kernels: the lower triangle of −ρ′JᵀΩJ in strips of columns, then its blocks.
+void accumulate_large(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+                      const std::uint32_t* targets, double* values, double* gradient, double* weighted,
+                      double* weighted_error, double* dense) {
+  constexpr int kStripColumns = 48;
+  const int rows = edge.rows, cols = edge.cols;
+  weigh(edge, information, weighted, weighted_error);
+  const double* v = weighted_error + rows;
+  double* transposed = dense;  // ρ′Jᵀ
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) transposed[r * cols + c] = weight.first * edge.jacobian[c * rows + r];
+  }
+  double* product = dense + rows * cols;
+  std::fill_n(product, cols * cols, 0.0);
+  for (int c = 0; c < cols; c += kStripColumns) {
+    dense::kernels().in_double.subtract_product(product + c * cols + c, cols, transposed + c, cols,
+                                                weighted + c * rows, rows, cols - c,
+                                                std::min(kStripColumns, cols - c), rows);
+  }
+  const auto add_vertex = [&](int column, int dim, std::uint32_t target) {
+    for (int k = 0; k < dim; ++k)
+      gradient[target + static_cast<std::uint32_t>(k)] += weight.first * v[column + k];
+  };
+  const auto add_pair = [&](int column_i, int di, int column_j, int dj, bool is_transposed,
+                            std::uint32_t target) {
+    double* block = values + target;
+    for (int b = 0; b < dj; ++b) {
+      for (int a = 0; a < di; ++a) {
+        const int column = std::min(column_i + a, column_j + b), row = std::max(column_i + a, column_j + b);
+        block[is_transposed ? b + a * dj : a + b * di] -= product[column * cols + row];
+      }
+    }
+    if (weight.second != 0)
+      add_rank_one(weight.second, v + column_i, di, v + column_j, dj, is_transposed, block);
+  };
+  for_each_target(edge, targets, add_vertex, add_pair);
+}
+
 }  // namespace
+
+std::size_t dense_scratch(int rows, int cols) {
+  constexpr int kFewest = 24;  // rows and columns from which the dense kernels pay
+  if (std::min(rows, cols) < kFewest) return 0;
+  return static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows + cols);
+}
 
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   if (kernel == nullptr) return {};
@@ -142,11 +194,13 @@ EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
 
 void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
-                double* weighted_error) {
+                double* weighted_error, double* dense) {
   const bool is_small =
       edge.rows <= dense::kMostEdgeRows && edge.cols > 0 && edge.cols <= dense::kMostEdgeColumns;
   if (is_small && weight.second == 0) {
     accumulate_small(edge, information, weight, targets, values, gradient);
+  } else if (dense != nullptr && dense_scratch(edge.rows, edge.cols) > 0) {
+    accumulate_large(edge, information, weight, targets, values, gradient, weighted, weighted_error, dense);
   } else {
     accumulate_any(edge, information, weight, targets, values, gradient, weighted, weighted_error);
   }

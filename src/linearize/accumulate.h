@@ -2,6 +2,7 @@
 // The tile consumer that adds JᵀΩJ and JᵀΩe of one edge to H and to the gradient.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -28,10 +29,15 @@ struct EdgeSystem {
   const double* jacobian;  ///< rows × cols, column-major
 };
 
-/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted` and `weighted_error`
-/// are scratch of rows·cols and rows + cols numbers.
+/// Numbers of scratch with which accumulate() multiplies a large edge by the dense kernels; 0 for edges for
+/// which that does not pay.
+std::size_t dense_scratch(int rows, int cols);
+
+/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted`, `weighted_error` and
+/// `dense` are scratch of rows·cols, rows + cols and dense_scratch() numbers; without the last, large edges
+/// are added one number at a time.
 void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
-                double* weighted_error);
+                double* weighted_error, double* dense = nullptr);
 
 }  // namespace boxplus

@@ -5,6 +5,8 @@
 #include <string>
 #include <tuple>
 
+#include "linearize/fixed_directions.h"
+
 namespace boxplus {
 namespace {
 
@@ -27,7 +29,7 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
   for (std::size_t p = 0; p < movable.size(); ++p) {
     const VertexPool& pool = *graph.vertex_pools()[p];
     for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
-      if (!pool.alive(slot) || pool.fixed(slot) || pool.tangent_dim(slot) == 0) movable[p][slot] = 0;
+      if (!pool.alive(slot) || pool.fixed(slot) || all_directions_fixed(pool, slot)) movable[p][slot] = 0;
     }
   }
   return movable;
@@ -36,7 +38,7 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
 template <class F>
 void for_each_vertex(const EdgePool& pool, std::uint32_t edge, F&& f) {
   const auto slots = pool.vertex_slots(edge);
-  for (std::size_t i = 0; i < slots.size(); ++i) f(pool.vertex_pool(static_cast<int>(i)), slots[i]);
+  for (std::size_t i = 0; i < slots.size(); ++i) f(pool.vertex_pool(edge, static_cast<int>(i)), slots[i]);
 }
 
 /// Active edges touch a vertex that may move, or are evaluated all the same where no subset was asked for.

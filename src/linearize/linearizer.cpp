@@ -7,6 +7,7 @@
 #include "base/all_finite.h"
 #include "boxplus/base/parallel.h"
 #include "linearize/accumulate.h"
+#include "linearize/fixed_directions.h"
 #include "linearize/pairwise_sum.h"
 #include "linearize/tile_memory.h"
 
@@ -18,7 +19,7 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   dims.clear();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    dims.push_back(graph.vertex_pools()[pool.vertex_pool(static_cast<int>(i))]->tangent_dim(slots[i]));
+    dims.push_back(graph.vertex_pools()[pool.vertex_pool(edge, static_cast<int>(i))]->tangent_dim(slots[i]));
   }
 }
 
@@ -32,7 +33,7 @@ Linearizer::Linearizer(const Graph& graph, const Plan& plan)
       edge_chi2_(plan.edge_count) {
   for (std::size_t k = 0; k < std::max<std::size_t>(plan.chunks.size(), 1); ++k) {
     memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
-                         static_cast<std::size_t>(plan.max_tile_rows));
+                         static_cast<std::size_t>(plan.max_tile_rows), plan.max_dense_values);
   }
 }
 
@@ -53,6 +54,7 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
   std::fill(gradient_.begin() + structure.offset[chunk.first_column],
             gradient_.begin() + structure.offset[chunk.last_column], 0.0);
   for (const Chunk::Run& run : chunk.runs) linearize_run(chunk.scatters[run.scatter], run, memory, options);
+  leave_out_fixed(chunk.fixed, values_, gradient_);
 }
 
 void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
@@ -91,7 +93,8 @@ void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint3
     const EdgeWeight weight =
         kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
     accumulate({tile.rows, tile.cols, memory.dims, error, jacobian}, omega, weight, memory.targets[k],
-               values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data());
+               values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
+               memory.dense.data());
   }
 }
 

@@ -5,7 +5,9 @@
 #include <numeric>
 #include <string>
 
+#include "linearize/accumulate.h"
 #include "linearize/active_set.h"
+#include "linearize/fixed_directions.h"
 
 namespace boxplus {
 namespace {
@@ -44,7 +46,7 @@ void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& acti
   out.clear();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    out.push_back(active.block[pool.vertex_pool(static_cast<int>(i))][slots[i]]);
+    out.push_back(active.block[pool.vertex_pool(edge, static_cast<int>(i))][slots[i]]);
   }
 }
 
@@ -120,6 +122,7 @@ void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
       const int capacity = pool.uniform_shape() ? tile_capacity(shape) : 1;
       plan.max_tile_values = std::max(plan.max_tile_values, capacity * std::max(1, shape.rows) * shape.cols);
       plan.max_tile_rows = std::max(plan.max_tile_rows, capacity * shape.rows);
+      plan.max_dense_values = std::max(plan.max_dense_values, dense_scratch(shape.rows, shape.cols));
       if (pool.uniform_shape()) break;
     }
     plan.edges.push_back({p, plan.edge_count, active.edges[p]});
@@ -261,6 +264,7 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
     plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, bounds[c], bounds[c + 1]).build());
   }
+  list_fixed_directions(graph, plan);
   return plan;
 }
 

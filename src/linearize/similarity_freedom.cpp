@@ -39,6 +39,15 @@ class Resistance {
       add_row(change, magnitude, tolerance);
     }
   }
+  /// A vertex that stays in some directions of its tangent resists what moves it there.
+  void add_fixed(std::span<const int> directions, const double* tangents, double least) {
+    for (const int direction : directions) {
+      std::array<double, WorldMotions::kMost> change{};
+      std::copy_n(tangents + direction * motions_, motions_, change.begin());
+      const Eigen::Map<const Eigen::VectorXd> motion(change.data(), motions_);
+      if (motion.norm() > least) add_row(change, motion.norm(), 0);
+    }
+  }
   /// Combinations of the candidates that nothing resists.
   MatrixXd unresisted(const MatrixXd& candidates) const {
     constexpr double kNothing = 1e-12;
@@ -225,11 +234,17 @@ void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, 
 }
 
 /// Combinations of the candidates that no edge resists.
-MatrixXd SimilarityTest::unresisted(std::span<const EdgeSlot> edges, const MatrixXd& candidates) const {
+MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                                    const WorldMotions& world, const MatrixXd& candidates) const {
   constexpr double kExact = 1e-7, kNumeric = 1e-5;
   constexpr std::size_t kOften = 1024;  // edges between two looks whether anything is left
   const auto motions = static_cast<int>(candidates.rows());
   Resistance resistance(motions);
+  for (const VertexSlot v : vertices) {
+    const auto fixed = graph_.vertex_pools()[v.pool]->fixed_directions(v.slot);
+    const std::size_t from = tangents_of_[v.pool][v.slot];
+    if (from != kStill) resistance.add_fixed(fixed, tangents_.data() + from, kExact * world.unit());
+  }
   RowMajor tangents;
   MatrixXd jacobian;
   VectorXd error;
@@ -255,7 +270,8 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
                                                std::span<const EdgeSlot> edges, int dimension) {
   SimilarityFreedom freedom;
   freedom.motions = motions_for(vertices, dimension);
-  freedom.basis = unresisted(edges, moving(vertices, freedom.motions));
+  const MatrixXd moves = moving(vertices, freedom.motions);
+  freedom.basis = unresisted(vertices, edges, freedom.motions, moves);
   freedom.roles = &roles_;
   return freedom;
 }

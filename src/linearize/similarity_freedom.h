@@ -28,8 +28,7 @@ struct SimilarityFreedom {
   /// Per vertex pool and slot.
   const std::vector<std::vector<WorldRole>>* roles = nullptr;
 
-  /// The least that a motion of unit size moves a tangent by, if it moves it: metres or radians.
-  double unit() const { return std::min(1.0, motions.length); }
+  double unit() const { return motions.unit(); }
   int directions() const { return static_cast<int>(basis.cols()); }
   /// The free motions as the vertex makes them: tangent_dim × directions().
   Eigen::MatrixXd of_vertex(const Graph& graph, VertexSlot vertex) const;
@@ -59,7 +58,8 @@ class SimilarityTest {
   void assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds, unsigned choice);
   WorldMotions motions_for(std::span<const VertexSlot> vertices, int dimension) const;
   Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
-  Eigen::MatrixXd unresisted(std::span<const EdgeSlot> edges, const Eigen::MatrixXd& candidates) const;
+  Eigen::MatrixXd unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
+                             const WorldMotions& world, const Eigen::MatrixXd& candidates) const;
   void tangents_of_edge(const EdgePool& pool, std::uint32_t edge, RowMajor& out) const;
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension);

@@ -12,9 +12,15 @@
 namespace boxplus {
 
 struct TileMemory {
-  /// For tiles of `values` numbers of Jacobians and `rows` of errors.
-  TileMemory(std::size_t values, std::size_t rows)
-      : error(rows), jacobian(values), weighted(values), weighted_error(values + rows), adder(values, rows) {
+  /// For tiles of `values` numbers of Jacobians and `rows` of errors, and edges that need `dense_values` of
+  /// dense_scratch().
+  TileMemory(std::size_t values, std::size_t rows, std::size_t dense_values)
+      : error(rows),
+        jacobian(values),
+        weighted(values),
+        weighted_error(values + rows),
+        dense(dense_values),
+        adder(values, rows) {
     edges.resize(EdgeTile::kCapacity);
     targets.resize(EdgeTile::kCapacity);
   }
@@ -33,7 +39,7 @@ struct TileMemory {
     return {edges.data(), count};
   }
 
-  std::vector<double> error, jacobian, weighted, weighted_error;
+  std::vector<double> error, jacobian, weighted, weighted_error, dense;
   std::vector<std::uint32_t> edges;           // room for a tile
   std::vector<const std::uint32_t*> targets;  // of each of them
   std::vector<int> dims;

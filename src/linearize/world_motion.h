@@ -2,6 +2,7 @@
 // How vertices move when the world is moved by a small similarity: translation, rotation, scale.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -28,6 +29,8 @@ struct WorldMotions {
 
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
+  /// The least that a motion of unit size moves a tangent by, if it moves it: metres or radians.
+  double unit() const { return std::min(1.0, length); }
   int count() const { return translations() + rotations() + 1; }
 };
 

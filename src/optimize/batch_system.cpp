@@ -159,7 +159,9 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
-  return schur_ ? solve_reduced(full, step) : solve_full(full, step);
+  const StepResult result = schur_ ? solve_reduced(full, step) : solve_full(full, step);
+  for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // whatever a user's own solver rounds
+  return result;
 }
 
 /// Holds the direction of a loose block whose pivot was lost. If another block's was, because the solver does

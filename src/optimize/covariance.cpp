@@ -7,6 +7,7 @@
 
 #include "base/all_finite.h"
 #include "boxplus/linearize/linearizer.h"
+#include "linearize/fixed_directions.h"
 #include "optimize/session.h"
 
 namespace boxplus {
@@ -81,6 +82,7 @@ class CovarianceMaker {
       return std::find(list.begin(), list.end(), vertex) != list.end();
     };
     if (graph_.is_fixed(vertex) || contains(result_.held_)) return false;
+    if (all_directions_fixed(*graph_.vertex_pools()[vertex.pool], vertex.slot)) return false;
     return options_.vertices.empty() || contains(options_.vertices);
   }
 
@@ -189,6 +191,17 @@ class CovarianceMaker {
       kept = inverse;
     } else {
       kept = inverse.transpose();
+    }
+    for_each_fixed(blocks_[i], [&](Eigen::Index direction) { kept.row(direction).setZero(); });
+    for_each_fixed(blocks_[j], [&](Eigen::Index direction) { kept.col(direction).setZero(); });
+  }
+
+  /// The directions in which the vertex of a block stays.
+  template <class F>
+  void for_each_fixed(std::uint32_t block, F&& f) const {
+    const VertexRef& vertex = plan_.block_vertex[block];
+    for (const int direction : graph_.fixed_directions(vertex)) {
+      if (static_cast<std::uint32_t>(direction) < plan_.structure.dim(block)) f(direction);
     }
   }
 

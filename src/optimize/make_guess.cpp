@@ -7,6 +7,10 @@ namespace boxplus {
 
 bool make_guess(Run& run, Start start) {
   if (run.stop().raised()) return false;
+  if (!run.system().plan().fixed_scalars.empty()) {
+    run.report().start.note = "guesses do not keep the directions in which vertices are fixed";
+    return false;
+  }
   const TimeAdder adder(run.report().time.start_s);
   const GuessResult guess =
       start == Start::kOdometry ? guess_odometry(run.graph(), run.system().plan())

@@ -29,8 +29,8 @@ void Run::describe_problem() {
   report_.linear_solver = system().linear_solver().name();
   report_.algorithm = session_->algorithm(options_).name();
   report_.vertices = plan.structure.blocks();
-  report_.scalars = plan.scalars();
-  scalars_ = plan.scalars();
+  report_.scalars = plan.free_scalars();
+  scalars_ = plan.free_scalars();
   report_.eliminated = plan.eliminated_blocks;
   report_.edges = plan.edge_count;
   report_.linear = system().linear_solver().statistics();

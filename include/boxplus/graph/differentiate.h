@@ -64,10 +64,10 @@ template <class V, class S>
 class LiftedArgument {
  public:
   /// `slot` says which vertex it is; it takes its columns from `column` on.
-  void lift(const V& x, std::span<const std::uint32_t> slot, int& column, int first) {
-    if (!value_ || slot_ != slot[0] || column_ != column || first_ != first) {
+  void lift(const V& x, std::uint32_t slot, int& column, int first) {
+    if (!value_ || slot_ != slot || column_ != column || first_ != first) {
       value_.emplace(edge::lift<S>(x, column, first));
-      slot_ = slot[0];
+      slot_ = slot;
       column_ = column;
       first_ = first;
     }
@@ -83,7 +83,7 @@ class LiftedArgument {
 template <class T, class S>
 class LiftedArgument<Tail<T>, S> {
  public:
-  void lift(std::span<const T> x, std::span<const std::uint32_t>, int& column, int first) {
+  void lift(std::span<const T> x, std::uint32_t, int& column, int first) {
     values_.clear();
     values_.reserve(x.size());
     for (const T& element : x) {
@@ -111,8 +111,9 @@ class AutomaticJacobian {
   void columns(const E& e, double* error, double* jacobian, int rows, int cols, int first,
                std::span<const std::uint32_t> slots, Argument<V>... x) {
     int column = 0;
-    std::size_t position = 0;
-    std::apply([&](auto&... a) { (a.lift(x, slots.subspan(position++), column, first), ...); }, lifted_);
+    std::size_t position = 0;  // a tail may be empty, and has no use for it
+    const auto next_slot = [&] { return position < slots.size() ? slots[position++] : 0; };
+    std::apply([&](auto&... a) { (a.lift(x, next_slot(), column, first), ...); }, lifted_);
     const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted_);
     check_row_count(result, rows);
     using R = std::remove_cvref_t<decltype(result)>;
@@ -141,6 +142,21 @@ void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, i
     differentiate.columns(e, error, jacobian, rows, cols, first, kAnySlots, x...);
     first += AutomaticJacobian<V...>::kWindow;
   } while (first < cols);
+}
+
+/// J ← what e.jacobians() says.
+template <class... V, class E>
+void own_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
+  constexpr int kRowsOfEdge = kRows<Result<E, V...>>;
+  const auto next = [&]<class A>(std::type_identity<A>, Argument<A> a) {
+    const int cols = argument_dim<A>(a);
+    JacobianBlock<A, kRowsOfEdge> block(jacobian, rows, cols);
+    jacobian += static_cast<std::ptrdiff_t>(rows) * cols;
+    return block;
+  };
+  // Braced initialisation evaluates from left to right.
+  std::tuple<JacobianBlock<V, kRowsOfEdge>...> blocks{next(std::type_identity<V>{}, x)...};
+  std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
 }
 
 /// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by adaptive central differences

@@ -93,8 +93,9 @@ class EdgePool {
   std::span<const std::uint32_t> vertex_slots(std::uint32_t edge) const {
     return {vertex_slots_.data() + vertex_start(edge), static_cast<std::size_t>(arity(edge))};
   }
-  /// Pool of the i-th vertex of every edge of this pool.
-  std::uint32_t vertex_pool(int i) const {
+  /// Pool of the i-th vertex of an edge.
+  std::uint32_t vertex_pool(std::uint32_t edge, int i) const {
+    if (tails_ > 1) return pool_in_tails(edge, i);
     return vertex_pools_[std::min(static_cast<std::size_t>(i), vertex_pools_.size() - 1)];
   }
   InformationView information(std::uint32_t edge) const { return information(edge, shape(edge).rows); }
@@ -107,14 +108,23 @@ class EdgePool {
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
 
  protected:
-  /// `vertex_pools`: the pool of each vertex; the last one is repeated where the arity is chosen at run time.
-  EdgePool(std::vector<std::uint32_t> vertex_pools, bool run_time_arity);
+  /// `vertex_pools`: the pool of each argument of the error function, of which the last `tails` stand for any
+  /// number of vertices.
+  EdgePool(std::vector<std::uint32_t> vertex_pools, int tails);
+  std::uint32_t argument_pool(int i) const { return vertex_pools_[static_cast<std::size_t>(i)]; }
+  /// How many vertices each tail of an edge has; empty where one tail, if any, has all that are left.
+  std::span<const std::uint32_t> tail_sizes(std::uint32_t edge) const {
+    if (tails_ <= 1) return {};
+    const auto tails = static_cast<std::size_t>(tails_);
+    return {tail_sizes_.data() + edge * tails, tails};
+  }
   void reserve_slots(std::size_t edges);
   /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
   std::uint32_t next_slot(std::size_t arity) const;
   /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it
   /// was, in which case the derived pool grows too. Where it throws, nothing has changed.
-  std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots, const Information& information,
+  std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots,
+                             std::span<const std::uint32_t> tail_sizes, const Information& information,
                              int rows);
 
  private:
@@ -129,14 +139,17 @@ class EdgePool {
   void chi2_of_tile(std::span<const std::uint32_t> edges, int rows, double* out) const;
   void chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const;
   std::size_t find_free(std::size_t arity) const;
-  void append_slot(std::span<const std::uint32_t> vertex_slots, const Information& information, int rows);
+  std::uint32_t pool_in_tails(std::uint32_t edge, int i) const;
+  void append_slot(std::span<const std::uint32_t> vertex_slots, std::span<const std::uint32_t> tail_sizes,
+                   const Information& information, int rows);
   void remove(std::uint32_t edge);
   void set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel> kernel);
 
   std::vector<std::uint32_t> vertex_pools_;
-  int uniform_arity_ = -1;
+  int uniform_arity_ = -1, tails_ = 0;
   std::vector<std::uint32_t> vertex_slots_;
   std::vector<std::uint32_t> vertex_start_;  // only where the arity is chosen at run time
+  std::vector<std::uint32_t> tail_sizes_;    // tails_ per edge, only where there are several
   InformationStore information_;
   std::vector<std::uint8_t> flags_;
   std::vector<int> levels_;  // empty while all are 0

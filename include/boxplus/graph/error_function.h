@@ -2,10 +2,10 @@
 // What makes a type an edge: an error function of the estimates of its vertices.
 //
 // Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
-// arrive by const reference; the last argument may be a std::span<const T>, for edges whose arity is chosen
-// at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes Eigen::Matrix<S, N, 1> is
-// given copies (of a tail in new memory). The result is a scalar, a std::array, or an Eigen vector, of fixed
-// or run-time size.
+// arrive by const reference; the last arguments may be std::span<const T>, each of a type of its own, for
+// edges whose arity is chosen at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes
+// Eigen::Matrix<S, N, 1> is given copies (of a tail in new memory). The result is a scalar, a std::array, or
+// an Eigen vector, of fixed or run-time size.
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
 // Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
@@ -14,11 +14,12 @@
 //   - A function that is generic in the scalar of its arguments is differentiated exactly, by dual numbers.
 //   - One that takes plain estimates only is differentiated numerically, and the Report says so.
 //   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows ×
-//   dim(x_i), brings
-//     its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0. Fixed sizes and arity only. A member function
-//     named `jacobians` or `jacobian` that cannot be called so does not compile (graph/check_types.h). An
-//     edge template that brings Jacobians for some of its types only says `static constexpr bool
-//     kJacobiansForSomeTypes = true`.
+//     dim(x_i), brings its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0; every entry must be set. That of
+//     a span has the columns of all its elements, side by side. What is known at compile time, rows or
+//     columns, is fixed in the type of J_i; the rest is Eigen::Dynamic.
+//     A member function named `jacobians` or `jacobian` that cannot be called so does not compile
+//     (graph/check_types.h). An edge template that brings Jacobians for some of its types only says `static
+//     constexpr bool kJacobiansForSomeTypes = true`.
 #pragma once
 
 #include <array>
@@ -45,11 +46,11 @@ template <class V>
 inline constexpr bool kIsTail = false;
 template <class T>
 inline constexpr bool kIsTail<Tail<T>> = true;
-/// No tail stands before another type.
+/// No tail stands before a type that is none.
 template <class... V>
 inline constexpr bool kTailsAreLast = true;
 template <class V, class W, class... Rest>
-inline constexpr bool kTailsAreLast<V, W, Rest...> = !kIsTail<V> && kTailsAreLast<W, Rest...>;
+inline constexpr bool kTailsAreLast<V, W, Rest...> = (!kIsTail<V> || kIsTail<W>)&&kTailsAreLast<W, Rest...>;
 
 namespace edge {
 
@@ -313,20 +314,15 @@ inline constexpr bool kDifferentiable = [] {
   }
 }();
 
+/// The columns of one argument.
 template <class V, int Rows>
-using JacobianBlock = Eigen::Map<Matrix<double, Rows, Manifold<ElementOf<V>>::kDim>>;
+using JacobianBlock = Eigen::Map<Matrix<double, Rows, kIsTail<V> ? kDynamic : Manifold<ElementOf<V>>::kDim>>;
 
 template <class E, class... V>
-inline constexpr bool kAnalytic = [] {
-  if constexpr (kCols<V...> == kDynamic || kRows<Result<E, V...>> == kDynamic) {
-    return false;
-  } else {
-    constexpr int rows = kRows<Result<E, V...>>;
-    return requires(const E& e, Argument<V>... x, JacobianBlock<V, rows>... J) {
-      e.jacobians(x..., J...);
-    };
-  }
-}();
+inline constexpr bool kAnalytic = requires(const E& e, Argument<V>... x,
+                                           JacobianBlock<V, kRows<Result<E, V...>>>... J) {
+  e.jacobians(x..., J...);
+};
 
 /// What optimize() takes unless it is told to differentiate numerically.
 template <class E, class... V>
@@ -336,7 +332,7 @@ inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? J
 
 }  // namespace edge
 
-/// E is an error function of the vertex types V... (T, or Tail<T> in the last place).
+/// E is an error function of the vertex types V... (T, or Tail<T> in the last places).
 template <class E, class... V>
 concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
 

@@ -2,7 +2,9 @@
 // The problem: vertices (estimates on manifolds) and edges (measurements), owned by value.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <ranges>
@@ -154,6 +156,21 @@ class Graph {
   void set_fixed(VertexRef vertex, bool fixed);
   bool is_fixed(VertexRef vertex) const;
 
+  /// The vertex stays in these directions of its tangent space, numbered from 0; in the others it moves. For
+  /// SE3, {2, 3, 4} keeps a vehicle in the plane: the tangent is (Δt, Δq) in the body frame. A second call
+  /// replaces the directions of the first; none lets the vertex go.
+  ///
+  /// The step of every optimization is exactly zero there, with any edges, kernels, solvers and elimination,
+  /// and so is the covariance. Which numbers of the estimate keep their bits is up to ⊞ of its type: all
+  /// entries of a vector or a Product do; z of an SE3 does while the body's z axis is that of the world.
+  /// Throws InvalidArgument if a direction is not in [0, tangent_dim).
+  void fix_directions(VertexRef vertex, std::span<const int> directions);
+  void fix_directions(VertexRef vertex, std::initializer_list<int> directions) {
+    fix_directions(vertex, std::span(directions.begin(), directions.size()));
+  }
+  /// Ascending; valid until the next call for any vertex.
+  std::span<const int> fixed_directions(VertexRef vertex) const;
+
   /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). No
   /// edge may join two eliminated vertices; optimize() throws InvalidArgument where one does.
   void set_eliminated(VertexRef vertex, bool eliminated);
@@ -166,8 +183,8 @@ class Graph {
   /// ── Edges
   /// ───────────────────────────────────────────────────────────────────────────────────────────────────
 
-  /// Adds an edge with the identity as information. The vertices are handles; the last may be a range of
-  /// handles. Throws InvalidArgument where a vertex appears twice or is stale.
+  /// Adds an edge with the identity as information. The vertices are handles; the last ones may be ranges of
+  /// handles, each of any type. Throws InvalidArgument where a vertex appears twice or is stale.
   template <class E, class... H>
   requires(edge::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
@@ -179,7 +196,7 @@ class Graph {
   requires(sizeof...(H) > 0 &&
            (edge::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
                                                                 const H&... vertices) {
-    static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last argument may be a range of handles");
+    static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last arguments may be ranges of handles");
     static_assert(check_edge_type<E, edge::VertexType<H>...>());
     edge::ListFor<VertexRef, edge::VertexType<H>...> refs;
     (gather(refs, vertices), ...);
@@ -188,7 +205,10 @@ class Graph {
     for (const VertexRef& ref : refs) slots.push_back(ref.slot);
     const std::uint32_t index = edge_pool_for<E, edge::VertexType<H>...>();
     auto& pool = static_cast<TypedEdgePool<E, edge::VertexType<H>...>&>(*edge_pools_[index]);
-    const std::uint32_t slot = pool.add(std::move(error), information, slots);
+    constexpr std::size_t kTails = (0 + ... + std::size_t{kIsTail<edge::VertexType<H>>});
+    edge::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
+    (append_tail_size(tail_sizes, vertices), ...);
+    const std::uint32_t slot = pool.add(std::move(error), information, slots, tail_sizes);
     ++revision_;
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
     if (incidence_) index_edge(handle, refs);
@@ -272,7 +292,8 @@ class Graph {
 
   std::span<const std::unique_ptr<VertexPool>> vertex_pools() const { return vertex_pools_; }
   std::span<const std::unique_ptr<EdgePool>> edge_pools() const { return edge_pools_; }
-  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, levels, sizes.
+  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, fixed
+  /// directions, levels, sizes.
   /// Values, weights, kernels and enabled flags do not count.
   std::uint64_t revision() const { return revision_; }
 
@@ -317,6 +338,12 @@ class Graph {
   template <class List, std::ranges::range R>
   void gather(List& out, const R& vertices) const {
     for (const auto& vertex : vertices) gather(out, vertex);
+  }
+
+  template <class List, class H>
+  static void append_tail_size(List& out, const H& vertices) {
+    if constexpr (std::ranges::range<H>)
+      out.push_back(static_cast<std::uint32_t>(std::ranges::distance(vertices)));
   }
 
   template <class T>

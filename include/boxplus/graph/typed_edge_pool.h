@@ -32,29 +32,30 @@ class TypedEdgePool final : public EdgePool {
   static constexpr int kArguments = sizeof...(V);
   static constexpr int kRows = edge::kRows<Result>;
   static constexpr int kCols = edge::kCols<V...>;
-  static constexpr bool kHasTail = (kIsTail<V> || ...);
+  static constexpr int kTails = (0 + ... + static_cast<int>(kIsTail<V>));
   using Indices = std::make_index_sequence<sizeof...(V)>;
 
  public:
   using VertexPools = std::tuple<const TypedVertexPool<edge::ElementOf<V>>*...>;
 
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
-      : EdgePool(std::move(vertex_pools), kHasTail), pools_(pools) {}
+      : EdgePool(std::move(vertex_pools), kTails), pools_(pools) {}
 
-  /// Where it throws, nothing has changed.
-  std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots) {
-    const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots);
+  /// `tail_sizes`: how many vertices each tail has. Where it throws, nothing has changed.
+  std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots,
+                    std::span<const std::uint32_t> tail_sizes = {}) {
+    const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots, tail_sizes);
     std::uint32_t slot = next_slot(vertex_slots.size());
     if (slot < edges_.size()) {
       replace(slot, std::move(edge));
-      slot = acquire_slot(vertex_slots, information, rows);
+      slot = acquire_slot(vertex_slots, tail_sizes, information, rows);
       if constexpr (kRows == kDynamic) rows_[slot] = rows;
       return slot;
     }
     if constexpr (kRows == kDynamic) make_room(rows_);
     edges_.push_back(std::move(edge));
     try {
-      slot = acquire_slot(vertex_slots, information, rows);
+      slot = acquire_slot(vertex_slots, tail_sizes, information, rows);
     } catch (...) {
       edges_.pop_back();
       throw;
@@ -89,7 +90,7 @@ class TypedEdgePool final : public EdgePool {
     auto copy = std::make_unique<TypedEdgePool>(*this);
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       copy->pools_ = {static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
-          vertex_pools[vertex_pool(static_cast<int>(I))].get())...};
+          vertex_pools[argument_pool(static_cast<int>(I))].get())...};
     }
     (Indices{});
     return copy;
@@ -181,13 +182,26 @@ class TypedEdgePool final : public EdgePool {
     }
   };
 
+  template <std::size_t I>
+  struct GatheredTail;
+
+  /// The slots of the I-th argument, which is a tail.
+  template <std::size_t I>
+  static std::span<const std::uint32_t> slots_of_tail(std::span<const std::uint32_t> slots,
+                                                      std::span<const std::uint32_t> tail_sizes) {
+    std::size_t first = kArguments - kTails;
+    if constexpr (kTails == 1) return slots.subspan(first);
+    for (std::size_t t = 0; t < I - (kArguments - kTails); ++t) first += tail_sizes[t];
+    return slots.subspan(first, tail_sizes[I - (kArguments - kTails)]);
+  }
+
   template <class A, std::size_t I>
-  Loaded<A> load(std::span<const std::uint32_t> slots) const {
+  Loaded<A> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
     const auto& pool = *std::get<I>(pools_);
     if constexpr (kIsTail<A>) {
-      auto& gathered = thread_scratch<std::vector<edge::ElementOf<A>>, struct GatheredTail>();
+      auto& gathered = thread_scratch<std::vector<edge::ElementOf<A>>, GatheredTail<I>>();
       gathered.clear();
-      for (std::uint32_t slot : slots.subspan(I)) gathered.push_back(pool.value(slot));
+      for (std::uint32_t slot : slots_of_tail<I>(slots, tail_sizes)) gathered.push_back(pool.value(slot));
       return {gathered.data(), gathered.size()};
     } else {
       return {&pool.value(slots[I]), 1};
@@ -195,16 +209,17 @@ class TypedEdgePool final : public EdgePool {
   }
 
   template <class F>
-  decltype(auto) with_slots(std::span<const std::uint32_t> slots, F&& f) const {
+  decltype(auto) with_slots(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes,
+                            F&& f) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>)->decltype(auto) {
-      return f(load<V, I>(slots)...);
+      return f(load<V, I>(slots, tail_sizes)...);
     }
     (Indices{});
   }
 
   template <class F>
   decltype(auto) with_arguments(std::uint32_t edge, F&& f) const {
-    return with_slots(vertex_slots(edge), std::forward<F>(f));
+    return with_slots(vertex_slots(edge), tail_sizes(edge), std::forward<F>(f));
   }
 
   /// f of where the numbers of each edge lie, and those of its vertices: an array per position.
@@ -233,8 +248,10 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  int count_rows(const E& edge, std::span<const std::uint32_t> slots) const {
-    return with_slots(slots, [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
+  int count_rows(const E& edge, std::span<const std::uint32_t> slots,
+                 std::span<const std::uint32_t> tail_sizes) const {
+    return with_slots(slots, tail_sizes,
+                      [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
   }
 
   /// f(edge, its error, its Jacobian) for each edge of a tile.
@@ -254,14 +271,9 @@ class TypedEdgePool final : public EdgePool {
     for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
       const E& e = edges_[edge];
       with_arguments(edge, [&](auto... x) {
-        edge::copy_rows(edge::evaluate(e, x.get()...), kRows, error);
-        const auto next = [&]<class A>(std::type_identity<A>) {
-          edge::JacobianBlock<A, kRows> map(jacobian);
-          jacobian += kRows * Manifold<A>::kDim;
-          return map;
-        };
-        std::tuple<edge::JacobianBlock<V, kRows>...> blocks{next(std::type_identity<V>{})...};
-        std::apply([&](auto&... J) { e.jacobians(x.get()..., J...); }, blocks);
+        const int n = kRows != kDynamic ? kRows : tile.rows;
+        edge::copy_rows(edge::evaluate(e, x.get()...), n, error);
+        edge::own_jacobian<V...>(e, jacobian, n, x.get()...);
       });
     });
   }
@@ -275,7 +287,7 @@ class TypedEdgePool final : public EdgePool {
     do {
       for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
         const auto slots = vertex_slots(edge);
-        with_slots(slots, [&](auto... x) {
+        with_arguments(edge, [&](auto... x) {
           differentiate.columns(edges_[edge], error, jacobian, tile.rows, tile.cols, first, slots,
                                 x.get()...);
         });

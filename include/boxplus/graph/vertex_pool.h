@@ -54,6 +54,12 @@ class VertexPool {
   bool fixed(std::uint32_t slot) const { return (flags_[slot] & kFixed) != 0; }
   bool eliminated(std::uint32_t slot) const { return (flags_[slot] & kEliminated) != 0; }
   bool parameter(std::uint32_t slot) const { return (flags_[slot] & kParameter) != 0; }
+  /// The directions of its tangent in which the vertex stays (Graph::fix_directions()), ascending.
+  std::span<const int> fixed_directions(std::uint32_t slot) const {
+    if (slot >= fixed_directions_.size()) return {};
+    return fixed_directions_[slot];
+  }
+  bool has_fixed_directions() const { return !fixed_directions_.empty(); }
   Id id(std::uint32_t slot) const { return ids_[slot]; }
   std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
 
@@ -70,10 +76,12 @@ class VertexPool {
 
   void release_slot(std::uint32_t slot);
   void set_flag(std::uint32_t slot, Flag flag, bool on);
+  void set_fixed_directions(std::uint32_t slot, std::vector<int> directions);
 
   std::vector<Id> ids_;
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> flags_;
+  std::vector<std::vector<int>> fixed_directions_;  // empty while no vertex has any; may be shorter than ids_
   std::vector<std::uint32_t> free_;
   std::uint32_t next_generation_ = 0;  // of the next vertex, whichever slot it takes
 };

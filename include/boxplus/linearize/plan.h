@@ -3,6 +3,7 @@
 // the gradient, and who does it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -72,7 +73,14 @@ struct Chunk {
   struct Run {
     std::uint32_t scatter, begin, end;  ///< edges [begin, end) of scatters[scatter]
   };
+  /// The rows and columns of H of scalars that stay (Graph::fix_directions()), as far as the chunk owns them.
+  struct FixedScalars {
+    std::vector<std::uint32_t> scalars;    ///< of the gradient
+    std::vector<std::uint32_t> values;     ///< of H, without the diagonal
+    std::vector<std::uint32_t> diagonals;  ///< of H
+  };
   std::uint32_t first_column = 0, last_column = 0;
+  FixedScalars fixed;
   std::vector<Scatter> scatters;
   /// In this order: for each eliminated vertex its edges of every pool, then the other edges pool by pool.
   std::vector<Run> runs;
@@ -111,10 +119,14 @@ struct Plan {
   /// One block of each component that nothing anchors, and whose freedom is not known: should its pivots be
   /// lost when it is eliminated last, they are gauge.
   std::vector<std::uint32_t> loose_blocks;
+  std::vector<std::uint32_t> fixed_scalars;  ///< in which every step is zero (Graph::fix_directions())
   int max_tile_values = 0;  ///< doubles of the largest tile
   int max_tile_rows = 0;
+  std::size_t max_dense_values = 0;  ///< scratch for the largest edge that dense kernels multiply
 
   std::uint32_t scalars() const { return structure.scalars(); }
+  /// Those that may change.
+  std::uint32_t free_scalars() const { return scalars() - static_cast<std::uint32_t>(fixed_scalars.size()); }
 };
 
 /// Builds the plan of `graph`. O(edges log edges). Throws InvalidArgument for stale handles in the request

@@ -72,8 +72,8 @@ class Covariance {
 /// The covariances of `vertices` at the current estimates, each with each. Nothing is damped, and no estimate
 /// changes.
 ///
-/// Fixed vertices, parameters that are not unfixed and vertices outside of Options::vertices have zero
-/// covariance, and so have those that are held for the gauge: fix a vertex, or add a prior, to choose what
+/// Fixed vertices, fixed directions (Graph::fix_directions()), parameters that are not unfixed and vertices
+/// outside of Options::vertices have zero covariance, and so have those that are held for the gauge: fix a vertex, or add a prior, to choose what
 /// the others are relative to. Whether a vertex is eliminated changes nothing. A robust edge counts with its
 /// weight at the estimates. Of the options, `level`, `vertices`, `edges`, `gauge`, `threads`,
 /// `numeric_jacobians` and `triggs_correction` are used, as optimize() does.

@@ -67,19 +67,6 @@ struct CheckedType<std::vector<T>> {
 };
 
 template <class... V, class E>
-void analytic_jacobian(const E& e, std::vector<double>& jacobian, int rows, Argument<V>... x) {
-  constexpr int kRowsOfEdge = kRows<Result<E, V...>>;
-  double* block = jacobian.data();
-  const auto next = [&]<class A>(std::type_identity<A>) {
-    JacobianBlock<A, kRowsOfEdge> map(block);
-    block += rows * Manifold<A>::kDim;
-    return map;
-  };
-  std::tuple<JacobianBlock<V, kRowsOfEdge>...> blocks{next(std::type_identity<V>{})...};
-  std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
-}
-
-template <class... V, class E>
 JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerances, Argument<V>... x) {
   static_assert(check_edge_type<E, V...>());
   const int rows = row_count(evaluate(e, x...));
@@ -102,7 +89,7 @@ JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerance
                       check);
   }
   if constexpr (kAnalytic<E, V...>) {
-    analytic_jacobian<V...>(e, analytic, rows, x...);
+    own_jacobian<V...>(e, analytic.data(), rows, x...);
     if constexpr (kDifferentiable<E, V...>) {
       compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments, "own against exact",
                         check);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vertices that move in some directions only: a vehicle with poses of space that stays on its plane, and a
+// camera whose focal length is known while its distortion is not.
+#include <boxplus/boxplus.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+/// How far from the middle of the image a ray appears that has the slope `ray`: f (1 + k ray²) ray.
+struct Ray {
+  double ray, pixels;
+
+  template <class S>
+  S error(const Vector<S, 2>& focal_length_and_distortion) const {
+    const auto& [f, k] = std::pair(focal_length_and_distortion[0], focal_length_and_distortion[1]);
+    return f * (1.0 + k * ray * ray) * ray - pixels;
+  }
+};
+
+SE3 on_the_plane(double x, double y, double heading) {
+  return SE3(Vector3(x, y, 0.7), Quaternion<double>{0, 0, std::sin(heading / 2), std::cos(heading / 2)});
+}
+
+int main() {
+  // [plane]
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  for (int k = 0; k < 8; ++k) {
+    poses.push_back(graph.add_vertex(on_the_plane(k, 0.1 * k, 0.05 * k)));
+    graph.fix_directions(poses.back(), {2, 3, 4});  // z, roll and pitch of (Δt, Δq)
+  }
+  // [/plane]
+  graph.fix(poses[0]);
+  // A sensor that says the vehicle climbs and tilts a little.
+  const SE3 tilted(Vector3(1, 0, 0.05), Quaternion<double>{0.01, -0.02, 0.03, 1});
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k) graph.add_edge(Between(tilted), poses[k], poses[k + 1]);
+  const Report report = optimize(graph);
+  const auto last = graph.estimate(poses.back()).vector();
+  std::printf("%u unknowns; the last pose is at %.3f, %.3f, %.3f, with roll and pitch %g, %g\n",
+              report.scalars, last[0], last[1], last[2], last[3], last[4]);
+
+  // [focal_length]
+  const auto intrinsics = graph.add_vertex(Vector2(500, 0));  // focal length, distortion
+  graph.fix_directions(intrinsics, {0});
+  // [/focal_length]
+  for (const double ray : {-0.8, -0.4, 0.2, 0.7})
+    graph.add_edge(Ray{ray, 500 * (1 - 0.1 * ray * ray) * ray}, intrinsics);
+  optimize(graph);
+  std::printf("focal length %g, distortion %.3f\n", graph.estimate(intrinsics)[0],
+              graph.estimate(intrinsics)[1]);
+  const bool is_right = last[2] == 0.7 && last[3] == 0 && last[4] == 0 &&
+                        graph.estimate(intrinsics)[0] == 500 &&
+                        std::abs(graph.estimate(intrinsics)[1] + 0.1) < 1e-9;
+  return report.status == Status::kConverged && is_right ? 0 : 1;
+}
