@@ -33,6 +33,7 @@ bench: setup ## measures us beside CHOLMOD and Ceres, and writes bench/RESULTS.m
 	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks
 	@build/bench/bin/graph_file_bench
 	@build/bench/bin/dense_kernels_bench
+	@build/bench/bin/live_step_bench
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md

@@ -112,7 +112,7 @@ void Graph::change_id(VertexRef vertex, Id new_id) {
   ids.erase(pool.id(vertex.slot));
   ids.insert(new_id, vertex);
   pool.ids_[vertex.slot] = new_id;
-  ++revision_;
+  note_rewrite();
 }
 
 int Graph::tangent_dim(VertexRef vertex) const {
@@ -123,7 +123,7 @@ int Graph::tangent_dim(VertexRef vertex) const {
 void Graph::set_fixed(VertexRef vertex, bool fixed) {
   if (is_fixed(vertex) == fixed) return;
   vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kFixed, fixed);
-  ++revision_;
+  note_rewrite();
 }
 
 bool Graph::is_fixed(VertexRef vertex) const {
@@ -155,7 +155,7 @@ std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
   if (is_eliminated(vertex) == eliminated) return;
   vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kEliminated, eliminated);
-  ++revision_;
+  note_rewrite();
 }
 
 bool Graph::is_eliminated(VertexRef vertex) const {
@@ -212,7 +212,7 @@ void Graph::set_level(EdgeRef edge, int level) {
   if (pool.level(edge.slot) == level) return;
   if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
   pool.levels_[edge.slot] = level;
-  ++revision_;
+  note_rewrite();
 }
 
 int Graph::level(EdgeRef edge) const {
@@ -223,7 +223,7 @@ int Graph::level(EdgeRef edge) const {
 void Graph::remove(EdgeRef edge) {
   check(edge);
   edge_pools_[edge.pool]->remove(edge.slot);
-  ++revision_;
+  note_rewrite();
 }
 
 double Graph::chi2() const {
@@ -298,7 +298,7 @@ void Graph::pop() {
     for (std::size_t k = 0; k < dims.size(); ++k) resized |= pool.tangent_dim(saved.slots[p][k]) != dims[k];
   }
   stack_.pop_back();
-  if (resized) ++revision_;
+  if (resized) note_rewrite();
 }
 
 void Graph::discard_top() {
@@ -337,7 +337,7 @@ std::vector<EdgeRef> Graph::all_edges() const {
 void Graph::clear() {
   const std::uint64_t revision = revision_ + 1;
   *this = Graph();
-  revision_ = revision;
+  revision_ = last_rewrite_ = revision;
 }
 
 }  // namespace boxplus

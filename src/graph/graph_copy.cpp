@@ -30,6 +30,7 @@ Graph::Graph(const Graph& other)
       next_id_(other.next_id_),
       next_parameter_id_(other.next_parameter_id_),
       revision_(other.revision_),
+      last_rewrite_(other.last_rewrite_),
       stack_(other.stack_) {
   for (const auto& pool : other.vertex_pools_) {
     vertex_pools_.push_back(pool->clone());
@@ -66,6 +67,7 @@ Graph& Graph::operator=(Graph&& other) noexcept {
   next_id_ = other.next_id_;
   next_parameter_id_ = other.next_parameter_id_;
   revision_ = other.revision_;
+  last_rewrite_ = other.last_rewrite_;
   epoch_ = std::exchange(other.epoch_, new_epoch());
   stack_ = std::move(other.stack_);
   incidence_ = std::move(other.incidence_);

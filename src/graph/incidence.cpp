@@ -85,7 +85,7 @@ void Graph::remove(VertexRef vertex) {
   VertexPool& pool = *vertex_pools_[vertex.pool];
   (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
   pool.release_slot(vertex.slot);
-  ++revision_;
+  note_rewrite();
 }
 
 }  // namespace boxplus

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/paced_stop.h"
 #include "boxplus/base/error.h"
 
 namespace boxplus {
@@ -26,20 +27,27 @@ std::uint32_t checked_size(std::uint64_t size) {
 }
 
 /// Lists the rows of each column (counting sort by column), sorts them and drops duplicates.
-void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>& lower) {
+void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>& lower, PacedStop& pace) {
   const std::uint32_t blocks = structure.blocks();
   std::vector<std::uint32_t> next(blocks + 1, 0);
   for (std::uint32_t j = 0; j < blocks; ++j) next[j + 1] = 1;
-  for (const auto& entry : lower) ++next[entry.column + 1];
+  for (const auto& entry : lower) {
+    pace.step();
+    ++next[entry.column + 1];
+  }
   for (std::uint32_t j = 0; j < blocks; ++j) next[j + 1] += next[j];
   std::vector<std::uint32_t> row(next.back());
   const std::vector<std::uint32_t> start = next;
   for (std::uint32_t j = 0; j < blocks; ++j) row[next[j]++] = j;
-  for (const auto& entry : lower) row[next[entry.column]++] = entry.row;
+  for (const auto& entry : lower) {
+    pace.step();
+    row[next[entry.column]++] = entry.row;
+  }
   structure.row.reserve(row.size());
   for (std::uint32_t j = 0; j < blocks; ++j) {
     const auto begin = row.begin() + start[j];
     auto end = row.begin() + start[j + 1];
+    pace.step(end - begin);
     std::sort(begin, end);
     end = std::unique(begin, end);
     structure.row.insert(structure.row.end(), begin, end);
@@ -58,19 +66,24 @@ std::uint32_t BlockStructure::find(std::uint32_t row_block, std::uint32_t column
 }
 
 BlockStructure make_block_structure(const std::vector<std::uint32_t>& dims,
-                                    const std::vector<BlockCoordinate>& lower) {
+                                    const std::vector<BlockCoordinate>& lower, const StopToken& stop) {
   BlockStructure structure;
+  PacedStop pace(stop);
   structure.offset.reserve(dims.size() + 1);
   std::uint64_t scalars = 0;
   for (const std::uint32_t dim : dims) structure.offset.push_back(checked_size(scalars += dim));
-  for (const auto& entry : lower) check_coordinate(entry, dims.size());
+  for (const auto& entry : lower) {
+    pace.step();
+    check_coordinate(entry, dims.size());
+  }
   structure.column_start.reserve(dims.size() + 1);
   checked_size(lower.size() + dims.size());
-  fill_columns(structure, lower);
+  fill_columns(structure, lower, pace);
   structure.value_start.reserve(structure.row.size() + 1);
   std::uint64_t values = 0;
   for (std::uint32_t j = 0; j < structure.blocks(); ++j) {
     for (std::uint32_t k = structure.column_start[j]; k < structure.column_start[j + 1]; ++k) {
+      pace.step();
       values += std::uint64_t{structure.dim(structure.row[k])} * structure.dim(j);
       structure.value_start.push_back(checked_size(values));
     }

@@ -42,6 +42,7 @@ SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition
     if (stop.raised()) return {LinearStatus::kStopped, iteration};
     if (iterations_left-- <= 0) return {LinearStatus::kNotConverged, iteration};
     precondition(r_.data(), z_.data());
+    if (stop.raised()) return {LinearStatus::kStopped, iteration};
     const double previous = std::exchange(rz, dot(r_, z_));
     const double beta = iteration == 0 ? 0 : rz / previous;
     for (std::size_t i = 0; i < p_.size(); ++i) p_[i] = z_[i] + beta * p_[i];

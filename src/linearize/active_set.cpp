@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/paced_stop.h"
 #include "linearize/fixed_directions.h"
 
 namespace boxplus {
@@ -26,9 +27,11 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
     if (!graph.contains(vertex)) throw InvalidArgument("Options::vertices holds a stale vertex handle");
     movable[vertex.pool][vertex.slot] = 1;
   }
+  PacedStop pace(request.stop);
   for (std::size_t p = 0; p < movable.size(); ++p) {
     const VertexPool& pool = *graph.vertex_pools()[p];
     for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
+      pace.step();
       if (!pool.alive(slot) || pool.fixed(slot) || all_directions_fixed(pool, slot)) movable[p][slot] = 0;
     }
   }
@@ -50,10 +53,12 @@ std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const P
     if (!graph.contains(edge)) throw InvalidArgument("Options::edges holds a stale edge handle");
     wanted[edge.pool][edge.slot] = 1;
   }
+  PacedStop pace(request.stop);
   std::vector<std::vector<std::uint32_t>> result(graph.edge_pools().size());
   for (std::size_t p = 0; p < result.size(); ++p) {
     const EdgePool& pool = *graph.edge_pools()[p];
     for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
+      pace.step();
       if (!pool.alive(edge) || !wanted[p][edge]) continue;
       if (request.level >= 0 && pool.level(edge) != request.level) continue;
       bool touches = request.vertices.empty();
@@ -65,10 +70,13 @@ std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const P
   return result;
 }
 
-std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& active, const Flags& movable) {
+std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& active, const Flags& movable,
+                                        const StopToken& stop) {
+  PacedStop pace(stop);
   Flags seen = make_flags(graph, 0);
   for (std::size_t p = 0; p < active.edges.size(); ++p) {
     for (std::uint32_t edge : active.edges[p]) {
+      pace.step();
       for_each_vertex(*graph.edge_pools()[p], edge,
                       [&](std::uint32_t v, std::uint32_t slot) { seen[v][slot] = 1; });
     }
@@ -76,6 +84,7 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
   std::vector<VertexRef> result;
   for (std::uint32_t p = 0; p < seen.size(); ++p) {
     for (std::uint32_t slot = 0; slot < seen[p].size(); ++slot) {
+      pace.step();
       if (seen[p][slot] && movable[p][slot])
         result.push_back({p, slot, graph.vertex_pools()[p]->generation(slot)});
     }
@@ -85,16 +94,23 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
 
 /// Blocks: eliminated vertices first, then the others, each group by id (parameters after vertices of the
 /// same id).
-void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active) {
+void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active,
+                   const StopToken& stop) {
+  PacedStop pace(stop);
   const auto rank = [&](const VertexRef& v) {
     const VertexPool& pool = *graph.vertex_pools()[v.pool];
     return std::tuple(!pool.eliminated(v.slot), pool.id(v.slot), pool.parameter(v.slot));
   };
-  std::sort(vertices.begin(), vertices.end(),
-            [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  const auto comes_before = [&](const VertexRef& a, const VertexRef& b) {
+    pace.step();
+    return rank(a) < rank(b);
+  };
+  if (!std::is_sorted(vertices.begin(), vertices.end(), comes_before))
+    std::sort(vertices.begin(), vertices.end(), comes_before);
   for (const auto& pool : graph.vertex_pools())
     active.block.emplace_back(pool->slots(), ActiveSet::kInactive);
   for (const VertexRef& vertex : vertices) {
+    pace.step();
     active.block[vertex.pool][vertex.slot] = static_cast<std::uint32_t>(active.block_vertex.size());
     active.block_vertex.push_back(vertex);
     active.eliminated_blocks += graph.vertex_pools()[vertex.pool]->eliminated(vertex.slot);
@@ -107,10 +123,10 @@ ActiveSet find_active_set(const Graph& graph, const PlanRequest& request) {
   ActiveSet active;
   Flags movable = movable_vertices(graph, request);
   active.edges = active_edges(graph, request, movable);
-  std::vector<VertexRef> vertices = touched_vertices(graph, active, movable);
-  active.gauge = find_gauge(graph, active.edges, movable, request.gauge);
+  std::vector<VertexRef> vertices = touched_vertices(graph, active, movable, request.stop);
+  active.gauge = find_gauge(graph, active.edges, movable, request.gauge, request.stop);
   for (const GaugeVertex& held : active.gauge.held) std::erase(vertices, held.vertex);
-  number_blocks(graph, std::move(vertices), active);
+  number_blocks(graph, std::move(vertices), active, request.stop);
   return active;
 }
 

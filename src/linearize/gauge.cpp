@@ -6,6 +6,7 @@
 #include <memory>
 #include <tuple>
 
+#include "base/paced_stop.h"
 #include "linearize/disjoint_sets.h"
 #include "linearize/similarity_freedom.h"
 #include "linearize/subspace.h"
@@ -20,7 +21,7 @@ struct Component {
   std::vector<VertexSlot> vertices;
   std::vector<EdgeSlot> edges;
   int most_anchor_rows = 0;  // of one edge with exactly one moving vertex
-  bool anchored = false;     // an edge reaches a fixed vertex, or has only one moving vertex
+  bool anchored = false;     // an edge, or a direction that stays, ties a vertex to the world
   bool only_rigid = true;    // all edges are of types that measure poses relative to each other
 };
 
@@ -48,7 +49,7 @@ class EdgeEnds {
     const EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (!graph_.vertex_pools()[p]->parameter(slots[i]))
         f(VertexSlot{p, slots[i]}, movable_[p][slots[i]] != 0);
     }
@@ -60,8 +61,9 @@ class EdgeEnds {
 
 class GaugeFinder {
  public:
-  GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy)
-      : graph_(graph), movable_(movable), ends_(graph, movable), policy_(policy) {}
+  GaugeFinder(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
+              const StopToken& stop)
+      : graph_(graph), movable_(movable), ends_(graph, movable), policy_(policy), stop_(stop) {}
 
   Gauge find(const std::vector<std::vector<std::uint32_t>>& active_edges) {
     for (const Component& component : components(active_edges)) decide(component);
@@ -77,9 +79,13 @@ class GaugeFinder {
       count += pool->slots();
     }
     const auto index = [&](VertexSlot v) { return static_cast<std::uint32_t>(first[v.pool] + v.slot); };
+    PacedStop pace(stop_);
     const auto for_each_edge = [&](auto&& f) {
       for (std::uint32_t p = 0; p < active_edges.size(); ++p) {
-        for (const std::uint32_t slot : active_edges[p]) f(EdgeSlot{p, slot});
+        for (const std::uint32_t slot : active_edges[p]) {
+          pace.step();
+          f(EdgeSlot{p, slot});
+        }
       }
     };
     constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -104,12 +110,19 @@ class GaugeFinder {
           component_of[root] = static_cast<std::uint32_t>(result.size());
           result.emplace_back();
         }
-        if (!seen[index(v)]) result[component_of[root]].vertices.push_back(v);
+        if (!seen[index(v)]) add_vertex(v, result[component_of[root]]);
         seen[index(v)] = 1;
       });
       if (moving > 0) add_edge(edge, moving, result[component_of[root]]);
     });
     return result;
+  }
+
+  void add_vertex(VertexSlot v, Component& component) const {
+    component.vertices.push_back(v);
+    if (graph_.vertex_pools()[v.pool]->fixed_directions(v.slot).empty()) return;
+    component.anchored = true;
+    component.only_rigid = false;
   }
 
   void add_edge(EdgeSlot edge, int moving, Component& component) const {
@@ -150,7 +163,7 @@ class GaugeFinder {
     bool is_known = false;
     for (const int dimension : {2, 3}) {
       if (!has_frames(component, dimension)) continue;
-      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_);
+      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, stop_);
       const SimilarityFreedom freedom = test_->find(component.vertices, component.edges, dimension);
       is_known = is_known || freedom.directions() > 0;
       if (freedom.directions() > 0) hold_similarity(component, freedom);
@@ -267,6 +280,7 @@ class GaugeFinder {
   const std::vector<std::vector<std::uint8_t>>& movable_;
   EdgeEnds ends_;
   GaugePolicy policy_;
+  const StopToken& stop_;
   std::unique_ptr<SimilarityTest> test_;
   Gauge gauge_;
 };
@@ -282,8 +296,9 @@ std::string_view to_string(const GaugeFreedom& freedom) {
 }
 
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
-                 const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy) {
-  return GaugeFinder(graph, movable, policy).find(active_edges);
+                 const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
+                 const StopToken& stop) {
+  return GaugeFinder(graph, movable, policy, stop).find(active_edges);
 }
 
 }  // namespace boxplus

@@ -25,8 +25,10 @@ struct Gauge {
 
 /// Finds the gauge freedom of every component of the active edges (slots per edge pool). `movable`: per
 /// vertex pool and slot. Components of ready-made relative poses and priors are decided by counting; all
-/// others by whether a similarity of the world changes an error (similarity_freedom.h).
+/// others by whether a similarity of the world changes an error (similarity_freedom.h). Throws Stopped once
+/// `stop` is raised.
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
-                 const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy);
+                 const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
+                 const StopToken& stop);
 
 }  // namespace boxplus

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/all_finite.h"
+#include "base/paced_stop.h"
+#include "boxplus/base/large_pages.h"
 #include "boxplus/base/parallel.h"
 #include "linearize/accumulate.h"
 #include "linearize/fixed_directions.h"
@@ -23,14 +26,29 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   }
 }
 
+/// Edges between two questions to the token, so that edges of 1 µs and of 100 µs are both asked often; and
+/// the entries of H that are cleared in about that time.
+constexpr std::uint32_t kEdgesBetweenStops = EdgeTile::kCapacity;
+constexpr std::uint32_t kValuesBetweenStops = 1u << 15;
+
+/// ρ(eᵀΩe) of the listed edges.
+void evaluate(const EdgePool& pool, std::span<const std::uint32_t> edges, double* out) {
+  pool.chi2(edges, out);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!pool.enabled(edges[k])) out[k] = 0;
+  }
+  if (!pool.has_kernels()) return;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const RobustKernel* kernel = pool.enabled(edges[k]) ? pool.kernel(edges[k]) : nullptr;
+    if (kernel && std::isfinite(out[k])) out[k] = (*kernel)(out[k]).value;
+  }
+}
+
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
-    : graph_(&graph),
-      plan_(&plan),
-      values_(plan.structure.nonzero_values()),
-      gradient_(plan.scalars()),
-      edge_chi2_(plan.edge_count) {
+    : graph_(&graph), plan_(&plan), gradient_(plan.scalars()), edge_chi2_(plan.edge_count) {
+  allocate_values(plan.structure.nonzero_values());
   for (std::size_t k = 0; k < std::max<std::size_t>(plan.chunks.size(), 1); ++k) {
     memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
                          static_cast<std::size_t>(plan.max_tile_rows), plan.max_dense_values);
@@ -39,7 +57,22 @@ Linearizer::Linearizer(const Graph& graph, const Plan& plan)
 
 Linearizer::~Linearizer() = default;
 
+void Linearizer::allocate_values(std::size_t room) {
+  values_.reset();
+  values_ = std::make_unique_for_overwrite<double[]>(room);
+  values_room_ = room;
+  prefer_large_pages(values_.get(), room * sizeof(double));
+}
+
+void Linearizer::extend() {
+  const std::size_t values = plan_->structure.nonzero_values();
+  if (values > values_room_) allocate_values(values + values / 4);
+  gradient_.resize(plan_->scalars());
+  edge_chi2_.resize(plan_->edge_count);
+}
+
 void Linearizer::linearize(const LinearizeOptions& options) {
+  stopped_ = false;
   parallel_tasks(workers(), [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
     linearize_chunk(plan_->chunks[w], memory_[w], options);
@@ -50,15 +83,23 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
   const BlockStructure& structure = plan_->structure;
   const auto first_value = structure.value_start[structure.column_start[chunk.first_column]];
   const auto last_value = structure.value_start[structure.column_start[chunk.last_column]];
-  std::fill(values_.begin() + first_value, values_.begin() + last_value, 0.0);
+  PacedStop pace(stop_, kEdgesBetweenStops);
+  for (auto begin = first_value; begin < last_value;
+       begin += std::min(kValuesBetweenStops, last_value - begin)) {
+    std::fill_n(values_.get() + begin, std::min(kValuesBetweenStops, last_value - begin), 0.0);
+    if (pace.is_raised_after(kEdgesBetweenStops)) return void(stopped_ = true);
+  }
   std::fill(gradient_.begin() + structure.offset[chunk.first_column],
             gradient_.begin() + structure.offset[chunk.last_column], 0.0);
-  for (const Chunk::Run& run : chunk.runs) linearize_run(chunk.scatters[run.scatter], run, memory, options);
-  leave_out_fixed(chunk.fixed, values_, gradient_);
+  for (const Chunk::Run& run : chunk.runs) {
+    if (!linearize_run(chunk.scatters[run.scatter], run, memory, options, pace)) return void(stopped_ = true);
+  }
+  leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
 }
 
-void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                               const LinearizeOptions& options) {
+/// False if the token was raised meanwhile.
+bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                               const LinearizeOptions& options, PacedStop& pace) {
   const EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
   const bool uniform = pool.uniform_shape();
@@ -72,15 +113,17 @@ void Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
   for (std::uint32_t next = run.begin; next < run.end;) {
     const auto edges = memory.gather(pool, scatter, next, run.end, capacity);
     if (edges.empty()) continue;
+    if (pace.is_raised_after(static_cast<std::int64_t>(edges.size()))) return false;
     tile.in_lanes = by_tiles && memory.adder.takes_lanes();
     pool.linearize(edges, tile, options.numeric_jacobians);
     if (by_tiles) {
-      memory.adder.add(pool, edges, tile, memory.targets, values_.data(), gradient_.data());
+      memory.adder.add(pool, edges, tile, memory.targets, values_.get(), gradient_.data());
     } else {
       if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
       add_one_by_one(pool, edges, tile, memory, options.triggs_correction);
     }
   }
+  return true;
 }
 
 void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges,
@@ -93,15 +136,16 @@ void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint3
     const EdgeWeight weight =
         kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
     accumulate({tile.rows, tile.cols, memory.dims, error, jacobian}, omega, weight, memory.targets[k],
-               values_.data(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
+               values_.get(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
                memory.dense.data());
   }
 }
 
 double Linearizer::chi2() {
+  stopped_ = false;
   const int count = workers();
   parallel_tasks(count, [&](int worker) { evaluate_share(worker, count); });
-  return pairwise_sum(edge_chi2_);
+  return stopped_ ? std::numeric_limits<double>::quiet_NaN() : pairwise_sum(edge_chi2_);
 }
 
 /// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide
@@ -118,16 +162,11 @@ void Linearizer::evaluate_share(int worker, int workers) {
     const std::uint32_t to = std::clamp(end, list.first, list.first + size);
     if (from == to) continue;
     const EdgePool& pool = *graph_->edge_pools()[list.pool];
-    const std::span edges(list.edges.data() + (from - list.first), to - from);
-    double* out = edge_chi2_.data() + from;
-    pool.chi2(edges, out);
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      if (!pool.enabled(edges[k])) out[k] = 0;
-    }
-    if (!pool.has_kernels()) continue;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const RobustKernel* kernel = pool.enabled(edges[k]) ? pool.kernel(edges[k]) : nullptr;
-      if (kernel && std::isfinite(out[k])) out[k] = (*kernel)(out[k]).value;
+    for (std::uint32_t first = from; first < to;) {
+      const std::uint32_t count = std::min(kEdgesBetweenStops, to - first);
+      if (stop_.raised()) return void(stopped_ = true);
+      evaluate(pool, std::span(list.edges).subspan(first - list.first, count), edge_chi2_.data() + first);
+      first += count;
     }
   }
 }

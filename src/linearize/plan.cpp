@@ -5,8 +5,10 @@
 #include <numeric>
 #include <string>
 
+#include "base/paced_stop.h"
 #include "linearize/accumulate.h"
 #include "linearize/active_set.h"
+#include "linearize/edge_targets.h"
 #include "linearize/fixed_directions.h"
 
 namespace boxplus {
@@ -27,12 +29,18 @@ double nanoseconds_per_entry(JacobianSource source) {
   }
 }
 
-double predicted_nanoseconds(const Graph& graph, const Plan& plan) {
+double predicted_nanoseconds(const Graph& graph, const Plan& plan, PacedStop& pace) {
   double total = 0;
   for (const EdgeList& list : plan.edges) {
     const EdgePool& pool = *graph.edge_pools()[list.pool];
     const double per_entry = nanoseconds_per_entry(pool.jacobian_source());
+    if (pool.uniform_shape() && !list.edges.empty()) {
+      const EdgeShape shape = pool.shape(list.edges.front());
+      total += per_entry * shape.rows * shape.cols * static_cast<double>(list.edges.size());
+      continue;
+    }
     for (const std::uint32_t edge : list.edges) {
+      pace.step();
       const EdgeShape shape = pool.shape(edge);
       total += per_entry * shape.rows * shape.cols;
     }
@@ -40,22 +48,13 @@ double predicted_nanoseconds(const Graph& graph, const Plan& plan) {
   return total;
 }
 
-/// Blocks of an edge's vertices, in order; ActiveSet::kInactive for those that do not move.
-void edge_blocks(const EdgePool& pool, std::uint32_t edge, const ActiveSet& active,
-                 std::vector<std::uint32_t>& out) {
-  out.clear();
-  const auto slots = pool.vertex_slots(edge);
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    out.push_back(active.block[pool.vertex_pool(edge, static_cast<int>(i))][slots[i]]);
-  }
-}
-
 template <class F>
-void for_each_active_edge(const Graph& graph, const ActiveSet& active, F&& f) {
+void for_each_active_edge(const Graph& graph, const ActiveSet& active, PacedStop& pace, F&& f) {
   std::vector<std::uint32_t> blocks;
   for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
     for (std::uint32_t edge : active.edges[p]) {
-      edge_blocks(*graph.edge_pools()[p], edge, active, blocks);
+      pace.step();
+      edge_blocks(*graph.edge_pools()[p], edge, active.block, blocks);
       f(p, edge, blocks);
     }
   }
@@ -75,15 +74,17 @@ void check_elimination(const Graph& graph, const ActiveSet& active,
   }
 }
 
-BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active) {
+BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active, const StopToken& stop) {
+  PacedStop pace(stop);
   std::vector<std::uint32_t> dims;
   dims.reserve(active.block_vertex.size());
   for (const VertexRef& v : active.block_vertex) {
+    pace.step();
     dims.push_back(static_cast<std::uint32_t>(graph.vertex_pools()[v.pool]->tangent_dim(v.slot)));
   }
   std::vector<BlockCoordinate> pairs;
   for_each_active_edge(
-      graph, active, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
+      graph, active, pace, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
         check_elimination(graph, active, blocks);
         for (std::size_t i = 0; i < blocks.size(); ++i) {
           for (std::size_t j = 0; j < i; ++j) {
@@ -92,16 +93,17 @@ BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active) {
           }
         }
       });
-  BlockStructure structure = make_block_structure(dims, pairs);
+  BlockStructure structure = make_block_structure(dims, pairs, stop);
   if (structure.nonzero_values() >= Scatter::kTransposed) {
     throw InvalidArgument("the problem is too large: H has more than 2^31 values");
   }
   return structure;
 }
 
-void list_vertices(const ActiveSet& active, Plan& plan) {
+void list_vertices(const ActiveSet& active, Plan& plan, PacedStop& pace) {
   std::vector<std::uint32_t> list_of(active.block.size(), ActiveSet::kInactive);
   for (std::uint32_t block = 0; block < active.block_vertex.size(); ++block) {
+    pace.step();
     const VertexRef& vertex = active.block_vertex[block];
     if (list_of[vertex.pool] == ActiveSet::kInactive) {
       list_of[vertex.pool] = static_cast<std::uint32_t>(plan.vertices.size());
@@ -113,11 +115,12 @@ void list_vertices(const ActiveSet& active, Plan& plan) {
   }
 }
 
-void list_edges(const Graph& graph, ActiveSet& active, Plan& plan) {
+void list_edges(const Graph& graph, ActiveSet& active, Plan& plan, PacedStop& pace) {
   for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
     if (active.edges[p].empty()) continue;
     const EdgePool& pool = *graph.edge_pools()[p];
     for (std::uint32_t edge : active.edges[p]) {
+      pace.step();
       const EdgeShape shape = pool.shape(edge);
       const int capacity = pool.uniform_shape() ? tile_capacity(shape) : 1;
       plan.max_tile_values = std::max(plan.max_tile_values, capacity * std::max(1, shape.rows) * shape.cols);
@@ -142,9 +145,11 @@ void place_gauge(const ActiveSet& active, Plan& plan) {
 }
 
 /// Contiguous ranges of block columns with about the same number of touching edges.
-std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers) {
+std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers,
+                                         PacedStop& pace) {
+  if (workers == 1) return {0, static_cast<std::uint32_t>(active.block_vertex.size())};
   std::vector<std::uint64_t> weight(active.block_vertex.size(), 1);
-  for_each_active_edge(graph, active,
+  for_each_active_edge(graph, active, pace,
                        [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
                          for (std::uint32_t block : blocks) {
                            if (block != ActiveSet::kInactive) ++weight[block];
@@ -169,8 +174,8 @@ std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& ac
 class ChunkBuilder {
  public:
   ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure,
-               std::uint32_t first, std::uint32_t last)
-      : graph_(graph), active_(active), structure_(structure) {
+               std::uint32_t first, std::uint32_t last, const StopToken& stop)
+      : graph_(graph), active_(active), structure_(structure), pace_(stop) {
     chunk_.first_column = first;
     chunk_.last_column = last;
   }
@@ -180,17 +185,21 @@ class ChunkBuilder {
       std::uint32_t group, pool, edge;  // group: the eliminated block, or one past them all
     };
     std::vector<Entry> entries;
-    for_each_active_edge(graph_, active_, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-      if (std::none_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(b); })) return;
-      const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-      entries.push_back({std::min(first, active_.eliminated_blocks), pool, edge});
-    });
+    for_each_active_edge(graph_, active_, pace_,
+                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+                           if (!touches(chunk_, blocks)) return;
+                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+                           entries.push_back({std::min(first, active_.eliminated_blocks), pool, edge});
+                         });
     if (active_.eliminated_blocks > 0) {
-      std::stable_sort(entries.begin(), entries.end(),
-                       [](const Entry& a, const Entry& b) { return a.group < b.group; });
+      std::stable_sort(entries.begin(), entries.end(), [this](const Entry& a, const Entry& b) {
+        pace_.step();
+        return a.group < b.group;
+      });
     }
     std::vector<std::uint32_t> scatter_of(graph_.edge_pools().size(), ActiveSet::kInactive);
     for (std::size_t k = 0; k < entries.size(); ++k) {
+      pace_.step(4);
       const Entry& entry = entries[k];
       std::uint32_t& scatter = scatter_of[entry.pool];
       if (scatter == ActiveSet::kInactive) {
@@ -202,40 +211,18 @@ class ChunkBuilder {
           k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
       if (starts_run) chunk_.runs.push_back({scatter, position, position});
       ++chunk_.runs.back().end;
-      append(chunk_.scatters[scatter], entry.edge);
+      const EdgePool& pool = *graph_.edge_pools()[entry.pool];
+      edge_blocks(pool, entry.edge, active_.block, blocks_);
+      append_edge(pool, entry.edge, blocks_, structure_, chunk_, chunk_.scatters[scatter]);
     }
     return std::move(chunk_);
   }
 
  private:
-  bool owns(std::uint32_t block) const {
-    return block != ActiveSet::kInactive && block >= chunk_.first_column && block < chunk_.last_column;
-  }
-
-  void append(Scatter& scatter, std::uint32_t edge) {
-    const EdgePool& pool = *graph_.edge_pools()[scatter.pool];
-    edge_blocks(pool, edge, active_, blocks_);
-    scatter.edges.push_back(edge);
-    if (!pool.uniform_shape())
-      scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
-    for (std::uint32_t block : blocks_) {
-      scatter.targets.push_back(owns(block) ? structure_.offset[block] : Scatter::kNowhere);
-    }
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) scatter.targets.push_back(target(blocks_[i], blocks_[j]));
-    }
-  }
-
-  std::uint32_t target(std::uint32_t i, std::uint32_t j) const {
-    if (i == ActiveSet::kInactive || j == ActiveSet::kInactive || !owns(std::min(i, j)))
-      return Scatter::kNowhere;
-    const std::uint32_t value = structure_.value_start[structure_.find(std::max(i, j), std::min(i, j))];
-    return i >= j ? value : value | Scatter::kTransposed;
-  }
-
   const Graph& graph_;
   const ActiveSet& active_;
   const BlockStructure& structure_;
+  PacedStop pace_;
   Chunk chunk_;
   std::vector<std::uint32_t> blocks_;
 };
@@ -254,15 +241,18 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   Plan plan;
   plan.block_vertex = active.block_vertex;
   plan.eliminated_blocks = active.eliminated_blocks;
-  plan.structure = hessian_structure(graph, active);
+  PacedStop pace(request.stop);
+  plan.structure = hessian_structure(graph, active, request.stop);
   place_gauge(active, plan);
-  list_vertices(active, plan);
-  list_edges(graph, active, plan);
-  const double worth = std::min(predicted_nanoseconds(graph, plan) / kWorthAWorker, 1.0 * request.threads);
+  list_vertices(active, plan, pace);
+  list_edges(graph, active, plan, pace);
+  const double predicted = predicted_nanoseconds(graph, plan, pace);
+  const double worth = std::min(predicted / kWorthAWorker, 1.0 * request.threads);
   const int workers = std::max(1, static_cast<int>(worth));
-  const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers);
+  const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers, pace);
   for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
-    plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, bounds[c], bounds[c + 1]).build());
+    ChunkBuilder builder(graph, active, plan.structure, bounds[c], bounds[c + 1], request.stop);
+    plan.chunks.push_back(builder.build());
   }
   list_fixed_directions(graph, plan);
   return plan;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/paced_stop.h"
 #include "linearize/elimination_reference.h"
 #include "linearize/small_cholesky.h"
 
@@ -42,8 +43,10 @@ void Schur::for_each_row(std::uint32_t column, F&& f) const {
   }
 }
 
-Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values)
+Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
+             const StopToken& stop)
     : structure_(&structure), eliminated_(eliminated_blocks) {
+  PacedStop pace(stop);
   const std::uint32_t kept = structure.blocks() - eliminated_;
   std::vector<std::uint32_t> dims;
   for (std::uint32_t i = 0; i < kept; ++i) dims.push_back(structure.dim(eliminated_ + i));
@@ -64,11 +67,12 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     if (!explicit_values) continue;
     for (std::uint32_t a = begin; a < end; ++a) {
       for (std::uint32_t b = begin; b < a; ++b) {
+        pace.step();
         pairs.push_back({structure.row[a] - eliminated_, structure.row[b] - eliminated_});
       }
     }
   }
-  reduced_ = make_block_structure(dims, pairs);
+  reduced_ = make_block_structure(dims, pairs, stop);
   std::uint32_t diagonal = 0;
   for (std::uint32_t dim : dims) {
     diagonal_start_.push_back(diagonal);
@@ -88,15 +92,18 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
         continue;
       }
       for (std::uint32_t b = begin + 1; b <= a; ++b) {
+        pace.step(4);
         pair_target_.push_back(reduced_.value_start[reduced_.find(row, structure.row[b] - eliminated_)]);
       }
     }
   }
 }
 
-FactorResult Schur::eliminate(std::span<const double> values, const Damping& damping) {
+FactorResult Schur::eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop) {
   values_ = values;
+  PacedStop pace(stop);
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
+    if (pace.is_raised_after(4)) return {LinearStatus::kStopped};
     const int n = static_cast<int>(structure_->dim(e));
     const double* v = values.data() + structure_->value_start[structure_->column_start[e]];
     double* l = factors_.data() + factor_start_[e];
@@ -108,7 +115,7 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
       return {finite ? LinearStatus::kNotPositiveDefinite : LinearStatus::kNotFinite, e};
     }
   }
-  if (!reduced_values_.empty()) form_reduced_values();
+  if (!reduced_values_.empty() && !form_reduced_values(pace)) return {LinearStatus::kStopped};
   return {};
 }
 
@@ -130,7 +137,8 @@ std::uint32_t Schur::halve_column(std::uint32_t column) {
   return blocks;
 }
 
-void Schur::form_reduced_values() {
+/// False if the token was raised meanwhile.
+bool Schur::form_reduced_values(PacedStop& pace) {
   std::fill(reduced_values_.begin(), reduced_values_.end(), 0.0);
   const std::uint32_t* target = kept_target_.data();
   for (std::uint32_t k = structure_->column_start[eliminated_]; k < structure_->nonzero_blocks();
@@ -142,6 +150,7 @@ void Schur::form_reduced_values() {
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     const auto blocks = static_cast<int>(halve_column(e));
+    if (pace.is_raised_after(std::int64_t{blocks} * blocks)) return false;
     const double* half = half_column_.data();
     for (int a = 0; a < blocks; ++a) {
       const int rows = half_rows_[static_cast<std::size_t>(a)];
@@ -151,6 +160,7 @@ void Schur::form_reduced_values() {
       target += a + 1;
     }
   }
+  return true;
 }
 
 void Schur::reduce(const double* r, double* reduced_r) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/paced_stop.h"
 #include "linearize/disjoint_sets.h"
 #include "linearize/subspace.h"
 
@@ -101,8 +102,9 @@ struct SimilarityTest::Kind {
   std::vector<WorldRole> candidates;  // the likeliest first
 };
 
-SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable)
-    : graph_(graph), movable_(movable) {
+SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
+                               const StopToken& stop)
+    : graph_(graph), movable_(movable), stop_(stop) {
   for (const auto& pool : graph.vertex_pools()) {
     roles_.emplace_back(pool->slots(), WorldRole::kNone);
     kind_of_.emplace_back(pool->slots(), 0);
@@ -120,7 +122,7 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
     const EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (!movable_[p][slots[i]] || graph_.vertex_pools()[p]->parameter(slots[i])) continue;
       const auto next = static_cast<std::uint32_t>(places.size());
       const std::uint32_t place = places.try_emplace({edge.pool, static_cast<int>(i)}, next).first->second;
@@ -199,7 +201,9 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   const int count = motions.count();
   MatrixXd sum = MatrixXd::Zero(count, count), tangents;
   tangents_.clear();
+  PacedStop pace(stop_, 64);
   for (const VertexSlot v : vertices) {
+    pace.step();
     const VertexPool& pool = *graph_.vertex_pools()[v.pool];
     tangents_of_[v.pool][v.slot] = kStill;
     if (roles_[v.pool][v.slot] == WorldRole::kNone) continue;
@@ -219,7 +223,7 @@ void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, 
   double* row = out.data();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+    const std::uint32_t p = pool.vertex_pool(edge, static_cast<int>(i));
     const VertexPool& vertices = *graph_.vertex_pools()[p];
     const auto size = static_cast<std::size_t>(vertices.tangent_dim(slots[i]) * out.cols());
     const bool moves = movable_[p][slots[i]] && !vertices.parameter(slots[i]);
@@ -237,7 +241,8 @@ void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, 
 MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                     const WorldMotions& world, const MatrixXd& candidates) const {
   constexpr double kExact = 1e-7, kNumeric = 1e-5;
-  constexpr std::size_t kOften = 1024;  // edges between two looks whether anything is left
+  constexpr std::int64_t kBetweenStops = 64;  // edges
+  constexpr std::size_t kOften = 1024;        // edges between two looks whether anything is left
   const auto motions = static_cast<int>(candidates.rows());
   Resistance resistance(motions);
   for (const VertexSlot v : vertices) {
@@ -248,7 +253,9 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   RowMajor tangents;
   MatrixXd jacobian;
   VectorXd error;
+  PacedStop pace(stop_, kBetweenStops);
   for (std::size_t k = 0; k < edges.size() && candidates.cols() > 0; ++k) {
+    pace.step();
     const EdgePool& pool = *graph_.edge_pools()[edges[k].pool];
     const EdgeShape shape = pool.shape(edges[k].slot);
     tangents.resize(shape.cols, motions);
@@ -294,7 +301,7 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
     const EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i]))
         seen.push_back({p, slots[i]});
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
 #include "linearize/world_motion.h"
 
@@ -34,7 +35,7 @@ struct SimilarityFreedom {
   Eigen::MatrixXd of_vertex(const Graph& graph, VertexSlot vertex) const;
 };
 
-/// Tests components of one graph.
+/// Tests components of one graph. Throws Stopped once the token is raised.
 ///
 /// An edge resists a motion if a row of J z is not zero to within rounding, relative to the sum of the
 /// magnitudes of its terms: no weight and no condition number matters, and neither does Ω. Edges that are
@@ -43,7 +44,8 @@ class SimilarityTest {
  public:
   /// `movable`: per vertex pool and slot, whether the vertex moves. Vertices of one kind, which play the same
   /// part in edges of the same types, share a role, which is found by trial.
-  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable);
+  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
+                 const StopToken& stop);
 
   /// The freedom of one component in a world of 2 or 3 dimensions. O(edges).
   SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
@@ -66,6 +68,7 @@ class SimilarityTest {
 
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
+  const StopToken& stop_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;
   /// By vertex pool and slot, where the tangents of its motions begin in tangents_, dim × count, row-major.

@@ -103,10 +103,7 @@ RunResult try_current(Run& run, bool& gave_up) {
 /// Puts the chordal guess into the graph. Where there is none, leaves the estimates as they are.
 bool replace_by_guess(Run& run) {
   run.system().save(VertexPool::kBestLevel);
-  if (make_guess(run, Start::kChordal)) {
-    run.report().start.chi2_guess = run.system().chi2();
-    return true;
-  }
+  if (make_guess(run, Start::kChordal)) return true;
   run.system().restore(VertexPool::kBestLevel);
   return false;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "linearize/extend_plan.h"
 #include "optimize/stopwatch.h"
 #include "optimize/vector_math.h"
 
@@ -61,12 +62,13 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
     hints.last = last;
     hints.precision = Precision::kDouble;  // a factor in float cannot tell a lost pivot
   }
+  solver_->set_stop(request.stop);
   if (reduces) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
     const bool make_values =
         schur == SchurMode::kExplicit || !(operator_suffices || schur == SchurMode::kImplicit);
     schur_ = std::make_unique<Schur>(plan_->structure, plan_->eliminated_blocks,
-                                     make_values || !operator_suffices);
+                                     make_values || !operator_suffices, request.stop);
     if (schur_->reduced_values().empty()) {
       reduced_ = std::make_unique<ImplicitSchur>(*schur_);
     } else {
@@ -78,7 +80,26 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
   } else {
     solver_->analyze(plan_->structure, hints);
   }
+  resize_vectors();
+  hints_ = hints;
+}
+
+void BatchSystem::resize_vectors() {
   for (auto* vector : {&diagonal_, &right_hand_side_, &product_, &damping_}) vector->resize(plan_->scalars());
+}
+
+bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
+                         std::span<const std::uint32_t> edges) {
+  if (!extensible_) extensible_ = is_extensible(*graph_, *plan_);
+  if (!*extensible_) return false;
+  const auto growth = extend_plan(*graph_, request, vertices, edges, *plan_);
+  if (!growth) return false;
+  linearizer_.extend();
+  assembled_ = AssembledSystem(plan_->structure, linearizer_.values());
+  resize_vectors();
+  solver_->set_stop(request.stop);
+  if (!solver_->extend(growth->of_structure())) solver_->analyze(plan_->structure, hints_);
+  return true;
 }
 
 void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
@@ -90,6 +111,8 @@ void BatchSystem::configure(const Options& options, Timings& timings, const Stop
   control_ = {std::max(least, options.linear_tolerance), 0};
   solver_->set_stop(stop);
   lost_scalars_.clear();
+  linearizer_.set_stop(stop);
+  stop_ = stop;
   timings_ = &timings;
 }
 
@@ -101,6 +124,7 @@ double BatchSystem::chi2() {
 bool BatchSystem::linearize() {
   const TimeAdder adder(timings_->linearize_s);
   linearizer_.linearize(linearize_options_);
+  if (linearizer_.stopped()) return false;
   const BlockStructure& structure = plan_->structure;
   const auto values = linearizer_.values();
   for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
@@ -227,7 +251,7 @@ StepResult BatchSystem::solve_full(const Damping& damping, std::span<double> ste
 StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> step) {
   {
     const TimeAdder adder(timings_->factorize_s);
-    const FactorResult eliminated = schur_->eliminate(linearizer_.values(), damping);
+    const FactorResult eliminated = schur_->eliminate(linearizer_.values(), damping, stop_);
     if (eliminated.status != LinearStatus::kOk) return fail(eliminated, 0);
     const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping));
     if (factor.status != LinearStatus::kOk) return fail(factor, plan_->eliminated_blocks);

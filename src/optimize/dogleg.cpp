@@ -122,7 +122,7 @@ void Dogleg::update_radius(double gain, double step_norm) {
 }
 
 IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& record) {
-  if (!system.linearize()) return IterationOutcome::kNotFinite;
+  if (!system.linearize()) return outcome_without_linearization(system);
   record.gradient_max = max_abs(system.gradient());
   scale_from(system);
   const LinearStatus solved = solve_gauss_newton(system, record);
@@ -144,7 +144,9 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
       system.accept();
       return cut_short ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
     }
+    const bool stopped = system.stopped();
     system.reject();
+    if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
     if (promise <= kRounding * chi2) break;  // smaller steps promise even less
   }

@@ -11,7 +11,7 @@ void GaussNewton::reset(const Options&, std::size_t scalars) {
 }
 
 IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationRecord& record) {
-  if (!system.linearize()) return IterationOutcome::kNotFinite;
+  if (!system.linearize()) return outcome_without_linearization(system);
   record.gradient_max = max_abs(system.gradient());
   const StepResult solved = system.solve({}, step_);
   record.linear_iterations = solved.linear_iterations;
@@ -22,8 +22,9 @@ IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationReco
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;
   if (!std::isfinite(record.chi2)) {
+    const bool stopped = system.stopped();
     system.reject();
-    return IterationOutcome::kNoStepFound;
+    return stopped ? IterationOutcome::kStopped : IterationOutcome::kNoStepFound;
   }
   system.accept();
   return IterationOutcome::kAccepted;

@@ -79,7 +79,7 @@ bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord&
 }
 
 IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, IterationRecord& record) {
-  if (!system.linearize()) return IterationOutcome::kNotFinite;
+  if (!system.linearize()) return outcome_without_linearization(system);
   if (!started_) start_damping(system);
   record.gradient_max = max_abs(system.gradient());
   double largest_promise = 0, largest_step = 0;
@@ -92,6 +92,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
     if (last == LinearStatus::kOk) {
       if (take_step(system, chi2, record))
         return cut_short_ ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
+      if (system.stopped()) return IterationOutcome::kStopped;
       if (record.step_max >= largest_step) largest_cut_short = cut_short_;
       largest_promise = std::max(largest_promise, promise_);
       largest_step = std::max(largest_step, record.step_max);

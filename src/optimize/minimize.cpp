@@ -10,11 +10,6 @@
 namespace boxplus {
 namespace {
 
-/// Why the token is raised.
-Reason reason_of(const StopToken& stop) {
-  return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
-}
-
 std::optional<Reason> end_before(int iteration, const RunContext& context) {
   if (context.stop.raised()) return reason_of(context.stop);
   if (iteration >= context.max_iterations) return Reason::kMaxIterations;

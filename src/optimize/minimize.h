@@ -23,6 +23,11 @@ constexpr bool is_interruption(Reason reason) {
   return reason == Reason::kStopFlag || reason == Reason::kTimeLimit || reason == Reason::kCallback;
 }
 
+/// Why the token is raised.
+inline Reason reason_of(const StopToken& stop) {
+  return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
+}
+
 /// What a run needs besides the problem and the method.
 struct RunContext {
   const Options& options;

@@ -49,6 +49,12 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
+/// F at the estimates as they are left; that of the run if there is no time to evaluate it again.
+double final_chi2(Run& run, const RunResult& result) {
+  const double chi2 = run.system().chi2();
+  return run.system().stopped() ? result.chi2 : chi2;
+}
+
 void finish(Run& run, RunResult result) {
   // A minimum of what double precision kept of H is not one of the problem.
   std::optional<SwampingEdge> swamping;
@@ -59,7 +65,7 @@ void finish(Run& run, RunResult result) {
   run.report().gauge.held_directions = run.system().held_directions();
   run.report().status = result.status;
   run.report().reason = result.reason;
-  run.report().chi2_final = run.system().chi2();
+  run.report().chi2_final = final_chi2(run, result);
   run.report().message.assign(to_string(result.reason));
   if (result.reason == Reason::kNotPositiveDefinite) {
     const VertexRef vertex = run.system().failed_vertex();
@@ -75,11 +81,27 @@ void finish(Run& run, RunResult result) {
                             std::to_string(run.graph().id(swamping->vertex)) +
                             "; merge the vertices that it joins, or lower its Ω";
   }
+  if (std::isnan(run.report().chi2_initial) && is_interruption(result.reason)) {
+    run.report().message += " before chi2 was evaluated";
+  }
   run.report().time.total_s = run.seconds();
+}
+
+/// The end of a run that was stopped while it planned. Its estimates are those of the last iteration, if
+/// there was one: a plan that is changed later comes after a run.
+void finish_without_plan(Run& run, const Stopped& stopped) {
+  Report& report = run.report();
+  report.status = Status::kNotConverged;
+  report.reason = stopped.by_flag() ? Reason::kStopFlag : Reason::kTimeLimit;
+  report.chi2_final = report.records.empty() ? report.chi2_initial : report.records.back().chi2;
+  report.message.assign(to_string(report.reason)) += " while planning";
+  if (std::isnan(report.chi2_initial)) report.message += ", before chi2 was evaluated";
+  report.time.total_s = run.seconds();
 }
 
 RunResult minimize_problem(Run& run) {
   const double chi2 = run.report().chi2_initial;
+  if (run.system().stopped()) return {Status::kNotConverged, reason_of(run.stop()), chi2, 0};
   const Plan& plan = run.system().plan();
   if (plan.scalars() == 0) return {Status::kConverged, Reason::kNothingToOptimize, chi2, 0};
   if (run.options().gauge == GaugePolicy::kError && run.system().is_free()) {
@@ -94,7 +116,12 @@ void optimize(Graph& graph, const Options& options, Report& report) {
   check(options);
   reset(report);
   Run run(graph, options, report);
-  finish(run, minimize_problem(run));
+  try {
+    run.prepare();
+    finish(run, minimize_problem(run));
+  } catch (const Stopped& stopped) {
+    finish_without_plan(run, stopped);
+  }
 }
 
 Report optimize(Graph& graph, const Options& options) {

@@ -17,6 +17,11 @@ inline IterationOutcome outcome_of(LinearStatus status) {
   }
 }
 
+/// The outcome of an iteration whose System::linearize() returned false.
+inline IterationOutcome outcome_without_linearization(const System& system) {
+  return system.stopped() ? IterationOutcome::kStopped : IterationOutcome::kNotFinite;
+}
+
 /// A step that promises to lower chi2 by a smaller fraction may fail to, by rounding alone.
 inline constexpr double kNegligible = 1e-9;
 /// The fraction of chi2 that a step is made to promise which damping or radius had left with a negligible

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace boxplus {
 
@@ -11,17 +12,28 @@ Run::Run(Graph& graph, const Options& options, Report& report)
       options_(options),
       report_(report),
       stop_(options.stop, clock_.start(), options.time_limit_s) {
+  constexpr int kRecords = 100;          // and
+  constexpr std::size_t kMessage = 100;  // characters have room, so that a later run does not allocate
+  report_.start.requested = options_.start;
+  report_.threads = resolved_threads(options_);
+  report_.chi2_initial = report_.start.chi2_current = std::numeric_limits<double>::quiet_NaN();
+  report_.records.reserve(static_cast<std::size_t>(std::min(options_.max_iterations, kRecords)));
+  report_.message.reserve(kMessage);
+}
+
+void Run::prepare() {
   {
     const TimeAdder adder(report_.time.plan_s);
-    session_ = &Session::find(graph_, options_, report_.plan_reused);
+    Session::Origin origin;
+    session_ = &Session::find(graph_, options_, stop_, origin);
+    report_.plan_reused = origin == Session::Origin::kReused;
+    report_.plan_extended = origin == Session::Origin::kExtended;
     session_->set_in_use(true);
     in_use_.session = session_;
   }
   system().configure(options_, report_.time, stop_);
-  report_.chi2_initial = system().chi2();
-  report_.start.requested = options_.start;
-  report_.start.chi2_current = report_.chi2_initial;
   describe_problem();
+  report_.chi2_initial = report_.start.chi2_current = system().chi2();
 }
 
 void Run::describe_problem() {
@@ -34,7 +46,6 @@ void Run::describe_problem() {
   report_.eliminated = plan.eliminated_blocks;
   report_.edges = plan.edge_count;
   report_.linear = system().linear_solver().statistics();
-  report_.threads = resolved_threads(options_);
   report_.workers = std::max(system().linearizer().workers(), report_.linear.workers);
   report_.gauge.held.clear();
   for (const GaugeVertex& gauge : plan.held) report_.gauge.held.push_back(gauge.id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One call of optimize(): what its parts (starts, the release of gauge vertices) share.
+// One call of optimize(): what its parts share.
 #pragma once
 
 #include "boxplus/base/function_ref.h"
@@ -11,10 +11,14 @@ namespace boxplus {
 
 class Run {
  public:
-  /// Finds or makes the plan, evaluates chi2 and begins the report.
+  /// The clock runs from here on.
   Run(Graph& graph, const Options& options, Report& report);
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
+
+  /// Finds or makes the plan, evaluates chi2 and begins the report. Throws Stopped if there is no time for a
+  /// plan.
+  void prepare();
 
   Graph& graph() { return graph_; }
   const Options& options() const { return options_; }

@@ -13,8 +13,11 @@ namespace boxplus {
 
 class Session final : public Graph::Cache {
  public:
-  /// The session of `graph` for these options; `reused` tells whether it was there already.
-  static Session& find(Graph& graph, const Options& options, bool& reused);
+  /// Where the plan comes from.
+  enum class Origin : std::uint8_t { kMade, kExtended, kReused };
+  /// The session of `graph` for these options. Throws Stopped once `stop` is raised and the plan is to be
+  /// changed; the next call makes a new one then.
+  static Session& find(Graph& graph, const Options& options, const StopToken& stop, Origin& origin);
 
   BatchSystem& system() { return *system_; }
   /// While it is in use, find() throws InvalidArgument.
@@ -22,11 +25,15 @@ class Session final : public Graph::Cache {
   Algorithm& algorithm(const Options& options);
 
  private:
-  bool fits(const Graph& graph, const Options& options) const;
+  bool suits(const Options& options) const;
+  bool extend(Graph& graph, const StopToken& stop);
+  void note_structure(const Graph& graph);
+  PlanRequest request(const StopToken& stop) const;
   bool has_precision(Precision wanted) const;
-  void plan(Graph& graph);
+  void plan(Graph& graph, const StopToken& stop);
 
   std::uint64_t revision_ = 0;
+  std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // of each pool, at that revision
   int level_ = 0, threads_ = 1;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   LinearSolverKind solver_ = LinearSolverKind::kAutomatic;

@@ -6,6 +6,23 @@
 
 namespace boxplus {
 
+namespace {
+
+/// A guess may be worse than the estimates as they came, which are at kStartLevel. If there was no time to
+/// get below these, they are put back.
+RunResult unless_stopped_above_current(Run& run, RunResult result) {
+  const double chi2_current = run.report().chi2_initial;
+  const bool stopped = result.reason == Reason::kTimeLimit || result.reason == Reason::kStopFlag;
+  if (!stopped || !(result.chi2 > chi2_current)) return result;
+  run.system().restore(VertexPool::kStartLevel);
+  run.report().start.used = Start::kCurrent;
+  run.report().records.clear();
+  result.chi2 = chi2_current;
+  return result;
+}
+
+}  // namespace
+
 RunResult minimize_from_starts(Run& run) {
   const Start start = run.options().start;
   if (start == Start::kCurrent) return run.minimize(run.report().chi2_initial);
@@ -15,9 +32,8 @@ RunResult minimize_from_starts(Run& run) {
     run.system().restore(VertexPool::kStartLevel);
     return run.minimize(run.report().chi2_initial);
   }
-  run.report().start.chi2_guess = run.system().chi2();
   run.report().start.used = start;
-  return run.minimize(run.report().start.chi2_guess);
+  return unless_stopped_above_current(run, run.minimize(run.report().start.chi2_guess));
 }
 
 }  // namespace boxplus

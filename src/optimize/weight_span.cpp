@@ -59,7 +59,8 @@ class Contributions {
     const double* column = tile.jacobian;
     const auto slots = pool.vertex_slots(edge);
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      const int dim = graph.vertex_pools()[pool.vertex_pool(static_cast<int>(i))]->tangent_dim(slots[i]);
+      const int dim =
+          graph.vertex_pools()[pool.vertex_pool(edge, static_cast<int>(i))]->tangent_dim(slots[i]);
       traces_.push_back(0);
       for (int k = 0; k < dim; ++k, column += shape.rows) traces_.back() += omega.squared_norm(column);
     }
@@ -88,9 +89,9 @@ std::optional<SwampingEdge> find_swamping_edge(Run& run) {
     const auto slots = pool.vertex_slots(edge.slot);
     int moving = 0;
     for (std::size_t i = 0; i < slots.size(); ++i)
-      moving += moves[pool.vertex_pool(static_cast<int>(i))][slots[i]];
+      moving += moves[pool.vertex_pool(edge.slot, static_cast<int>(i))][slots[i]];
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(static_cast<int>(i));
+      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (moves[p][slots[i]])
         f(VertexRef{p, slots[i], graph.vertex_pools()[p]->generation(slots[i])}, traces[i], moving);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long computations learn that they are to end.
+// Lets long computations check whether they should stop.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,23 @@
 #include <chrono>
 
 #include "boxplus/base/abi.h"
+#include "boxplus/base/error.h"
 
 namespace boxplus {
 
-/// Raised by a flag, by a deadline, or never. Cheap to ask: the clock is only read where there is a deadline.
+/// Thrown by a computation whose token is raised, when it has no status to return. optimize() catches it and
+/// reports the reason.
+class Stopped : public Error {
+ public:
+  explicit Stopped(bool by_flag)
+      : Error(by_flag ? "stopped by a flag" : "stopped by a deadline"), by_flag_(by_flag) {}
+  bool by_flag() const noexcept { return by_flag_; }
+
+ private:
+  bool by_flag_;
+};
+
+/// Raised by a flag, by a deadline, or never. Cheap to ask: it reads the clock only if there is a deadline.
 class StopToken {
  public:
   using Clock = std::chrono::steady_clock;
@@ -24,6 +37,17 @@ class StopToken {
 
   bool flag_raised() const { return flag_ != nullptr && flag_->load(std::memory_order_relaxed); }
   bool raised() const { return flag_raised() || (deadline_ != kNever && Clock::now() >= deadline_); }
+  /// Throws Stopped if the token is raised.
+  void check() const {
+    if (raised()) throw Stopped(flag_raised());
+  }
+  /// Throws Stopped if the token is raised, or if the deadline is fewer than `seconds` away: for a call that
+  /// cannot be interrupted and would take so long.
+  void check_room_for(double seconds) const {
+    check();
+    if (deadline_ == kNever) return;
+    if (std::chrono::duration<double>(deadline_ - Clock::now()).count() < seconds) throw Stopped(false);
+  }
 
  private:
   static constexpr double kUnlimited = 1e9;  // seconds, some thirty years

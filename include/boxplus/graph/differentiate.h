@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "boxplus/autodiff/numeric.h"
@@ -159,6 +160,12 @@ void own_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
   std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
 }
 
+/// The memory of numeric_jacobian(), which each thread keeps.
+struct NumericMemory {
+  std::vector<double> delta;
+  NumericDerivative differentiate = NumericDerivative();
+};
+
 /// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by adaptive central differences
 /// (autodiff/numeric.h).
 template <class... V, class E>
@@ -174,8 +181,11 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
   const auto evaluate_moved = [&](double* out) {
     std::apply([&](const auto&... a) { copy_rows(evaluate(e, Argument<V>(a)...), rows, out); }, moved);
   };
-  std::vector<double> delta(static_cast<std::size_t>(cols), 0.0);
-  NumericDerivative differentiate;
+  auto& kept = thread_scratch<NumericMemory, struct OfNumericJacobian>();
+  NumericMemory memory = std::exchange(kept, {});  // an error function that comes here again gets its own
+  std::vector<double>& delta = memory.delta;
+  NumericDerivative& differentiate = memory.differentiate;
+  delta.assign(static_cast<std::size_t>(cols), 0.0);
   int column = 0;
   const auto columns_of = [&](auto& slot) {
     using T = std::remove_reference_t<decltype(slot)>;
@@ -200,6 +210,7 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
     }
   };
   std::apply([&](auto&... arguments) { (visit(arguments), ...); }, moved);
+  kept = std::move(memory);
 }
 
 }  // namespace boxplus::edge

@@ -141,7 +141,7 @@ class Graph {
     StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
     const bool resized = boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate);
     value = std::move(estimate);
-    if (resized) ++revision_;
+    if (resized) note_rewrite();
   }
 
   Id id(VertexRef vertex) const;
@@ -208,8 +208,9 @@ class Graph {
     constexpr std::size_t kTails = (0 + ... + std::size_t{kIsTail<edge::VertexType<H>>});
     edge::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
     (append_tail_size(tail_sizes, vertices), ...);
+    const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(error), information, slots, tail_sizes);
-    ++revision_;
+    note_addition(slot == end);
     const EdgeHandle<E> handle{EdgeRef{index, slot, pool.generation(slot)}};
     if (incidence_) index_edge(handle, refs);
     return handle;
@@ -296,6 +297,10 @@ class Graph {
   /// directions, levels, sizes.
   /// Values, weights, kernels and enabled flags do not count.
   std::uint64_t revision() const { return revision_; }
+  /// The revision of the last change of the structure that did more than append elements to the ends of their
+  /// pools. Whoever knows the structure of this or a later revision finds all changes behind the slots that
+  /// the pools had then.
+  std::uint64_t last_rewrite() const { return last_rewrite_; }
 
   /// Whatever an optimiser wants to keep between calls for this graph.
   struct Cache {
@@ -315,6 +320,8 @@ class Graph {
   /// given so far lie as far apart as they can: handles of another graph, and handles from before clear(),
   /// are recognized. Thread-safe.
   static std::uint32_t new_epoch() noexcept;
+  void note_rewrite() { last_rewrite_ = ++revision_; }
+  void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
   static Id claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what);
   VertexRef lookup(const IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
@@ -378,10 +385,11 @@ class Graph {
     const std::uint32_t index = require_vertex_pool<T>();
     auto& pool = static_cast<TypedVertexPool<T>&>(*vertex_pools_[index]);
     ids.make_room();
+    const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(estimate), id);
     const VertexHandle<T> handle{{index, slot, pool.generation(slot)}};
     ids.insert(id, handle);
-    ++revision_;
+    note_addition(slot == end);
     return handle;
   }
 
@@ -444,7 +452,7 @@ class Graph {
   LastPool last_vertex_pool_, last_edge_pool_;
   IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
-  std::uint64_t revision_ = 1;
+  std::uint64_t revision_ = 1, last_rewrite_ = 1;
   std::uint32_t epoch_ = new_epoch();  // of new pools
   std::vector<Saved> stack_;
   std::unique_ptr<Cache> cache_;

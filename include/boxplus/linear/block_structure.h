@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "boxplus/base/abi.h"
+#include "boxplus/base/stop_token.h"
 
 namespace boxplus {
 
@@ -36,10 +37,11 @@ struct BlockStructure {
 
 /// Builds the structure of `dims.size()` blocks from the coordinates of its lower off-diagonal blocks
 /// (row > column; any order, duplicates allowed). Diagonal blocks are always present. O(blocks + pairs log).
+/// Throws Stopped once the token is raised.
 struct BlockCoordinate {
   std::uint32_t row, column;
 };
 BlockStructure make_block_structure(const std::vector<std::uint32_t>& dims,
-                                    const std::vector<BlockCoordinate>& lower);
+                                    const std::vector<BlockCoordinate>& lower, const StopToken& stop = {});
 
 }  // namespace boxplus

@@ -79,6 +79,13 @@ struct AnalyzeHints {
   Precision precision = Precision::kAutomatic;
 };
 
+/// How a structure has grown since it was analyzed: by blocks at its end, and by off-diagonal blocks.
+struct StructureGrowth {
+  std::uint32_t old_blocks = 0;
+  std::span<const BlockCoordinate> added = {};    ///< the new off-diagonal blocks, each once
+  std::span<const std::uint32_t> new_index = {};  ///< of each old off-diagonal or diagonal block k, ascending
+};
+
 /// Facts about the analysis, for reports.
 struct LinearStatistics {
   std::uint64_t factor_nonzeros = 0;  ///< scalars of L with the zeros that amalgamation added
@@ -99,13 +106,16 @@ struct LinearStatistics {
 
 /// Solves symmetric positive definite block systems of one structure.
 ///
-/// Called as: analyze() once per structure; factorize() once per linearisation and damping; solve() any
+/// Called as: analyze() once per structure; factorize() once per linearization and damping; solve() any
 /// number of times after each factorize(). After the first factorize() and solve() of a structure, further
-/// calls of both allocate no memory, but for a factor in float that is left for one in double. A solver is
+/// calls of both allocate no memory, with two exceptions: the block Cholesky if it gives up a factor in float
+/// for one in double, and kEigenSparse, whose library allocates some 25 times per factorization. A solver is
 /// used by one thread at a time. Results are the same bits in every run and for every AnalyzeHints::threads.
+///
 /// Once the token of set_stop() is raised, factorize() and solve() return kStopped as soon as they can; a
-/// factorize() that was stopped must be called again before solve(). The values of a system must stay as they
-/// were from factorize() to the last solve() after it.
+/// factorize() that was stopped must be called again before solve(). analyze() may throw Stopped then, and
+/// must be called again before factorize(). The values of a system must stay as they were from factorize() to
+/// the last solve() after it.
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };
@@ -115,6 +125,10 @@ class LinearSolver {
   virtual Needs needs() const = 0;
   /// Ordering, symbolic factorisation and memory. `structure` must outlive the solver's use of it.
   virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints) = 0;
+  /// Instead of analyze(), after additions to the analyzed structure, which is the same object: keeps the
+  /// elimination order and appends the new blocks, in a small part of the time. False if the solver cannot do
+  /// so or predicts that a new order pays; then call analyze().
+  virtual bool extend(const StructureGrowth& /*growth*/) { return false; }
   /// Factorises (direct) or prepares the preconditioner (iterative) of A + λ D. `changed_columns` names the
   /// block columns of A whose values differ from the last call's; empty = all. A solver may treat every call
   /// as "all".
@@ -132,7 +146,7 @@ class LinearSolver {
   /// The order in which the blocks are eliminated; empty where there is none. Valid until the next analyze().
   virtual std::span<const std::uint32_t> elimination_order() const { return {}; }
 
-  /// By default nothing stops factorize() and solve(). Holds until the next call.
+  /// By default nothing stops the solver. Holds until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }
 
  protected:

@@ -2,7 +2,9 @@
 // Fills H and the gradient of F(x) = Σ ρ(eᵀΩe) at the current estimates, tile by tile.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +13,7 @@
 
 namespace boxplus {
 
+class PacedStop;
 struct TileMemory;
 
 struct LinearizeOptions {
@@ -31,28 +34,41 @@ class Linearizer {
   Linearizer(const Graph& graph, const Plan& plan);
   ~Linearizer();
 
+  /// Takes over the plan after extend_plan() (src/linearize/extend_plan.h). Allocates.
+  void extend();
+
   void linearize(const LinearizeOptions& options);
   /// Σ ρ(eᵀΩe) over the active, enabled edges; not finite where an edge's is not.
   double chi2();
+  /// Once the token is raised, both calls end soon: H and the gradient are then not usable, chi2() is NaN,
+  /// and stopped() is true until the next call.
+  void set_stop(const StopToken& stop) { stop_ = stop; }
+  bool stopped() const { return stopped_; }
   /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (whose Jacobian or weight) is not finite.
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 
-  std::span<const double> values() const { return values_; }
+  /// Not initialised before the first linearize().
+  std::span<const double> values() const { return {values_.get(), plan_->structure.nonzero_values()}; }
   std::span<const double> gradient() const { return gradient_; }
   int workers() const { return static_cast<int>(plan_->chunks.size()); }
 
  private:
   void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
-  void linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
-                     const LinearizeOptions& options);
+  bool linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                     const LinearizeOptions& options, PacedStop& pace);
   void add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
                       TileMemory& memory, bool triggs_correction);
   void evaluate_share(int worker, int workers);
+  void allocate_values(std::size_t room);
 
   const Graph* graph_;
   const Plan* plan_;
-  std::vector<double> values_, gradient_, edge_chi2_;
+  StopToken stop_;
+  std::atomic<bool> stopped_ = false;
+  std::size_t values_room_ = 0;
+  std::unique_ptr<double[]> values_;  // large: their pages are touched by the first linearize()
+  std::vector<double> gradient_, edge_chi2_;
   std::vector<TileMemory> memory_;
 };
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linear/block_structure.h"
 
@@ -30,7 +31,8 @@ struct PlanRequest {
       {};  ///< if not empty: only these move, and only edges that touch them take part
   std::span<const EdgeRef> edges = {};  ///< if not empty: only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  int threads = 1;  ///< upper bound; small problems are given fewer
+  int threads = 1;      ///< upper bound; small problems are given fewer
+  StopToken stop = {};  ///< once raised, make_plan() throws Stopped
 };
 
 /// The active vertices of one pool.
@@ -120,7 +122,7 @@ struct Plan {
   /// lost when it is eliminated last, they are gauge.
   std::vector<std::uint32_t> loose_blocks;
   std::vector<std::uint32_t> fixed_scalars;  ///< in which every step is zero (Graph::fix_directions())
-  int max_tile_values = 0;  ///< doubles of the largest tile
+  int max_tile_values = 0;                   ///< doubles of the largest tile
   int max_tile_rows = 0;
   std::size_t max_dense_values = 0;  ///< scratch for the largest edge that dense kernels multiply
 

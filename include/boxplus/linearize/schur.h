@@ -11,6 +11,8 @@
 
 namespace boxplus {
 
+class PacedStop;
+
 /// With H = [V Wᵀ; W U], V block diagonal over the eliminated vertices (the first blocks), solves
 /// (H + λD) x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H itself is only read, so another λ re-assembles
 /// nothing. (Brown, "A solution to the general problem of multiple station analytical stereotriangulation",
@@ -19,7 +21,9 @@ namespace boxplus {
 /// Allocates only when constructed. `structure` must outlive it.
 class Schur {
  public:
-  Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values);
+  /// Throws Stopped once the token is raised.
+  Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
+        const StopToken& stop = {});
 
   /// Structure of S: the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
@@ -27,8 +31,8 @@ class Schur {
 
   /// Factorises V + λD and, where asked for at construction, forms S without the λD of the kept blocks, which
   /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H that is
-  /// not positive definite.
-  FactorResult eliminate(std::span<const double> values, const Damping& damping);
+  /// not positive definite. Returns LinearStatus::kStopped soon after the token is raised.
+  FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {});
   /// The part of a damping that concerns the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
   /// r_kept − W V⁻¹ r_eliminated.
@@ -46,7 +50,7 @@ class Schur {
  private:
   template <class F>
   void for_each_row(std::uint32_t column, F&& f) const;
-  void form_reduced_values();
+  bool form_reduced_values(PacedStop& pace);
   std::uint32_t halve_column(std::uint32_t column);
   void kept_multiply(const double* x, double* y) const;
 

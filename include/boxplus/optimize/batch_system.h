@@ -4,6 +4,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "boxplus/linearize/linearizer.h"
@@ -16,9 +18,14 @@ namespace boxplus {
 class BatchSystem final : public System {
  public:
   /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null, and
-  /// is given the hints for its analysis with request.threads.
+  /// is given the hints for its analysis with request.threads. Throws Stopped once request.stop is raised.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver, SchurMode schur,
               AnalyzeHints hints = {});
+
+  /// Takes over what was appended to the graph since the plan was made, where `vertices` and `edges` are the
+  /// slots that each pool had then. False if that takes another plan; the system is of no use then.
+  bool extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
+              std::span<const std::uint32_t> edges);
 
   /// Takes what may differ from run to run from `options`, adds times to `timings` from now on, and stops
   /// linear solvers once `stop` is raised.
@@ -33,6 +40,7 @@ class BatchSystem final : public System {
   double try_step(std::span<const double> step) override;
   void accept() override {}
   void reject() override { restore(VertexPool::kTrialLevel); }
+  bool stopped() const override { return linearizer_.stopped(); }
 
   const Plan& plan() const { return *plan_; }
   Linearizer& linearizer() { return linearizer_; }
@@ -62,9 +70,10 @@ class BatchSystem final : public System {
   StepResult solve_full(const Damping& damping, std::span<double> step);
   StepResult solve_reduced(const Damping& damping, std::span<double> step);
   StepResult fail(const FactorResult& result, std::uint32_t first_block);
+  void resize_vectors();
 
   Graph* graph_;
-  std::unique_ptr<const Plan> plan_;
+  std::unique_ptr<Plan> plan_;
   Linearizer linearizer_;
   AssembledSystem assembled_;
   std::unique_ptr<Schur> schur_;
@@ -77,6 +86,9 @@ class BatchSystem final : public System {
   std::vector<std::uint32_t> lost_scalars_;
   LinearizeOptions linearize_options_;
   SolveControl control_;
+  StopToken stop_;
+  AnalyzeHints hints_;
+  std::optional<bool> extensible_;  // once it was asked for
   Timings* timings_ = nullptr;
 };
 

@@ -73,10 +73,10 @@ class Covariance {
 /// changes.
 ///
 /// Fixed vertices, fixed directions (Graph::fix_directions()), parameters that are not unfixed and vertices
-/// outside of Options::vertices have zero covariance, and so have those that are held for the gauge: fix a vertex, or add a prior, to choose what
-/// the others are relative to. Whether a vertex is eliminated changes nothing. A robust edge counts with its
-/// weight at the estimates. Of the options, `level`, `vertices`, `edges`, `gauge`, `threads`,
-/// `numeric_jacobians` and `triggs_correction` are used, as optimize() does.
+/// outside of Options::vertices have zero covariance, and so have those that are held for the gauge: fix a
+/// vertex, or add a prior, to choose what the others are relative to. Whether a vertex is eliminated changes
+/// nothing. A robust edge counts with its weight at the estimates. Of the options, `level`, `vertices`,
+/// `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction` are used, as optimize() does.
 ///
 /// If H is singular, or not finite, the status says so and names a vertex, even when that vertex was not
 /// asked for: fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.

@@ -29,15 +29,6 @@ struct GuessResult {
   std::string_view note;  ///< why it was not made; static text
 };
 
-/// Chains the measurements between poses that follow each other by id (landmarks in between do not count).
-/// Where the chain is broken, as few other measurements as possible bridge the gap. O(n log n).
-GuessResult guess_odometry(Graph& graph, const Plan& plan);
-
-/// Follows the shortest paths from the roots (Dijkstra). An edge costs the variance that it adds: that of its
-/// translation, plus that of its rotation times the mean squared length of the measured translations.
-/// O(n log n).
-GuessResult guess_spanning_tree(Graph& graph, const Plan& plan);
-
 /// Bounds of what a guess may take, and what helps it.
 struct GuessLimits {
   StopToken stop = {};                 ///< once raised, no guess is made
@@ -46,6 +37,15 @@ struct GuessLimits {
   /// An order in which to eliminate the blocks of the plan, or some of them; empty: it looks for one.
   std::span<const std::uint32_t> order = {};
 };
+
+/// Chains the measurements between poses that follow each other by id (landmarks in between do not count).
+/// Where the chain is broken, as few other measurements as possible bridge the gap. O(n log n).
+GuessResult guess_odometry(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
+
+/// Follows the shortest paths from the roots (Dijkstra). An edge costs the variance that it adds: that of its
+/// translation, plus that of its rotation times the mean squared length of the measured translations.
+/// O(n log n).
+GuessResult guess_spanning_tree(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
 /// projects the rotations onto SO(d), and solves again for positions and landmarks with these. What is not

@@ -76,9 +76,11 @@ struct Report {
   Reason reason = Reason::kMaxIterations;
   std::string message;  ///< one sentence for people
 
-  double chi2_initial = 0;  ///< F = Σ ρ(eᵀΩe) over the active edges, at the estimates as they came
-  double chi2_final = 0;    ///< recomputed at the estimates as they are left
-  int iterations = 0;       ///< of all runs together
+  /// F = Σ ρ(eᵀΩe) over the active edges, at the estimates as they came. NaN if Options::time_limit_s or
+  /// Options::stop ended the call before it was evaluated; the estimates are then as they came.
+  double chi2_initial = 0;
+  double chi2_final = 0;  ///< the same at the estimates as they are left
+  int iterations = 0;     ///< of all runs together
   StartReport start;
   GaugeReport gauge;
   std::vector<IterationRecord> records;  ///< of the run that was kept
@@ -87,10 +89,11 @@ struct Report {
   std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
   std::vector<EdgeJacobians> jacobians;  ///< of each edge type that takes part
   LinearStatistics linear;
-  int regularised_steps = 0;  ///< steps for which H had to be damped to be positive definite
-  int threads = 1;            ///< the bound asked for
-  int workers = 1;            ///< that linearise or factorise: small problems leave threads alone
-  bool plan_reused = false;
+  int regularised_steps = 0;   ///< steps for which H had to be damped to be positive definite
+  int threads = 1;             ///< the bound asked for
+  int workers = 1;             ///< that linearise or factorise: small problems leave threads alone
+  bool plan_reused = false;    ///< nothing has changed since the last call
+  bool plan_extended = false;  ///< vertices and edges were added since the last call, to a plan that was kept
   Timings time;
 
   bool converged() const { return status == Status::kConverged; }

@@ -29,8 +29,11 @@ class System {
   virtual ~System() = default;
   /// F at the current estimates.
   virtual double chi2() = 0;
-  /// Computes g and H. False where they are not finite.
+  /// Computes g and H. False if they are not finite.
   virtual bool linearize() = 0;
+  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s):
+  /// linearize() returned false then, the others NaN. Answer a stopped try_step() by reject().
+  virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;
   /// The diagonal of H, which scales trust regions and damping.
   virtual std::span<const double> diagonal() const = 0;

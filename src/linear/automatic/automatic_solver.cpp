@@ -35,6 +35,7 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
   auto fresh = std::make_unique<BlockCholesky>();
   BlockCholesky& cholesky = *fresh;
   chosen_ = std::move(fresh);  // gives back the memory of the last analysis first
+  cholesky.set_stop(stop());
   pcg_seconds_ = pcg_seconds(structure);
   bool accepted = false;
   const auto accepts = [&](const BlockCholesky::Forecast& forecast) {
@@ -44,6 +45,7 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
   refused_ = !accepted;
   if (accepted) return;
   chosen_ = std::make_unique<Pcg>();
+  chosen_->set_stop(stop());
   chosen_->analyze(structure, hints);
 }
 

@@ -15,6 +15,7 @@ class AutomaticSolver final : public LinearSolver {
   /// Of either.
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  bool extend(const StructureGrowth& growth) override { return !refused_ && chosen_->extend(growth); }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          std::span<const std::uint32_t> changed_columns) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "boxplus/base/error.h"
+#include "linear/block_cholesky/extend_factor.h"
 #include "linear/block_cholesky/triangular_solve.h"
 #include "linear/column_inverse.h"
 #include "linear/finite_check.h"
@@ -29,12 +30,15 @@ BlockCholesky::Forecast BlockCholesky::forecast_of(const FactorOutline& outline)
 
 void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure& structure,
                              const AnalyzeHints& hints) {
-  structure_ = &structure;
   factorized_ = false;
   inverse_.clear();
-  symbolic_ = complete_factor(structure, outline, rule_, hints.threads);
+  structure_ = nullptr;
+  symbolic_ = complete_factor(structure, outline, rule_, hints.threads, stop());
+  structure_ = &structure;
   ordering_ = outline.ordering;
-  forecast_seconds_ = forecast_of(outline).seconds;
+  forecast_seconds_ = analyzed_seconds_ = forecast_of(outline).seconds;
+  analyzed_blocks_ = structure.blocks();
+  extensions_ = 0;
   batch_ = std::max(1, hints.right_hand_sides);
   left_mixed_ = false;
   factor_.release();
@@ -49,6 +53,25 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   } else {
     factor_.allocate(symbolic_, structure.scalars(), batch_);
   }
+}
+
+bool BlockCholesky::extend(const StructureGrowth& growth) {
+  constexpr std::uint32_t kMostExtensions = 100;  // then an analysis costs little in each
+  constexpr double kMostGrowth = 1.25;            // of the time that a factorization takes per block
+  constexpr double kNegligible = 50e-6;           // seconds
+  factorized_ = false;
+  inverse_.clear();
+  if (!structure_ || ++extensions_ > kMostExtensions || !extend_factor(*structure_, growth, symbolic_))
+    return false;
+  forecast_seconds_ = predicted_nanoseconds(symbolic_, rule_) * 1e-9;
+  const double per_block = analyzed_seconds_ / std::max(1u, analyzed_blocks_);
+  if (forecast_seconds_ > kMostGrowth * per_block * structure_->blocks() + kNegligible) return false;
+  if (mixed_.allocated()) {
+    mixed_.extend(symbolic_);
+  } else {
+    factor_.allocate(symbolic_, structure_->scalars(), batch_);
+  }
+  return true;
 }
 
 /// Goes on in double until the next analysis.
@@ -125,7 +148,8 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
     const int batch = std::min(batch_, columns - done);
     if (stop().raised()) return {LinearStatus::kStopped, steps};
     const std::size_t first = static_cast<std::size_t>(done) * scalars;
-    solve_with(symbolic_, *structure_, factor_, b + first, batch, x + first);
+    if (!solve_with(symbolic_, *structure_, factor_, b + first, batch, x + first, stop()))
+      return {LinearStatus::kStopped, steps};
   }
   return {LinearStatus::kOk, steps};
 }

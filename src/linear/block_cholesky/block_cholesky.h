@@ -22,6 +22,7 @@ class BlockCholesky final : public LinearSolver {
   std::string_view name() const override { return "block_cholesky"; }
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  bool extend(const StructureGrowth& growth) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          std::span<const std::uint32_t> changed_columns) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
@@ -34,7 +35,7 @@ class BlockCholesky final : public LinearSolver {
   template <class Accepts>
   Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints) {
     const FactorOutline outline =
-        outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads, hints.order);
+        outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads, hints.order, stop());
     const Forecast forecast = forecast_of(outline);
     if (accepts(forecast)) complete(outline, structure, hints);
     return forecast;
@@ -57,6 +58,8 @@ class BlockCholesky final : public LinearSolver {
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
   double forecast_seconds_ = 0;
+  double analyzed_seconds_ = 0;  // the forecast of the last analysis, and
+  std::uint32_t analyzed_blocks_ = 0, extensions_ = 0;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   NumericFactor<double> factor_;

@@ -4,15 +4,20 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/paced_stop.h"
+
 namespace boxplus {
 
-UpperPattern::UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order)
+UpperPattern::UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order,
+                           const StopToken& stop)
     : column_start(order.size() + 1, 0) {
+  PacedStop pace(stop);
   std::vector<std::uint32_t> position(order.size());
   for (std::uint32_t k = 0; k < order.size(); ++k) position[order[k]] = k;
   const auto for_each_pair = [&](auto visit) {
     for (std::uint32_t j = 0; j < structure.blocks(); ++j) {
       for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k) {
+        pace.step();
         const auto [low, high] = std::minmax(position[j], position[structure.row[k]]);
         visit(low, high);
       }
@@ -25,11 +30,13 @@ UpperPattern::UpperPattern(const BlockStructure& structure, std::span<const std:
   for_each_pair([&](std::uint32_t low, std::uint32_t high) { row[next[high]++] = low; });
 }
 
-std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern) {
+std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const StopToken& stop) {
+  PacedStop pace(stop);
   std::vector<std::uint32_t> parent(pattern.columns(), kNoParent), ancestor(pattern.columns(), kNoParent);
   for (std::uint32_t j = 0; j < pattern.columns(); ++j) {
     for (std::uint32_t i : pattern.rows(j)) {
       while (i != kNoParent && i < j) {
+        pace.step();
         const std::uint32_t next = std::exchange(ancestor[i], j);
         if (next == kNoParent) parent[i] = j;
         i = next;
@@ -66,7 +73,8 @@ std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std:
 }
 
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
-                           std::span<const std::uint32_t> dims) {
+                           std::span<const std::uint32_t> dims, const StopToken& stop) {
+  PacedStop pace(stop, 8 * PacedStop::kSteps);  // short steps
   const std::uint32_t columns = pattern.columns();
   ColumnCounts counts{std::vector<std::uint32_t>(columns, 0), std::vector<std::uint32_t>(columns, 0)};
   std::vector<std::uint32_t> mark(columns, kNoParent);
@@ -74,6 +82,7 @@ ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uin
     mark[i] = i;
     for (std::uint32_t j : pattern.rows(i)) {
       for (; mark[j] != i; j = parent[j]) {
+        pace.step();
         mark[j] = i;
         ++counts.blocks[j];
         counts.scalars[j] += dims[i];

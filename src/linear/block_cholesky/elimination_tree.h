@@ -10,13 +10,16 @@
 
 namespace boxplus {
 
+// All of these throw Stopped once their token is raised, but for postorder(), which is fast.
+
 inline constexpr std::uint32_t kNoParent = BlockStructure::kAbsent;
 
 /// Rows of the strictly upper triangle of the permuted matrix, by column, in compressed form.
 /// `order[k]` is the block of the structure that is eliminated k-th.
 struct UpperPattern {
   std::vector<std::uint32_t> column_start, row;
-  UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order);
+  UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order,
+               const StopToken& stop = {});
   std::uint32_t columns() const { return static_cast<std::uint32_t>(column_start.size() - 1); }
   std::span<const std::uint32_t> rows(std::uint32_t column) const {
     return std::span(row).subspan(column_start[column], column_start[column + 1] - column_start[column]);
@@ -25,7 +28,7 @@ struct UpperPattern {
 
 /// parent[j] = the first row below the diagonal of column j of L, or kNoParent (Liu 1986, with path
 /// compression).
-std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern);
+std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const StopToken& stop = {});
 
 /// Sequence of the nodes in which every subtree is contiguous and children precede their parents; the last
 /// `keep` nodes stay where they are. parent[j] > j is required.
@@ -40,6 +43,6 @@ struct ColumnCounts {
 /// nearly linear method of Gilbert, Ng and Peyton (1994) would save little here, where blocks are counted,
 /// not scalars.
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
-                           std::span<const std::uint32_t> dims);
+                           std::span<const std::uint32_t> dims, const StopToken& stop = {});
 
 }  // namespace boxplus

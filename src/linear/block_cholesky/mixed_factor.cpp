@@ -47,8 +47,8 @@ SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& c
     system_->multiply(p, q);
     for (std::size_t i = 0; i < damping_.size(); ++i) q[i] += damping_[i] * p[i];
   };
-  const auto precondition = [this](const double* r, double* z) {
-    solve_with(*symbolic_, *structure_, factor_, r, 1, z);
+  const auto precondition = [this, &stop](const double* r, double* z) {
+    solve_with(*symbolic_, *structure_, factor_, r, 1, z, stop);
   };
   const SolveResult result = refinement_.solve(multiply, precondition, b, solution_.data(),
                                                {control.relative_tolerance, kMostSteps}, stop);

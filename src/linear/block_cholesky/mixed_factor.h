@@ -19,6 +19,8 @@ class MixedFactor {
  public:
   /// `steps_that_pay` is steps_that_pay() or, where the time does not count, infinite.
   void allocate(const SymbolicFactor& symbolic, const BlockStructure& structure, double steps_that_pay);
+  /// Takes over a factor and a structure that have grown, in the same objects.
+  void extend(const SymbolicFactor& symbolic) { allocate(symbolic, *structure_, steps_that_pay_); }
   /// Gives the memory of the factor back; what was factorised last is still known.
   void release();
   bool allocated() const { return factor_.allocated(); }

@@ -37,6 +37,8 @@ class Suspects {
 template <class Scalar>
 class NumericFactor {
  public:
+  /// May be called again for a factor that has grown: takes new memory, with some to spare, if there is too
+  /// little.
   void allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int right_hand_sides);
   void release() { *this = NumericFactor(); }
   bool allocated() const { return memory_ != nullptr; }
@@ -54,6 +56,7 @@ class NumericFactor {
   std::vector<LinearStatus> status_of_thread;
 
  private:
+  std::size_t room_ = 0;
   std::unique_ptr<Scalar[]> memory_;
   Scalar *minimum_pivot_ = nullptr, *x_ = nullptr, *work_ = nullptr;
 };

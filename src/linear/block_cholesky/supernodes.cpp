@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/paced_stop.h"
+
 namespace boxplus {
 namespace {
 
@@ -16,7 +18,8 @@ struct Node {
 };
 
 std::vector<Node> fundamental_supernodes(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
-                                         std::span<const std::uint32_t> dims, std::uint32_t keep) {
+                                         std::span<const std::uint32_t> dims, std::uint32_t keep,
+                                         PacedStop& pace) {
   const auto count = static_cast<std::uint32_t>(parent.size());
   std::vector<std::uint32_t> children(count, 0), node_of(count);
   for (const std::uint32_t p : parent) {
@@ -24,6 +27,7 @@ std::vector<Node> fundamental_supernodes(std::span<const std::uint32_t> parent, 
   }
   std::vector<Node> nodes;
   for (std::uint32_t j = 0; j < count; ++j) {
+    pace.step();
     const bool kept = j >= count - keep;
     const bool joins = j > 0 && parent[j - 1] == j && children[j] == 1 && nodes.back().kept == kept &&
                        counts.blocks[j - 1] == counts.blocks[j] + 1;
@@ -88,7 +92,7 @@ class Groups {
 };
 
 /// Children first, cheapest merge first. Children that a merged child had stay separate.
-void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
+void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedStop& pace) {
   std::vector<std::uint32_t> parents;
   parents.reserve(nodes.size());
   for (const Node& node : nodes) parents.push_back(node.parent);
@@ -100,6 +104,7 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
       return zeros_a != zeros_b ? zeros_a < zeros_b : a > b;
     });
     for (const std::uint32_t child : list) {
+      pace.step();
       if (merging_pays(nodes[child], nodes[s], rule)) merge(nodes[child], nodes[s], s);
     }
   }
@@ -107,10 +112,12 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule) {
 
 /// The numbers of the panels plus the most that wait in update matrices. `sequence` is a postorder of `tops`.
 double count_numbers(const std::vector<Node>& nodes, std::span<const std::uint32_t> tops,
-                     std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence) {
+                     std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence,
+                     PacedStop& pace) {
   double panels = 0, waiting = 0, most_waiting = 0;
   std::vector<double> from_children(tops.size(), 0);
   for (const std::uint32_t top : sequence) {
+    pace.step();
     const Node& node = nodes[tops[top]];
     const double update = node.below * node.below;
     panels += node.columns * (node.columns + node.below);
@@ -133,15 +140,17 @@ double predicted_time(const AmalgamationRule& rule, double columns, double below
 
 SupernodePartition partition_columns(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
                                      std::span<const std::uint32_t> dims, std::uint32_t keep,
-                                     const AmalgamationRule& rule) {
-  std::vector<Node> nodes = fundamental_supernodes(parent, counts, dims, keep);
+                                     const AmalgamationRule& rule, const StopToken& stop) {
+  PacedStop pace(stop);
+  std::vector<Node> nodes = fundamental_supernodes(parent, counts, dims, keep, pace);
   const std::vector<Node> fundamental = nodes;  // with the columns before merging
-  amalgamate(nodes, rule);
+  amalgamate(nodes, rule, pace);
   // Representatives: the topmost node of each merged set; parents come later, so a backward sweep settles
   // them.
   const auto count = static_cast<std::uint32_t>(nodes.size());
   std::vector<std::uint32_t> representative(count), number(count, 0), tops;
   for (std::uint32_t s = count; s-- > 0;) {
+    pace.step();
     representative[s] = nodes[s].merged_into == s ? s : representative[nodes[s].merged_into];
   }
   for (std::uint32_t s = 0; s < count; ++s) {
@@ -160,11 +169,12 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   SupernodePartition partition;
   partition.order.reserve(parent.size());
   const std::vector<std::uint32_t> sequence = postorder(top_parent, kept_tops);
-  partition.numbers = count_numbers(nodes, tops, top_parent, sequence);
+  partition.numbers = count_numbers(nodes, tops, top_parent, sequence, pace);
   for (const std::uint32_t top : tops)
     partition.nanoseconds += predicted_time(rule, nodes[top].columns, nodes[top].below);
   for (const std::uint32_t top : sequence) {
     for (const std::uint32_t s : members[top]) {
+      pace.step();
       for (std::uint32_t j = fundamental[s].first_column; j <= fundamental[s].last_column; ++j) {
         partition.order.push_back(j);
       }

@@ -34,9 +34,10 @@ double predicted_time(const AmalgamationRule& rule, double columns, double below
 
 /// Finds the fundamental supernodes (Liu, Ng, Peyton 1993) of a postordered tree and merges children into
 /// their parents wherever the predicted time (fixed work + entries + flops) falls and the zeros added stay
-/// below the cap. The last `keep` columns keep their places and are never merged with others.
+/// below the cap. The last `keep` columns keep their places and are never merged with others. Throws Stopped
+/// once the token is raised.
 SupernodePartition partition_columns(std::span<const std::uint32_t> parent, const ColumnCounts& counts,
                                      std::span<const std::uint32_t> dims, std::uint32_t keep,
-                                     const AmalgamationRule& rule = {});
+                                     const AmalgamationRule& rule = {}, const StopToken& stop = {});
 
 }  // namespace boxplus

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "base/paced_stop.h"
 #include "boxplus/base/error.h"
-#include "linear/block_cholesky/memory_plan.h"
+#include "linear/block_cholesky/factor_memory.h"
+#include "linear/block_cholesky/front_runs.h"
 #include "linear/ordering/amd_ordering.h"
 #include "linear/ordering/nested_dissection.h"
 
@@ -57,20 +59,14 @@ double count_flops(const ColumnCounts& counts, const std::vector<std::uint32_t>&
   return flops;
 }
 
-/// Columns far apart by a multiple of the page size fall into the same cache set: avoid such leading
-/// dimensions.
-std::uint32_t choose_leading(std::uint32_t rows) {
-  if (rows <= 32) return rows;
-  const std::uint32_t rounded = (rows + 3) / 4 * 4;
-  return rounded % 64 == 0 ? rounded + 4 : rounded;
-}
-
 /// Fills a SymbolicFactor front by front.
 class Builder {
  public:
-  Builder(const BlockStructure& structure, SymbolicFactor& factor)
+  Builder(const BlockStructure& structure, SymbolicFactor& factor, const StopToken& stop)
       : structure_(structure),
         f_(factor),
+        stop_(stop),
+        pace_(stop),
         local_(structure.blocks(), 0),
         mark_(structure.blocks(), kNoParent) {}
 
@@ -82,6 +78,7 @@ class Builder {
     f_.copies.reserve(structure_.nonzero_blocks());
     std::vector<std::uint32_t> first_child(count, kNoParent), sibling(count, kNoParent);
     for (std::uint32_t s = 0; s < count; ++s) {
+      pace_.step();
       Front front{partition.start[s], partition.start[s + 1], 0, 0, 0};
       front.child_begin = size_of(f_.children);
       for (std::uint32_t c = first_child[s]; c != kNoParent; c = sibling[c]) f_.children.push_back(c);
@@ -89,7 +86,12 @@ class Builder {
       std::sort(f_.children.begin() + front.child_begin, f_.children.end());
       find_rows(front, s);
       place_blocks(front);
-      for (const std::uint32_t c : f_.children_of(front)) find_runs(f_.fronts[c], front);
+      for (const std::uint32_t c : f_.children_of(front)) {
+        find_runs(f_, f_.fronts[c], front, [&](std::uint32_t row) {
+          pace_.step();
+          return local_[row];
+        });
+      }
       if (front.row_end > front.row_begin) {
         front.parent = f_.front_of[f_.row_blocks[front.row_begin]];
         sibling[s] = first_child[front.parent];
@@ -97,8 +99,9 @@ class Builder {
       }
       f_.fronts.push_back(front);
     }
+    stop_.check();
     f_.schedule = make_schedule(f_.fronts, rule, threads);
-    assign_memory();
+    assign_memory(f_, pace_);
   }
 
  private:
@@ -108,6 +111,7 @@ class Builder {
     f_.position.resize(f_.order.size());
     f_.offset.assign(1, 0);
     for (std::uint32_t k = 0; k < f_.order.size(); ++k) {
+      pace_.step();
       f_.position[f_.order[k]] = k;
       f_.offset.push_back(f_.offset.back() + structure_.dim(f_.order[k]));
     }
@@ -123,6 +127,7 @@ class Builder {
     const auto for_each = [&](auto visit) {
       for (std::uint32_t j = 0; j < structure_.blocks(); ++j) {
         for (std::uint32_t k = structure_.column_start[j]; k < structure_.column_start[j + 1]; ++k) {
+          pace_.step();
           const auto [low, high] = std::minmax(f_.position[j], f_.position[structure_.row[k]]);
           visit(low, Entry{high, k, f_.position[j] != low});
         }
@@ -139,6 +144,7 @@ class Builder {
   void find_rows(Front& front, std::uint32_t s) {
     front.row_begin = size_of(f_.row_blocks);
     const auto add = [&](std::uint32_t row) {
+      pace_.step();
       if (row < front.end_block || mark_[row] == s) return;
       mark_[row] = s;
       f_.row_blocks.push_back(row);
@@ -170,6 +176,7 @@ class Builder {
     front.copy_begin = size_of(f_.copies);
     for (std::uint32_t j = front.first_block; j < front.end_block; ++j) {
       for (std::uint32_t e = entry_start_[j]; e < entry_start_[j + 1]; ++e) {
+        pace_.step();
         const Entry& entry = entries_[e];
         const std::uint32_t rows = entry.transposed ? dim(j) : dim(entry.row);
         const std::uint32_t columns = entry.transposed ? dim(entry.row) : dim(j);
@@ -181,80 +188,14 @@ class Builder {
     front.copy_end = size_of(f_.copies);
   }
 
-  /// Appends a run, or extends the last one (of those from `begin`) where both sides go on where it ended.
-  static void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
-    constexpr std::uint32_t kLongest = 64;  // so that threads can share them
-    if (runs.size() > begin && runs.back().length < kLongest &&
-        runs.back().source + runs.back().length == run.source &&
-        runs.back().destination + runs.back().length == run.destination) {
-      runs.back().length += run.length;
-    } else {
-      runs.push_back(run);
-    }
-  }
-
-  void find_runs(Front& child, const Front& parent) {
-    child.run_begin = child.run_split = size_of(f_.runs);
-    std::uint32_t source = 0, begin = child.run_begin;
-    for (const std::uint32_t row : f_.rows(child)) {
-      if (row >= parent.end_block && begin == child.run_begin) begin = child.run_split = size_of(f_.runs);
-      append_run(f_.runs, begin, {source, local_[row], dim(row)});
-      source += dim(row);
-      if (row < parent.end_block) child.run_split = size_of(f_.runs);
-    }
-    child.run_end = size_of(f_.runs);
-  }
-
-  /// Panels one after the other; update matrices where there is room. Subtrees of different threads share no
-  /// room.
-  void assign_memory() {
-    for (Front& front : f_.fronts) {
-      const std::uint64_t size = std::uint64_t{front.leading} * front.columns;
-      if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 numbers");
-      front.panel = f_.panel_size;
-      f_.panel_size += size;
-      front.first_row = f_.all_rows;
-      f_.all_rows += front.rows();
-      f_.largest_front = std::max(f_.largest_front, front.rows());
-      f_.most_columns = std::max(f_.most_columns, front.columns);
-      f_.most_below = std::max(f_.most_below, front.below);
-    }
-    MemoryPlan updates;
-    if (!f_.schedule.is_parallel()) {
-      for (Front& front : f_.fronts) place_update(front, updates, 0);
-      f_.update_size = updates.peak();
-      return;
-    }
-    for (const auto& share : f_.schedule.threads) {
-      for (const auto& subtree : share) {
-        MemoryPlan own;
-        for (std::uint32_t s = subtree.begin; s < subtree.end; ++s)
-          place_update(f_.fronts[s], own, f_.update_size);
-        f_.update_size += own.peak();
-      }
-    }
-    // The updates of the subtrees' roots are never released: the top fronts have room of their own.
-    for (const std::uint32_t s : f_.schedule.top) place_update(f_.fronts[s], updates, f_.update_size);
-    f_.update_size += updates.peak();
-  }
-
-  /// Finds room above `base` while the children's updates are alive, then releases those that `plan` placed.
-  void place_update(Front& front, MemoryPlan& plan, std::uint64_t base) {
-    const std::uint64_t below = front.below, origin = f_.panel_size + base;
-    front.update = origin + plan.reserve(below * below);
-    for (const std::uint32_t c : f_.children_of(front)) {
-      const Front& child = f_.fronts[c];
-      const std::uint64_t rows = child.below;
-      if (child.update >= origin) plan.release(child.update - origin, rows * rows);
-    }
-  }
-
   struct Entry {
     std::uint32_t row, index;
     bool transposed;
   };
   const BlockStructure& structure_;
   SymbolicFactor& f_;
+  const StopToken& stop_;
+  PacedStop pace_;
   std::vector<std::uint32_t> local_;  // position → scalar offset in the current front
   std::vector<std::uint32_t> mark_;
   std::vector<std::uint32_t> entry_start_;
@@ -267,14 +208,19 @@ struct Ordered {
   ColumnCounts counts;
   double flops;
 
-  Ordered(const BlockStructure& structure, const std::vector<std::uint32_t>& given, std::uint32_t keep) {
-    const std::vector<std::uint32_t> tree = elimination_tree(UpperPattern(structure, given));
+  Ordered(const BlockStructure& structure, const std::vector<std::uint32_t>& given, std::uint32_t keep,
+          const StopToken& stop) {
+    const std::vector<std::uint32_t> tree = elimination_tree(UpperPattern(structure, given, stop), stop);
+    stop.check();
     const std::vector<std::uint32_t> sequence = postorder(tree, keep);
     order = composed(given, sequence);
+    stop.check();
     parent = renumbered(tree, sequence);
-    const UpperPattern pattern(structure, order);
+    stop.check();
+    const UpperPattern pattern(structure, order, stop);
     dims = dims_in(structure, order);
-    counts = count_columns(pattern, parent, dims);
+    counts = count_columns(pattern, parent, dims, stop);
+    stop.check();
     flops = count_flops(counts, dims);
   }
 };
@@ -310,33 +256,33 @@ std::uint32_t SymbolicFactor::row_in(const Front& front, std::uint32_t at) const
 
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
                              const AmalgamationRule& rule, Ordering ordering, int threads,
-                             std::span<const std::uint32_t> order) {
+                             std::span<const std::uint32_t> order, const StopToken& stop) {
   const auto keep = static_cast<std::uint32_t>(last.size());
   const auto outline = [&](const Ordered& best, Ordering taken) {
-    return FactorOutline{best.order, partition_columns(best.parent, best.counts, best.dims, keep, rule),
+    return FactorOutline{best.order, partition_columns(best.parent, best.counts, best.dims, keep, rule, stop),
                          best.flops, taken};
   };
   if (!order.empty() && last.empty()) {
     check_order(order, structure.blocks());
-    return outline({structure, {order.begin(), order.end()}, keep}, ordering);
+    return outline({structure, {order.begin(), order.end()}, keep, stop}, ordering);
   }
   if (ordering == Ordering::kNestedDissection)
-    return outline({structure, nested_dissection(structure, last, threads), keep},
+    return outline({structure, nested_dissection(structure, last, threads, stop), keep, stop},
                    Ordering::kNestedDissection);
-  const Ordered by_degree(structure, amd_ordering(structure, last), keep);
+  const Ordered by_degree(structure, amd_ordering(structure, last, stop), keep, stop);
   if (ordering == Ordering::kAutomatic && dissection_pays(structure, by_degree.flops, rule)) {
-    const Ordered dissected(structure, nested_dissection(structure, last, threads), keep);
+    const Ordered dissected(structure, nested_dissection(structure, last, threads, stop), keep, stop);
     if (dissected.flops < by_degree.flops) return outline(dissected, Ordering::kNestedDissection);
   }
   return outline(by_degree, Ordering::kMinimumDegree);
 }
 
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
-                               const AmalgamationRule& rule, int threads) {
+                               const AmalgamationRule& rule, int threads, const StopToken& stop) {
   SymbolicFactor factor;
   factor.order = composed(outline.order, outline.partition.order);
   factor.flops = outline.flops;
-  Builder(structure, factor).build(outline.partition, rule, threads);
+  Builder(structure, factor, stop).build(outline.partition, rule, threads);
   return factor;
 }
 

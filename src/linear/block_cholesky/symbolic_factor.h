@@ -96,13 +96,15 @@ struct FactorOutline {
 };
 
 /// Orders the blocks, unless `order` does, and forms the supernodes. Throws InvalidArgument where `order` is
-/// neither empty nor an order of all blocks.
+/// neither empty nor an order of all blocks, and Stopped once the token is raised.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
                              const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree,
-                             int threads = 1, std::span<const std::uint32_t> order = {});
-/// Finds all indices and lays out the memory.
+                             int threads = 1, std::span<const std::uint32_t> order = {},
+                             const StopToken& stop = {});
+/// Finds all indices and lays out the memory. Throws Stopped once the token is raised.
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
-                               const AmalgamationRule& rule = {}, int threads = 1);
+                               const AmalgamationRule& rule = {}, int threads = 1,
+                               const StopToken& stop = {});
 /// Both.
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule = {}, int threads = 1,

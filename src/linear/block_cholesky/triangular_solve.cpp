@@ -2,14 +2,19 @@
 #include "linear/block_cholesky/triangular_solve.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 
+#include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
 #include "kernels/dense_kernels.h"
 #include "kernels/kernel_table.h"
 
 namespace boxplus {
 namespace {
+
+/// Numbers of the factor between two questions to the token, for several right-hand sides.
+constexpr std::int64_t kNumbersOfSeveral = 1 << 13;
 
 /// Several right-hand sides: the rows of x below the front's columns, one after the other.
 template <class Scalar>
@@ -48,8 +53,9 @@ struct FrontView {
 template <class Scalar>
 class Substitution {
  public:
-  Substitution(const SymbolicFactor& symbolic, const Scalar* panels, Scalar* x, Scalar* work)
-      : symbolic_(symbolic), panels_(panels), x_(x), work_(work) {}
+  Substitution(const SymbolicFactor& symbolic, const Scalar* panels, Scalar* x, Scalar* work,
+               const StopToken& stop)
+      : symbolic_(symbolic), panels_(panels), x_(x), work_(work), stop_(stop) {}
 
   void forward(const Front& front) const {
     const FrontView<Scalar> f(symbolic_, front, panels_, 1, x_);
@@ -78,29 +84,26 @@ class Substitution {
     kernels_.scatter_runs(&pivots, 1, rows, x_);
   }
 
-  void forward_all() const {
-    if (!in_parallel()) {
-      for (const Front& front : symbolic_.fronts) forward(front);
-      return;
-    }
-    for_each_share([&](const TreeSchedule::Subtree& subtree) {
-      for (std::uint32_t s = subtree.begin; s < subtree.end; ++s) forward(symbolic_.fronts[s]);
-    });
-    for (const std::uint32_t s : symbolic_.schedule.top) forward(symbolic_.fronts[s]);
+  /// False if it was stopped.
+  bool forward_all() {
+    const auto step = [this](std::uint32_t s) { forward(symbolic_.fronts[s]); };
+    if (!in_parallel()) return ascend(0, static_cast<std::uint32_t>(symbolic_.fronts.size()), step);
+    for_each_share(
+        [&](const TreeSchedule::Subtree& subtree) { return ascend(subtree.begin, subtree.end, step); });
+    const auto& top = symbolic_.schedule.top;
+    return !stopped_ &&
+           ascend(0, static_cast<std::uint32_t>(top.size()), [&](std::uint32_t k) { step(top[k]); });
   }
 
-  void backward_all() const {
+  bool backward_all() {
     if (!in_parallel()) return backward_from(static_cast<std::uint32_t>(symbolic_.fronts.size()) - 1);
     const auto& top = symbolic_.schedule.top;
     std::for_each(top.rbegin(), top.rend(), [&](std::uint32_t s) { backward(symbolic_.fronts[s]); });
-    for_each_share([&](const TreeSchedule::Subtree& subtree) {
-      for (std::uint32_t s = subtree.end; s-- > subtree.begin;) backward(symbolic_.fronts[s]);
-    });
+    for_each_share([&](const TreeSchedule::Subtree& subtree) { return descend(subtree.begin, subtree.end); });
+    return !stopped_;
   }
 
-  void backward_from(std::uint32_t last) const {
-    for (std::uint32_t s = last + 1; s-- > 0;) backward(symbolic_.fronts[s]);
-  }
+  bool backward_from(std::uint32_t last) { return descend(0, last + 1); }
 
  private:
   bool in_parallel() const {
@@ -108,12 +111,38 @@ class Substitution {
     return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kWorthThreads;
   }
 
-  /// The subtrees of each thread, side by side.
+  static constexpr std::int64_t kNumbers = 1 << 15;  // of the factor, between two questions
+
   template <class F>
-  void for_each_share(F&& work_on) const {
+  bool ascend(std::uint32_t begin, std::uint32_t end, F&& step) const {
+    PacedStop pace(stop_, kNumbers);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      if (pace.is_raised_after(numbers_of(k))) return false;
+      step(k);
+    }
+    return true;
+  }
+  bool descend(std::uint32_t begin, std::uint32_t end) const {
+    PacedStop pace(stop_, kNumbers);
+    for (std::uint32_t s = end; s-- > begin;) {
+      if (pace.is_raised_after(numbers_of(s))) return false;
+      backward(symbolic_.fronts[s]);
+    }
+    return true;
+  }
+  std::int64_t numbers_of(std::uint32_t s) const {
+    const Front& front = symbolic_.fronts[s];
+    return std::int64_t{front.leading} * front.columns;
+  }
+
+  /// The subtrees of each thread, side by side, until `work_on` returns false.
+  template <class F>
+  void for_each_share(F&& work_on) {
     const auto& shares = symbolic_.schedule.threads;
     parallel_tasks(static_cast<int>(shares.size()), [&](int thread) {
-      for (const auto& subtree : shares[static_cast<std::size_t>(thread)]) work_on(subtree);
+      for (const auto& subtree : shares[static_cast<std::size_t>(thread)]) {
+        if (!work_on(subtree)) return void(stopped_ = true);
+      }
     });
   }
 
@@ -124,16 +153,21 @@ class Substitution {
   const SymbolicFactor& symbolic_;
   const Scalar* panels_;
   Scalar *x_, *work_;
+  const StopToken& stop_;
+  std::atomic<bool> stopped_ = false;
   const dense::FactorKernels<Scalar>& kernels_ = dense::factor_kernels<Scalar>();
 };
 
 }  // namespace
 
 template <class Scalar>
-void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work) {
-  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work).forward_all();
+bool solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work,
+                 const StopToken& stop) {
+  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work, stop).forward_all();
   const auto stride = static_cast<std::size_t>(columns);
+  PacedStop pace(stop, kNumbersOfSeveral);
   for (const Front& front : symbolic.fronts) {
+    if (pace.is_raised_after(std::int64_t{front.leading} * front.columns)) return false;
     const FrontView<Scalar> f(symbolic, front, panels, stride, x);
     dense::divide_by_transposed(f.pivots, columns, f.panel, f.leading, columns, f.columns);
     gather(symbolic, front, stride, x, work);
@@ -141,31 +175,38 @@ void solve_lower(const SymbolicFactor& symbolic, const Scalar* panels, int colum
                                        columns, f.below, f.columns);
     scatter(symbolic, front, stride, work, x);
   }
+  return true;
 }
 
 template <class Scalar>
 void solve_upper_from(const SymbolicFactor& symbolic, const Scalar* panels, std::uint32_t last_front,
                       Scalar* x, Scalar* work) {
-  Substitution<Scalar>(symbolic, panels, x, work).backward_from(last_front);
+  const StopToken never;
+  Substitution<Scalar>(symbolic, panels, x, work, never).backward_from(last_front);
 }
 
 template <class Scalar>
-void solve_upper(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work) {
-  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work).backward_all();
+bool solve_upper(const SymbolicFactor& symbolic, const Scalar* panels, int columns, Scalar* x, Scalar* work,
+                 const StopToken& stop) {
+  if (columns == 1) return Substitution<Scalar>(symbolic, panels, x, work, stop).backward_all();
   const auto stride = static_cast<std::size_t>(columns);
+  PacedStop pace(stop, kNumbersOfSeveral);
   for (auto s = static_cast<std::uint32_t>(symbolic.fronts.size()); s-- > 0;) {
     const Front& front = symbolic.fronts[s];
+    if (pace.is_raised_after(std::int64_t{front.leading} * front.columns)) return false;
     const FrontView<Scalar> f(symbolic, front, panels, stride, x);
     gather(symbolic, front, stride, x, work);
     dense::subtract_product(f.pivots, columns, work, columns, f.panel + f.columns, f.leading, columns,
                             f.columns, f.below);
     dense::divide_by(f.pivots, columns, f.panel, f.leading, columns, f.columns);
   }
+  return true;
 }
 
 template <class Scalar>
-void solve_with(const SymbolicFactor& symbolic, const BlockStructure& structure,
-                const NumericFactor<Scalar>& factor, const double* b, int columns, double* x) {
+bool solve_with(const SymbolicFactor& symbolic, const BlockStructure& structure,
+                const NumericFactor<Scalar>& factor, const double* b, int columns, double* x,
+                const StopToken& stop) {
   const std::size_t scalars = structure.scalars(), stride = static_cast<std::size_t>(columns);
   const auto for_all = [&](auto&& move) {
     Scalar* permuted = factor.x();
@@ -176,20 +217,21 @@ void solve_with(const SymbolicFactor& symbolic, const BlockStructure& structure,
     }
   };
   for_all([b](Scalar& to, std::size_t i) { to = static_cast<Scalar>(b[i]); });
-  solve_lower(symbolic, factor.arena(), columns, factor.x(), factor.work());
-  solve_upper(symbolic, factor.arena(), columns, factor.x(), factor.work());
+  if (!solve_lower(symbolic, factor.arena(), columns, factor.x(), factor.work(), stop)) return false;
+  if (!solve_upper(symbolic, factor.arena(), columns, factor.x(), factor.work(), stop)) return false;
   for_all([x](Scalar from, std::size_t i) { x[i] = from; });
+  return true;
 }
 
-template void solve_lower(const SymbolicFactor&, const double*, int, double*, double*);
-template void solve_upper(const SymbolicFactor&, const double*, int, double*, double*);
+template bool solve_lower(const SymbolicFactor&, const double*, int, double*, double*, const StopToken&);
+template bool solve_upper(const SymbolicFactor&, const double*, int, double*, double*, const StopToken&);
 template void solve_upper_from(const SymbolicFactor&, const double*, std::uint32_t, double*, double*);
-template void solve_with(const SymbolicFactor&, const BlockStructure&, const NumericFactor<double>&,
-                         const double*, int, double*);
-template void solve_lower(const SymbolicFactor&, const float*, int, float*, float*);
-template void solve_upper(const SymbolicFactor&, const float*, int, float*, float*);
+template bool solve_with(const SymbolicFactor&, const BlockStructure&, const NumericFactor<double>&,
+                         const double*, int, double*, const StopToken&);
+template bool solve_lower(const SymbolicFactor&, const float*, int, float*, float*, const StopToken&);
+template bool solve_upper(const SymbolicFactor&, const float*, int, float*, float*, const StopToken&);
 template void solve_upper_from(const SymbolicFactor&, const float*, std::uint32_t, float*, float*);
-template void solve_with(const SymbolicFactor&, const BlockStructure&, const NumericFactor<float>&,
-                         const double*, int, double*);
+template bool solve_with(const SymbolicFactor&, const BlockStructure&, const NumericFactor<float>&,
+                         const double*, int, double*, const StopToken&);
 
 }  // namespace boxplus

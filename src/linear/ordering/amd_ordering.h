@@ -16,8 +16,10 @@ namespace boxplus {
 ///
 /// The blocks of `last` come at the end, in the given order; the others are ordered as if those did not exist
 /// (their fill among the last blocks does not depend on the order of the others).
+///
+/// AMD cannot be interrupted: throws Stopped if it is predicted not to end before the deadline of `stop`.
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
-                                        std::span<const std::uint32_t> last = {});
+                                        std::span<const std::uint32_t> last = {}, const StopToken& stop = {});
 
 inline constexpr int kIsLast = -1;
 /// Number of each block among those that may be ordered freely, kIsLast for the others. Throws
@@ -25,7 +27,8 @@ inline constexpr int kIsLast = -1;
 std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last);
 
 /// Constrained approximate minimum degree: blocks of a lower rank (0 … blocks − 1) before those of a higher
-/// one, and within a rank by degree, counting the neighbours of all ranks.
-std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of);
+/// one, and within a rank by degree, counting the neighbours of all ranks. `stop` as above.
+std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of,
+                                                    const StopToken& stop = {});
 
 }  // namespace boxplus

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
 #include "linear/ordering/amd_ordering.h"
 #include "linear/ordering/vertex_separator.h"
@@ -17,7 +18,8 @@ constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
 
 /// The blocks that are not kept last, weighted by their sizes; `block_of` names them.
 WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uint32_t> last,
-                       std::vector<std::uint32_t>& block_of) {
+                       std::vector<std::uint32_t>& block_of, const StopToken& stop) {
+  PacedStop pace(stop);
   const std::vector<int> vertex = number_free_blocks(structure, last);
   for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
     if (vertex[block] != kIsLast) block_of.push_back(block);
@@ -27,6 +29,7 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
   const auto for_each_edge = [&](auto&& f) {
     for (const std::uint32_t j : block_of) {
       for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k) {
+        pace.step();
         if (vertex[structure.row[k]] == kIsLast) continue;
         const auto a = static_cast<std::uint32_t>(vertex[j]);
         const auto b = static_cast<std::uint32_t>(vertex[structure.row[k]]);
@@ -47,7 +50,8 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
 
 /// The part of a graph on one side; its block names follow.
 WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side, Side wanted,
-                      const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of) {
+                      const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of,
+                      PacedStop& pace) {
   std::vector<std::uint32_t> vertex(graph.vertices(), kAbsent);
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
@@ -57,6 +61,7 @@ WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side,
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
     if (side[v] != wanted) continue;
     for (const std::uint32_t u : graph.neighbours(v)) {
+      pace.step();
       if (vertex[u] == kAbsent) continue;
       part.neighbour.push_back(vertex[u]);
       part.edge_weight.push_back(1);
@@ -76,15 +81,16 @@ struct Piece {
   std::vector<Piece> parts;
 };
 
-void part(Piece& piece) {
+void part(Piece& piece, const StopToken& stop) {
   const WeightedGraph& graph = piece.graph;
   if (graph.vertices() <= kLeaf) return;
-  const std::vector<Side> side = find_separator(graph);
+  const std::vector<Side> side = find_separator(graph, stop);
   const auto count = [&](Side wanted) { return std::count(side.begin(), side.end(), wanted); };
   if (count(kLeft) == 0 || count(kRight) == 0) return;
+  PacedStop pace(stop);
   for (const Side wanted : {kLeft, kRight}) {
     Piece& half = piece.parts.emplace_back();
-    half.graph = part_of(graph, side, wanted, piece.block_of, half.block_of);
+    half.graph = part_of(graph, side, wanted, piece.block_of, half.block_of, pace);
   }
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
     if (side[v] == kSeparator) piece.separator.push_back(piece.block_of[v]);
@@ -92,14 +98,14 @@ void part(Piece& piece) {
 }
 
 /// The separators, those of larger pieces first. Pieces of one level are parted side by side.
-std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads) {
+std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads, const StopToken& stop) {
   std::vector<std::vector<std::uint32_t>> separators;
   std::vector<Piece> level;
   level.push_back(std::move(whole));
   while (!level.empty()) {
     const std::size_t tasks = std::min(level.size(), static_cast<std::size_t>(std::max(1, threads)));
     parallel_tasks(static_cast<int>(tasks), [&](int task) {
-      for (auto k = static_cast<std::size_t>(task); k < level.size(); k += tasks) part(level[k]);
+      for (auto k = static_cast<std::size_t>(task); k < level.size(); k += tasks) part(level[k], stop);
     });
     std::vector<Piece> next;
     for (Piece& piece : level) {
@@ -114,10 +120,11 @@ std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads
 }  // namespace
 
 std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
-                                             std::span<const std::uint32_t> last, int threads) {
+                                             std::span<const std::uint32_t> last, int threads,
+                                             const StopToken& stop) {
   Piece whole;
-  whole.graph = graph_of(structure, last, whole.block_of);
-  const auto separators = find_separators(std::move(whole), threads);
+  whole.graph = graph_of(structure, last, whole.block_of, stop);
+  const auto separators = find_separators(std::move(whole), threads, stop);
   std::vector<int> rank_of(structure.blocks(), 0);  // what is no separator comes first
   int rank = 0;
   for (auto separator = separators.rbegin(); separator != separators.rend(); ++separator) {
@@ -125,7 +132,7 @@ std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
     for (const std::uint32_t block : *separator) rank_of[block] = rank;
   }
   for (const std::uint32_t block : last) rank_of[block] = ++rank;
-  return constrained_amd_ordering(structure, rank_of);
+  return constrained_amd_ordering(structure, rank_of, stop);
 }
 
 }  // namespace boxplus

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <queue>
 
+#include "base/paced_stop.h"
+
 namespace boxplus {
 namespace {
 
@@ -31,7 +33,8 @@ std::uint32_t scramble(std::uint32_t x) {
 
 /// Each vertex' partner, or itself: the heaviest edge first, seen from the vertices of least degree. `salt`
 /// chooses among those that are alike.
-std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::uint32_t salt) {
+std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::uint32_t salt,
+                                               PacedStop& pace) {
   struct Visit {
     std::uint64_t rank;
     std::uint32_t vertex;
@@ -44,12 +47,16 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
     luck[v] = scramble(v ^ salt);
     visits[v] = {std::uint64_t{graph.start[v + 1] - graph.start[v]} << 32 | luck[v], v};
   }
-  std::sort(visits.begin(), visits.end(), [](const Visit& a, const Visit& b) { return a.rank < b.rank; });
+  std::sort(visits.begin(), visits.end(), [&](const Visit& a, const Visit& b) {
+    pace.step();
+    return a.rank < b.rank;
+  });
   for (const auto& [rank, v] : visits) {
     if (partner[v] != kNone) continue;
     std::uint32_t best = v;
     std::int64_t heaviest = 0;
     for (std::uint32_t k = graph.start[v]; k < graph.start[v + 1]; ++k) {
+      pace.step();
       const std::uint32_t u = graph.neighbour[k];
       const std::int64_t weight = graph.edge_weight[k];
       if (partner[u] != kNone || graph.weight[u] + graph.weight[v] > limit) continue;
@@ -63,7 +70,7 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
 
 /// Merges partners; `coarse_of` is the vertex of the result that each vertex goes into.
 WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32_t>& partner,
-                       std::vector<std::uint32_t>& coarse_of) {
+                       std::vector<std::uint32_t>& coarse_of, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
   coarse_of.assign(n, kNone);
   std::uint32_t count = 0;
@@ -79,6 +86,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
     const auto add = [&](std::uint32_t fine) {
       coarse.weight[c] += graph.weight[fine];
       for (std::uint32_t k = graph.start[fine]; k < graph.start[fine + 1]; ++k) {
+        pace.step();
         const std::uint32_t u = coarse_of[graph.neighbour[k]];
         if (u == c) continue;
         if (place[u] == kNone || place[u] < first) {
@@ -99,8 +107,8 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
 /// Moves vertices out of the separator while that makes it lighter, or may do so later.
 class Refiner {
  public:
-  Refiner(const WeightedGraph& graph, std::vector<Side>& side)
-      : graph_(graph), side_(side), locked_(graph.vertices(), 0) {
+  Refiner(const WeightedGraph& graph, std::vector<Side>& side, PacedStop& pace)
+      : graph_(graph), side_(side), pace_(pace), locked_(graph.vertices(), 0) {
     for (std::uint32_t v = 0; v < graph.vertices(); ++v) weight_[side[v]] += graph.weight[v];
     limit_ = static_cast<std::int64_t>(kLargestSide * static_cast<double>(graph.total()));
   }
@@ -131,14 +139,16 @@ class Refiner {
 
   /// By how much the separator gets lighter where v leaves it: what it would pull in comes from the other
   /// side.
-  std::int64_t gain(std::uint32_t v, Side to) const {
+  std::int64_t gain(std::uint32_t v, Side to) {
     std::int64_t pulled = 0;
     for (const std::uint32_t u : graph_.neighbours(v)) {
+      pace_.step();
       if (side_[u] == other(to)) pulled += graph_.weight[u];
     }
     return graph_.weight[v] - pulled;
   }
   void propose(std::uint32_t v) {
+    pace_.step();
     if (side_[v] != kSeparator || locked_[v]) return;
     for (const Side to : {kLeft, kRight}) queue_[to].push({gain(v, to), v});
   }
@@ -218,6 +228,7 @@ class Refiner {
 
   const WeightedGraph& graph_;
   std::vector<Side>& side_;
+  PacedStop& pace_;
   std::vector<std::uint8_t> locked_;
   std::int64_t weight_[3] = {0, 0, 0}, limit_ = 0;
   std::array<std::priority_queue<Candidate>, 2> queue_;
@@ -225,7 +236,7 @@ class Refiner {
 };
 
 /// Half of the weight, breadth first from `seed`; of the rest, what touches it is the separator.
-std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed) {
+std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
   std::vector<Side> side(n, kRight);
   std::vector<std::uint32_t> front;
@@ -243,6 +254,7 @@ std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed) {
     side[v] = kLeft;
     grown += graph.weight[v];
     for (const std::uint32_t u : graph.neighbours(v)) {
+      pace.step();
       if (!seen[u]) seen[u] = 1, front.push_back(u);
     }
   }
@@ -264,12 +276,13 @@ struct Parted {
   double cost;
 };
 
-Parted part_coarsest(const WeightedGraph& graph) {
+Parted part_coarsest(const WeightedGraph& graph, PacedStop& pace) {
   Parted best{{}, 0};
   const std::uint32_t n = graph.vertices();
   for (std::uint32_t k = 0; k < kSeeds; ++k) {
-    std::vector<Side> side = grow_from(graph, static_cast<std::uint32_t>(std::uint64_t{k} * n / kSeeds));
-    Refiner refiner(graph, side);
+    std::vector<Side> side =
+        grow_from(graph, static_cast<std::uint32_t>(std::uint64_t{k} * n / kSeeds), pace);
+    Refiner refiner(graph, side, pace);
     refiner.run();
     if (best.side.empty() || refiner.cost() < best.cost) best = {std::move(side), refiner.cost()};
   }
@@ -277,15 +290,15 @@ Parted part_coarsest(const WeightedGraph& graph) {
 }
 
 /// Coarsens, parts, and refines on the way back.
-Parted part(const WeightedGraph& graph, std::uint32_t salt) {
-  if (graph.vertices() <= kCoarsest) return part_coarsest(graph);
+Parted part(const WeightedGraph& graph, std::uint32_t salt, PacedStop& pace) {
+  if (graph.vertices() <= kCoarsest) return part_coarsest(graph, pace);
   std::vector<std::uint32_t> coarse_of;
-  const WeightedGraph coarse = contract(graph, heavy_edge_matching(graph, salt), coarse_of);
-  if (coarse.vertices() >= kLeastShrinkage * graph.vertices()) return part_coarsest(graph);
-  const std::vector<Side> parted = part(coarse, salt).side;
+  const WeightedGraph coarse = contract(graph, heavy_edge_matching(graph, salt, pace), coarse_of, pace);
+  if (coarse.vertices() >= kLeastShrinkage * graph.vertices()) return part_coarsest(graph, pace);
+  const std::vector<Side> parted = part(coarse, salt, pace).side;
   std::vector<Side> side(graph.vertices());
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) side[v] = parted[coarse_of[v]];
-  Refiner refiner(graph, side);
+  Refiner refiner(graph, side, pace);
   refiner.run();
   return {std::move(side), refiner.cost()};
 }
@@ -296,11 +309,12 @@ std::int64_t WeightedGraph::total() const {
   return std::accumulate(weight.begin(), weight.end(), std::int64_t{0});
 }
 
-std::vector<Side> find_separator(const WeightedGraph& graph) {
+std::vector<Side> find_separator(const WeightedGraph& graph, const StopToken& stop) {
   if (graph.vertices() == 0) return {};
-  Parted best = part(graph, 0);
+  PacedStop pace(stop);
+  Parted best = part(graph, 0, pace);
   for (std::uint32_t salt = 1; salt < kTries; ++salt) {
-    Parted next = part(graph, scramble(salt));
+    Parted next = part(graph, scramble(salt), pace);
     if (next.cost < best.cost) best = std::move(next);
   }
   return std::move(best.side);

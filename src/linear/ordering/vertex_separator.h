@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "boxplus/base/stop_token.h"
+
 namespace boxplus {
 
 /// An undirected graph: vertex v has the neighbours neighbour[start[v]] … neighbour[start[v + 1] − 1], never
@@ -29,6 +31,7 @@ enum Side : std::uint8_t { kLeft, kRight, kSeparator };
 /// one side, and the separator refined on every level on the way back (Karypis and Kumar, "A fast and high
 /// quality multilevel scheme for partitioning irregular graphs", 1998; the refinement after Fiduccia and
 /// Mattheyses 1982 and Ashcraft and Liu 1998). The same labels in every run. O(edges log vertices).
-std::vector<Side> find_separator(const WeightedGraph& graph);
+/// Throws Stopped once the token is raised.
+std::vector<Side> find_separator(const WeightedGraph& graph, const StopToken& stop = {});
 
 }  // namespace boxplus

@@ -25,7 +25,7 @@
 #include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/components.h"
 #include "optimize/initial_guess/nearest_rotation.h"
-#include "optimize/initial_guess/notes.h"
+#include "optimize/initial_guess/restore.h"
 #include "optimize/initial_guess/separable_least_squares.h"
 
 namespace boxplus {
@@ -86,18 +86,22 @@ class Chordal {
 Chordal::Chordal(const FrameGraph& frames, const Plan& plan, const Components& components, int d,
                  const GuessLimits& limits)
     : frames_(frames), limits_(limits), d_(d), block_(frames.nodes(), kConstant) {
+  PacedStop pace(limits.stop);
   for (const Measurement& m : frames.measurements()) {
+    pace.step();
     if (frames.dimension(m.to) == d && !components.left_for_alignment(m)) measurements_.push_back(&m);
   }
   std::vector<bool> known(frames.nodes());
   for (Node root : components.free_roots()) known[root] = true;
   for (Node node = 0; node < frames.nodes(); ++node) {
+    pace.step(4);
     if (!frames.used(node) || !frames.movable(node) || frames.dimension(node) != d || known[node]) continue;
     block_[node] = static_cast<std::uint32_t>(unknowns_.size());
     unknowns_.push_back(node);
     found_.push_back(frames.frame(node));
   }
   for (const std::uint32_t block : limits.order) {
+    pace.step();
     const VertexRef& vertex = plan.block_vertex[block];
     const std::uint32_t mine = block_[frames.node(vertex.pool, vertex.slot)];
     if (mine != kConstant) order_.push_back(mine);
@@ -113,8 +117,9 @@ Frame Chordal::frame(Node node) const {
 /// Calls work(0), work(1), …, unless it is to stop.
 template <class F>
 LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
+  PacedStop pace(limits_.stop, kBetweenStops);
   for (std::size_t k = 0; k < count; ++k) {
-    if (k % kBetweenStops == 0 && limits_.stop.raised()) return LinearStatus::kStopped;
+    if (pace.is_raised_after()) return LinearStatus::kStopped;
     work(k);
   }
   return LinearStatus::kOk;
@@ -142,8 +147,12 @@ LinearStatus Chordal::solve() {
 
 SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) const {
   SeparableLeastSquares system(std::move(dims), d_);
-  for (const Measurement* m : measurements_) system.join(block(m->from), block(m->to));
-  system.finish_structure();
+  PacedStop pace(limits_.stop);
+  for (const Measurement* m : measurements_) {
+    pace.step();
+    system.join(block(m->from), block(m->to));
+  }
+  system.finish_structure(limits_.stop);
   return system;
 }
 
@@ -207,9 +216,9 @@ LinearStatus Chordal::solve_positions() {
       for_each(measurements_.size(), [&](std::size_t k) { add_position_term(*measurements_[k], system); });
   if (status == LinearStatus::kOk) status = solve_or_anchor(system, true);
   if (status != LinearStatus::kOk) return status;
-  for (std::uint32_t k = 0; k < unknowns_.size(); ++k)
-    set_translation(found_[k], system.block(k).transpose());
-  return status;
+  return for_each(unknowns_.size(), [&](std::size_t k) {
+    set_translation(found_[k], system.block(static_cast<std::uint32_t>(k)).transpose());
+  });
 }
 
 void Chordal::add_position_term(const Measurement& m, SeparableLeastSquares& system) const {
@@ -222,7 +231,11 @@ void Chordal::add_position_term(const Measurement& m, SeparableLeastSquares& sys
 }
 
 void Chordal::move_vertices(FrameGraph& frames) const {
-  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) frames.set_frame(unknowns_[k], found_[k]);
+  PacedStop pace(limits_.stop, kBetweenStops);
+  for (std::uint32_t k = 0; k < unknowns_.size(); ++k) {
+    pace.step();
+    frames.set_frame(unknowns_[k], found_[k]);
+  }
 }
 
 std::string_view why_not_solved(LinearStatus status) {
@@ -238,14 +251,11 @@ std::string_view why_not_solved(LinearStatus status) {
   }
 }
 
-}  // namespace
-
-GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
+/// Moves the vertices, or throws Stopped, some of them moved.
+GuessResult find_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
   FrameGraph frames(graph, plan, limits.stop);
-  if (limits.stop.raised()) return {false, kStopped};
   if (frames.measurements().empty()) return {false, kNothingMeasured};
-  const Components components(frames);
-  if (limits.stop.raised()) return {false, kStopped};
+  const Components components(frames, limits.stop);
   Chordal plane(frames, plan, components, 2, limits), space(frames, plan, components, 3, limits);
   for (Chordal* part : {&plane, &space}) {
     const LinearStatus status = part->solve();
@@ -255,6 +265,12 @@ GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& lim
   space.move_vertices(frames);
   components.align(frames);
   return {true, plane.anchored() || space.anchored() ? kAnchored : std::string_view()};
+}
+
+}  // namespace
+
+GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
+  return guess_or_restore(graph, plan, [&] { return find_chordal(graph, plan, limits); });
 }
 
 }  // namespace boxplus

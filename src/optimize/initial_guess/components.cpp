@@ -45,11 +45,13 @@ struct Correspondences {
 
 }  // namespace
 
-Components::Components(const FrameGraph& frames) : frames_(frames), label_(frames.nodes(), kNone) {
+Components::Components(const FrameGraph& frames, const StopToken& stop)
+    : frames_(frames), stop_(stop), pace_(stop), label_(frames.nodes(), kNone) {
   for (const Measurement& m : frames.measurements()) {
+    pace_.step();
     if (is_root(m)) flood(movable_end(m), kRooted);
   }
-  const std::vector<Node> by_id = frames.movable_by_id();
+  const std::vector<Node> by_id = frames.movable_by_id(stop);
   for (Node node : by_id) {
     if (frames.pose(node)) add_free_root(node);
   }
@@ -96,6 +98,7 @@ void Components::flood(Node start, std::uint32_t label) {
     const Node node = stack_.back();
     stack_.pop_back();
     for (std::uint32_t k : frames_.touching(node)) {
+      pace_.step();
       const Measurement& m = frames_.measurements()[k];
       const Node other = m.from == node ? m.to : m.from;
       if (other == FrameGraph::kWorld || !frames_.movable(other) || label_[other] != kNone) continue;
@@ -106,8 +109,10 @@ void Components::flood(Node start, std::uint32_t label) {
 }
 
 void Components::align(FrameGraph& frames) const {
+  PacedStop pace(stop_, kBetweenStops);
   std::vector<Correspondences> points(free_roots_.size());
   for (const Measurement& m : frames.measurements()) {
+    pace.step();
     if (!left_for_alignment(m)) continue;
     const Frame motion = frames.motion(m);
     const Frame from = m.from == FrameGraph::kWorld ? world_frame(motion.dimension) : frames.frame(m.from);
@@ -129,6 +134,7 @@ void Components::align(FrameGraph& frames) const {
   }
   if (!any) return;
   for (Node node = 0; node < frames.nodes(); ++node) {
+    pace.step();
     if (label_[node] >= kRooted) continue;
     const Frame& motion = alignment[label_[node]];
     if (motion.dimension > 0 && is_finite(motion))

@@ -17,7 +17,8 @@ namespace boxplus::guess {
 /// moved onto them.
 class Components {
  public:
-  explicit Components(const FrameGraph& frames);
+  /// Throws Stopped once the token is raised, which must outlive it; so does align().
+  explicit Components(const FrameGraph& frames, const StopToken& stop);
 
   /// The poses (in parts without poses, the points) that stand in for missing roots.
   const std::vector<Node>& free_roots() const { return free_roots_; }
@@ -37,6 +38,8 @@ class Components {
   void flood(Node start, std::uint32_t label);
 
   const FrameGraph& frames_;
+  const StopToken& stop_;
+  PacedStop pace_;
   std::vector<std::uint32_t> label_;  // per node: index into free_roots_, kRooted or kNone
   std::vector<Node> free_roots_;
   std::vector<Node> stack_;

@@ -21,11 +21,12 @@ double mean_information(const InformationView& information, int first, int count
 
 FrameGraph::FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop) : graph_(&graph), first_{0} {
   for (const auto& pool : graph.vertex_pools()) first_.push_back(first_.back() + pool->slots());
+  PacedStop pace(stop, kBetweenStops);
   flags_.assign(nodes(), 0);
   mark_movable(plan);
   measurements_.reserve(plan.edge_count);
-  read_edges(plan, stop);
-  list_touching();
+  read_edges(plan, pace);
+  list_touching(pace);
 }
 
 void FrameGraph::mark_movable(const Plan& plan) {
@@ -36,11 +37,11 @@ void FrameGraph::mark_movable(const Plan& plan) {
   }
 }
 
-void FrameGraph::read_edges(const Plan& plan, const StopToken& stop) {
+void FrameGraph::read_edges(const Plan& plan, PacedStop& pace) {
   for (const EdgeList& list : plan.edges) {
-    for (std::size_t k = 0; k < list.edges.size(); ++k) {
-      if (k % kBetweenStops == 0 && stop.raised()) return;
-      read_edge(list.pool, list.edges[k]);
+    for (const std::uint32_t edge : list.edges) {
+      pace.step();
+      read_edge(list.pool, edge);
     }
   }
 }
@@ -94,10 +95,11 @@ bool FrameGraph::look_at(Node node, int dimension) {
   return (flags & (kPose | kPoint)) != 0 && this->dimension(node) == dimension;
 }
 
-void FrameGraph::list_touching() {
+void FrameGraph::list_touching(PacedStop& pace) {
   const auto row = [&](Node node) { return node == kWorld ? nodes() : node; };
   touching_start_.assign(nodes() + 2, 0);
   for (const Measurement& m : measurements_) {
+    pace.step();
     ++touching_start_[row(m.from) + 1];
     ++touching_start_[row(m.to) + 1];
   }
@@ -105,6 +107,7 @@ void FrameGraph::list_touching() {
   touching_.resize(touching_start_.back());
   std::vector<std::uint32_t> next(touching_start_.begin(), touching_start_.end() - 1);
   for (std::uint32_t k = 0; k < measurements_.size(); ++k) {
+    pace.step();
     touching_[next[row(measurements_[k].from)]++] = k;
     touching_[next[row(measurements_[k].to)]++] = k;
   }
@@ -137,13 +140,17 @@ Id FrameGraph::id(Node node) const {
   return graph_->vertex_pools()[pool]->id(node - first_[pool]);
 }
 
-std::vector<Node> FrameGraph::movable_by_id() const {
+std::vector<Node> FrameGraph::movable_by_id(const StopToken& stop) const {
+  PacedStop pace(stop);
   std::vector<Node> result;
   for (Node node = 0; node < nodes(); ++node) {
     if (used(node) && movable(node)) result.push_back(node);
   }
   const auto rank = [&](Node node) { return std::pair(!pose(node), id(node)); };
-  std::sort(result.begin(), result.end(), [&](Node a, Node b) { return rank(a) < rank(b); });
+  std::sort(result.begin(), result.end(), [&](Node a, Node b) {
+    pace.step();
+    return rank(a) < rank(b);
+  });
   return result;
 }
 

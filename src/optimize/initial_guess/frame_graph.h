@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/base/stop_token.h"
+#include "base/paced_stop.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linearize/plan.h"
 
@@ -15,8 +15,8 @@ namespace boxplus::guess {
 /// Index of a vertex among the slots of all pools: flat arrays instead of maps.
 using Node = std::uint32_t;
 
-/// Elements that a loop goes through before it asks again whether it is to stop: less than 0.1 s.
-inline constexpr std::size_t kBetweenStops = 4096;
+/// Measurements, or frames, that a loop goes through between two questions to the token.
+inline constexpr std::int64_t kBetweenStops = 256;
 
 /// A relative measurement T_to ≈ T_from · motion; a point stands for a frame with the axes of the world. The
 /// motion itself is asked of the edge again when it is needed.
@@ -34,7 +34,7 @@ class FrameGraph {
  public:
   static constexpr Node kWorld = 0xFFFFFFFFu;
 
-  /// Where `stop` is raised meanwhile, edges are missing.
+  /// Throws Stopped once the token is raised.
   FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop = {});
 
   std::span<const Measurement> measurements() const { return measurements_; }
@@ -52,7 +52,7 @@ class FrameGraph {
   int dimension(Node node) const { return (flags_[node] & kPlanar) != 0 ? 2 : 3; }
   Id id(Node node) const;
   /// The vertices that take part and may move, by id: poses before points.
-  std::vector<Node> movable_by_id() const;
+  std::vector<Node> movable_by_id(const StopToken& stop = {}) const;
 
   Frame frame(Node node) const;
   void set_frame(Node node, const Frame& frame);
@@ -61,10 +61,10 @@ class FrameGraph {
   enum Flag : std::uint8_t { kSeen = 1, kUsed = 2, kMovable = 4, kPose = 8, kPoint = 16, kPlanar = 32 };
 
   void mark_movable(const Plan& plan);
-  void read_edges(const Plan& plan, const StopToken& stop);
+  void read_edges(const Plan& plan, PacedStop& pace);
   void read_edge(std::uint32_t pool, std::uint32_t edge);
   bool look_at(Node node, int dimension);
-  void list_touching();
+  void list_touching(PacedStop& pace);
   std::uint32_t pool_of(Node node) const;
 
   Graph* graph_;

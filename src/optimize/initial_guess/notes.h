@@ -11,7 +11,7 @@ inline constexpr std::string_view kSingular =
     "the measured poses and positions do not determine all vertices";
 inline constexpr std::string_view kAnchored =
     "some vertices are not measured in all directions and kept their estimates there";
-inline constexpr std::string_view kStopped = "the chordal guess was not finished when the run was to end";
+inline constexpr std::string_view kStopped = "the initial guess was not finished when the run was to end";
 inline constexpr std::string_view kNotSolved = "the linear problem of the chordal guess was not solved";
 inline constexpr std::string_view kNotFinite = "the linear problem of the chordal guess is not finite";
 

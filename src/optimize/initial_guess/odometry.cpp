@@ -5,6 +5,7 @@
 #include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/notes.h"
 #include "optimize/initial_guess/propagate.h"
+#include "optimize/initial_guess/restore.h"
 
 namespace boxplus {
 namespace {
@@ -14,24 +15,25 @@ using guess::Measurement;
 using guess::Node;
 
 /// The position of every pose among all poses by id. Parameters, which have their own ids, get none.
-std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames) {
+std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken& stop) {
+  PacedStop pace(stop);
   constexpr std::int64_t kFar = -2;
   std::vector<Node> poses;
   for (Node node = 0; node < frames.nodes(); ++node) {
     if (frames.used(node) && frames.pose(node) && !frames.parameter(node)) poses.push_back(node);
   }
-  std::sort(poses.begin(), poses.end(), [&](Node a, Node b) { return frames.id(a) < frames.id(b); });
+  std::sort(poses.begin(), poses.end(), [&](Node a, Node b) {
+    pace.step();
+    return frames.id(a) < frames.id(b);
+  });
   std::vector<std::int64_t> rank(frames.nodes(), kFar);
   for (std::size_t k = 0; k < poses.size(); ++k) rank[poses[k]] = static_cast<std::int64_t>(k);
   return rank;
 }
 
-}  // namespace
-
-GuessResult guess_odometry(Graph& graph, const Plan& plan) {
-  FrameGraph frames(graph, plan);
-  if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
-  const std::vector<std::int64_t> rank = ranks_by_id(frames);
+/// A chain of links; as few others as possible bridge its gaps.
+std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
+  const std::vector<std::int64_t> rank = ranks_by_id(frames, stop);
   const double bridge = static_cast<double>(frames.nodes()) + 1;  // dearer than any chain
   std::vector<double> cost;
   cost.reserve(frames.measurements().size());
@@ -40,8 +42,18 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan) {
         m.from != FrameGraph::kWorld && m.has_rotation && std::abs(rank[m.from] - rank[m.to]) == 1;
     cost.push_back(link ? 1 : bridge);
   }
-  guess::propagate(frames, cost);
-  return {true, {}};
+  return cost;
+}
+
+}  // namespace
+
+GuessResult guess_odometry(Graph& graph, const Plan& plan, const GuessLimits& limits) {
+  return guess::guess_or_restore(graph, plan, [&]() -> GuessResult {
+    FrameGraph frames(graph, plan, limits.stop);
+    if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
+    guess::propagate(frames, costs(frames, limits.stop), limits.stop);
+    return {true, {}};
+  });
 }
 
 }  // namespace boxplus

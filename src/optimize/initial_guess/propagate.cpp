@@ -11,9 +11,11 @@ namespace {
 
 class ShortestPaths {
  public:
-  ShortestPaths(FrameGraph& frames, std::span<const double> cost)
+  ShortestPaths(FrameGraph& frames, std::span<const double> cost, const StopToken& stop)
       : frames_(frames),
-        components_(frames),
+        stop_(stop),
+        pace_(stop, kBetweenStops),
+        components_(frames, stop),
         cost_(cost),
         distance_(frames.nodes(), std::numeric_limits<double>::infinity()),
         arrival_(frames.nodes(), kNone) {}
@@ -25,7 +27,8 @@ class ShortestPaths {
     }
     for (Node root : components_.free_roots()) start_at(root);
     settle_all();
-    for (Node node : frames_.movable_by_id()) {  // poses that are joined to a root through landmarks only
+    for (Node node :
+         frames_.movable_by_id(stop_)) {  // poses that are joined to a root through landmarks only
       if (distance_[node] < std::numeric_limits<double>::infinity()) continue;
       start_at(node);
       settle_all();
@@ -52,6 +55,7 @@ class ShortestPaths {
     while (!queue_.empty()) {
       const auto [distance, node] = queue_.top();
       queue_.pop();
+      pace_.step();
       if (distance > distance_[node]) continue;
       set_from_arrival(node);
       relax_neighbours(node, distance);
@@ -86,6 +90,8 @@ class ShortestPaths {
   }
 
   FrameGraph& frames_;
+  const StopToken& stop_;
+  PacedStop pace_;
   Components components_;
   std::span<const double> cost_;
   std::vector<double> distance_;
@@ -95,8 +101,8 @@ class ShortestPaths {
 
 }  // namespace
 
-void propagate(FrameGraph& frames, std::span<const double> cost) {
-  ShortestPaths(frames, cost).run();
+void propagate(FrameGraph& frames, std::span<const double> cost, const StopToken& stop) {
+  ShortestPaths(frames, cost, stop).run();
 }
 
 }  // namespace boxplus::guess

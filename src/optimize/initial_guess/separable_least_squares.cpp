@@ -10,8 +10,8 @@ void SeparableLeastSquares::join(std::uint32_t i, std::uint32_t j) {
   if (i != kConstant && j != kConstant) pairs_.push_back({std::max(i, j), std::min(i, j)});
 }
 
-void SeparableLeastSquares::finish_structure() {
-  structure_ = make_block_structure(dims_, pairs_);
+void SeparableLeastSquares::finish_structure(const StopToken& stop) {
+  structure_ = make_block_structure(dims_, pairs_, stop);
   pairs_ = {};
   values_.assign(structure_.nonzero_values(), 0.0);
   x_.assign(std::size_t{structure_.scalars()} * static_cast<std::size_t>(columns_), 0.0);

@@ -23,12 +23,13 @@ class SeparableLeastSquares {
       : dims_(std::move(dims)), columns_(columns) {}
 
   void join(std::uint32_t i, std::uint32_t j);
-  void finish_structure();
+  /// Throws Stopped once the token is raised.
+  void finish_structure(const StopToken& stop = {});
   /// One term; the A (B) of a constant block is not used. `weight`: the diagonal of W.
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
   /// `order`: in which to eliminate the blocks X_i; empty: it looks for one. May be called again after more
-  /// add() where the matrix was not positive definite.
+  /// add() where the matrix was not positive definite. Throws Stopped once the token of `limits` is raised.
   LinearStatus solve(const GuessLimits& limits = {}, std::span<const std::uint32_t> order = {});
   double largest_diagonal() const;
   /// X_i, after solve().

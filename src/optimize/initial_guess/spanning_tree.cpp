@@ -5,6 +5,7 @@
 #include "optimize/initial_guess/frame_math.h"
 #include "optimize/initial_guess/notes.h"
 #include "optimize/initial_guess/propagate.h"
+#include "optimize/initial_guess/restore.h"
 
 namespace boxplus {
 namespace {
@@ -12,9 +13,11 @@ namespace {
 using guess::FrameGraph;
 using guess::Measurement;
 
-double mean_squared_length(const FrameGraph& frames) {
+double mean_squared_length(const FrameGraph& frames, const StopToken& stop) {
+  PacedStop pace(stop, guess::kBetweenStops);
   double sum = 0;
   for (const Measurement& m : frames.measurements()) {
+    pace.step();
     sum += guess::translation_of(frames.motion(m)).squaredNorm();
   }
   return sum / static_cast<double>(frames.measurements().size());
@@ -26,20 +29,26 @@ double variance(double weight) {
   return 1 / std::max(weight, kLeastWeight);
 }
 
-}  // namespace
-
-GuessResult guess_spanning_tree(Graph& graph, const Plan& plan) {
-  FrameGraph frames(graph, plan);
-  if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
-  const double lever = mean_squared_length(frames);
+std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
+  const double lever = mean_squared_length(frames, stop);
   std::vector<double> cost;
   cost.reserve(frames.measurements().size());
   for (const Measurement& m : frames.measurements()) {
     cost.push_back(variance(m.translation_weight) +
                    (m.has_rotation ? lever * variance(m.rotation_weight) : 0));
   }
-  guess::propagate(frames, cost);
-  return {true, {}};
+  return cost;
+}
+
+}  // namespace
+
+GuessResult guess_spanning_tree(Graph& graph, const Plan& plan, const GuessLimits& limits) {
+  return guess::guess_or_restore(graph, plan, [&]() -> GuessResult {
+    FrameGraph frames(graph, plan, limits.stop);
+    if (frames.measurements().empty()) return {false, guess::kNothingMeasured};
+    guess::propagate(frames, costs(frames, limits.stop), limits.stop);
+    return {true, {}};
+  });
 }
 
 }  // namespace boxplus

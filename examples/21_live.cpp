@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Optimizing while the robot drives: a window of the newest poses in every step, the whole graph now and
+// then.
+#include <boxplus/boxplus.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+using namespace boxplus;
+
+// [window]
+/// Moves only the newest `size` poses; all others stay where they are. Takes the same time however long the
+/// graph is.
+Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses, std::size_t size) {
+  Options options;
+  const std::size_t first = poses.size() - std::min(size, poses.size());
+  options.vertices.assign(poses.begin() + static_cast<std::ptrdiff_t>(first), poses.end());
+  options.max_iterations = 2;
+  return optimize(graph, options);
+}
+// [/window]
+
+// [whole]
+/// Moves everything. The plan of the last call is kept, and extended by what was added since.
+Report optimize_whole(Graph& graph) {
+  Options options;
+  options.max_iterations = 1;    // the next step goes on from here
+  options.time_limit_s = 0.010;  // holds in every phase; the report tells if it struck
+  return optimize(graph, options);
+}
+// [/whole]
+
+int main() {
+  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, measured slightly wrong each time
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(0, 0, 0))};
+  graph.fix(poses[0]);
+  std::uint32_t in_window = 0;
+  for (int step = 1; step <= 40; ++step) {
+    // [step]
+    const auto last = poses.back();
+    poses.push_back(graph.add_vertex(graph.estimate(last) * measured));
+    graph.add_edge(Between(measured), 100.0, last, poses.back());
+    in_window = optimize_window(graph, poses, 10).vertices;
+    // [/step]
+  }
+  optimize_whole(graph);
+
+  // Four sides later the robot is where it was: a loop closure concerns more than the window.
+  int extended = 0;
+  for (std::size_t k = 4; k < 40; k += 4) {
+    graph.add_edge(Between(SE2(0, 0, 0)), 100.0, poses[k - 4], poses[k]);
+    const auto last = poses.back();
+    poses.push_back(graph.add_vertex(graph.estimate(last) * measured));
+    graph.add_edge(Between(measured), 100.0, last, poses.back());
+    extended += optimize_whole(graph).plan_extended ? 1 : 0;
+  }
+  const Report report = optimize(graph);
+  std::printf("windows of %u poses of %zu; %d plans extended; chi2 %.4f\n", in_window, poses.size(), extended,
+              report.chi2_final);
+  return report.converged() && in_window == 10 ? 0 : 1;
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Questions to a StopToken inside of tight loops.
+#pragma once
+
+#include <cstdint>
+
+#include "boxplus/base/stop_token.h"
+
+namespace boxplus {
+
+/// Asks a token once in `steps` steps, so that a step costs a subtraction and a branch. With the default, and
+/// steps that take some 50 ns (a cache miss or two), there are about 50 µs between two questions.
+class PacedStop {
+ public:
+  static constexpr std::int64_t kSteps = 1024;
+  explicit PacedStop(const StopToken& token, std::int64_t steps = kSteps)
+      : token_(token), steps_(steps), left_(steps) {}
+
+  /// Throws Stopped if it asks and the token is raised.
+  void step(std::int64_t count = 1) {
+    if (is_due(count)) token_.check();
+  }
+  /// The same without an exception.
+  bool is_raised_after(std::int64_t count = 1) { return is_due(count) && token_.raised(); }
+
+ private:
+  bool is_due(std::int64_t count) {
+    left_ -= count;
+    if (left_ > 0) return false;
+    left_ = steps_;
+    return true;
+  }
+
+  const StopToken& token_;
+  std::int64_t steps_, left_;
+};
+
+}  // namespace boxplus

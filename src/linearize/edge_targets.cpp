@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linearize/edge_targets.h"
+
+namespace boxplus {
+namespace {
+
+std::uint32_t target(const BlockStructure& structure, const Chunk& chunk, std::uint32_t i, std::uint32_t j) {
+  if (i == kNoBlock || j == kNoBlock || !owns(chunk, std::min(i, j))) return Scatter::kNowhere;
+  const std::uint32_t value = structure.value_start[structure.find(std::max(i, j), std::min(i, j))];
+  return i >= j ? value : value | Scatter::kTransposed;
+}
+
+}  // namespace
+
+void append_edge(const EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
+                 const BlockStructure& structure, const Chunk& chunk, Scatter& scatter) {
+  scatter.edges.push_back(edge);
+  if (!pool.uniform_shape())
+    scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
+  for (const std::uint32_t block : blocks) {
+    scatter.targets.push_back(owns(chunk, block) ? structure.offset[block] : Scatter::kNowhere);
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j)
+      scatter.targets.push_back(target(structure, chunk, blocks[i], blocks[j]));
+  }
+}
+
+}  // namespace boxplus

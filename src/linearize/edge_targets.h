@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where an edge adds to H and to the gradient.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus {
+
+inline constexpr std::uint32_t kNoBlock = BlockStructure::kAbsent;
+
+/// The block of every slot of every vertex pool, or kNoBlock.
+using BlockOf = std::vector<std::vector<std::uint32_t>>;
+
+/// Blocks of an edge's vertices, in order; kNoBlock for those that do not move.
+inline void edge_blocks(const EdgePool& pool, std::uint32_t edge, const BlockOf& block_of,
+                        std::vector<std::uint32_t>& out) {
+  out.clear();
+  const auto slots = pool.vertex_slots(edge);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    out.push_back(block_of[pool.vertex_pool(edge, static_cast<int>(i))][slots[i]]);
+  }
+}
+
+inline bool owns(const Chunk& chunk, std::uint32_t block) {
+  return block != kNoBlock && block >= chunk.first_column && block < chunk.last_column;
+}
+
+inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(chunk, b); });
+}
+
+/// Appends an edge with these blocks to a scatter of the chunk.
+void append_edge(const EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
+                 const BlockStructure& structure, const Chunk& chunk, Scatter& scatter);
+
+}  // namespace boxplus

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// optimize() of a graph that grows, shrinks and changes: the same as of a new graph.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "boxplus/optimize/optimize.h"
+#include "boxplus/types/slam2d.h"
+
+namespace boxplus {
+namespace {
+
+/// Poses that drive at random and see each other and points, under random additions, removals and fixings.
+class World {
+ public:
+  World(unsigned seed, bool fix_first) : random_(seed) {
+    poses_.push_back(graph.add_vertex(SE2(), next_id_++));
+    if (fix_first) graph.fix(poses_[0]);
+    for (int k = 0; k < 8; ++k) drive();
+  }
+
+  void step() {
+    const unsigned dice = random_() % 20;
+    drive();
+    if (dice < 8) close();
+    if (dice % 4 == 0) see_point();
+    if (dice == 1) remove_closure();
+    if (dice == 2)
+      graph.remove(poses_[poses_.size() / 2]),
+          poses_.erase(poses_.begin() + static_cast<long>(poses_.size() / 2));
+    if (dice == 3) graph.set_fixed(poses_[poses_.size() / 3], !graph.is_fixed(poses_[poses_.size() / 3]));
+    if (dice == 4) graph.add_edge(Prior(graph.estimate(poses_.back())), 10.0, poses_.back());
+  }
+
+  /// The same vertices and edges in a new graph, with the estimates of now.
+  Graph copy() const {
+    Graph result;
+    for (const VertexRef& v : graph.all_vertices()) {
+      VertexRef added;
+      if (is_pose(v)) {
+        added = result.add_vertex(graph.estimate(graph.typed<SE2>(v)), graph.id(v));
+      } else {
+        added = result.add_vertex(graph.estimate(graph.typed<Vector2>(v)), graph.id(v));
+      }
+      result.set_fixed(added, graph.is_fixed(v));
+    }
+    for (const EdgeRef& e : graph.all_edges()) add_copy(result, e);
+    return result;
+  }
+
+  std::vector<double> estimates() const {
+    std::vector<double> all;
+    for (const VertexRef& v : graph.all_vertices()) {
+      if (!is_pose(v)) continue;
+      const auto x = graph.estimate(graph.typed<SE2>(v)).vector();
+      all.insert(all.end(), x.data(), x.data() + 3);
+    }
+    return all;
+  }
+
+  Graph graph;
+
+ private:
+  double noise() { return std::normal_distribution<>(0, 0.02)(random_); }
+  SE2 noisy(const SE2& motion) { return motion * SE2(noise(), noise(), noise()); }
+  bool is_pose(const VertexRef& v) const { return v.pool == poses_[0].pool; }
+
+  void drive() {
+    const auto last = poses_.back();
+    const SE2 motion(1, 0, std::uniform_real_distribution<>(-0.3, 0.3)(random_));
+    poses_.push_back(graph.add_vertex(graph.estimate(last) * noisy(motion), next_id_++));
+    graph.add_edge(Between(motion), 100.0, last, poses_.back());
+    if (poses_.size() > 3) measure(poses_[poses_.size() - 3], poses_.back());  // no removal cuts the chain
+  }
+  EdgeRef measure(VertexHandle<SE2> a, VertexHandle<SE2> b) {
+    return graph.add_edge(Between(noisy(graph.estimate(a).inverse_times(graph.estimate(b)))), 50.0, a, b);
+  }
+  void close() {
+    const std::size_t a = random_() % (poses_.size() - 2),
+                      b = random_() % 3 == 0 ? (a + 2) : poses_.size() - 1;
+    closures_.push_back(measure(poses_[a], poses_[b]));
+  }
+  void see_point() {
+    if (points_.empty() || random_() % 2 == 0)
+      points_.push_back(graph.add_vertex(graph.estimate(poses_.back()) * Vector2(1, 1), next_id_++));
+    const auto point = points_.back();
+    const Vector2 seen = graph.estimate(poses_.back()).inverse() * graph.estimate(point);
+    graph.add_edge(PointObservation2{Vector2(seen[0] + noise(), seen[1] + noise())}, 80.0, poses_.back(),
+                   point);
+  }
+  void remove_closure() {
+    if (closures_.empty()) return;
+    if (graph.contains(closures_.back())) graph.remove(closures_.back());
+    closures_.pop_back();
+  }
+
+  void add_copy(Graph& result, const EdgeRef& e) const {
+    const auto vertices = graph.vertices(e);
+    const auto pose = [&](std::size_t k) { return result.vertex<SE2>(graph.id(vertices[k])); };
+    const Information omega(graph.information(e)(0, 0));
+    if (vertices.size() == 1) {
+      result.add_edge(graph.measurement(EdgeHandle<Prior<SE2>>{e}), omega, pose(0));
+    } else if (is_pose(vertices[1])) {
+      result.add_edge(graph.measurement(EdgeHandle<Between<SE2>>{e}), omega, pose(0), pose(1));
+    } else {
+      result.add_edge(graph.measurement(EdgeHandle<PointObservation2>{e}), omega, pose(0),
+                      result.vertex<Vector2>(graph.id(vertices[1])));
+    }
+  }
+
+  std::mt19937 random_;
+  Id next_id_ = 0;
+  std::vector<VertexHandle<SE2>> poses_;
+  std::vector<VertexHandle<Vector2>> points_;
+  std::vector<EdgeRef> closures_;
+};
+
+TEST(GrowingGraph, HasTheOptimumOfANewGraphWhateverIsAddedRemovedOrFixed) {
+  int extended = 0, steps = 0;
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    World world(seed, seed % 2 == 0);
+    for (int step = 0; step < 60; ++step, ++steps) {
+      world.step();
+      Graph fresh = world.copy();
+      const Report expected = optimize(fresh), report = optimize(world.graph);
+      ASSERT_TRUE(report.converged()) << report;
+      ASSERT_NEAR(report.chi2_initial, expected.chi2_initial, 1e-11 * (1 + expected.chi2_initial));
+      ASSERT_NEAR(report.chi2_final, expected.chi2_final, 1e-8 * (1 + expected.chi2_final))
+          << report << expected;
+      ASSERT_EQ(report.gauge.held, expected.gauge.held);
+      ASSERT_EQ(report.scalars, expected.scalars);
+      ASSERT_EQ(report.edges, expected.edges);
+      extended += report.plan_extended;
+    }
+  }
+  EXPECT_GT(extended, steps / 3);
+}
+
+TEST(GrowingGraph, HasTheSameBitsForAnyNumberOfThreads) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::array<World, 3> worlds{World(seed, true), World(seed, true), World(seed, true)};
+    int extended = 0;
+    for (int step = 0; step < 80; ++step) {
+      for (int threads = 1; threads <= 3; ++threads) {
+        World& world = worlds[static_cast<std::size_t>(threads - 1)];
+        world.step();
+        extended += optimize(world.graph, {.max_iterations = 2, .threads = threads}).plan_extended;
+      }
+      ASSERT_EQ(worlds[0].estimates(), worlds[1].estimates());
+      ASSERT_EQ(worlds[0].estimates(), worlds[2].estimates());
+    }
+    EXPECT_GT(extended, 0);
+  }
+}
+
+TEST(GrowingGraph, SaysHowItCameByItsPlan) {
+  World world(1, true);
+  EXPECT_FALSE(optimize(world.graph).plan_extended);
+  const Report again = optimize(world.graph);
+  EXPECT_TRUE(again.plan_reused);
+  EXPECT_FALSE(again.plan_extended);
+  const auto last = world.graph.all_vertices().back();
+  const auto next = world.graph.add_vertex(SE2());
+  world.graph.add_edge(Between(SE2(1, 0, 0)), 100.0, world.graph.typed<SE2>(last), next);
+  const Report extended = optimize(world.graph);
+  EXPECT_FALSE(extended.plan_reused);
+  EXPECT_TRUE(extended.plan_extended);
+  world.graph.fix(next);
+  EXPECT_FALSE(optimize(world.graph).plan_extended);
+}
+
+}  // namespace
+}  // namespace boxplus

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options::time_limit_s and Options::stop hold in every phase. The clock is a fake one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "boxplus/linearize/linearizer.h"
+#include "boxplus/optimize/initial_guess.h"
+#include "boxplus/testing/simulate.h"
+#include "fake_clock.h"
+#include "linear/block_cholesky/symbolic_factor.h"
+#include "linear/ordering/amd_ordering.h"
+#include "linear/ordering/nested_dissection.h"
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kHour = 3600;
+
+std::vector<std::vector<double>> estimates(const Graph& graph) {
+  std::vector<std::vector<double>> all;
+  for (const VertexRef& vertex : graph.all_vertices()) {
+    const auto data = graph.estimate(graph.typed<SE2>(vertex)).vector();
+    all.emplace_back(data.data(), data.data() + 3);
+  }
+  return all;
+}
+
+Graph noisy_circle() {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 300);
+  for (std::size_t k = 0; k + 50 < poses.size(); k += 3) {
+    graph.add_edge(Between(graph.estimate(poses[k]).inverse_times(graph.estimate(poses[k + 50]))), poses[k],
+                   poses[k + 50]);
+  }
+  return graph;
+}
+
+/// A report that is honest about what was reached when the limit struck.
+void expect_honest(const Report& report, const Graph& graph, const std::vector<std::vector<double>>& before) {
+  ASSERT_EQ(report.status, Status::kNotConverged) << report;
+  ASSERT_EQ(report.reason, Reason::kTimeLimit) << report;
+  if (std::isnan(report.chi2_initial)) {
+    EXPECT_TRUE(std::isnan(report.chi2_final));
+    EXPECT_EQ(report.iterations, 0);
+    EXPECT_THAT(report.message, HasSubstr("before chi2 was evaluated"));
+  } else {
+    EXPECT_LE(report.chi2_final, report.chi2_initial);
+    EXPECT_NEAR(report.chi2_final, graph.chi2(), 1e-12 * graph.chi2());
+  }
+  if (report.iterations == 0 && report.start.used == Start::kCurrent) {
+    EXPECT_EQ(estimates(graph), before);
+  }
+}
+
+class AnyStart : public ::testing::TestWithParam<std::tuple<Start, AlgorithmKind>> {
+ protected:
+  ~AnyStart() override { testing::stop_clock(); }
+};
+
+TEST_P(AnyStart, MayEndAtAnyQuestionToTheClockWithAnHonestReport) {
+  Options options{.algorithm = std::get<1>(GetParam()), .start = std::get<0>(GetParam()), .threads = 1};
+  options.time_limit_s = kHour / 2;
+  Graph whole = noisy_circle();
+  const long begin = testing::clock_questions();
+  const Report reference = optimize(whole, options);
+  const long questions = testing::clock_questions() - begin;
+  ASSERT_TRUE(reference.converged()) << reference;
+  bool before_chi2 = false, after_a_step = false;
+  for (long k = 2; k < questions; k += 1 + questions / 150) {  // the first is that of the stopwatch
+    SCOPED_TRACE("question " + std::to_string(k));
+    Graph graph = noisy_circle();
+    const auto before = estimates(graph);
+    testing::jump_at_question(k);
+    const long asked = testing::clock_questions();
+    const Report report = optimize(graph, options);
+    constexpr long kMoreQuestions = 30;  // those of stopwatches, and of whoever notices in turn
+    EXPECT_LE(testing::clock_questions() - asked, k + kMoreQuestions);
+    testing::stop_clock();
+    if (report.converged()) continue;  // nobody asked whether to stop any more
+    expect_honest(report, graph, before);
+    before_chi2 |= std::isnan(report.chi2_final);
+    after_a_step |= report.iterations > 0;
+    const Report later = optimize(graph, options);
+    EXPECT_TRUE(later.converged()) << later;
+    EXPECT_NEAR(later.chi2_final, reference.chi2_final, 1e-6 * reference.chi2_final);
+  }
+  EXPECT_TRUE(before_chi2);
+  EXPECT_TRUE(after_a_step);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    TimeLimit, AnyStart,
+    ::testing::Combine(::testing::Values(Start::kCurrent, Start::kOdometry, Start::kSpanningTree,
+                                         Start::kChordal, Start::kAutomatic),
+                       ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
+                                         AlgorithmKind::kDogleg)));
+
+TEST(TimeLimit, OfZeroEndsBeforeAnythingIsDone) {
+  Graph graph = noisy_circle();
+  const auto before = estimates(graph);
+  const Report report = optimize(graph, {.time_limit_s = 0});
+  expect_honest(report, graph, before);
+  EXPECT_TRUE(std::isnan(report.chi2_initial));
+  EXPECT_THAT(to_string(report), HasSubstr("time limit"));
+}
+
+/// A phase on a problem of about so many poses, with a token.
+using Phase = std::function<void(int, const StopToken&)>;
+
+BlockStructure structure_of(int poses) {
+  const Simulation world = simulate(World::kGrid, {.poses = poses});
+  return make_plan(world.graph, {}).structure;
+}
+
+template <class F>
+Phase on_structure(F&& f) {
+  return [f](int poses, const StopToken& stop) { f(structure_of(poses), stop); };
+}
+
+template <class F>
+Phase on_graph(F&& f) {
+  return [f](int poses, const StopToken& stop) {
+    Simulation world = simulate(World::kGrid, {.poses = poses});
+    const Plan plan = make_plan(world.graph, {});
+    f(world.graph, plan, stop);
+  };
+}
+
+const std::vector<std::pair<std::string, Phase>>& phases() {
+  static const std::vector<std::pair<std::string, Phase>> all{
+      {"plan", on_graph([](Graph& g, const Plan&, const StopToken& stop) { make_plan(g, {.stop = stop}); })},
+      {"block structure", on_structure([](const BlockStructure& s, const StopToken& stop) {
+         std::vector<BlockCoordinate> lower;
+         for (std::uint32_t j = 0; j + 1 < s.blocks(); ++j) lower.push_back({j + 1, j});
+         make_block_structure(std::vector<std::uint32_t>(s.blocks(), 3), lower, stop);
+       })},
+      {"input of AMD",
+       on_structure([](const BlockStructure& s, const StopToken& stop) { amd_ordering(s, {}, stop); })},
+      {"dissection", on_structure([](const BlockStructure& s, const StopToken& stop) {
+         nested_dissection(s, {}, 1, stop);
+       })},
+      {"supernodes", on_structure([](const BlockStructure& s, const StopToken& stop) {
+         const auto order = amd_ordering(s);
+         outline_factor(s, {}, {}, Ordering::kMinimumDegree, 1, order, stop);
+       })},
+      {"indices of the factor", on_structure([](const BlockStructure& s, const StopToken& stop) {
+         complete_factor(s, outline_factor(s, {}), {}, 1, stop);
+       })},
+      {"linearization", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+         Linearizer linearizer(g, plan);
+         linearizer.set_stop(stop);
+         linearizer.linearize({});
+       })},
+      {"chi2", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+         Linearizer linearizer(g, plan);
+         linearizer.set_stop(stop);
+         linearizer.chi2();
+       })},
+      {"odometry", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+         EXPECT_TRUE(guess_odometry(g, plan, {.stop = stop}).made);
+       })},
+      {"spanning tree", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+         EXPECT_TRUE(guess_spanning_tree(g, plan, {.stop = stop}).made);
+       })},
+      {"chordal guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+         EXPECT_TRUE(guess_chordal(g, plan, {.stop = stop}).made);
+       })}};
+  return all;
+}
+
+/// So the work between two questions does not grow with the problem.
+TEST(TimeLimit, EveryPhaseAsksTheMoreOftenTheLargerTheProblemIs) {
+  for (const auto& [name, phase] : phases()) {
+    SCOPED_TRACE(name);
+    const auto questions = [run = phase](int poses) {
+      const StopToken stop(nullptr, StopToken::Clock::now(), kHour);
+      const long before = testing::clock_questions();
+      run(poses, stop);
+      return testing::clock_questions() - before;
+    };
+    const long small = questions(2197), large = questions(4 * 2197);
+    EXPECT_GE(small, 2);
+    EXPECT_GE(large, 3 * small);
+  }
+}
+
+TEST(TimeLimit, AnOrderingIsNotBegunIfItIsPredictedNotToEnd) {
+  const BlockStructure structure = structure_of(8000);
+  EXPECT_THROW(amd_ordering(structure, {}, StopToken(nullptr, StopToken::Clock::now(), 1e-4)), Stopped);
+  EXPECT_EQ(amd_ordering(structure, {}, StopToken(nullptr, StopToken::Clock::now(), kHour)).size(),
+            structure.blocks());
+}
+
+}  // namespace
+}  // namespace boxplus
