@@ -82,6 +82,7 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
   }
   resize_vectors();
   hints_ = hints;
+  save(VertexPool::kTrialLevel);  // no iteration allocates, not even the first
 }
 
 void BatchSystem::resize_vectors() {

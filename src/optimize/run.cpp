@@ -33,6 +33,7 @@ void Run::prepare() {
   }
   system().configure(options_, report_.time, stop_);
   describe_problem();
+  session_->algorithm(options_).reset(options_, system().plan().scalars());
   report_.chi2_initial = report_.start.chi2_current = system().chi2();
 }
 

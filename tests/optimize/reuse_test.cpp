@@ -2,6 +2,9 @@
 // The second optimize() on an unchanged structure.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <type_traits>
+
 #include "allocation_counter.h"
 #include "optimize/small_graphs.h"
 
@@ -41,6 +44,77 @@ TEST_P(SecondOptimize, AllocatesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, SecondOptimize, ::testing::Values(1, 2));
+
+/// A circle of poses, one of which a sensor looks at that may stop the run.
+struct StoppableCircle {
+  Graph graph;
+  std::atomic<bool> stop = false;
+  bool stops = true;
+
+  StoppableCircle() {
+    const auto poses = add_noisy_circle(graph, 50);
+    const auto looks = [this]<class Pose>(const Pose& pose) {
+      if constexpr (!std::is_same_v<Pose, SE2>) stop = stops;  // derivatives are asked for
+      return pose.x() - 1.0;
+    };
+    graph.add_edge(looks, poses[7]);
+  }
+};
+
+TEST(SecondOptimizeWithNumericJacobians, AllocatesNothing) {
+  if (!boxplus::testing::allocations_are_counted())
+    GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  Graph graph;
+  const auto poses = add_noisy_grid(graph, 4);
+  const Options options{.numeric_jacobians = true, .threads = 2};
+  Report report;
+  optimize(graph, options, report);
+  graph.set_estimate(poses[3], graph.estimate(poses[4]));
+  const long before = boxplus::testing::allocation_count();
+  optimize(graph, options, report);
+  EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
+  EXPECT_GT(report.iterations, 1);
+  EXPECT_TRUE(report.converged());
+}
+
+TEST(SecondOptimizeAfterOneThatWasStopped, AllocatesNothing) {
+  if (!boxplus::testing::allocations_are_counted())
+    GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  for (const AlgorithmKind algorithm :
+       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+    StoppableCircle circle;
+    const Options options{.algorithm = algorithm, .stop = &circle.stop};
+    Report report;
+    optimize(circle.graph, options, report);
+    ASSERT_EQ(report.reason, Reason::kStopFlag);
+    ASSERT_EQ(report.iterations, 0);
+    circle.stop = circle.stops = false;
+    const long before = boxplus::testing::allocation_count();
+    optimize(circle.graph, options, report);
+    EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
+    EXPECT_TRUE(report.plan_reused);
+    EXPECT_TRUE(report.converged()) << report;
+  }
+}
+
+TEST(SecondOptimizeThatIsStopped, AllocatesNothing) {
+  if (!boxplus::testing::allocations_are_counted())
+    GTEST_SKIP() << "the sanitizer has an allocator of its own";
+  StoppableCircle circle;
+  circle.stops = false;
+  Options options{.stop = &circle.stop};
+  Report report;
+  optimize(circle.graph, options, report);
+  ASSERT_TRUE(report.converged()) << report;
+  for (const double limit : {0.0, 1e9}) {
+    options.time_limit_s = limit;
+    circle.stops = true;
+    const long before = boxplus::testing::allocation_count();
+    optimize(circle.graph, options, report);
+    EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
+    EXPECT_EQ(report.reason, limit == 0 ? Reason::kTimeLimit : Reason::kStopFlag);
+  }
+}
 
 TEST(SecondOptimizeAfterAChange, PlansAnew) {
   Graph graph;
