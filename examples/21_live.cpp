@@ -10,8 +10,7 @@
 using namespace boxplus;
 
 // [window]
-/// Moves only the newest `size` poses; all others stay where they are. Takes the same time however long the
-/// graph is.
+/// Moves only the newest `size` poses; all others stay where they are.
 Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses, std::size_t size) {
   Options options;
   const std::size_t first = poses.size() - std::min(size, poses.size());
