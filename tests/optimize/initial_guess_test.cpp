@@ -18,11 +18,7 @@ namespace {
 
 using namespace test;
 
-GuessResult guess_chordal_unlimited(Graph& graph, const Plan& plan) {
-  return guess_chordal(graph, plan);
-}
-
-constexpr std::array kGuesses{guess_odometry, guess_spanning_tree, guess_chordal_unlimited};
+constexpr std::array kGuesses{guess_odometry, guess_spanning_tree, guess_chordal};
 constexpr std::array<const char*, 3> kNames{"odometry", "spanning tree", "chordal"};
 
 /// A graph whose vertices have a true place; measurements are perfect, estimates are not.
@@ -62,7 +58,7 @@ class Scene {
   PointError<World> truth(PointHandle point) const { return positions_[index(points_, point)]; }
 
   GuessResult apply(std::size_t k, const PlanRequest& request = {}) {
-    return kGuesses[k](graph, make_plan(graph, request));
+    return kGuesses[k](graph, make_plan(graph, request), {});
   }
   /// The k-th guess finds the truth.
   void expect_truth_from(std::size_t k, const PlanRequest& request = {}) {
@@ -436,7 +432,7 @@ TEST(InitialGuessOfMixedGraphs, HandlesThePlaneAndSpaceSideBySide) {
     graph.add_edge(Between<Space>{Space::motion(3)}, c, d);
     graph.fix(a);
     graph.fix(c);
-    EXPECT_TRUE(kGuesses[k](graph, make_plan(graph, {})).made);
+    EXPECT_TRUE(kGuesses[k](graph, make_plan(graph, {}), {}).made);
     EXPECT_LT(graph.chi2(), 1e-18);
   });
 }

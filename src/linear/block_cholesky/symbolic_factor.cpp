@@ -65,7 +65,6 @@ class Builder {
   Builder(const BlockStructure& structure, SymbolicFactor& factor, const StopToken& stop)
       : structure_(structure),
         f_(factor),
-        stop_(stop),
         pace_(stop),
         local_(structure.blocks(), 0),
         mark_(structure.blocks(), kNoParent) {}
@@ -99,7 +98,7 @@ class Builder {
       }
       f_.fronts.push_back(front);
     }
-    stop_.check();
+    pace_.step(static_cast<std::int64_t>(f_.fronts.size()));
     f_.schedule = make_schedule(f_.fronts, rule, threads);
     assign_memory(f_, pace_);
   }
@@ -194,7 +193,6 @@ class Builder {
   };
   const BlockStructure& structure_;
   SymbolicFactor& f_;
-  const StopToken& stop_;
   PacedStop pace_;
   std::vector<std::uint32_t> local_;  // position → scalar offset in the current front
   std::vector<std::uint32_t> mark_;
@@ -210,17 +208,18 @@ struct Ordered {
 
   Ordered(const BlockStructure& structure, const std::vector<std::uint32_t>& given, std::uint32_t keep,
           const StopToken& stop) {
+    PacedStop pace(stop);
     const std::vector<std::uint32_t> tree = elimination_tree(UpperPattern(structure, given, stop), stop);
-    stop.check();
+    pace.step(structure.blocks());
     const std::vector<std::uint32_t> sequence = postorder(tree, keep);
     order = composed(given, sequence);
-    stop.check();
+    pace.step(structure.blocks());
     parent = renumbered(tree, sequence);
-    stop.check();
+    pace.step(structure.blocks());
     const UpperPattern pattern(structure, order, stop);
     dims = dims_in(structure, order);
     counts = count_columns(pattern, parent, dims, stop);
-    stop.check();
+    pace.step(structure.blocks());
     flops = count_flops(counts, dims);
   }
 };
