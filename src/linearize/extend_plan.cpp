@@ -2,7 +2,6 @@
 #include "linearize/extend_plan.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "linearize/disjoint_sets.h"
 #include "linearize/edge_targets.h"
@@ -53,8 +52,6 @@ class Finder {
       const auto has_list = [&](const EdgeList& list) { return list.pool == p; };
       const bool known = std::any_of(plan_.edges.begin(), plan_.edges.end(), has_list);
       if (!out.edges[p].empty() && (!known || !pool.uniform_shape())) return false;
-      // Others may resist a motion for which a vertex is held, or have a freedom of their own.
-      if (!out.edges[p].empty() && !pool.is_rigid()) return false;
     }
     return true;
   }
@@ -106,8 +103,8 @@ class Finder {
     return !plan_.held.empty() && plan_.held[0].vertex.pool == pool && plan_.held[0].vertex.slot == slot;
   }
 
-  /// Notes who hangs on whom. False where an edge holds what a held vertex stands for, or begins to move an
-  /// old vertex.
+  /// Notes who hangs on whom. False if an edge may resist the motions that a vertex is held for (all but
+  /// relative poses may), or if it begins to move an old vertex.
   bool look_at_edges(const BlockOf& blocks, const Additions& out) {
     sets_ = DisjointSets(1 + out.vertices.size());  // 0: all that is old
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());
@@ -116,19 +113,21 @@ class Finder {
       for (const std::uint32_t edge : out.edges[p]) {
         const auto slots = pool.vertex_slots(edge);
         std::uint32_t free = 0, last = 0;
+        bool reaches_fixed = false;
         for (std::uint32_t i = 0; i < slots.size(); ++i) {
           const std::uint32_t v = pool.vertex_pool(edge, static_cast<int>(i)), slot = slots[i];
           const std::uint32_t block = blocks[v][slot];
           const bool held = is_held(v, slot);
           if (block == kNoBlock && !held) {
             if (moves(v, slot)) return false;
+            reaches_fixed |= !graph_.vertex_pools()[v]->parameter(slot);
             continue;
           }
           const std::uint32_t node = held || block < old ? 0 : 1 + block - old;
           if (free++ > 0) sets_.join(last, node);
           last = node;
         }
-        if (free == 1 && !plan_.held.empty()) return false;
+        if (!plan_.held.empty() && (free == 1 || reaches_fixed || !pool.is_rigid())) return false;
       }
     }
     return true;
@@ -330,9 +329,9 @@ void append_to_lists(const Additions& additions, const BlockStructure& structure
 }  // namespace
 
 bool is_extensible(const Graph& graph, const Plan& plan) {
-  const bool holds_one = plan.held.size() <= 1 && plan.freedoms.empty() && plan.loose_blocks.empty();
-  const bool is_plain = plan.eliminated_blocks == 0 && plan.fixed_scalars.empty();
-  if (!holds_one || !is_plain || plan.block_vertex.empty()) return false;
+  const bool is_held = plan.held.size() <= 1 && plan.freedoms.empty() && plan.held_scalars.empty();
+  const bool is_plain = plan.loose_blocks.empty() && plan.fixed_scalars.empty();
+  if (!is_held || !is_plain || plan.eliminated_blocks > 0 || plan.block_vertex.empty()) return false;
   DisjointSets sets(plan.block_vertex.size());
   std::size_t parts = plan.block_vertex.size();
   const BlockStructure& structure = plan.structure;
