@@ -243,6 +243,22 @@ TEST(FixedDirections, OfAllComponentsKeepTheVertexAsFixedOnesDo) {
   EXPECT_EQ(covariance(drive.graph, {drive.poses[0]}).of(drive.poses[0]), Eigen::MatrixXd::Zero(6, 6));
 }
 
+TEST(FixedDirections, OfAnOldVertexHoldInTheNextRun) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  for (int k = 0; k < 5; ++k) poses.push_back(graph.add_vertex(planar(k, 0, 0)));
+  const SE3 tilted(Vector3(1, 0, 0.2), Quaternion<double>{0.02, -0.03, 0.01, 1});
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k)
+    graph.add_edge(Between<SE3>(tilted), poses[k], poses[k + 1]);
+  graph.push();
+  ASSERT_EQ(optimize(graph).status, Status::kConverged);
+  EXPECT_NE(graph.estimate(poses[4]).vector()[2], 0.7);
+  graph.pop();
+  for (const auto& pose : poses) graph.fix_directions(pose, kInPlane);
+  EXPECT_FALSE(optimize(graph).plan_reused);
+  for (const auto& pose : poses) EXPECT_EQ(graph.estimate(pose).vector()[2], 0.7);
+}
+
 TEST(FixedDirections, AreNotMovedByInitialGuesses) {
   Drive drive = make_drive();
   drive.graph.fix(drive.poses[0]);
