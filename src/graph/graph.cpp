@@ -144,7 +144,7 @@ void Graph::fix_directions(VertexRef vertex, std::span<const int> directions) {
   }
   if (std::ranges::equal(sorted, fixed_directions(vertex))) return;
   vertex_pools_[vertex.pool]->set_fixed_directions(vertex.slot, std::move(sorted));
-  ++revision_;
+  note_rewrite();
 }
 
 std::span<const int> Graph::fixed_directions(VertexRef vertex) const {

@@ -183,15 +183,17 @@ TEST(FixedDirections, HaveZeroCovariance) {
   // The same as with only the free columns of a dense H.
   Drive stiff = make_drive();
   stiff.graph.fix(stiff.poses[0]);
-  for (const auto& pose : stiff.poses) {
-    stiff.graph.set_estimate(pose, drive.graph.estimate(pose));
+  for (std::size_t k = 0; k < stiff.poses.size(); ++k) {
+    const auto pose = stiff.poses[k];
+    const SE3 here = drive.graph.estimate(drive.poses[k]);
+    stiff.graph.set_estimate(pose, here);
     stiff.graph.fix_directions(pose, {});
-    const SE3 here = drive.graph.estimate(pose);
     Vector<double, 6> weights;
     weights << 0, 0, 1e9, 1e9, 1e9, 0;
     stiff.graph.add_edge(Prior<SE3>(here), Eigen::MatrixXd(weights.asDiagonal()), pose);
   }
-  for (const auto& point : stiff.points) stiff.graph.set_estimate(point, drive.graph.estimate(point));
+  for (std::size_t k = 0; k < stiff.points.size(); ++k)
+    stiff.graph.set_estimate(stiff.points[k], drive.graph.estimate(drive.points[k]));
   const Eigen::MatrixXd expected = covariance(stiff.graph, {stiff.poses[3], stiff.points[1]}).joint();
   EXPECT_LE((joint - expected).norm(), 1e-6 * expected.norm());
 }

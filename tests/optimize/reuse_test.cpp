@@ -83,8 +83,12 @@ TEST(SecondOptimizeAfterOneThatWasStopped, AllocatesNothing) {
   for (const AlgorithmKind algorithm :
        {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
     StoppableCircle circle;
-    const Options options{.algorithm = algorithm, .stop = &circle.stop};
+    Options options{.algorithm = algorithm, .max_iterations = 0, .stop = &circle.stop};
     Report report;
+    circle.stops = false;
+    optimize(circle.graph, options, report);  // plans
+    circle.stops = true;
+    options.max_iterations = 100;
     optimize(circle.graph, options, report);
     ASSERT_EQ(report.reason, Reason::kStopFlag);
     ASSERT_EQ(report.iterations, 0);
