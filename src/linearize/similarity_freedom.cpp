@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "base/paced_stop.h"
 #include "linearize/disjoint_sets.h"
@@ -116,7 +117,8 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
                                                              std::span<const EdgeSlot> edges, int dimension) {
   constexpr std::uint32_t kNew = 0xFFFFFFFFu;
   for (const VertexSlot v : vertices) kind_of_[v.pool][v.slot] = kNew;
-  std::map<std::pair<std::uint32_t, int>, std::uint32_t> places;  // edge pool and position
+  // By edge pool, position (one for all of a range) and vertex pool.
+  std::map<std::tuple<std::uint32_t, int, std::uint32_t>, std::uint32_t> places;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
   for (const EdgeSlot edge : edges) {
     const EdgePool& pool = *graph_.edge_pools()[edge.pool];
@@ -125,7 +127,8 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (!movable_[p][slots[i]] || graph_.vertex_pools()[p]->parameter(slots[i])) continue;
       const auto next = static_cast<std::uint32_t>(places.size());
-      const std::uint32_t place = places.try_emplace({edge.pool, static_cast<int>(i)}, next).first->second;
+      const int position = pool.uniform_shape() ? static_cast<int>(i) : -1;
+      const std::uint32_t place = places.try_emplace({edge.pool, position, p}, next).first->second;
       std::uint32_t& kind = kind_of_[p][slots[i]];
       if (kind == kNew) {
         kind = place;

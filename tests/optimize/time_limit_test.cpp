@@ -35,7 +35,7 @@ std::vector<std::vector<double>> estimates(const Graph& graph) {
 
 Graph noisy_circle() {
   Graph graph;
-  const auto poses = add_noisy_circle(graph, 300);
+  const auto poses = add_noisy_circle(graph, 150);
   for (std::size_t k = 0; k + 50 < poses.size(); k += 3) {
     graph.add_edge(Between(graph.estimate(poses[k]).inverse_times(graph.estimate(poses[k + 50]))), poses[k],
                    poses[k + 50]);
@@ -74,7 +74,7 @@ TEST_P(AnyStart, MayEndAtAnyQuestionToTheClockWithAnHonestReport) {
   const long questions = testing::clock_questions() - begin;
   ASSERT_TRUE(reference.converged()) << reference;
   bool before_chi2 = false, after_a_step = false;
-  for (long k = 2; k < questions; k += 1 + questions / 150) {  // the first is that of the stopwatch
+  for (long k = 2; k < questions; k += 1 + questions / 60) {  // the first is that of the stopwatch
     SCOPED_TRACE("question " + std::to_string(k));
     Graph graph = noisy_circle();
     const auto before = estimates(graph);
