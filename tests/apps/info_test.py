@@ -66,8 +66,8 @@ class InfoTest(CommandCase):
 
     def test_tells_components_and_what_holds_them(self):
         first, second = (facts := facts_of(GRAPH))["components"]
-        self.assertEqual(first, {"first": 0, "vertices": 4, "edges": 4, "fixed": [], "priors": 0, "held": [0]})
-        self.assertEqual(second, {"first": 10, "vertices": 2, "edges": 1, "fixed": [10], "priors": 0, "held": []})
+        self.assertEqual(first, {"first": 0, "vertices": 4, "edges": 4, "fixed": [], "priors": 0, "held": [0], "free": ""})
+        self.assertEqual(second, {"first": 10, "vertices": 2, "edges": 1, "fixed": [10], "priors": 0, "held": [], "free": ""})
         self.assertEqual(facts["isolated"], [20])
         text = run("info", "-", stdin=GRAPH).stdout
         for words in ("nothing: optimize holds vertex 0", "fixed vertex 10", "without edges: vertex 20"):

@@ -14,6 +14,7 @@ namespace boxplus {
 struct PointObservation2 {
   static constexpr std::string_view kName = "PointObservation2";
   static constexpr bool kRigid = true;
+  static constexpr bool kJacobiansForSomeTypes = true;
   Vector2 measurement;
 
   explicit PointObservation2(const Vector2& z) : measurement(z) {}
@@ -41,6 +42,7 @@ struct PointObservation2 {
 struct OffsetPointObservation2 {
   static constexpr std::string_view kName = "OffsetPointObservation2";
   static constexpr bool kRigid = true;
+  static constexpr bool kJacobiansForSomeTypes = true;
   Vector2 measurement;
 
   explicit OffsetPointObservation2(const Vector2& z) : measurement(z) {}

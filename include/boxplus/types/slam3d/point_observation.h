@@ -15,6 +15,7 @@ namespace boxplus {
 struct PointObservation3 {
   static constexpr std::string_view kName = "PointObservation3";
   static constexpr bool kRigid = true;
+  static constexpr bool kJacobiansForSomeTypes = true;
   Vector3 measurement;
 
   explicit PointObservation3(const Vector3& z) : measurement(z) {}
@@ -42,6 +43,7 @@ struct PointObservation3 {
 struct OffsetPointObservation3 {
   static constexpr std::string_view kName = "OffsetPointObservation3";
   static constexpr bool kRigid = true;
+  static constexpr bool kJacobiansForSomeTypes = true;
   Vector3 measurement;
 
   explicit OffsetPointObservation3(const Vector3& z) : measurement(z) {}
