@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "boxplus/graph/stored_estimate.h"
 #include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/types/pose_math.h"
 #include "boxplus/types/slam2d/between_jacobians.h"

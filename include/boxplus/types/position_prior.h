@@ -2,6 +2,7 @@
 // The absolute measurement of where a pose is, such as by GPS.
 #pragma once
 
+#include "boxplus/graph/stored_estimate.h"
 #include "boxplus/types/pose_math.h"
 #include "boxplus/types/type_label.h"
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "boxplus/graph/stored_estimate.h"
 #include "boxplus/types/pose_math.h"
 #include "boxplus/types/type_label.h"
 
