@@ -213,10 +213,11 @@ class GaugeFinder {
 
   /// The vertex that takes up most of the freedom; rather one that is nothing but gauge.
   VertexSlot gauge_vertex(const Component& component, const SimilarityFreedom& freedom) const {
-    std::vector<VertexSlot> firsts;  // per vertex pool
+    const auto role = [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot]; };
+    std::vector<VertexSlot> firsts;  // per vertex pool and role
     for (const VertexSlot v : component.vertices) {
-      const auto same =
-          std::find_if(firsts.begin(), firsts.end(), [&](VertexSlot f) { return f.pool == v.pool; });
+      const auto same = std::find_if(firsts.begin(), firsts.end(),
+                                     [&](VertexSlot f) { return f.pool == v.pool && role(f) == role(v); });
       if (same == firsts.end()) {
         firsts.push_back(v);
       } else if (rank(v) < rank(*same)) {

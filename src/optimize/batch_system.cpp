@@ -112,6 +112,8 @@ void BatchSystem::configure(const Options& options, Timings& timings, const Stop
   control_ = {std::max(least, options.linear_tolerance), 0};
   solver_->set_stop(stop);
   lost_scalars_.clear();
+  holds_ = true;
+  gauge_damping_ = last_chi2_ = 0;
   linearizer_.set_stop(stop);
   stop_ = stop;
   timings_ = &timings;
@@ -119,7 +121,7 @@ void BatchSystem::configure(const Options& options, Timings& timings, const Stop
 
 double BatchSystem::chi2() {
   const TimeAdder adder(timings_->evaluate_s);
-  return linearizer_.chi2();
+  return last_chi2_ = linearizer_.chi2();
 }
 
 bool BatchSystem::linearize() {
@@ -146,8 +148,8 @@ double BatchSystem::curvature(std::span<const double> d) {
 /// λD, and the diagonal of H once more for what is held. Damping holds the gauge by itself.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
-  const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : 0;
-  const bool holds = damping.lambda == 0 && !plan_->held_scalars.empty();
+  const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
+  const bool holds = holds_ && damping.lambda == 0 && !plan_->held_scalars.empty();
   const bool identity = damping.scale == DampingScale::kIdentity || damping.lambda == 0;
   if (identity && gauge == 0 && !holds && lost_scalars_.empty()) return {damping.lambda, nullptr};
   const double floor = std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
@@ -165,17 +167,24 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
   const auto gradient = linearizer_.gradient();
   for (std::size_t i = 0; i < gradient.size(); ++i) right_hand_side_[i] = -gradient[i];
   StepResult result = solve_once(damping, step);
-  if (result.status == LinearStatus::kOk && !lost_pivots_are_gauge(step)) {
+  if (result.status == LinearStatus::kOk && !held_are_gauge(damping, step)) {
     lost_scalars_.clear();
+    holds_ = false;
     result = solve_once(damping, step);
   }
   const std::vector<std::uint32_t>::size_type before = lost_scalars_.size();
   while (result.status == LinearStatus::kNotPositiveDefinite && hold_lost_pivot())
     result = solve_once(damping, step);
-  if (result.status == LinearStatus::kNotPositiveDefinite) lost_scalars_.resize(before);
+  if (result.status == LinearStatus::kNotPositiveDefinite) {
+    lost_scalars_.resize(before);
+    if (gauge_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty() && gauge_damping_ == 0) {
+      gauge_damping_ = kGaugeDamping;  // what is held does not stop every motion any more
+      result = solve_once(damping, step);
+    }
+  }
   if (result.status == LinearStatus::kOk) {
     for (const std::uint32_t i : lost_scalars_) step[i] = 0;
-    if (damping.lambda == 0) {
+    if (holds_ && damping.lambda == 0) {
       for (const std::uint32_t i : plan_->held_scalars) step[i] = 0;
     }
   }
@@ -211,12 +220,17 @@ bool BatchSystem::hold_lost_pivot() {
 }
 
 /// The gradient vanishes along every direction that H leaves free. So a step along what is held, more than
-/// rounding, says that H measures it by now.
-bool BatchSystem::lost_pivots_are_gauge(std::span<const double> step) const {
-  constexpr double kNegligible = 1e-9;  // of the predicted decrease
-  double along = 0;
-  for (const std::uint32_t i : lost_scalars_) along += diagonal_[i] * step[i] * step[i];
-  return along <= kNegligible * dot(right_hand_side_, step);
+/// rounding, says that H measures it by now: at estimates where poses coincide or lie on a line, more is free
+/// than elsewhere.
+bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const double> step) const {
+  constexpr double kOfDecrease = 1e-9, kOfChi2 = 1e-11, kExact = 1e-20;
+  double along = 0;  // by how much chi2 would fall
+  const auto add = [&](std::uint32_t i) { along += diagonal_[i] * step[i] * step[i]; };
+  for (const std::uint32_t i : lost_scalars_) add(i);
+  if (holds_ && damping.lambda == 0) {
+    for (const std::uint32_t i : plan_->held_scalars) add(i);
+  }
+  return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
 }
 
 bool BatchSystem::is_free() {

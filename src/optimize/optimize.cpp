@@ -58,11 +58,15 @@ double final_chi2(Run& run, const RunResult& result) {
 void finish(Run& run, RunResult result) {
   // A minimum of what double precision kept of H is not one of the problem.
   std::optional<SwampingEdge> swamping;
-  if (result.status == Status::kConverged) swamping = find_swamping_edge(run);
+  const bool may_be_swamped =
+      result.status == Status::kConverged || result.reason == Reason::kMaxIterations ||
+      result.reason == Reason::kNoStepFound || result.reason == Reason::kNotPositiveDefinite;
+  if (may_be_swamped) swamping = find_swamping_edge(run);
   if (swamping)
     std::tie(result.status, result.reason) = std::pair(Status::kNotConverged, Reason::kWeightSpan);
   run.report().linear = run.system().linear_solver().statistics();
   run.report().gauge.held_directions = run.system().held_directions();
+  if (!run.system().gauge_is_free()) run.report().gauge.free.clear();
   run.report().status = result.status;
   run.report().reason = result.reason;
   run.report().chi2_final = final_chi2(run, result);

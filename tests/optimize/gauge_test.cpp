@@ -163,6 +163,59 @@ TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
   }
 }
 
+TEST(Gauge, IsLetGoOnceAMotionThatTheStartLeftFreeIsMeasured) {
+  // Both poses coincide at first, so that nothing tells their heading.
+  for (const auto algorithm :
+       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+    Graph graph;
+    const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2());
+    graph.add_edge(Between(SE2(1, 0, 0)), a, b);
+    graph.add_edge(PositionPrior(Vector2(0, 0)), a);
+    graph.add_edge(PositionPrior(Vector2(0, 1)), b);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_TRUE(report.converged()) << report;
+    EXPECT_LT(report.chi2_final, 1e-9) << report;
+    const Report second = optimize(graph, {.algorithm = algorithm});
+    EXPECT_LT(second.chi2_final, 1e-9) << second;
+  }
+}
+
+TEST(Gauge, OfAStraightTrajectoryWithPositionsIsLetGoOnceItBends) {
+  for (const auto algorithm : {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg}) {
+    Graph graph;
+    std::vector<VertexHandle<SE3>> poses;
+    for (int i = 0; i < 4; ++i) poses.push_back(graph.add_vertex(SE3(Vector3(i, 0, 0), SO3())));
+    const SO3 turn = SO3::from_rotation_vector(Vector3(0, 0, std::acos(-1.0) / 2));
+    graph.add_edge(Between(SE3(Vector3(1, 0, 0), SO3())), poses[0], poses[1]);
+    graph.add_edge(Between(SE3(Vector3(1, 0, 0), turn)), poses[1], poses[2]);
+    graph.add_edge(Between(SE3(Vector3(1, 0, 0), SO3())), poses[2], poses[3]);
+    const std::vector<Vector3> places{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}};
+    for (std::size_t i = 0; i < poses.size(); ++i) graph.add_edge(PositionPrior(places[i]), poses[i]);
+    const Report report = optimize(graph, {.algorithm = algorithm});
+    EXPECT_LT(report.chi2_final, 1e-8) << report;
+  }
+}
+
+TEST(Gauge, HoldsAPoseAndNotTheMountOfASensorThatIsAVertex) {
+  Graph graph;
+  const auto mount = graph.add_vertex(SE2(0.4, 0.1, 0.2), 0);
+  const SE2 motion(1, 0, 1.5707963), seen = SE2(0.3, 0.2, 0.1).inverse() * motion * SE2(0.3, 0.2, 0.1);
+  std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(), 1)};
+  for (int i = 0; i < 2; ++i) {
+    poses.push_back(graph.add_vertex(graph.estimate(poses.back()) * motion));
+    const auto from = poses[poses.size() - 2], to = poses.back();
+    graph.add_edge(Between(motion), 100.0, from, to);
+    graph.add_edge(
+        [seen](const auto& a, const auto& b, const auto& m) {
+          return (a * m).inverse_times(b * m).inverse_times(seen).vector();
+        },
+        100.0, from, to, mount);
+  }
+  const Report report = optimize(graph);
+  EXPECT_THAT(report.gauge.held, ElementsAre(1)) << report;
+  EXPECT_LT(report.chi2_final, 1e-9) << report;
+}
+
 TEST(Gauge, IsNamedInTheReport) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);

@@ -52,6 +52,8 @@ class BatchSystem final : public System {
   /// Whether a component can move without changing any error; to tell, it may factorise H at the current
   /// estimates.
   bool is_free();
+  /// False once a motion that was free at first was found to be measured.
+  bool gauge_is_free() const { return holds_; }
   /// Directions that were held because their pivots were lost (Plan::loose_blocks).
   int held_directions() const { return static_cast<int>(lost_scalars_.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
@@ -66,7 +68,7 @@ class BatchSystem final : public System {
   Damping full_damping(const StepDamping& damping);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
   bool hold_lost_pivot();
-  bool lost_pivots_are_gauge(std::span<const double> step) const;
+  bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
   StepResult solve_full(const Damping& damping, std::span<double> step);
   StepResult solve_reduced(const Damping& damping, std::span<double> step);
   StepResult fail(const FactorResult& result, std::uint32_t first_block);
@@ -84,6 +86,9 @@ class BatchSystem final : public System {
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   std::vector<std::uint32_t> lost_scalars_;
+  bool holds_ = true;         // the plan's held_scalars
+  double gauge_damping_ = 0;  // of each diagonal entry
+  double last_chi2_ = 0;
   LinearizeOptions linearize_options_;
   SolveControl control_;
   StopToken stop_;

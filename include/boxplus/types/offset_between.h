@@ -17,7 +17,6 @@ struct OffsetBetweenText {
 template <class T>
 struct OffsetBetween {
   static constexpr std::string_view kName = TypeLabel<OffsetBetweenText, T>::kValue;
-  static constexpr bool kRigid = kIsPose<T>;
   T measurement;
 
   explicit OffsetBetween(const T& z) : measurement(z) {}

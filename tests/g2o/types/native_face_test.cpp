@@ -34,11 +34,13 @@ std::vector<double> native_chi2(boxplus::Graph& graph) {
   boxplus::Options options;
   options.algorithm = boxplus::AlgorithmKind::kGaussNewton;
   options.max_iterations = kIterations;
-  options.cost_tolerance = options.step_tolerance = 0;
+  options.cost_tolerance = options.step_tolerance = options.noise_tolerance = 0;
   if (graph.vertex_count() > 0) graph.fix(graph.all_vertices().front());
   const boxplus::Report report = boxplus::optimize(graph, options);
   std::vector<double> chi2{report.chi2_initial};
   for (const boxplus::IterationRecord& record : report.records) chi2.push_back(record.chi2);
+  // It ends within rounding, where the g2o API goes on.
+  if (report.reason == boxplus::Reason::kNoFurtherDecrease) chi2.resize(kIterations + 1, chi2.back());
   return chi2;
 }
 

@@ -41,7 +41,6 @@ struct PointObservation2 {
 /// EDGE_SE2_POINTXY_OFFSET with P a parameter; EDGE_SE2_XY_CALIB with P a vertex.
 struct OffsetPointObservation2 {
   static constexpr std::string_view kName = "OffsetPointObservation2";
-  static constexpr bool kRigid = true;
   static constexpr bool kJacobiansForSomeTypes = true;
   Vector2 measurement;
 

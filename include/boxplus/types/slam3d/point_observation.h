@@ -42,7 +42,6 @@ struct PointObservation3 {
 /// EDGE_SE3_TRACKXYZ.
 struct OffsetPointObservation3 {
   static constexpr std::string_view kName = "OffsetPointObservation3";
-  static constexpr bool kRigid = true;
   static constexpr bool kJacobiansForSomeTypes = true;
   Vector3 measurement;
 
