@@ -266,8 +266,10 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  void linearize_analytically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const
-      requires(edge::kAnalytic<E, V...>) {
+  /// A template, so that an explicit instantiation of the pool leaves it out for other edges.
+  template <class Edge = E>
+  requires(edge::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
+                                                                    const EdgeTile& tile) const {
     for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
       const E& e = edges_[edge];
       with_arguments(edge, [&](auto... x) {
@@ -280,8 +282,9 @@ class TypedEdgePool final : public EdgePool {
 
   /// All edges of the tile for one window of columns, then for the next: so an estimate that consecutive
   /// edges share is lifted once.
-  void linearize_automatically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const
-      requires(edge::kDifferentiable<E, V...>) {
+  template <class Edge = E>
+  requires(edge::kDifferentiable<Edge, V...>) void linearize_automatically(
+      std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
     edge::AutomaticJacobian<V...> differentiate;
     int first = 0;
     do {
