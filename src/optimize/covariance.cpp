@@ -240,36 +240,4 @@ std::size_t Covariance::block_index(std::size_t i, std::size_t j) const {
   return is_joint_ ? i * (i + 1) / 2 + j : i;
 }
 
-Eigen::MatrixXd Covariance::of(VertexRef vertex) const {
-  return of(vertex, vertex);
-}
-
-Eigen::MatrixXd Covariance::of(VertexRef a, VertexRef b) const {
-  const Place &row = place(a), &column = place(b);
-  if (row.index < column.index) return of(b, a).transpose();
-  if (row.index != column.index && !is_joint_)
-    throw InvalidArgument(
-        "Covariance: expected one vertex, got two: cross-covariances come from covariance()");
-  const std::vector<double>& values = blocks_[block_index(row.index, column.index)];
-  if (values.empty()) return Eigen::MatrixXd::Zero(row.dim, column.dim);
-  return Eigen::Map<const Eigen::MatrixXd>(values.data(), row.dim, column.dim);
-}
-
-Eigen::MatrixXd Covariance::joint() const {
-  Eigen::Index size = 0;
-  for (const VertexRef& vertex : vertices_) size += place(vertex).dim;
-  Eigen::MatrixXd result(size, size);
-  Eigen::Index row = 0;
-  for (const VertexRef& a : vertices_) {
-    Eigen::Index column = 0;
-    for (const VertexRef& b : vertices_) {
-      const Eigen::MatrixXd block = of(a, b);
-      result.block(row, column, block.rows(), block.cols()) = block;
-      column += block.cols();
-    }
-    row += place(a).dim;
-  }
-  return result;
-}
-
 }  // namespace boxplus

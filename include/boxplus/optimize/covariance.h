@@ -108,4 +108,38 @@ Covariance marginal_covariances(const Graph& graph, const R& vertices, const Opt
   return marginal_covariances(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
 }
 
+// Inline, so that the client's own code allocates what it frees: Eigen's allocator depends on compiler flags.
+
+inline Eigen::MatrixXd Covariance::of(VertexRef vertex) const {
+  return of(vertex, vertex);
+}
+
+inline Eigen::MatrixXd Covariance::of(VertexRef a, VertexRef b) const {
+  const Place &row = place(a), &column = place(b);
+  if (row.index < column.index) return of(b, a).transpose();
+  if (row.index != column.index && !is_joint_)
+    throw InvalidArgument(
+        "Covariance: expected one vertex, got two: cross-covariances come from covariance()");
+  const std::vector<double>& values = blocks_[block_index(row.index, column.index)];
+  if (values.empty()) return Eigen::MatrixXd::Zero(row.dim, column.dim);
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), row.dim, column.dim);
+}
+
+inline Eigen::MatrixXd Covariance::joint() const {
+  Eigen::Index size = 0;
+  for (const VertexRef& vertex : vertices_) size += place(vertex).dim;
+  Eigen::MatrixXd result(size, size);
+  Eigen::Index row = 0;
+  for (const VertexRef& a : vertices_) {
+    Eigen::Index column = 0;
+    for (const VertexRef& b : vertices_) {
+      const Eigen::MatrixXd block = of(a, b);
+      result.block(row, column, block.rows(), block.cols()) = block;
+      column += block.cols();
+    }
+    row += place(a).dim;
+  }
+  return result;
+}
+
 }  // namespace boxplus
