@@ -12,7 +12,7 @@ class __attribute__((visibility("default"))) CeresIcp {
  public:
   explicit CeresIcp(const IcpProblem& problem);
   ~CeresIcp();
-  /// From the start, with one thread. `solver`: DENSE_QR, or DENSE_NORMAL_CHOLESKY where it is true.
+  /// From the start, with one thread. `solver`: DENSE_QR, or DENSE_NORMAL_CHOLESKY if it is true.
   IcpRun run(bool normal_equations);
 
  private:
