@@ -104,14 +104,6 @@ double InformationView::weighted_squared_norm(const double* e) const {
   return 2 * sum;
 }
 
-Eigen::MatrixXd InformationView::matrix() const {
-  Eigen::MatrixXd full(rows, rows);
-  for (int i = 0; i < rows; ++i) {
-    for (int j = 0; j < rows; ++j) full(i, j) = (*this)(i, j);
-  }
-  return full;
-}
-
 Information::Information(InformationKind kind, int rows, std::span<const double> values)
     : kind_(kind), rows_(rows), count_(values.size()) {
   if (count_ <= kNear) {

@@ -27,24 +27,17 @@ double Graph::weight(EdgeRef edge) const {
   return first < 0 ? 0 : first;
 }
 
-std::vector<Eigen::MatrixXd> Graph::jacobian(EdgeRef edge) const {
+std::vector<double> Graph::stacked_jacobian(EdgeRef edge) const {
   check(edge);
   const EdgePool& pool = *edge_pools_[edge.pool];
   const EdgeShape shape = pool.shape(edge.slot);
   std::vector<double> error(static_cast<std::size_t>(shape.rows));
-  Eigen::MatrixXd J(shape.rows, shape.cols);
+  std::vector<double> jacobian(static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols));
   EdgeTile tile;
   tile.error = error.data();
-  tile.jacobian = J.data();
+  tile.jacobian = jacobian.data();
   pool.linearize(std::span(&edge.slot, 1), tile, false);
-  std::vector<Eigen::MatrixXd> blocks;
-  Eigen::Index column = 0;
-  for (const VertexRef& vertex : vertices(edge)) {
-    const int dim = tangent_dim(vertex);
-    blocks.emplace_back(J.middleCols(column, dim));
-    column += dim;
-  }
-  return blocks;
+  return jacobian;
 }
 
 }  // namespace boxplus

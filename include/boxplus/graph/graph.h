@@ -333,6 +333,8 @@ class Graph {
   void mark_parameter(VertexRef vertex);
   std::vector<EdgeRef> find_edges(VertexRef vertex) const;
   void index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexcept;
+  /// The blocks of jacobian(), one behind the other; each column-major.
+  std::vector<double> stacked_jacobian(EdgeRef edge) const;
   void save(Saved saved);
   Saved live(const Saved& saved) const;
 
@@ -458,5 +460,17 @@ class Graph {
   std::unique_ptr<Cache> cache_;
   mutable std::unique_ptr<Incidence> incidence_;  // made by the first call of edges()
 };
+
+inline std::vector<Eigen::MatrixXd> Graph::jacobian(EdgeRef edge) const {
+  const std::vector<double> values = stacked_jacobian(edge);
+  const int rows = edge_pools_[edge.pool]->shape(edge.slot).rows;
+  const double* next = values.data();
+  std::vector<Eigen::MatrixXd> blocks;
+  for (const VertexRef& vertex : vertices(edge)) {
+    blocks.emplace_back(Eigen::Map<const Eigen::MatrixXd>(next, rows, tangent_dim(vertex)));
+    next += blocks.back().size();
+  }
+  return blocks;
+}
 
 }  // namespace boxplus

@@ -32,7 +32,15 @@ struct InformationView {
     for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
     return values[0] * sum;
   }
-  Eigen::MatrixXd matrix() const;
+  /// Inline, as are all functions that return an Eigen matrix of run-time size: the client's own code
+  /// allocates what it frees, because Eigen's allocator depends on compiler flags.
+  Eigen::MatrixXd matrix() const {
+    Eigen::MatrixXd full(rows, rows);
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < rows; ++j) full(i, j) = (*this)(i, j);
+    }
+    return full;
+  }
 
  private:
   double weighted_squared_norm(const double* e) const;  // diagonal or full
