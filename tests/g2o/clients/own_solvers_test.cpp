@@ -173,9 +173,15 @@ class OwnBlockSolver : public g2o::BlockSolver_3_2 {
     }
     landmark = *_Hll->block(0, 0);
     between = *_Hpl->block(0, 0);
-    return g2o::BlockSolver_3_2::solve();
+    const bool solved = g2o::BlockSolver_3_2::solve();
+    schur = Eigen::MatrixXd::Zero(_sizePoses, _sizePoses);
+    for (int c = 0; c < _numPoses; ++c) {
+      for (const auto& [r, block] : _Hschur->blockCols()[static_cast<size_t>(c)])
+        schur.block<3, 3>(3 * r, 3 * c) = *block;
+    }
+    return solved;
   }
-  Eigen::MatrixXd poses;
+  Eigen::MatrixXd poses, schur;
   Eigen::Matrix2d landmark;
   Eigen::Matrix<double, 3, 2> between;
 };
@@ -210,6 +216,12 @@ TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
   EXPECT_NE(blocks->poses(0, 3), 0);  // poses 1 and 2 share an edge
   EXPECT_EQ(blocks->landmark(0, 1), l->hessian(0, 1));
   EXPECT_LT((blocks->between - between).norm(), 1e-12);
+  Eigen::MatrixXd schur = blocks->poses;  // only the first pose sees the landmark
+  schur.topLeftCorner<3, 3>() -= blocks->between * blocks->landmark.inverse() * blocks->between.transpose();
+  EXPECT_LT((Eigen::MatrixXd(schur.triangularView<Eigen::Upper>()) -
+             Eigen::MatrixXd(blocks->schur.triangularView<Eigen::Upper>()))
+                .norm(),
+            1e-9 * schur.norm());
 }
 
 TEST(OwnSolvers, AnOwnSolverServesEveryAlgorithm) {

@@ -91,7 +91,7 @@ class BlockSolver : public BlockSolverBase {
     if (this->_optimizer == nullptr) return false;
     if (!engine_.isCurrent(*this->_optimizer) && !(_linearSolver->init() && buildStructure())) return false;
     engine_.buildSystem(*this->_optimizer, this->_b);
-    if (typeid(*this) != typeid(BlockSolver)) copyHessian();
+    if (isDerived()) copyHessian();
     return true;
   }
   bool solve() override;
@@ -125,10 +125,14 @@ class BlockSolver : public BlockSolverBase {
   std::unique_ptr<PoseHessianType> _Hpp;
   std::unique_ptr<LandmarkHessianType> _Hll;
   std::unique_ptr<PoseLandmarkHessianType> _Hpl;
+  /// The damped matrix that solve() gave to the linear solver: the Schur complement on the poses; the upper
+  /// triangle. A BlockSolver itself has none, unless the linear solver is a client's own.
+  std::unique_ptr<PoseHessianType> _Hschur;
   int _numPoses = 0, _numLandmarks = 0;    ///< blocks
   int _sizePoses = 0, _sizeLandmarks = 0;  ///< scalars
 
  private:
+  bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
   /// The linear solver's, and exact where steps must be.
   internal::EngineSettings engineSettings() const;
@@ -136,8 +140,7 @@ class BlockSolver : public BlockSolverBase {
   bool layOutReducedMatrix();
 
   internal::BlockSolverEngine engine_;
-  std::unique_ptr<PoseHessianType> reduced_;     ///< for the linear solver; null until it is laid out
-  std::vector<PoseMatrixType*> reduced_blocks_;  ///< of reduced_, in the order of the engine's blocks
+  std::vector<PoseMatrixType*> reduced_blocks_;  ///< of _Hschur, in the order of the engine's blocks
   double lambda_ = 0;
 };
 

@@ -41,7 +41,7 @@ bool BlockSolver<Traits>::buildStructure(bool) {
       return false;
     }
   }
-  reduced_.reset();
+  _Hschur.reset();
   if (!engine_.buildStructure(*this->_optimizer, _doSchur, engineSettings())) return false;
   this->resizeVector(engine_.scalars());
   return true;
@@ -83,7 +83,8 @@ template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   const internal::EngineSettings settings = engineSettings();
-  if (settings.solver == internal::EngineSolver::kNone) return solveByLinearSolver();
+  const bool has_schur_complement = isDerived() && _numLandmarks > 0;
+  if (settings.solver == internal::EngineSolver::kNone || has_schur_complement) return solveByLinearSolver();
   return engine_.solve(lambda_, this->_b, this->_x, settings);
 }
 
@@ -106,14 +107,14 @@ bool BlockSolver<Traits>::layOutReducedMatrix() {
   reduced_blocks_.clear();
   for (const internal::EngineBlock& block : engine_.reducedBlocks())
     reduced_blocks_.push_back(A->block(block.column, block.row, true));
-  reduced_ = std::move(A);
+  _Hschur = std::move(A);
   return true;
 }
 
 template <typename Traits>
 bool BlockSolver<Traits>::solveByLinearSolver() {
   if (!engine_.reduce(lambda_, this->_b)) return false;
-  if (reduced_ == nullptr && !layOutReducedMatrix()) return false;
+  if (_Hschur == nullptr && !layOutReducedMatrix()) return false;
   PoseMatrixType* const* target = reduced_blocks_.data();
   for (const internal::EngineBlock& block : engine_.reducedBlocks()) {
     PoseMatrixType& to = **target++;
@@ -121,7 +122,7 @@ bool BlockSolver<Traits>::solveByLinearSolver() {
   }
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   const internal::AddedTime time(statistics ? &statistics->timeLinearSolver : nullptr);
-  if (!_linearSolver->solve(*reduced_, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
+  if (!_linearSolver->solve(*_Hschur, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
     G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
     return false;
   }
