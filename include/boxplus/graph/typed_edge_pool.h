@@ -112,12 +112,11 @@ class TypedEdgePool final : public EdgePool {
   }
 
   void errors(std::span<const std::uint32_t> edges, double* out) const override {
-    for (std::uint32_t edge : edges) {
+    for_each_with_arguments(edges, [&](std::uint32_t edge, const auto&... x) {
       const int n = rows(edge);
-      with_arguments(edge,
-                     [&](auto... x) { edge::copy_rows(edge::evaluate(edges_[edge], x.get()...), n, out); });
+      edge::copy_rows(edge::evaluate(edges_[edge], x...), n, out);
       out += n;
-    }
+    });
   }
 
   void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const override {
@@ -222,6 +221,22 @@ class TypedEdgePool final : public EdgePool {
     return with_slots(vertex_slots(edge), tail_sizes(edge), std::forward<F>(f));
   }
 
+  /// f(edge, its arguments…) for each edge. If consecutive edges have one and the same vertex, they get one
+  /// copy of its estimate, which can stay in registers: nothing that f writes can change it.
+  template <class F>
+  void for_each_with_arguments(std::span<const std::uint32_t> edges, F&& f) const {
+    if constexpr (kArguments == 1 && kTails == 0 && (std::is_trivially_destructible_v<V> && ...)) {
+      for (std::size_t k = 0; k < edges.size();) {
+        const std::uint32_t slot = vertex_slots(edges[k])[0];
+        const auto estimate = std::get<0>(pools_)->value(slot);
+        do f(edges[k], estimate);
+        while (++k < edges.size() && vertex_slots(edges[k])[0] == slot);
+      }
+    } else {
+      for (const std::uint32_t edge : edges) with_arguments(edge, [&](auto... x) { f(edge, x.get()...); });
+    }
+  }
+
   /// f of where the numbers of each edge lie, and those of its vertices: an array per position.
   template <class F>
   void with_lane_sources(std::span<const std::uint32_t> edges, F&& f) const {
@@ -270,13 +285,14 @@ class TypedEdgePool final : public EdgePool {
   template <class Edge = E>
   requires(edge::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
                                                                     const EdgeTile& tile) const {
-    for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
-      const E& e = edges_[edge];
-      with_arguments(edge, [&](auto... x) {
-        const int n = kRows != kDynamic ? kRows : tile.rows;
-        edge::copy_rows(edge::evaluate(e, x.get()...), n, error);
-        edge::own_jacobian<V...>(e, jacobian, n, x.get()...);
-      });
+    double* error = tile.error;
+    double* jacobian = tile.jacobian;
+    const int n = kRows != kDynamic ? kRows : tile.rows;
+    for_each_with_arguments(edges, [&](std::uint32_t edge, const auto&... x) {
+      edge::copy_rows(edge::evaluate(edges_[edge], x...), n, error);
+      edge::own_jacobian<V...>(edges_[edge], jacobian, n, x...);
+      error += n;
+      jacobian += static_cast<std::ptrdiff_t>(n) * tile.cols;
     });
   }
 
