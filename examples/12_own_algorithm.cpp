@@ -4,10 +4,12 @@
 // An algorithm sees the problem only as a System: it has it linearised, asks for steps, tries them, and
 // accepts or rejects what it tried. It knows neither graphs nor matrices.
 #include <boxplus/boxplus.h>
-#include <boxplus/optimize/algorithm.h>
-#include <boxplus/optimize/batch_system.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 using namespace boxplus;
 
@@ -20,11 +22,14 @@ class LineSearch final : public Algorithm {
   IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
     if (!system.linearize()) return IterationOutcome::kNotFinite;
     if (system.solve({}, step_).status != LinearStatus::kOk) return IterationOutcome::kNotPositiveDefinite;
+    record.gradient_max = largest(system.gradient());
+    for (std::size_t k = 0; k < step_.size(); ++k) record.promise -= system.gradient()[k] * step_[k];
     for (record.tries = 1; record.tries < 30; ++record.tries) {
       record.chi2 = system.try_step(step_);
       record.chi2_decrease = chi2 - record.chi2;
       if (record.chi2 < chi2) {
         system.accept();
+        record.step_max = largest(step_);
         return IterationOutcome::kAccepted;
       }
       system.reject();
@@ -35,6 +40,12 @@ class LineSearch final : public Algorithm {
   }
 
  private:
+  static double largest(std::span<const double> entries) {
+    double result = 0;
+    for (const double entry : entries) result = std::max(result, std::abs(entry));
+    return result;
+  }
+
   std::vector<double> step_;
 };
 // [/algorithm]
@@ -47,20 +58,10 @@ int main() {
   graph.add_edge([](const auto& p) { return 1.0 - p[0]; }, x);
 
   // [run]
-  BatchSystem system(graph, PlanRequest{}, make_linear_solver(LinearSolverKind::kAutomatic),
-                     SchurMode::kAutomatic);
-  Timings timings;
-  system.configure(Options{}, timings);
-  LineSearch algorithm;
-  algorithm.reset(Options{}, system.gradient().size());
-  double chi2 = system.chi2();
-  int iterations = 0;
-  for (IterationRecord record; iterations < 100; ++iterations) {
-    if (algorithm.iterate(system, chi2, record) != IterationOutcome::kAccepted) break;
-    chi2 = record.chi2;
-  }
+  LineSearch line_search;
+  const Report report = Optimizer(graph).run(line_search);
   // [/run]
   const Vector2 found = graph.estimate(x);
-  std::printf("%d iterations: (%.6f, %.6f)\n", iterations, found[0], found[1]);
+  std::printf("%d iterations: (%.6f, %.6f)\n", report.iterations, found[0], found[1]);
   return (found - Vector2(1, 1)).norm() < 1e-6 ? 0 : 1;
 }

@@ -21,12 +21,12 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 // [/window]
 
 // [whole]
-/// Moves everything. The plan of the last call is kept, and extended by what was added since.
-Report optimize_whole(Graph& graph) {
+/// For steps that move everything. An Optimizer keeps its plan, and extends it by what was added since.
+Options options_for_steps() {
   Options options;
   options.max_iterations = 1;    // the next step goes on from here
   options.time_limit_s = 0.010;  // holds in every phase; the report tells if it struck
-  return optimize(graph, options);
+  return options;
 }
 // [/whole]
 
@@ -44,7 +44,8 @@ int main() {
     in_window = optimize_window(graph, poses, 10).vertices;
     // [/step]
   }
-  optimize_whole(graph);
+  Optimizer whole(graph, options_for_steps());
+  const Report first = whole.run();
 
   // Four sides later the robot is where it was: a loop closure concerns more than the window.
   int extended = 0;
@@ -53,10 +54,10 @@ int main() {
     const auto last = poses.back();
     poses.push_back(graph.add_vertex(graph.estimate(last) * measured));
     graph.add_edge(Between(measured), 100.0, last, poses.back());
-    extended += optimize_whole(graph).plan_extended ? 1 : 0;
+    extended += whole.run().plan_extended ? 1 : 0;
   }
   const Report report = optimize(graph);
   std::printf("windows of %u poses of %zu; %d plans extended; chi2 %.4f\n", in_window, poses.size(), extended,
               report.chi2_final);
-  return report.converged() && in_window == 10 ? 0 : 1;
+  return report.converged() && in_window == 10 && first.iterations == 1 ? 0 : 1;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "boxplus/base/parallel.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "datasets/datasets.h"
 #include "datasets/interleave.h"
 #include "datasets/median.h"

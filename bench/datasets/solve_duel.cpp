@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "datasets/ceres/ceres_peer.h"
 #include "datasets/graph_numbers.h"
 #include "datasets/interleave.h"
@@ -48,7 +48,6 @@ SolveFigures run_ours(Graph& graph, Start start, double target) {
     return false;
   };
   graph.push();
-  graph.cache().reset();
   const Report report = optimize(graph, options);
   graph.pop();
   out.chi2 = report.chi2_final;

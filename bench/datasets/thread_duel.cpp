@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "datasets/interleave.h"
 
 namespace boxplus::bench {
@@ -11,7 +11,6 @@ namespace {
 
 Figures run(Graph& graph, int threads) {
   graph.push();
-  graph.cache().reset();
   const Report report = optimize(graph, {.start = Start::kAutomatic, .threads = threads});
   graph.pop();
   return {report.time.total_s, report.chi2_final};

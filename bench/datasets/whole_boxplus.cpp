@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "datasets/whole_run.h"
 #include "optimize/stopwatch.h"
 

@@ -4,7 +4,7 @@
 
 #include <exception>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "datasets/ceres/ceres_peer.h"
 #include "datasets/datasets.h"
 #include "datasets/graph_numbers.h"

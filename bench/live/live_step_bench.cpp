@@ -89,12 +89,14 @@ void measure(World world, int poses) {
   constexpr int kSteps = 300;
   const Simulation simulation = simulate(world, {.poses = poses + kSteps});
   Drive<Pose> extended(simulation), anew(simulation), window(simulation);
+  Optimizer optimize_extended(extended.graph), optimize_anew(anew.graph), optimize_window(window.graph);
   std::vector<double> seconds_extended, seconds_anew, seconds_window, ratio;
   Options options{.max_iterations = 1, .threads = 1}, local = options;
   Report report, report_anew, report_window;
-  const auto timed = [](Drive<Pose>& drive, const Options& how, Report& result) {
+  const auto timed = [](Optimizer& optimizer, const Options& how, Report& result) {
     const double begin = cpu_seconds();
-    optimize(drive.graph, how, result);
+    optimizer.set_options(how);
+    optimizer.run(result);
     return cpu_seconds() - begin;
   };
   int extensions = 0;
@@ -102,14 +104,17 @@ void measure(World world, int poses) {
     for (Drive<Pose>* drive : {&extended, &anew, &window}) drive->append();
     if (extended.poses() + kSteps < simulation.graph.vertex_count()) {
       if (extended.poses() % 100 != 0) continue;
-      for (Drive<Pose>* drive : {&extended, &anew, &window}) optimize(drive->graph, {.threads = 1});
+      for (Optimizer* optimizer : {&optimize_extended, &optimize_anew, &optimize_window}) {
+        optimizer->set_options({.threads = 1});
+        optimizer->run(report);
+      }
       continue;
     }
     anew.touch();
     local.vertices = window.window(10);
-    seconds_extended.push_back(timed(extended, options, report));
-    seconds_anew.push_back(timed(anew, options, report_anew));
-    seconds_window.push_back(timed(window, local, report_window));
+    seconds_extended.push_back(timed(optimize_extended, options, report));
+    seconds_anew.push_back(timed(optimize_anew, options, report_anew));
+    seconds_window.push_back(timed(optimize_window, local, report_window));
     ratio.push_back(seconds_anew.back() / seconds_extended.back());
     extensions += report.plan_extended ? 1 : 0;
   }

@@ -16,7 +16,7 @@
 #include "boxplus/manifold/so2.h"
 #include "boxplus/manifold/so3.h"
 #include "boxplus/optimize/covariance.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/barron.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/huber.h"

@@ -243,12 +243,11 @@ double Graph::chi2() const {
 void Graph::push() {
   Saved saved;
   for (const auto& pool : vertex_pools_) {
-    auto& slots = saved.slots.emplace_back();
-    auto& generations = saved.generations.emplace_back();
+    Saved::Part& part = saved.parts.emplace_back();
     for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
       if (!pool->alive(slot)) continue;
-      slots.push_back(slot);
-      generations.push_back(pool->generation(slot));
+      part.slots.push_back(slot);
+      part.generations.push_back(pool->generation(slot));
     }
   }
   save(std::move(saved));
@@ -256,48 +255,40 @@ void Graph::push() {
 
 void Graph::push(std::span<const VertexRef> vertices) {
   Saved saved;
-  saved.slots.resize(vertex_pools_.size());
-  saved.generations.resize(vertex_pools_.size());
+  saved.parts.resize(vertex_pools_.size());
   for (const VertexRef& vertex : vertices) {
     check(vertex);
-    saved.slots[vertex.pool].push_back(vertex.slot);
-    saved.generations[vertex.pool].push_back(vertex.generation);
+    saved.parts[vertex.pool].slots.push_back(vertex.slot);
+    saved.parts[vertex.pool].generations.push_back(vertex.generation);
   }
   save(std::move(saved));
 }
 
 void Graph::save(Saved saved) {
-  const int level = VertexPool::kFirstStackLevel + stack_size();
-  for (std::size_t p = 0; p < saved.slots.size(); ++p) vertex_pools_[p]->save(saved.slots[p], level);
+  for (std::size_t p = 0; p < saved.parts.size(); ++p)
+    vertex_pools_[p]->save(saved.parts[p].slots, saved.parts[p].estimates);
   stack_.push_back(std::move(saved));
-}
-
-/// What of `saved` still exists.
-Graph::Saved Graph::live(const Saved& saved) const {
-  Saved result;
-  for (std::size_t p = 0; p < saved.slots.size(); ++p) {
-    result.slots.emplace_back();
-    for (std::size_t k = 0; k < saved.slots[p].size(); ++k) {
-      const VertexRef vertex{static_cast<std::uint32_t>(p), saved.slots[p][k], saved.generations[p][k]};
-      if (contains(vertex)) result.slots.back().push_back(vertex.slot);
-    }
-  }
-  return result;
 }
 
 void Graph::pop() {
   if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, the stack is empty");
-  const Saved saved = live(stack_.back());
-  const int level = VertexPool::kFirstStackLevel + stack_size() - 1;
-  bool resized = false;
-  for (std::size_t p = 0; p < saved.slots.size(); ++p) {
-    VertexPool& pool = *vertex_pools_[p];
-    std::vector<int> dims;
-    for (std::uint32_t slot : saved.slots[p]) dims.push_back(pool.tangent_dim(slot));
-    pool.restore(saved.slots[p], level);
-    for (std::size_t k = 0; k < dims.size(); ++k) resized |= pool.tangent_dim(saved.slots[p][k]) != dims[k];
-  }
+  Saved saved = std::move(stack_.back());
   stack_.pop_back();
+  bool resized = false;
+  for (std::size_t p = 0; p < saved.parts.size(); ++p) {
+    VertexPool& pool = *vertex_pools_[p];
+    Saved::Part& part = saved.parts[p];
+    std::vector<int> dims(part.slots.size());
+    for (std::size_t k = 0; k < part.slots.size(); ++k) {
+      const bool exists =
+          contains(VertexRef{static_cast<std::uint32_t>(p), part.slots[k], part.generations[k]});
+      if (!exists) part.slots[k] = VertexPool::kNoSlot;
+      if (exists) dims[k] = pool.tangent_dim(part.slots[k]);
+    }
+    pool.restore(part.slots, *part.estimates);
+    for (std::size_t k = 0; k < part.slots.size(); ++k)
+      resized |= part.slots[k] != VertexPool::kNoSlot && pool.tangent_dim(part.slots[k]) != dims[k];
+  }
   if (resized) note_rewrite();
 }
 
@@ -336,7 +327,8 @@ std::vector<EdgeRef> Graph::all_edges() const {
 
 void Graph::clear() {
   const std::uint64_t revision = revision_ + 1;
-  *this = Graph();
+  Graph empty;
+  take_elements(empty);
   revision_ = last_rewrite_ = revision;
 }
 

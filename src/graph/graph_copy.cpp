@@ -17,7 +17,12 @@ std::uint32_t Graph::new_epoch() noexcept {
   return kGoldenRatio * epochs.fetch_add(1, std::memory_order_relaxed);
 }
 
-// The cache and the index of edges are made again where they are needed. The elements keep their generations,
+Graph::Saved::Saved(const Saved& other) {
+  for (const Part& part : other.parts)
+    parts.push_back({part.slots, part.generations, part.estimates ? part.estimates->clone() : nullptr});
+}
+
+// The index of edges is made again when it is needed. The elements keep their generations,
 // so that the handles of `other` fit; from now on, the copy counts from a number of its own.
 Graph::Graph(const Graph& other)
     : edge_access_(other.edge_access_),
@@ -46,15 +51,18 @@ Graph& Graph::operator=(const Graph& other) {
   return *this = Graph(other);
 }
 
-// The cache may point at the graph that it was made for: it does not move.
 Graph::Graph(Graph&& other) noexcept : Graph() {
   *this = std::move(other);
 }
 
 Graph& Graph::operator=(Graph&& other) noexcept {
   if (this == &other) return *this;
-  cache_.reset();
-  other.cache_.reset();
+  lifetime_ = std::move(other.lifetime_);
+  take_elements(other);
+  return *this;
+}
+
+void Graph::take_elements(Graph& other) noexcept {
   vertex_pools_ = std::move(other.vertex_pools_);
   edge_pools_ = std::move(other.edge_pools_);
   edge_access_ = std::move(other.edge_access_);
@@ -71,7 +79,6 @@ Graph& Graph::operator=(Graph&& other) noexcept {
   epoch_ = std::exchange(other.epoch_, new_epoch());
   stack_ = std::move(other.stack_);
   incidence_ = std::move(other.incidence_);
-  return *this;
 }
 
 }  // namespace boxplus

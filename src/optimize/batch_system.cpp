@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/optimize/batch_system.h"
+#include "optimize/batch_system.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,6 +51,7 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
                          SchurMode schur, AnalyzeHints hints)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
+      before_step_(graph, *plan_),  // no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
       solver_(std::move(solver)) {
@@ -82,7 +83,6 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
   }
   resize_vectors();
   hints_ = hints;
-  save(VertexPool::kTrialLevel);  // no iteration allocates, not even the first
 }
 
 void BatchSystem::resize_vectors() {
@@ -285,17 +285,8 @@ StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> 
           solved.iterations};
 }
 
-void BatchSystem::save(int level) {
-  for (const VertexList& list : plan_->vertices) graph_->vertex_pools()[list.pool]->save(list.slots, level);
-}
-
-void BatchSystem::restore(int level) {
-  for (const VertexList& list : plan_->vertices)
-    graph_->vertex_pools()[list.pool]->restore(list.slots, level);
-}
-
 double BatchSystem::try_step(std::span<const double> step) {
-  save(VertexPool::kTrialLevel);
+  before_step_.take(*graph_, *plan_);
   try {
     for (const VertexList& list : plan_->vertices) {
       graph_->vertex_pools()[list.pool]->oplus(list.slots, list.offsets, step.data());

@@ -8,7 +8,7 @@
 #include "base/all_finite.h"
 #include "boxplus/linearize/linearizer.h"
 #include "linearize/fixed_directions.h"
-#include "optimize/session.h"
+#include "optimize/planned_system.h"
 
 namespace boxplus {
 

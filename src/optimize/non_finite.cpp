@@ -11,11 +11,12 @@ namespace boxplus {
 namespace {
 
 /// The active edge of the largest `size`, where what is not finite is the largest.
-EdgeRef largest_edge(Run& run, FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
+EdgeRef largest_edge(const Graph& graph, const Plan& plan,
+                     FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
   double largest = -1;
   EdgeRef result;
-  for (const EdgeList& list : run.system().plan().edges) {
-    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (!pool.enabled(edge)) continue;
       double value = size(pool, edge);
@@ -52,27 +53,28 @@ std::string edge_text(const Graph& graph, const EdgeRef& edge) {
   return text;
 }
 
-std::string describe_non_finite(Run& run) {
-  const Linearizer& linearizer = run.system().linearizer();
-  const LinearizeOptions& options = run.system().linearize_options();
+std::string describe_non_finite(const Graph& graph, BatchSystem& system) {
+  const Linearizer& linearizer = system.linearizer();
+  const LinearizeOptions& options = system.linearize_options();
   if (const auto edge = linearizer.find_non_finite_error())
-    return "the error (or its robust kernel) of " + edge_text(run.graph(), *edge) + " is NaN or infinite";
+    return "the error (or its robust kernel) of " + edge_text(graph, *edge) + " is NaN or infinite";
   if (const auto edge = linearizer.find_non_finite_jacobian(options))
-    return "a Jacobian (or the weight of the robust kernel) of " + edge_text(run.graph(), *edge) +
+    return "a Jacobian (or the weight of the robust kernel) of " + edge_text(graph, *edge) +
            " is NaN or infinite";
-  if (!std::isfinite(run.system().chi2())) {
+  if (!std::isfinite(system.chi2())) {
     const auto chi2 = [](const EdgePool& pool, std::uint32_t edge) {
       double value = 0;
       pool.chi2(std::span(&edge, 1), &value);
       return value;
     };
-    return "chi2 overflows; the largest part is that of " + edge_text(run.graph(), largest_edge(run, chi2));
+    return "chi2 overflows; the largest part is that of " +
+           edge_text(graph, largest_edge(graph, system.plan(), chi2));
   }
   const auto curvature = [&](const EdgePool& pool, std::uint32_t edge) {
     return curvature_of(pool, edge, options.numeric_jacobians);
   };
   return "the linear system overflows; the largest Jacobian is that of " +
-         edge_text(run.graph(), largest_edge(run, curvature));
+         edge_text(graph, largest_edge(graph, system.plan(), curvature));
 }
 
 }  // namespace boxplus

@@ -210,19 +210,4 @@ std::string_view to_string(Reason reason) {
   }
 }
 
-std::string_view to_string(Start start) {
-  switch (start) {
-    case Start::kCurrent:
-      return "current";
-    case Start::kOdometry:
-      return "odometry";
-    case Start::kSpanningTree:
-      return "spanning tree";
-    case Start::kChordal:
-      return "chordal";
-    default:
-      return "automatic";
-  }
-}
-
 }  // namespace boxplus

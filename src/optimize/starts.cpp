@@ -1,39 +1,228 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/starts.h"
 
-#include "optimize/automatic_start.h"
-#include "optimize/make_guess.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "boxplus/optimize/initial_guess.h"
+#include "optimize/planned_system.h"
+#include "optimize/start_table.h"
 
 namespace boxplus {
-
 namespace {
 
-/// A guess may be worse than the estimates as they came, which are at kStartLevel. If there was no time to
-/// get below these, they are put back.
-RunResult unless_stopped_above_current(Run& run, RunResult result) {
-  const double chi2_current = run.report().chi2_initial;
-  const bool stopped = result.reason == Reason::kTimeLimit || result.reason == Reason::kStopFlag;
-  if (!stopped || !(result.chi2 > chi2_current)) return result;
-  run.system().restore(VertexPool::kStartLevel);
-  run.report().start.used = Start::kCurrent;
-  run.report().records.clear();
-  result.chi2 = chi2_current;
-  return result;
+/// Estimates to run from, as a value.
+struct StartingPoint {
+  Start start = Start::kCurrent;
+  Estimates estimates;
+  double chi2 = 0;
+};
+
+/// A run and how it ended. Its last estimates are those of the graph, or they are kept in `estimates`.
+struct Candidate {
+  Start start = Start::kCurrent;
+  RunResult result;
+  std::vector<IterationRecord> records;
+  Estimates estimates;
+
+  /// Whether this is the one to keep.
+  bool is_better_than(const Candidate& other) const {
+    const auto rank = [](const RunResult& r) { return std::pair(r.status == Status::kFailed, r.chi2); };
+    return rank(result) < rank(other.result);
+  }
+};
+
+/// A trust region's "very good", on either side: the model holds as far as the minimum, and so the estimates
+/// lie in its valley.
+bool keeps_prediction(const IterationRecord& step) {
+  constexpr double kLeast = 0.75, kMost = 1.25;
+  const double kept = step.chi2_decrease / step.promise;
+  return step.tries == 1 && kept >= kLeast && kept <= kMost;
 }
+
+/// Robust kernels bound chi2 and flatten the model: neither tells anything about a minimum then.
+bool has_robust_kernels(const Graph& graph, const Plan& plan) {
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    for (const std::uint32_t edge : list.edges) {
+      if (pool.kernel(edge) != nullptr) return true;
+    }
+  }
+  return false;
+}
+
+class StartSearch {
+ public:
+  StartSearch(Descent& descent, StartReport& report, double& guess_seconds, Estimates& came)
+      : descent_(descent),
+        report_(report),
+        guess_seconds_(guess_seconds),
+        came_(came),
+        chi2_came_(report.chi2_current) {}
+
+  RunResult run() {
+    const Start start = descent_.options().start;
+    if (start == Start::kCurrent) return descent_.run(chi2_came_);
+    came_.take(graph(), plan());
+    return start == Start::kAutomatic ? run_automatically() : run_from_guess(start);
+  }
+
+ private:
+  Graph& graph() { return descent_.graph(); }
+  const Plan& plan() { return descent_.system().plan(); }
+
+  RunResult run_from_guess(Start start) {
+    if (!make_guess(start)) return descent_.run(chi2_came_);
+    report_.used = start;
+    RunResult result = descent_.run(report_.chi2_guess);
+    // A guess may be worse than the estimates as they came. If there was no time to get below these, they are
+    // put back.
+    const bool stopped = result.reason == Reason::kTimeLimit || result.reason == Reason::kStopFlag;
+    if (!stopped || !(result.chi2 > chi2_came_)) return result;
+    came_.put_back(graph(), plan());
+    report_.used = Start::kCurrent;
+    descent_.records().clear();
+    result.chi2 = chi2_came_;
+    return result;
+  }
+
+  /// Runs from the current estimates if they look like those of the right valley; else from the better of
+  /// them and a chordal guess; and from the other, too, if the result disappoints.
+  RunResult run_automatically() {
+    double chi2 = chi2_came_;
+    if (std::isfinite(chi2) && descent_.options().max_iterations > 1 &&
+        !has_robust_kernels(graph(), plan())) {
+      bool gave_up = false;
+      const RunResult result = try_current(gave_up);
+      const bool is_good = result.status == Status::kConverged && is_plausible(result.chi2);
+      const bool may_go_on = !is_interruption(result.reason) && descent_.may_go_on();
+      if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(result);
+      if (result.chi2 < chi2) {
+        came_.take(graph(), plan());
+        chi2 = result.chi2;
+      } else {
+        came_.put_back(graph(), plan());
+        descent_.records().clear();
+      }
+    }
+    if (!make_guess(Start::kChordal)) return descent_.run(chi2);
+    descent_.records().clear();
+    return run_from_better(chi2);
+  }
+
+  /// Runs from the current estimates. Gives up, with Reason::kCallback, after a first step that does not do
+  /// what the model predicts, or if it does not arrive soon: Gauss-Newton does, in the right valley.
+  RunResult try_current(bool& gave_up) {
+    constexpr int kMostIterations = 9;
+    const auto wanted = [&](const IterationRecord& step) {
+      if (step.iteration == 0) {
+        report_.first_step_kept = step.chi2_decrease / step.promise;
+        gave_up = !keeps_prediction(step);
+      } else if (step.iteration + 1 == kMostIterations) {
+        gave_up = true;
+      }
+      return !gave_up;
+    };
+    report_.used = Start::kCurrent;
+    const RunResult result = descent_.run_while(wanted, chi2_came_);
+    gave_up = gave_up && result.reason == Reason::kCallback;
+    return result;
+  }
+
+  /// The chordal guess is in the graph; came_ are the current estimates, or what they have become, with the
+  /// given chi2. Runs from the guess first if its chi2 is below that of the estimates as they came.
+  RunResult run_from_better(double chi2_current) {
+    const double chi2_guess = report_.chi2_guess;
+    const bool guess_first =
+        std::isfinite(chi2_guess) && (chi2_guess < chi2_came_ || !std::isfinite(chi2_came_));
+    StartingPoint other{Start::kCurrent, {}, chi2_current};
+    if (guess_first) {
+      std::swap(other.estimates, came_);
+    } else {
+      other = {Start::kChordal, Estimates(graph(), plan()), chi2_guess};
+      came_.put_back(graph(), plan());
+    }
+    report_.used = guess_first ? Start::kChordal : Start::kCurrent;
+    const RunResult first = descent_.run(guess_first ? chi2_guess : chi2_current);
+    const bool is_good = first.status == Status::kConverged && !(first.chi2 > other.chi2);
+    const bool may_go_on = !is_interruption(first.reason) && descent_.may_go_on();
+    if (is_good || !may_go_on || !std::isfinite(other.chi2)) return first;
+    return run_from_other(first, std::move(other));
+  }
+
+  /// After a run from the current estimates that ended where it may be a local minimum: runs from the chordal
+  /// guess, too, if there is one.
+  RunResult compare_with_guess(const RunResult& first) {
+    came_.take(graph(), plan());
+    if (!make_guess(Start::kChordal)) return first;
+    StartingPoint guess{Start::kChordal, Estimates(graph(), plan()), report_.chi2_guess};
+    came_.put_back(graph(), plan());
+    return run_from_other(first, std::move(guess));
+  }
+
+  /// Keeps the better of the run that has just ended and one from the other start.
+  RunResult run_from_other(const RunResult& first_result, StartingPoint other) {
+    const Candidate first{report_.used, first_result, std::exchange(descent_.records(), {}),
+                          Estimates(graph(), plan())};
+    other.estimates.put_back(graph(), plan());
+    const Candidate second{other.start, descent_.run(other.chi2), descent_.records(), {}};
+    const bool keeps_second = second.is_better_than(first);
+    const Candidate& better = keeps_second ? second : first;
+    report_.ran_both = true;
+    report_.chi2_other_final = keeps_second ? first.result.chi2 : second.result.chi2;
+    report_.used = better.start;
+    descent_.records() = better.records;
+    better.estimates.put_back(graph(), plan());
+    return better.result;
+  }
+
+  /// Replaces the estimates by the guess `start`, and evaluates its chi2. If there is no guess, which the
+  /// report says why, or no time, puts back came_ and returns false.
+  bool make_guess(Start start) {
+    if (try_guess(start)) return true;
+    came_.put_back(graph(), plan());
+    return false;
+  }
+
+  bool try_guess(Start start) {
+    if (descent_.stop().raised()) return false;
+    if (!plan().fixed_scalars.empty()) {
+      report_.note = "guesses do not keep the directions in which vertices are fixed";
+      return false;
+    }
+    {
+      const TimeAdder adder(guess_seconds_);
+      const GuessLimits limits{descent_.stop(), descent_.options().max_factor_bytes,
+                               resolved_threads(descent_.options()), descent_.system().elimination_order()};
+      const GuessResult guess = guess_function(start)(graph(), plan(), limits);
+      report_.note = guess.note;
+      if (!guess.made) return false;
+    }
+    const double chi2 = descent_.system().chi2();
+    if (descent_.system().stopped()) return false;
+    report_.chi2_guess = chi2;
+    return true;
+  }
+
+  /// Whether chi2 is what noise explains: a local minimum far from the best one is hardly so good.
+  bool is_plausible(double chi2) const {
+    constexpr double kAtMost = 2;
+    return chi2 <= std::max(1.0, kAtMost * descent_.degrees_of_freedom());
+  }
+
+  Descent& descent_;
+  StartReport& report_;
+  double& guess_seconds_;
+  Estimates& came_;         // the current estimates, or what try_current() made of them
+  const double chi2_came_;  // of the estimates as they came
+};
 
 }  // namespace
 
-RunResult minimize_from_starts(Run& run) {
-  const Start start = run.options().start;
-  if (start == Start::kCurrent) return run.minimize(run.report().chi2_initial);
-  if (start == Start::kAutomatic) return minimize_automatically(run);
-  run.system().save(VertexPool::kStartLevel);
-  if (!make_guess(run, start)) {
-    run.system().restore(VertexPool::kStartLevel);
-    return run.minimize(run.report().chi2_initial);
-  }
-  run.report().start.used = start;
-  return unless_stopped_above_current(run, run.minimize(run.report().start.chi2_guess));
+RunResult minimize_from_starts(Descent& descent, StartReport& report, double& guess_seconds,
+                               Estimates& memory) {
+  return StartSearch(descent, report, guess_seconds, memory).run();
 }
 
 }  // namespace boxplus

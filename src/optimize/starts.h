@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Where the iteration begins.
 #pragma once
 
-#include "optimize/run.h"
+#include <span>
+#include <string_view>
+
+#include "boxplus/optimize/report.h"
+#include "optimize/descent.h"
+#include "optimize/estimates.h"
 
 namespace boxplus {
 
-/// Minimises from where Options::start says: the current estimates, an initial guess, or the better of both.
-RunResult minimize_from_starts(Run& run);
+/// Minimizes from where Options::start says: the current estimates, an initial guess, or the better of both.
+/// Fills `report`; report.chi2_current, the chi2 of the current estimates, is given. Adds the time of guesses
+/// to `guess_seconds`. `memory` is room for estimates, which a later call may use again.
+RunResult minimize_from_starts(Descent& descent, StartReport& report, double& guess_seconds,
+                               Estimates& memory);
 
 }  // namespace boxplus

@@ -23,9 +23,9 @@ struct Span {
 };
 
 template <class F>
-void for_each_enabled_edge(Run& run, F&& f) {
-  for (const EdgeList& list : run.system().plan().edges) {
-    const EdgePool& pool = *run.graph().edge_pools()[list.pool];
+void for_each_enabled_edge(const Graph& graph, const Plan& plan, F&& f) {
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (pool.enabled(edge)) f(pool, EdgeRef{list.pool, edge, pool.generation(edge)});
     }
@@ -33,9 +33,9 @@ void for_each_enabled_edge(Run& run, F&& f) {
 }
 
 /// Of the diagonals of Ω.
-bool weights_span_all_digits(Run& run) {
+bool weights_span_all_digits(const Graph& graph, const Plan& plan) {
   Span span;
-  for_each_enabled_edge(run, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
     const int rows = pool.shape(edge.slot).rows;
     const InformationView omega = pool.information(edge.slot, rows);
     for (int i = 0; i < rows; ++i) span.add(omega(i, i));
@@ -73,16 +73,15 @@ class Contributions {
 
 }  // namespace
 
-std::optional<SwampingEdge> find_swamping_edge(Run& run) {
-  if (!weights_span_all_digits(run)) return std::nullopt;
-  const Graph& graph = run.graph();
+std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan) {
+  if (!weights_span_all_digits(graph, plan)) return std::nullopt;
   std::vector<std::vector<std::uint8_t>> moves;
   std::vector<std::vector<Span>> spans;
   for (const auto& pool : graph.vertex_pools()) {
     moves.emplace_back(pool->slots(), 0);
     spans.emplace_back(pool->slots());
   }
-  for (const VertexRef& vertex : run.system().plan().block_vertex) moves[vertex.pool][vertex.slot] = 1;
+  for (const VertexRef& vertex : plan.block_vertex) moves[vertex.pool][vertex.slot] = 1;
   Contributions contributions;
   const auto for_each_end = [&](const EdgePool& pool, EdgeRef edge, auto&& f) {
     const auto traces = contributions.of(graph, pool, edge.slot);
@@ -96,13 +95,13 @@ std::optional<SwampingEdge> find_swamping_edge(Run& run) {
         f(VertexRef{p, slots[i], graph.vertex_pools()[p]->generation(slots[i])}, traces[i], moving);
     }
   };
-  for_each_enabled_edge(run, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
     for_each_end(pool, edge,
                  [&](VertexRef v, double trace, int /*moving*/) { spans[v.pool][v.slot].add(trace); });
   });
   std::optional<SwampingEdge> found;
   double heaviest = 0;
-  for_each_enabled_edge(run, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
     for_each_end(pool, edge, [&](VertexRef v, double trace, int moving) {
       const bool swamps = moving > 1 && trace >= kAllDigits * spans[v.pool][v.slot].least;
       if (!swamps || trace <= heaviest) return;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "optimize/run.h"
+#include "boxplus/linearize/plan.h"
 
 namespace boxplus {
 
@@ -16,6 +16,6 @@ struct SwampingEdge {
 
 /// Finds the heaviest such edge at the current estimates: in a sum with it, double precision drops the other,
 /// so a step can ignore what the other measures. O(edges); linearizes only if weights differ that much.
-std::optional<SwampingEdge> find_swamping_edge(Run& run);
+std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

@@ -347,25 +347,28 @@ TEST(Graph, HandlesSurviveMoves) {
   EXPECT_EQ(assigned.chi2(), 1);
 }
 
-struct CountedCache final : Graph::Cache {
-  explicit CountedCache(int& counter) : count(counter) { ++count; }
-  ~CountedCache() override { --count; }
-  int& count;
-};
-
-TEST(Graph, AMovedGraphLeavesItsCacheBehindBecauseTheCacheMayPointAtTheGraph) {
-  int count = 0;
+TEST(Graph, TheLifeThatObserversKnowEndsWhenTheGraphIsMovedAssignedOrDestroyed) {
   Graph graph;
-  graph.cache() = std::make_unique<CountedCache>(count);
+  const auto of_graph = graph.life();
+  EXPECT_EQ(graph.life(), of_graph);
+  const Graph copy(graph);
+  EXPECT_FALSE(of_graph->is_over);
   Graph moved(std::move(graph));
-  EXPECT_EQ(moved.cache(), nullptr);
-  EXPECT_EQ(count, 0);
-  moved.cache() = std::make_unique<CountedCache>(count);
-  Graph assigned;
-  assigned.cache() = std::make_unique<CountedCache>(count);
-  assigned = std::move(moved);
-  EXPECT_EQ(assigned.cache(), nullptr);
-  EXPECT_EQ(count, 0);
+  EXPECT_TRUE(of_graph->is_over);
+  const auto of_moved = moved.life();
+  moved = Graph();
+  EXPECT_TRUE(of_moved->is_over);
+  const auto of_assigned = moved.life();
+  moved = copy;
+  EXPECT_TRUE(of_assigned->is_over);
+  std::shared_ptr<detail::LifeState> of_destroyed;
+  {
+    Graph destroyed;
+    of_destroyed = destroyed.life();
+    destroyed.clear();
+    EXPECT_FALSE(of_destroyed->is_over);
+  }
+  EXPECT_TRUE(of_destroyed->is_over);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
@@ -118,15 +119,23 @@ TEST(State, RestoringASizeChangesTheStructure) {
   EXPECT_NE(graph.revision(), revision);
 }
 
-TEST(State, ASecondSaveToALevelKeepsWhatTheFirstSaved) {
+TEST(SavedEstimates, AreAValueApartFromThePool) {
   TypedVertexPool<double> pool;
-  const std::uint32_t a = pool.add(1.0, 0);
-  pool.save(std::array{a}, 0);
-  pool.value(a) = 2.0;
-  const std::uint32_t b = pool.add(3.0, 1);
-  pool.save(std::array{b}, 0);
-  pool.restore(std::array{a, b}, 0);
-  EXPECT_EQ(pool.value(a), 1);
+  const std::uint32_t a = pool.add(1.0, 0), b = pool.add(2.0, 1);
+  std::unique_ptr<SavedEstimates> both, last;
+  pool.save(std::array{a, b}, both);
+  pool.value(a) = 5.0;
+  pool.value(b) = 6.0;
+  pool.save(std::array{b}, last);
+  const std::unique_ptr<SavedEstimates> copy = both->clone();
+  pool.save(std::array{b}, both);  // of another list
+  pool.restore(std::array{VertexPool::kNoSlot, b}, *copy);
+  EXPECT_EQ(pool.value(a), 5);
+  EXPECT_EQ(pool.value(b), 2);
+  pool.restore(std::array{a}, *both);
+  EXPECT_EQ(pool.value(a), 6);
+  pool.restore(std::array{b}, *last);
+  EXPECT_EQ(pool.value(b), 6);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
 #include "linearize/bundle.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/simulate.h"
 #include "optimize/small_graphs.h"
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
@@ -427,11 +427,13 @@ TEST(Covariance, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(Covariance, LeavesEstimatesAndPlansAlone) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 12);
-  optimize(graph);
+  Optimizer optimizer(graph);
+  ASSERT_TRUE(optimizer.run().converged());
   const SE2 before = graph.estimate(poses[5]);
-  (void)covariance(graph, {poses[5]});
+  const Eigen::MatrixXd marginal = optimizer.covariance(poses[5], poses[5]);
+  EXPECT_EQ(marginal, covariance(graph, {poses[5]}).of(poses[5]));
   EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
-  EXPECT_TRUE(optimize(graph).plan_reused);
+  EXPECT_TRUE(optimizer.run().plan_reused);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/types/slam2d.h"
 
 namespace boxplus {
@@ -122,10 +122,11 @@ TEST(GrowingGraph, HasTheOptimumOfANewGraphWhateverIsAddedRemovedOrFixed) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     World world(seed, seed % 2 == 0);
+    Optimizer optimizer(world.graph);
     for (int step = 0; step < 60; ++step, ++steps) {
       world.step();
       Graph fresh = world.copy();
-      const Report expected = optimize(fresh), report = optimize(world.graph);
+      const Report expected = optimize(fresh), report = optimizer.run();
       ASSERT_TRUE(report.converged()) << report;
       ASSERT_NEAR(report.chi2_initial, expected.chi2_initial, 1e-11 * (1 + expected.chi2_initial));
       ASSERT_NEAR(report.chi2_final, expected.chi2_final, 1e-8 * (1 + expected.chi2_final))
@@ -142,12 +143,16 @@ TEST(GrowingGraph, HasTheOptimumOfANewGraphWhateverIsAddedRemovedOrFixed) {
 TEST(GrowingGraph, HasTheSameBitsForAnyNumberOfThreads) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::array<World, 3> worlds{World(seed, true), World(seed, true), World(seed, true)};
+    std::vector<Optimizer> optimizers;
+    for (int threads = 1; threads <= 3; ++threads)
+      optimizers.emplace_back(worlds[static_cast<std::size_t>(threads - 1)].graph,
+                              Options{.max_iterations = 2, .threads = threads});
     int extended = 0;
     for (int step = 0; step < 80; ++step) {
       for (int threads = 1; threads <= 3; ++threads) {
-        World& world = worlds[static_cast<std::size_t>(threads - 1)];
-        world.step();
-        extended += optimize(world.graph, {.max_iterations = 2, .threads = threads}).plan_extended;
+        const auto index = static_cast<std::size_t>(threads - 1);
+        worlds[index].step();
+        extended += optimizers[index].run().plan_extended;
       }
       ASSERT_EQ(worlds[0].estimates(), worlds[1].estimates());
       ASSERT_EQ(worlds[0].estimates(), worlds[2].estimates());
@@ -158,18 +163,19 @@ TEST(GrowingGraph, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(GrowingGraph, SaysHowItCameByItsPlan) {
   World world(1, true);
-  EXPECT_FALSE(optimize(world.graph).plan_extended);
-  const Report again = optimize(world.graph);
+  Optimizer optimizer(world.graph);
+  EXPECT_FALSE(optimizer.run().plan_extended);
+  const Report again = optimizer.run();
   EXPECT_TRUE(again.plan_reused);
   EXPECT_FALSE(again.plan_extended);
   const auto last = world.graph.all_vertices().back();
   const auto next = world.graph.add_vertex(SE2());
   world.graph.add_edge(Between(SE2(1, 0, 0)), 100.0, world.graph.typed<SE2>(last), next);
-  const Report extended = optimize(world.graph);
+  const Report extended = optimizer.run();
   EXPECT_FALSE(extended.plan_reused);
   EXPECT_TRUE(extended.plan_extended);
   world.graph.fix(next);
-  EXPECT_FALSE(optimize(world.graph).plan_extended);
+  EXPECT_FALSE(optimizer.run().plan_extended);
 }
 
 }  // namespace

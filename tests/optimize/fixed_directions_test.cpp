@@ -8,7 +8,7 @@
 
 #include "boxplus/manifold/product.h"
 #include "boxplus/optimize/covariance.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam3d.h"
@@ -253,11 +253,12 @@ TEST(FixedDirections, OfAnOldVertexHoldInTheNextRun) {
   for (std::size_t k = 0; k + 1 < poses.size(); ++k)
     graph.add_edge(Between<SE3>(tilted), poses[k], poses[k + 1]);
   graph.push();
-  ASSERT_EQ(optimize(graph).status, Status::kConverged);
+  Optimizer optimizer(graph);
+  ASSERT_EQ(optimizer.run().status, Status::kConverged);
   EXPECT_NE(graph.estimate(poses[4]).vector()[2], 0.7);
   graph.pop();
   for (const auto& pose : poses) graph.fix_directions(pose, kInPlane);
-  EXPECT_FALSE(optimize(graph).plan_reused);
+  EXPECT_FALSE(optimizer.run().plan_reused);
   for (const auto& pose : poses) EXPECT_EQ(graph.estimate(pose).vector()[2], 0.7);
 }
 

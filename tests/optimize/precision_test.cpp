@@ -2,47 +2,49 @@
 // Which algorithms bear a factor in float.
 #include <gtest/gtest.h>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/simulate.h"
 
 namespace boxplus {
 namespace {
 
-Report two_iterations(Graph& graph, AlgorithmKind algorithm, Precision precision = Precision::kAutomatic) {
-  graph.push();
-  Report report = optimize(graph, {.algorithm = algorithm, .precision = precision, .max_iterations = 2});
-  graph.pop();
-  return report;
-}
+/// A sphere that is large enough for float to pay, and its optimizer.
+struct LargeSphere {
+  Graph graph = simulate(World::kSphere, {.poses = 2500}).graph;
+  Optimizer optimizer{graph};
 
-/// Large enough for float to pay.
-Graph large_sphere() {
-  return simulate(World::kSphere, {.poses = 2500}).graph;
-}
+  Report two_iterations(AlgorithmKind algorithm, Precision precision = Precision::kAutomatic) {
+    optimizer.set_options({.algorithm = algorithm, .precision = precision, .max_iterations = 2});
+    graph.push();
+    Report report = optimizer.run();
+    graph.pop();
+    return report;
+  }
+};
 
 TEST(TheAutomaticPrecision, IsDoubleForGaussNewtonAndFloatForAlgorithmsThatJudgeTheirSteps) {
-  Graph graph = large_sphere();
+  LargeSphere sphere;
   for (const AlgorithmKind algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
-    const Report report = two_iterations(graph, algorithm);
+    const Report report = sphere.two_iterations(algorithm);
     EXPECT_EQ(report.linear.precision, Precision::kMixed);
     EXPECT_GT(report.records.back().linear_iterations, 0);
   }
-  const Report report = two_iterations(graph, AlgorithmKind::kGaussNewton);
+  const Report report = sphere.two_iterations(AlgorithmKind::kGaussNewton);
   EXPECT_EQ(report.linear.precision, Precision::kDouble);
   EXPECT_EQ(report.records.back().linear_iterations, 0);
   EXPECT_FALSE(report.plan_reused);
 }
 
 TEST(TheAutomaticPrecision, OfAnotherAlgorithmDoesNotDependOnWhatRanBefore) {
-  Graph graph = large_sphere();
-  const double chi2 = two_iterations(graph, AlgorithmKind::kDogleg).chi2_final;
-  two_iterations(graph, AlgorithmKind::kGaussNewton);
-  EXPECT_EQ(two_iterations(graph, AlgorithmKind::kDogleg).chi2_final, chi2);
+  LargeSphere sphere;
+  const double chi2 = sphere.two_iterations(AlgorithmKind::kDogleg).chi2_final;
+  EXPECT_EQ(sphere.two_iterations(AlgorithmKind::kGaussNewton).iterations, 2);
+  EXPECT_EQ(sphere.two_iterations(AlgorithmKind::kDogleg).chi2_final, chi2);
 }
 
 TEST(APrecisionByName, HoldsForGaussNewtonToo) {
-  Graph graph = large_sphere();
-  const Report report = two_iterations(graph, AlgorithmKind::kGaussNewton, Precision::kMixed);
+  LargeSphere sphere;
+  const Report report = sphere.two_iterations(AlgorithmKind::kGaussNewton, Precision::kMixed);
   EXPECT_EQ(report.linear.precision, Precision::kMixed);
 }
 

@@ -186,10 +186,11 @@ TEST(Optimize, RejectsAnOutlierUnderARobustKernel) {
   for (int i = 0; i < 10; ++i) graph.add_edge([i](const auto& v) { return v[0] - (1.0 + 0.01 * i); }, x);
   const auto outlier = graph.add_edge([](const auto& v) { return v[0] - 100.0; }, x);
   for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Cauchy(0.1));
-  EXPECT_TRUE(optimize(graph).converged());
+  Optimizer optimizer(graph);
+  EXPECT_TRUE(optimizer.run().converged());
   EXPECT_NEAR(graph.estimate(x)[0], 1.045, 0.01);
   graph.set_enabled(outlier, false);
-  const Report report = optimize(graph);
+  const Report report = optimizer.run();
   EXPECT_EQ(report.disabled_edges, 1u);
   EXPECT_TRUE(report.plan_reused);
 }

@@ -7,7 +7,7 @@
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "optimize/dense_problem.h"
 #include "sanitized.h"

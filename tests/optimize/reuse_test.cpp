@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second optimize() on an unchanged structure.
+// The second run of an Optimizer on an unchanged structure.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,9 +11,9 @@
 namespace boxplus {
 namespace {
 
-class SecondOptimize : public ::testing::TestWithParam<int> {};
+class SecondRun : public ::testing::TestWithParam<int> {};
 
-TEST_P(SecondOptimize, AllocatesNothing) {
+TEST_P(SecondRun, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
   for (const AlgorithmKind algorithm :
@@ -25,8 +25,9 @@ TEST_P(SecondOptimize, AllocatesNothing) {
     Options options;
     options.algorithm = algorithm;
     options.threads = GetParam();
+    Optimizer optimizer(graph, options);
     Report report;
-    optimize(graph, options, report);
+    optimizer.run(report);
     ASSERT_TRUE(report.converged()) << report;
     ASSERT_EQ(report.workers, GetParam());
     const double chi2 = report.chi2_final;
@@ -35,7 +36,7 @@ TEST_P(SecondOptimize, AllocatesNothing) {
       graph.set_estimate(pose, Manifold<SE3>::oplus(graph.estimate(pose), delta));
     }
     const long before = boxplus::testing::allocation_count();
-    optimize(graph, options, report);
+    optimizer.run(report);
     EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
     EXPECT_TRUE(report.plan_reused);
     EXPECT_GT(report.iterations, 1);
@@ -43,7 +44,7 @@ TEST_P(SecondOptimize, AllocatesNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, SecondOptimize, ::testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Threads, SecondRun, ::testing::Values(1, 2));
 
 /// A circle of poses, one of which a sensor looks at that may stop the run.
 struct StoppableCircle {
@@ -61,91 +62,99 @@ struct StoppableCircle {
   }
 };
 
-TEST(SecondOptimizeWithNumericJacobians, AllocatesNothing) {
+TEST(SecondRunWithNumericJacobians, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
   Graph graph;
   const auto poses = add_noisy_grid(graph, 4);
-  const Options options{.numeric_jacobians = true, .threads = 2};
+  Optimizer optimizer(graph, {.numeric_jacobians = true, .threads = 2});
   Report report;
-  optimize(graph, options, report);
+  optimizer.run(report);
   graph.set_estimate(poses[3], graph.estimate(poses[4]));
   const long before = boxplus::testing::allocation_count();
-  optimize(graph, options, report);
+  optimizer.run(report);
   EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
   EXPECT_GT(report.iterations, 1);
   EXPECT_TRUE(report.converged());
 }
 
-TEST(SecondOptimizeAfterOneThatWasStopped, AllocatesNothing) {
+TEST(SecondRunAfterOneThatWasStopped, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
   for (const AlgorithmKind algorithm :
        {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
     StoppableCircle circle;
     Options options{.algorithm = algorithm, .max_iterations = 0, .stop = &circle.stop};
+    Optimizer optimizer(circle.graph, options);
     Report report;
     circle.stops = false;
-    optimize(circle.graph, options, report);  // plans
+    optimizer.run(report);  // plans
     circle.stops = true;
     options.max_iterations = 100;
-    optimize(circle.graph, options, report);
+    optimizer.set_options(options);
+    optimizer.run(report);
     ASSERT_EQ(report.reason, Reason::kStopFlag);
     ASSERT_EQ(report.iterations, 0);
     circle.stop = circle.stops = false;
     const long before = boxplus::testing::allocation_count();
-    optimize(circle.graph, options, report);
+    optimizer.run(report);
     EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
     EXPECT_TRUE(report.plan_reused);
     EXPECT_TRUE(report.converged()) << report;
   }
 }
 
-TEST(SecondOptimizeThatIsStopped, AllocatesNothing) {
+TEST(SecondRunThatIsStopped, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
   StoppableCircle circle;
   circle.stops = false;
   Options options{.stop = &circle.stop};
+  Optimizer optimizer(circle.graph, options);
   Report report;
-  optimize(circle.graph, options, report);
+  optimizer.run(report);
   ASSERT_TRUE(report.converged()) << report;
   for (const double limit : {0.0, 1e9}) {
     options.time_limit_s = limit;
+    optimizer.set_options(options);
     circle.stops = true;
     const long before = boxplus::testing::allocation_count();
-    optimize(circle.graph, options, report);
+    optimizer.run(report);
     EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
     EXPECT_EQ(report.reason, limit == 0 ? Reason::kTimeLimit : Reason::kStopFlag);
   }
 }
 
-TEST(SecondOptimizeAfterAChange, PlansAnew) {
+TEST(SecondRunAfterAChange, PlansAgain) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
-  optimize(graph);
-  EXPECT_TRUE(optimize(graph).plan_reused);
+  Optimizer optimizer(graph);
+  EXPECT_FALSE(optimizer.run().plan_reused);
+  EXPECT_TRUE(optimizer.run().plan_reused);
   const auto edge = graph.add_edge(Between(SE2(1, 0, 0)), poses[3], poses[9]);
-  EXPECT_FALSE(optimize(graph).plan_reused);
+  EXPECT_FALSE(optimizer.run().plan_reused);
   graph.remove(edge);
-  EXPECT_FALSE(optimize(graph).plan_reused);
+  EXPECT_FALSE(optimizer.run().plan_reused);
   graph.fix(poses[2]);
-  EXPECT_FALSE(optimize(graph).plan_reused);
+  EXPECT_FALSE(optimizer.run().plan_reused);
   graph.remove(poses[7]);
-  const Report report = optimize(graph);
+  const Report report = optimizer.run();
   EXPECT_FALSE(report.plan_reused);
   EXPECT_TRUE(report.converged()) << report;
-  Options options;
-  options.linear_solver = LinearSolverKind::kPcg;
-  EXPECT_FALSE(optimize(graph, options).plan_reused);
+  optimizer.set_options({.linear_solver = LinearSolverKind::kPcg});
+  EXPECT_FALSE(optimizer.run().plan_reused);
+  graph.clear();
+  EXPECT_EQ(optimizer.run().reason, Reason::kNothingToOptimize);
 }
 
-TEST(SecondOptimizeByAnotherAlgorithm, KeepsThePlan) {
+TEST(SecondRunByAnotherAlgorithm, KeepsThePlan) {
   Graph graph;
   add_noisy_circle(graph, 20);
+  Optimizer optimizer(graph);
   for (const AlgorithmKind algorithm :
        {AlgorithmKind::kAutomatic, AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt}) {
-    const Report report = optimize(graph, {.algorithm = algorithm});
+    optimizer.set_options({.algorithm = algorithm});
+    const Report report = optimizer.run();
     EXPECT_TRUE(report.converged()) << report;
     EXPECT_EQ(report.plan_reused, algorithm != AlgorithmKind::kAutomatic);
   }

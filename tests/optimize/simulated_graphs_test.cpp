@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/simulate.h"
 #include "sanitized.h"
 

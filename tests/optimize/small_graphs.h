@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam2d.h"

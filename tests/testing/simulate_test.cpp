@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "boxplus/base/error.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"

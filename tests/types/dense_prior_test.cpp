@@ -7,7 +7,7 @@
 #include <random>
 
 #include "boxplus/manifold/se3.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/check_jacobians.h"
 #include "boxplus/types/between.h"
 #include "boxplus/types/prior.h"

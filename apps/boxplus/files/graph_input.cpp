@@ -12,7 +12,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/registry.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
 #include "files/outputs.h"
 

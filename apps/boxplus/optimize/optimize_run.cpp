@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "command_line/message.h"
 #include "optimize/edge_roles.h"

@@ -19,6 +19,7 @@
 #include "boxplus/base/error.h"
 #include "boxplus/graph/check_types.h"
 #include "boxplus/graph/id_map.h"
+#include "boxplus/graph/lifetime.h"
 #include "boxplus/graph/typed_edge_pool.h"
 #include "boxplus/graph/typed_vertex_pool.h"
 
@@ -82,8 +83,7 @@ class Graph {
   ~Graph();
   /// A deep copy, in which the handles of `other` name the same elements; handles that either graph gives out
   /// later belong to that graph alone. Estimates, error functions and the stack of push() are copied; robust
-  /// kernels are shared. What optimize() keeps for `other` is not copied: the first optimize() of the copy
-  /// plans anew. O(vertices + edges).
+  /// kernels are shared. An Optimizer of `other` stays with `other`. O(vertices + edges).
   Graph(const Graph& other);
   Graph& operator=(const Graph& other);
   Graph(Graph&&) noexcept;
@@ -302,18 +302,26 @@ class Graph {
   /// the pools had then.
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
-  /// Whatever an optimiser wants to keep between calls for this graph.
-  struct Cache {
-    virtual ~Cache() = default;
-  };
-  std::unique_ptr<Cache>& cache() { return cache_; }
+  /// Whether this still is the graph that an observer knows, and whether it is in use.
+  const std::shared_ptr<detail::LifeState>& life() const { return lifetime_.state(); }
 
  private:
   /// The edges of each vertex.
   class Incidence;
+  /// All but the life of `other`.
+  void take_elements(Graph& other) noexcept;
+
+  /// One entry of the stack of push().
   struct Saved {
-    std::vector<std::vector<std::uint32_t>> slots;        // per pool
-    std::vector<std::vector<std::uint32_t>> generations;  // per pool
+    struct Part {
+      std::vector<std::uint32_t> slots, generations;
+      std::unique_ptr<SavedEstimates> estimates;
+    };
+    Saved() = default;
+    Saved(Saved&&) = default;
+    Saved& operator=(Saved&&) = default;
+    Saved(const Saved& other);
+    std::vector<Part> parts;  // per pool
   };
 
   /// Where the generations of a graph's pools begin to count. Each call gives another number, and numbers
@@ -336,7 +344,6 @@ class Graph {
   /// The blocks of jacobian(), one behind the other; each column-major.
   std::vector<double> stacked_jacobian(EdgeRef edge) const;
   void save(Saved saved);
-  Saved live(const Saved& saved) const;
 
   /// Appends a handle, or a range of them, to the vertices of a new edge.
   template <class List, class T>
@@ -457,7 +464,7 @@ class Graph {
   std::uint64_t revision_ = 1, last_rewrite_ = 1;
   std::uint32_t epoch_ = new_epoch();  // of new pools
   std::vector<Saved> stack_;
-  std::unique_ptr<Cache> cache_;
+  detail::Lifetime lifetime_;
   mutable std::unique_ptr<Incidence> incidence_;  // made by the first call of edges()
 };
 

@@ -38,10 +38,6 @@ class TypedVertexPool final : public VertexPool {
     auto copy = std::make_unique<TypedVertexPool>();
     static_cast<VertexPool&>(*copy) = *this;
     copy->values_ = values_;
-    copy->backups_.resize(backups_.size());
-    for (std::size_t level = kFirstStackLevel; level < backups_.size(); ++level) {
-      copy->backups_[level] = backups_[level];
-    }
     return copy;
   }
   std::string_view type_name() const override { return boxplus::type_name<T>(); }
@@ -55,34 +51,20 @@ class TypedVertexPool final : public VertexPool {
     }
   }
 
-  void ominus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets, int level,
-              double* delta) const override {
-    const std::vector<T>& saved = backups_[static_cast<std::size_t>(level)];
+  void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const override {
+    if (!saved) saved = std::make_unique<Saved>();
+    std::vector<T>& values = static_cast<Saved&>(*saved).values;
+    if (values.size() > slots.size()) values.erase(values.begin() + std::ssize(slots), values.end());
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = values_[slots[k]];
+    values.reserve(slots.size());
+    for (const std::uint32_t slot : slots.subspan(values.size())) values.push_back(values_[slot]);
+  }
+
+  void restore(std::span<const std::uint32_t> slots, const SavedEstimates& saved) override {
+    const std::vector<T>& values = static_cast<const Saved&>(saved).values;
     for (std::size_t k = 0; k < slots.size(); ++k) {
-      Manifold<T>::ominus(values_[slots[k]], saved[slots[k]], delta + offsets[k]);
+      if (slots[k] != kNoSlot) values_[slots[k]] = values[k];
     }
-  }
-
-  void save(std::span<const std::uint32_t> slots, int level) override {
-    const auto index = static_cast<std::size_t>(level);
-    if (backups_.size() <= index) backups_.resize(index + 1);
-    std::vector<T>& backup = backups_[index];
-    if (backup.size() < values_.size()) {
-      backup.insert(backup.end(), values_.begin() + static_cast<std::ptrdiff_t>(backup.size()),
-                    values_.end());
-    }
-    for (std::uint32_t slot : slots) backup[slot] = values_[slot];
-  }
-
-  void restore(std::span<const std::uint32_t> slots, int level) override {
-    const std::vector<T>& backup = backups_[static_cast<std::size_t>(level)];
-    for (std::uint32_t slot : slots) values_[slot] = backup[slot];
-  }
-
-  void copy_backup(std::span<const std::uint32_t> slots, int from, int to) override {
-    const std::vector<T>& source = backups_[static_cast<std::size_t>(from)];
-    std::vector<T>& target = backups_[static_cast<std::size_t>(to)];
-    for (std::uint32_t slot : slots) target[slot] = source[slot];
   }
 
   bool get_frame(std::uint32_t slot, Frame& out) const override {
@@ -109,8 +91,12 @@ class TypedVertexPool final : public VertexPool {
   }
 
  private:
+  struct Saved final : SavedEstimates {
+    std::vector<T> values;
+    std::unique_ptr<SavedEstimates> clone() const override { return std::make_unique<Saved>(*this); }
+  };
+
   std::vector<T> values_;
-  std::vector<std::vector<T>> backups_;
 };
 
 }  // namespace boxplus

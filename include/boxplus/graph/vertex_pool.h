@@ -14,6 +14,13 @@
 
 namespace boxplus {
 
+/// Estimates of some vertices of one pool, as a value apart from the pool.
+class SavedEstimates {
+ public:
+  virtual ~SavedEstimates() = default;
+  virtual std::unique_ptr<SavedEstimates> clone() const = 0;
+};
+
 /// The erased interface of the vertices of one type: one virtual call per pool and list, never one per
 /// vertex.
 ///
@@ -22,10 +29,10 @@ class VertexPool {
  public:
   virtual ~VertexPool() = default;
 
-  /// Backup levels: the optimiser's trial steps and starts come first, then the stack of Graph::push().
-  static constexpr int kTrialLevel = 0, kStartLevel = 1, kBestLevel = 2, kFirstStackLevel = 3;
+  /// In a list of slots: restore() skips this entry.
+  static constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
 
-  /// A copy with the same slots and generations. Only the backups of the stack of Graph::push() are copied.
+  /// A copy with the same slots and generations.
   virtual std::unique_ptr<VertexPool> clone() const = 0;
   virtual std::string_view type_name() const = 0;
   /// Tangent size of the vertex in `slot`.
@@ -33,14 +40,12 @@ class VertexPool {
   /// x ← x ⊞ δ for every listed slot; the δ of slots[k] begins at delta[offsets[k]].
   virtual void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
                      const double* delta) = 0;
-  /// δ ← x ⊟ x_saved, where x_saved is what save() stored under `level`; same layout as oplus.
-  virtual void ominus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets, int level,
-                      double* delta) const = 0;
-  /// Copies the listed estimates to (from) backup `level`. Levels are independent of each other.
-  virtual void save(std::span<const std::uint32_t> slots, int level) = 0;
-  virtual void restore(std::span<const std::uint32_t> slots, int level) = 0;
-  /// Copies backups of the listed slots from one level to another.
-  virtual void copy_backup(std::span<const std::uint32_t> slots, int from, int to) = 0;
+  /// Copies the listed estimates to `saved`, which is made if it is null. Allocates nothing if `saved` holds
+  /// as many estimates of the same sizes already.
+  virtual void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const = 0;
+  /// Copies the k-th estimate of `saved` to slots[k]. `saved` was filled by save() with a list of as many
+  /// slots.
+  virtual void restore(std::span<const std::uint32_t> slots, const SavedEstimates& saved) = 0;
   /// The pose or point in `slot`; false where the type is neither.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}

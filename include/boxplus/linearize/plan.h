@@ -12,18 +12,9 @@
 #include "boxplus/base/stop_token.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/linear/block_structure.h"
+#include "boxplus/linearize/gauge.h"
 
 namespace boxplus {
-
-/// What to do about a connected component that can move without changing any error.
-enum class GaugePolicy : std::uint8_t {
-  /// Hold its lowest-id vertex of largest dimension for the solve, if all of that vertex is gauge; its
-  /// estimate and flag stay untouched. Of other freedom (a scale, a heading) hold single directions, unless
-  /// damping does.
-  kFixFirst,
-  kDamp,  ///< add 1e-10 of itself to each diagonal entry of H
-  kError  ///< stop with Status::kGaugeFreedom
-};
 
 struct PlanRequest {
   int level = 0;  ///< edges of this level take part; negative: of all levels
@@ -93,16 +84,6 @@ struct GaugeVertex {
   VertexRef vertex;
   Id id = 0;
 };
-
-/// Motions of a component, with all of its poses and points, that change no error.
-struct GaugeFreedom {
-  VertexRef vertex;  ///< of the component
-  Id id = 0;
-  int directions = 0;  ///< how many independent motions
-  bool translation = false, rotation = false, scale = false;
-};
-/// "rotation and scale"
-std::string_view to_string(const GaugeFreedom& freedom);
 
 /// Immutable once made.
 struct Plan {

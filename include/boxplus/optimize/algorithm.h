@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string_view>
 
 #include "boxplus/optimize/system.h"
@@ -33,7 +32,5 @@ class Algorithm {
   /// How many steps needed a damped H because H was not positive definite.
   virtual int regularised_steps() const { return 0; }
 };
-
-std::unique_ptr<Algorithm> make_algorithm(AlgorithmKind kind);
 
 }  // namespace boxplus

@@ -13,7 +13,7 @@
 
 #include "boxplus/graph/handle.h"
 #include "boxplus/linear/linear_solver.h"
-#include "boxplus/linearize/plan.h"
+#include "boxplus/linearize/gauge.h"
 
 namespace boxplus {
 
@@ -68,7 +68,8 @@ struct Options {
   /// Of the block Cholesky's factor. kAutomatic: double for kGaussNewton, which takes every step as it comes;
   /// the other algorithms judge a step by what it gains, and bear one that is refined from float.
   Precision precision = Precision::kAutomatic;
-  /// A solver of your own, instead. Each call has it analyse anew; one optimize() at a time may use it.
+  /// A custom solver, instead. An Optimizer has it analyze each structure once. As long as that Optimizer lives,
+  /// nothing else may use the solver.
   std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;
   GaugePolicy gauge = GaugePolicy::kFixFirst;

@@ -3,22 +3,19 @@
 #pragma once
 
 #include "boxplus/optimize/initial_guess.h"
+#include "optimize/estimates.h"
 #include "optimize/initial_guess/notes.h"
 
 namespace boxplus::guess {
 
-/// make(), a GuessResult; if it is stopped, the estimates are put back and no guess is made. Uses
-/// VertexPool::kBestLevel.
+/// make(), a GuessResult; if it is stopped, the estimates are put back and no guess is made.
 template <class Make>
 GuessResult guess_or_restore(Graph& graph, const Plan& plan, Make&& make) {
-  const auto pool_of = [&](const VertexList& list) -> VertexPool& {
-    return *graph.vertex_pools()[list.pool];
-  };
-  for (const VertexList& list : plan.vertices) pool_of(list).save(list.slots, VertexPool::kBestLevel);
+  const Estimates before(graph, plan);
   try {
     return make();
   } catch (const Stopped&) {
-    for (const VertexList& list : plan.vertices) pool_of(list).restore(list.slots, VertexPool::kBestLevel);
+    before.put_back(graph, plan);
     return {false, kStopped};
   }
 }

@@ -11,7 +11,7 @@
 #include "boxplus/base/parallel.h"
 #include "boxplus/manifold/convert_to.h"
 #include "boxplus/optimize/covariance.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 
 /// A vertex type whose layout Eigen decides.
 struct Mount {

@@ -12,7 +12,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/covariance.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "g2o/core/block_solver.h"
 #include "g2o/core/factory.h"
 #include "g2o/core/optimization_algorithm_gauss_newton.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/optimize.h"
+#include "boxplus/optimize/optimizer.h"
 #include "boxplus/testing/simulate.h"
 #include "g2o/core/block_solver.h"
 #include "g2o/core/factory.h"

@@ -12,6 +12,7 @@
 #include "boxplus/linearize/schur.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
+#include "optimize/estimates.h"
 
 namespace boxplus {
 
@@ -39,11 +40,11 @@ class BatchSystem final : public System {
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   double try_step(std::span<const double> step) override;
   void accept() override {}
-  void reject() override { restore(VertexPool::kTrialLevel); }
+  void reject() override { before_step_.put_back(*graph_, *plan_); }
   bool stopped() const override { return linearizer_.stopped(); }
 
   const Plan& plan() const { return *plan_; }
-  Linearizer& linearizer() { return linearizer_; }
+  const Linearizer& linearizer() const { return linearizer_; }
   const LinearSolver& linear_solver() const { return *solver_; }
   /// Of the plan's blocks; empty where the solver has none, or solves the Schur complement.
   std::span<const std::uint32_t> elimination_order() const {
@@ -60,10 +61,6 @@ class BatchSystem final : public System {
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
 
-  /// Copies all active estimates to (from) a backup level of their pools.
-  void save(int level);
-  void restore(int level);
-
  private:
   Damping full_damping(const StepDamping& damping);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
@@ -76,6 +73,7 @@ class BatchSystem final : public System {
 
   Graph* graph_;
   std::unique_ptr<Plan> plan_;
+  Estimates before_step_;
   Linearizer linearizer_;
   AssembledSystem assembled_;
   std::unique_ptr<Schur> schur_;

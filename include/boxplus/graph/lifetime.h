@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tells an object's observers whether the object still is what they observed.
+#pragma once
+
+#include <memory>
+
+#include "boxplus/base/abi.h"
+
+namespace boxplus::detail {
+
+/// Shared by an object and its observers. It outlives the object.
+struct LifeState {
+  bool is_over = false;
+  bool is_in_use = false;  ///< for observers that must have the object for themselves
+};
+
+/// A member of the observed object. The life of the object ends when it is destroyed, moved from or assigned
+/// to. A copy, and the target of a move, begins a life of its own.
+class Lifetime {
+ public:
+  Lifetime() = default;
+  Lifetime(const Lifetime&) {}
+  Lifetime(Lifetime&& other) noexcept { other.end(); }
+  Lifetime& operator=(const Lifetime&) noexcept {
+    end();
+    return *this;
+  }
+  Lifetime& operator=(Lifetime&& other) noexcept {
+    end();
+    other.end();
+    return *this;
+  }
+  ~Lifetime() { end(); }
+
+  /// The state of the current life. Allocates at the first call of a life.
+  const std::shared_ptr<LifeState>& state() const {
+    if (!state_) state_ = std::make_shared<LifeState>();
+    return state_;
+  }
+
+ private:
+  void end() noexcept {
+    if (state_) state_->is_over = true;
+    state_.reset();
+  }
+
+  mutable std::shared_ptr<LifeState> state_;
+};
+
+}  // namespace boxplus::detail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The algorithms of the library, in one table.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "boxplus/optimize/algorithm.h"
+
+namespace boxplus::detail {
+
+struct AlgorithmEntry {
+  AlgorithmKind kind;
+  std::string_view name;  ///< for command lines: "gauss-newton"
+  std::unique_ptr<Algorithm> (
+      *make)();  ///< null for kAutomatic, which becomes another when the plan is known
+};
+
+/// One entry per AlgorithmKind, in their order.
+std::span<const AlgorithmEntry> algorithm_table();
+
+}  // namespace boxplus::detail
+
+namespace boxplus {
+
+/// Throws InvalidArgument for kAutomatic and for values that the table does not have.
+std::unique_ptr<Algorithm> make_algorithm(AlgorithmKind kind);
+
+}  // namespace boxplus

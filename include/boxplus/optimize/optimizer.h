@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What optimizes a graph, again and again: it keeps the plan, the memory and the algorithms between runs.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "boxplus/optimize/algorithm.h"
+#include "boxplus/optimize/covariance.h"
+#include "boxplus/optimize/report.h"
+
+namespace boxplus {
+
+/// Minimizes F(x) = Σ ρ(eᵀΩe) over a graph's free vertices, in place.
+///
+///     Optimizer optimizer(graph, options);
+///     Report first = optimizer.run();   // plans
+///     Report second = optimizer.run();  // uses the plan again
+///
+/// The first run plans: it orders the vertices and lays out H. Later runs keep the plan if the structure of
+/// the graph has not changed (Report::plan_reused), and extend it if vertices and edges were only added
+/// (Report::plan_extended). Otherwise they plan again. Estimates, measurements, weights, kernels and enabled
+/// flags may change freely between runs.
+///
+/// Numerical trouble is a status in the report, never an exception. The estimates are then the best that were
+/// found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated vertices
+/// in one edge, tolerances that are not numbers, a run inside of a run on the same graph, and a graph that
+/// was moved, assigned to or destroyed since the optimizer was made. An exception of an error function passes
+/// through, and the estimates are as before its step.
+///
+/// The same bits for any number of threads. An Optimizer is used by one thread at a time.
+class Optimizer {
+ public:
+  /// Keeps a reference to the graph, which must outlive the optimizer. Does not plan yet.
+  explicit Optimizer(Graph& graph, Options options = {});
+  ~Optimizer();
+  Optimizer(Optimizer&&) noexcept;
+  Optimizer& operator=(Optimizer&&) noexcept;
+
+  const Options& options() const;
+  /// From the next run on. The plan stays unless it depends on an option that changed: level, vertices,
+  /// edges, gauge, threads, linear solver, Schur mode, precision, memory.
+  void set_options(Options options);
+
+  [[nodiscard]] Report run();
+  /// The same into a report that is used again: if the plan is reused and all edges have a fixed size, this
+  /// allocates no memory. (LinearSolverKind::kEigenSparse does.)
+  void run(Report& report);
+
+  /// Runs a custom algorithm instead of Options::algorithm. The linear solver is exact unless the options ask
+  /// for something else.
+  [[nodiscard]] Report run(Algorithm& algorithm);
+  void run(Algorithm& algorithm, Report& report);
+
+  /// Covariances at the current estimates, as boxplus::covariance() with the options of this optimizer.
+  [[nodiscard]] Covariance covariance(std::span<const VertexRef> vertices) const;
+  /// The cross-covariance of two vertices; if a is b, the marginal covariance. Throws Error with the reason
+  /// if there is none.
+  [[nodiscard]] Eigen::MatrixXd covariance(VertexRef a, VertexRef b) const {
+    const VertexRef vertices[] = {a, b};
+    return covariance(vertices).of(a, b);
+  }
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The one-liner: an Optimizer that lives for one run. To run again on the same graph, keep an Optimizer.
+Report optimize(Graph& graph, const Options& options = {});
+
+}  // namespace boxplus

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The estimates of a plan's active vertices, as a value.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "boxplus/linearize/plan.h"
+
+namespace boxplus {
+
+class Estimates {
+ public:
+  Estimates() = default;
+  Estimates(const Graph& graph, const Plan& plan) { take(graph, plan); }
+
+  /// Copies the estimates of the graph. Allocates nothing if the last take() was for the same plan.
+  void take(const Graph& graph, const Plan& plan);
+  /// Copies them back. `plan` is the one of the last take().
+  void put_back(Graph& graph, const Plan& plan) const;
+
+ private:
+  struct Part {
+    std::uint32_t pool = 0;
+    std::unique_ptr<SavedEstimates> estimates;
+  };
+  std::vector<Part> parts_;  // per list of Plan::vertices
+};
+
+}  // namespace boxplus

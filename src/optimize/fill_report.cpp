@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/fill_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "optimize/non_finite.h"
+#include "optimize/planned_system.h"
+#include "optimize/weight_span.h"
+
+namespace boxplus {
+namespace {
+
+/// Empties the report without giving its memory back.
+void reset(Report& report) {
+  std::vector<IterationRecord> records = std::move(report.records);
+  std::vector<EdgeJacobians> jacobians = std::move(report.jacobians);
+  GaugeReport gauge = std::move(report.gauge);
+  std::string message = std::move(report.message);
+  report = Report();
+  records.clear();
+  jacobians.clear();
+  gauge.held.clear();
+  gauge.free.clear();
+  message.clear();
+  report.records = std::move(records);
+  report.jacobians = std::move(jacobians);
+  report.gauge = std::move(gauge);
+  report.message = std::move(message);
+}
+
+/// A minimum of what double precision kept of H is not one of the problem.
+bool may_be_swamped(const RunResult& result) {
+  return result.status == Status::kConverged || result.reason == Reason::kMaxIterations ||
+         result.reason == Reason::kNoStepFound || result.reason == Reason::kNotPositiveDefinite;
+}
+
+std::string vertex_text(const Graph& graph, VertexRef vertex) {
+  return "vertex " + std::to_string(graph.id(vertex)) + " (" +
+         std::string(graph.vertex_pools()[vertex.pool]->type_name()) + ")";
+}
+
+/// What the reason alone does not tell: who is to blame.
+void add_culprit(std::string& message, Reason reason, const Graph& graph, BatchSystem& system,
+                 const std::optional<SwampingEdge>& swamping) {
+  if (reason == Reason::kNotPositiveDefinite) {
+    message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
+               "; nothing measures it in some direction";
+  } else if (reason == Reason::kNotFinite) {
+    message += ": " + describe_non_finite(graph, system);
+  } else if (swamping) {
+    message += ": " + edge_text(graph, swamping->edge) + " leaves no digit of other edges at vertex " +
+               std::to_string(graph.id(swamping->vertex)) +
+               "; merge the vertices that it joins, or lower its Ω";
+  }
+}
+
+}  // namespace
+
+void begin_report(Report& report, const Options& options) {
+  constexpr int kRecords = 100;          // and
+  constexpr std::size_t kMessage = 100;  // characters have room, so that a later run does not allocate
+  reset(report);
+  report.start.requested = options.start;
+  report.threads = resolved_threads(options);
+  report.chi2_initial = report.start.chi2_current = std::numeric_limits<double>::quiet_NaN();
+  report.records.reserve(static_cast<std::size_t>(std::min(options.max_iterations, kRecords)));
+  report.message.reserve(kMessage);
+}
+
+void describe_problem(Report& report, const Graph& graph, const BatchSystem& system, const Options& options) {
+  const Plan& plan = system.plan();
+  report.linear_solver = system.linear_solver().name();
+  report.vertices = plan.structure.blocks();
+  report.scalars = plan.free_scalars();
+  report.eliminated = plan.eliminated_blocks;
+  report.edges = plan.edge_count;
+  report.linear = system.linear_solver().statistics();
+  report.workers = std::max(system.linearizer().workers(), report.linear.workers);
+  for (const GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
+  report.gauge.free = plan.freedoms;
+  for (const EdgeList& list : plan.edges) {
+    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    report.jacobians.push_back(
+        {pool.type_name(), options.numeric_jacobians ? JacobianSource::kNumeric : pool.jacobian_source()});
+    report.disabled_edges += static_cast<std::uint32_t>(std::count_if(
+        list.edges.begin(), list.edges.end(), [&](std::uint32_t edge) { return !pool.enabled(edge); }));
+  }
+}
+
+void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunResult result) {
+  std::optional<SwampingEdge> swamping;
+  if (may_be_swamped(result)) swamping = find_swamping_edge(graph, system.plan());
+  if (swamping) {
+    result.status = Status::kNotConverged;
+    result.reason = Reason::kWeightSpan;
+  }
+  report.status = result.status;
+  report.reason = result.reason;
+  report.linear = system.linear_solver().statistics();
+  report.gauge.held_directions = system.held_directions();
+  if (!system.gauge_is_free()) report.gauge.free.clear();
+  const double chi2 = system.chi2();
+  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if there is no time to evaluate it again
+  report.message.assign(to_string(result.reason));
+  add_culprit(report.message, result.reason, graph, system, swamping);
+  if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
+    report.message += " before chi2 was evaluated";
+}
+
+// The estimates are those of the last iteration, if there was one: a plan that is changed later comes after a
+// run.
+void finish_report_without_plan(Report& report, const Stopped& stopped) {
+  report.status = Status::kNotConverged;
+  report.reason = stopped.by_flag() ? Reason::kStopFlag : Reason::kTimeLimit;
+  report.chi2_final = report.records.empty() ? report.chi2_initial : report.records.back().chi2;
+  report.message.assign(to_string(report.reason)) += " while planning";
+  if (std::isnan(report.chi2_initial)) report.message += ", before chi2 was evaluated";
+}
+
+}  // namespace boxplus

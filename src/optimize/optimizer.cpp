@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/optimizer.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "boxplus/optimize/algorithms.h"
+#include "optimize/fill_report.h"
+#include "optimize/planned_system.h"
+#include "optimize/starts.h"
+
+namespace boxplus {
+namespace {
+
+void check(const Options& options) {
+  const auto require = [](bool holds, const char* what) {
+    if (!holds) throw InvalidArgument(std::string("Options: expected ") + what);
+  };
+  require(options.max_iterations >= 0, "max_iterations ≥ 0");
+  require(options.threads >= 0, "threads ≥ 0");
+  require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
+  require(options.noise_tolerance >= 0, "noise_tolerance ≥ 0");
+  require(options.step_tolerance >= 0, "step_tolerance ≥ 0");
+  require(options.gradient_tolerance >= 0, "gradient_tolerance ≥ 0");
+  require(options.linear_tolerance > 0 && options.linear_tolerance < 1, "0 < linear_tolerance < 1");
+  require(options.initial_lambda >= 0 && std::isfinite(options.initial_lambda),
+          "a finite initial_lambda ≥ 0");
+  require(options.initial_radius >= 0, "initial_radius ≥ 0");
+  require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
+}
+
+/// Has a graph for itself as long as it lives.
+class InUse {
+ public:
+  explicit InUse(std::shared_ptr<detail::LifeState> life) : life_(std::move(life)) {
+    if (life_->is_in_use)
+      throw InvalidArgument(
+          "Optimizer: this graph is being optimized; a callback or an error function cannot do so");
+    life_->is_in_use = true;
+  }
+  ~InUse() { life_->is_in_use = false; }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  std::shared_ptr<detail::LifeState> life_;
+};
+
+}  // namespace
+
+struct Optimizer::Impl {
+  Impl(Graph& observed, Options initial)
+      : graph(&observed), life(observed.life()), options(std::move(initial)) {}
+
+  /// Runs `custom` or, if it is null, the algorithm that the options name.
+  void run(Algorithm* custom, Report& report);
+  RunResult plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
+                              const Stopwatch& clock);
+  RunResult minimize(Algorithm& algorithm, Report& report, const StopToken& stop, const Stopwatch& clock);
+  Algorithm& chosen_algorithm();
+  Graph& checked_graph() const;
+
+  Graph* graph;
+  std::shared_ptr<detail::LifeState> life;  // of the graph
+  Options options;
+  PlannedSystem planned;
+  Estimates memory;  // for starts
+  std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
+};
+
+Graph& Optimizer::Impl::checked_graph() const {
+  if (life->is_over)
+    throw InvalidArgument(
+        "Optimizer: its graph was moved, assigned to or destroyed; make an Optimizer for the graph of now");
+  return *graph;
+}
+
+Algorithm& Optimizer::Impl::chosen_algorithm() {
+  AlgorithmKind kind = options.algorithm;
+  if (kind == AlgorithmKind::kAutomatic) {
+    const bool eliminates = planned.system().plan().eliminated_blocks > 0;
+    kind = eliminates ? AlgorithmKind::kLevenbergMarquardt : AlgorithmKind::kDogleg;
+  }
+  std::unique_ptr<Algorithm>& algorithm = algorithms[kind];
+  if (!algorithm) algorithm = make_algorithm(kind);
+  return *algorithm;
+}
+
+void Optimizer::Impl::run(Algorithm* custom, Report& report) {
+  const Stopwatch clock;
+  checked_graph();
+  check(options);
+  const InUse in_use(life);
+  begin_report(report, options);
+  const StopToken stop(options.stop, clock.start(), options.time_limit_s);
+  try {
+    const RunResult result = plan_and_minimize(custom, report, stop, clock);
+    finish_report(report, *graph, planned.system(), result);
+  } catch (const Stopped& stopped) {
+    finish_report_without_plan(report, stopped);
+  }
+  report.time.total_s = clock.seconds();
+}
+
+RunResult Optimizer::Impl::plan_and_minimize(Algorithm* custom, Report& report, const StopToken& stop,
+                                             const Stopwatch& clock) {
+  {
+    const TimeAdder adder(report.time.plan_s);
+    const PlannedSystem::Origin origin = planned.update(*graph, options, stop);
+    report.plan_reused = origin == PlannedSystem::Origin::kReused;
+    report.plan_extended = origin == PlannedSystem::Origin::kExtended;
+  }
+  planned.system().configure(options, report.time, stop);
+  Algorithm& algorithm = custom != nullptr ? *custom : chosen_algorithm();
+  report.algorithm = algorithm.name();
+  describe_problem(report, *graph, planned.system(), options);
+  report.chi2_initial = report.start.chi2_current = planned.system().chi2();
+  return minimize(algorithm, report, stop, clock);
+}
+
+RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const StopToken& stop,
+                                    const Stopwatch& clock) {
+  BatchSystem& system = planned.system();
+  const double chi2 = report.chi2_initial;
+  if (system.stopped()) return {Status::kNotConverged, reason_of(stop), chi2, 0};
+  if (system.plan().scalars() == 0) return {Status::kConverged, Reason::kNothingToOptimize, chi2, 0};
+  if (options.gauge == GaugePolicy::kError && system.is_free())
+    return {Status::kFailed, Reason::kGaugeFreedom, chi2, 0};
+  Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
+  const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
+  report.iterations = descent.iterations();
+  report.regularised_steps = descent.regularized_steps();
+  return result;
+}
+
+Optimizer::Optimizer(Graph& graph, Options options)
+    : impl_(std::make_unique<Impl>(graph, std::move(options))) {}
+Optimizer::~Optimizer() = default;
+Optimizer::Optimizer(Optimizer&&) noexcept = default;
+Optimizer& Optimizer::operator=(Optimizer&&) noexcept = default;
+
+const Options& Optimizer::options() const {
+  return impl_->options;
+}
+
+void Optimizer::set_options(Options options) {
+  impl_->options = std::move(options);
+}
+
+void Optimizer::run(Report& report) {
+  impl_->run(nullptr, report);
+}
+
+void Optimizer::run(Algorithm& algorithm, Report& report) {
+  impl_->run(&algorithm, report);
+}
+
+Report Optimizer::run() {
+  Report report;
+  run(report);
+  return report;
+}
+
+Report Optimizer::run(Algorithm& algorithm) {
+  Report report;
+  run(algorithm, report);
+  return report;
+}
+
+Covariance Optimizer::covariance(std::span<const VertexRef> vertices) const {
+  return boxplus::covariance(impl_->checked_graph(), vertices, impl_->options);
+}
+
+Report optimize(Graph& graph, const Options& options) {
+  return Optimizer(graph, options).run();
+}
+
+}  // namespace boxplus

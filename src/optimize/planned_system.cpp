@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "optimize/planned_system.h"
+
+#include <utility>
+
+#include "boxplus/base/parallel.h"
+
+namespace boxplus {
+namespace {
+
+/// Options::precision for the algorithm.
+Precision resolved_precision(const Options& options) {
+  const bool exact_steps = options.algorithm == AlgorithmKind::kGaussNewton;
+  return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
+}
+
+}  // namespace
+
+int resolved_threads(const Options& options) {
+  return options.threads > 0 ? options.threads : hardware_threads();
+}
+
+PlannedSystem::Origin PlannedSystem::update(Graph& graph, const Options& options, const StopToken& stop) {
+  const bool suitable = system_ != nullptr && suits(options);
+  if (suitable && revision_ == graph.revision()) return Origin::kReused;
+  stop.check();
+  if (suitable && extend(graph, stop)) return Origin::kExtended;
+  make(graph, options, stop);
+  return Origin::kMade;
+}
+
+/// Whether the plan is one for these options, of whatever revision of the graph.
+bool PlannedSystem::suits(const Options& options) const {
+  // An automatic choice that came to double serves for double, too.
+  const Precision wanted = resolved_precision(options);
+  const bool has_precision = options_.precision == wanted ||
+                             (options_.precision == Precision::kAutomatic && wanted == Precision::kDouble &&
+                              system_->linear_solver().statistics().precision == Precision::kDouble);
+  return has_precision && options_.level == options.level && options_.threads == resolved_threads(options) &&
+         options_.gauge == options.gauge && options_.linear_solver == options.linear_solver &&
+         options_.own_linear_solver == options.own_linear_solver && options_.schur == options.schur &&
+         options_.max_factor_bytes == options.max_factor_bytes && options_.vertices == options.vertices &&
+         options_.edges == options.edges;
+}
+
+/// Brings the plan up to date if only additions came since.
+bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
+  if (graph.last_rewrite() > revision_) return false;
+  std::unique_ptr<BatchSystem> system = std::move(system_);  // of no use if this throws
+  if (!system->extend(request(stop), vertex_slots_, edge_slots_)) return false;
+  system_ = std::move(system);
+  note_structure(graph);
+  return true;
+}
+
+void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& stop) {
+  system_.reset();  // its memory first
+  options_ = options;
+  options_.callback = {};
+  options_.threads = resolved_threads(options);
+  options_.precision = resolved_precision(options);
+  AnalyzeHints hints;
+  hints.max_factor_bytes = options_.max_factor_bytes;
+  hints.precision = options_.precision;
+  std::shared_ptr<LinearSolver> solver = options_.own_linear_solver
+                                             ? options_.own_linear_solver
+                                             : std::shared_ptr(make_linear_solver(options_.linear_solver));
+  system_ = std::make_unique<BatchSystem>(graph, request(stop), std::move(solver), options_.schur, hints);
+  note_structure(graph);
+}
+
+void PlannedSystem::note_structure(const Graph& graph) {
+  revision_ = graph.revision();
+  vertex_slots_.clear();
+  edge_slots_.clear();
+  for (const auto& pool : graph.vertex_pools()) vertex_slots_.push_back(pool->slots());
+  for (const auto& pool : graph.edge_pools()) edge_slots_.push_back(pool->slots());
+}
+
+PlanRequest PlannedSystem::request(const StopToken& stop) const {
+  return {options_.level, options_.vertices, options_.edges, options_.gauge, options_.threads, stop};
+}
+
+}  // namespace boxplus

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The System of a graph, kept in step with the graph's structure and with the options.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "optimize/batch_system.h"
+
+namespace boxplus {
+
+class PlannedSystem {
+ public:
+  /// Where the plan comes from.
+  enum class Origin : std::uint8_t { kMade, kExtended, kReused };
+  /// Brings the plan up to date. Throws Stopped once `stop` is raised and the plan has to change; the next
+  /// call makes a new one then.
+  Origin update(Graph& graph, const Options& options, const StopToken& stop);
+
+  /// After update().
+  BatchSystem& system() { return *system_; }
+
+ private:
+  bool suits(const Options& options) const;
+  bool extend(Graph& graph, const StopToken& stop);
+  void make(Graph& graph, const Options& options, const StopToken& stop);
+  void note_structure(const Graph& graph);
+  PlanRequest request(const StopToken& stop) const;
+
+  std::unique_ptr<BatchSystem> system_;
+  Options options_;                                       // of the plan
+  std::uint64_t revision_ = 0;                            // of the graph
+  std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // of each pool, at that revision
+};
+
+/// Options::threads with 0 resolved.
+int resolved_threads(const Options& options);
+
+}  // namespace boxplus

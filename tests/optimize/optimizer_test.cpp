@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/optimize/optimizer.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "optimize/small_graphs.h"
+
+namespace boxplus {
+namespace {
+
+using ::testing::HasSubstr, ::testing::ThrowsMessage;
+
+TEST(AnOptimizer, FindsTheBitsOfTheOneLiner) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 30);
+  Graph copy = graph;
+  Optimizer optimizer(graph);
+  const Report report = optimizer.run(), expected = optimize(copy);
+  EXPECT_TRUE(report.converged());
+  EXPECT_EQ(report.chi2_final, expected.chi2_final);
+  EXPECT_EQ(report.iterations, expected.iterations);
+  EXPECT_EQ(graph.estimate(poses[7]).vector(), copy.estimate(poses[7]).vector());
+}
+
+TEST(AnOptimizer, IsRefusedOnceItsGraphWasMovedAssignedToOrDestroyed) {
+  const auto refused = HasSubstr("its graph was moved, assigned to or destroyed");
+  Graph graph;
+  add_noisy_circle(graph, 10);
+  Optimizer of_moved(graph);
+  EXPECT_TRUE(of_moved.run().converged());
+  Graph moved = std::move(graph);
+  EXPECT_THAT([&] { (void)of_moved.run(); }, ThrowsMessage<InvalidArgument>(refused));
+  EXPECT_TRUE(Optimizer(moved).run().converged());
+
+  Optimizer of_assigned(moved);
+  moved = Graph();
+  EXPECT_THAT([&] { (void)of_assigned.run(); }, ThrowsMessage<InvalidArgument>(refused));
+
+  std::optional<Graph> destroyed(std::in_place);
+  const auto poses = add_noisy_circle(*destroyed, 10);
+  Optimizer of_destroyed(*destroyed);
+  destroyed.reset();
+  EXPECT_THAT([&] { (void)of_destroyed.run(); }, ThrowsMessage<InvalidArgument>(refused));
+  EXPECT_THAT([&] { (void)of_destroyed.covariance(poses[1], poses[1]); },
+              ThrowsMessage<InvalidArgument>(refused));
+}
+
+TEST(AnOptimizer, CanBeMoved) {
+  Graph graph;
+  add_noisy_circle(graph, 10);
+  Optimizer first(graph, {.max_iterations = 7});
+  EXPECT_FALSE(first.run().plan_reused);
+  Optimizer second = std::move(first);
+  EXPECT_EQ(second.options().max_iterations, 7);
+  EXPECT_TRUE(second.run().plan_reused);
+}
+
+TEST(AnOptimizer, MayBeMadeBeforeTheGraphIsFilled) {
+  Graph graph;
+  Optimizer optimizer(graph);
+  EXPECT_EQ(optimizer.run().reason, Reason::kNothingToOptimize);
+  add_noisy_circle(graph, 10);
+  EXPECT_GT(optimizer.run().iterations, 0);
+}
+
+TEST(AnOptimizer, IsRefusedInsideOfARunOnTheSameGraph) {
+  Graph graph;
+  add_noisy_circle(graph, 10);
+  Optimizer other(graph);
+  int calls = 0;
+  Options options;
+  options.callback = [&](const IterationRecord&) {
+    ++calls;
+    EXPECT_THAT([&] { (void)other.run(); }, ThrowsMessage<InvalidArgument>(HasSubstr("is being optimized")));
+    EXPECT_THAT([&] { optimize(graph); }, ThrowsMessage<InvalidArgument>(HasSubstr("is being optimized")));
+    return true;
+  };
+  EXPECT_TRUE(Optimizer(graph, options).run().converged());
+  EXPECT_GT(calls, 0);
+  EXPECT_TRUE(other.run().converged());
+}
+
+TEST(AnOptimizer, RunsAgainAfterAnExceptionOfAnErrorFunction) {
+  Graph graph;
+  const auto x = graph.add_vertex(3.0);
+  bool throws = true;
+  graph.add_edge(
+      [&throws](const double& v) {
+        if (throws) throw std::runtime_error("no measurement");
+        return v - 1.0;
+      },
+      x);
+  Optimizer optimizer(graph);
+  EXPECT_THROW((void)optimizer.run(), std::runtime_error);
+  throws = false;
+  EXPECT_TRUE(optimizer.run().converged());
+  EXPECT_NEAR(graph.estimate(x), 1, 1e-9);
+}
+
+TEST(AnOptimizer, ChecksItsOptionsInEachRun) {
+  Graph graph;
+  add_noisy_circle(graph, 5);
+  Optimizer optimizer(graph);
+  optimizer.set_options({.linear_tolerance = 2});
+  EXPECT_THAT([&] { (void)optimizer.run(); }, ThrowsMessage<InvalidArgument>(HasSubstr("linear_tolerance")));
+  optimizer.set_options({});
+  EXPECT_TRUE(optimizer.run().converged());
+}
+
+/// Steps along the negative gradient of a problem whose Hessian is the identity.
+class SteepestDescent final : public Algorithm {
+ public:
+  std::string_view name() const override { return "steepest descent"; }
+  void reset(const Options&, std::size_t scalars) override { step_.assign(scalars, 0); }
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
+    if (!system.linearize()) return IterationOutcome::kNotFinite;
+    for (std::size_t k = 0; k < step_.size(); ++k) {
+      step_[k] = -system.gradient()[k];
+      record.gradient_max = std::max(record.gradient_max, std::abs(step_[k]));
+      record.promise += step_[k] * step_[k];
+    }
+    record.step_max = record.gradient_max;
+    record.tries = 1;
+    record.chi2 = system.try_step(step_);
+    record.chi2_decrease = chi2 - record.chi2;
+    system.accept();
+    return IterationOutcome::kAccepted;
+  }
+
+ private:
+  std::vector<double> step_;
+};
+
+TEST(AnOptimizer, RunsTheAlgorithmOfAUser) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector2(5, -2));
+  graph.add_edge([](const auto& p) { return p; }, x);
+  SteepestDescent algorithm;
+  const Report report = Optimizer(graph).run(algorithm);
+  EXPECT_TRUE(report.converged()) << report;
+  EXPECT_EQ(report.algorithm, "steepest descent");
+  EXPECT_LT(graph.estimate(x).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace boxplus
