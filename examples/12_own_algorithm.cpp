@@ -23,7 +23,8 @@ class LineSearch final : public Algorithm {
     if (!system.linearize()) return IterationOutcome::kNotFinite;
     if (system.solve({}, step_).status != LinearStatus::kOk) return IterationOutcome::kNotPositiveDefinite;
     record.gradient_max = largest(system.gradient());
-    for (std::size_t k = 0; k < step_.size(); ++k) record.promise -= system.gradient()[k] * step_[k];
+    for (std::size_t k = 0; k < step_.size(); ++k)
+      record.predicted_decrease -= system.gradient()[k] * step_[k];
     for (record.tries = 1; record.tries < 30; ++record.tries) {
       record.chi2 = system.try_step(step_);
       record.chi2_decrease = chi2 - record.chi2;

@@ -41,7 +41,7 @@ RunResult Descent::run_while(FunctionRef<bool(const IterationRecord&)> wanted, d
   const RunContext context{options_, iterations_left(), degrees_of_freedom_, stop_, clock_, go_on, records_};
   const RunResult result = minimize(system_, algorithm_, context, chi2);
   iterations_ += result.iterations;
-  regularized_steps_ += algorithm_.regularised_steps();
+  regularized_steps_ += algorithm_.regularized_steps();
   return result;
 }
 

@@ -15,7 +15,7 @@ constexpr double kFirstRegularisation = 1e-10, kLastRegularisation = 1e2;
 void Dogleg::reset(const Options& options, std::size_t scalars) {
   radius_ = options.initial_radius > 0 ? options.initial_radius : kUnbounded;
   regularisation_ = 0;
-  regularised_steps_ = 0;
+  regularized_steps_ = 0;
   for (auto* vector : {&scale_, &newton_, &cauchy_, &step_}) vector->resize(scalars);
 }
 
@@ -40,7 +40,7 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
     const StepResult solved = system.solve({regularisation_, DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
     if (solved.status == LinearStatus::kOk && all_finite(newton_)) {
-      regularised_steps_ += regularisation_ > 0;
+      regularized_steps_ += regularisation_ > 0;
       return LinearStatus::kOk;
     }
     if (solved.status == LinearStatus::kStopped || solved.status == LinearStatus::kNotFinite)
@@ -95,7 +95,7 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
-/// step ← the longest within the radius; returns what the model promises of it.
+/// step ← the longest within the radius; returns the decrease of chi2 that the model predicts for it.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
   blend();
@@ -105,12 +105,13 @@ double Dogleg::find_step(System& system) {
 
 /// A radius that leaves nothing of a step for chi2 to show tells nothing: it is widened first.
 double Dogleg::find_first_step(System& system, double chi2) {
-  double promise = find_step(system);
-  while (newton_norm_ > radius_ && promise <= kNegligible * chi2) {
-    radius_ = promise > 0 ? std::min(newton_norm_, radius_ * (kNoticeable * chi2 / promise)) : newton_norm_;
-    promise = find_step(system);
+  double predicted = find_step(system);
+  while (newton_norm_ > radius_ && predicted <= kNegligible * chi2) {
+    radius_ =
+        predicted > 0 ? std::min(newton_norm_, radius_ * (kNoticeable * chi2 / predicted)) : newton_norm_;
+    predicted = find_step(system);
   }
-  return promise;
+  return predicted;
 }
 
 void Dogleg::update_radius(double gain, double step_norm) {
@@ -131,14 +132,14 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   newton_curvature_ = curvature_of_newton(system, record);
   have_cauchy_ = false;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
-    const double promise = record.tries == 1 ? find_first_step(system, chi2) : find_step(system);
+    const double predicted = record.tries == 1 ? find_first_step(system, chi2) : find_step(system);
     const bool cut_short = newton_norm_ > radius_;
-    record.control = radius_;
-    record.promise = promise;
+    record.radius = radius_;
+    record.predicted_decrease = predicted;
     record.step_max = max_abs(step_);
     record.chi2 = system.try_step(step_);
     record.chi2_decrease = chi2 - record.chi2;
-    const double gain = record.chi2_decrease / promise;
+    const double gain = record.chi2_decrease / predicted;
     update_radius(gain, norm(step_));
     if (record.chi2_decrease > 0 && gain > 0) {
       system.accept();
@@ -148,10 +149,10 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     system.reject();
     if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
-    if (promise <= kRounding * chi2) break;  // smaller steps promise even less
+    if (predicted <= kRounding * chi2) break;  // the model predicts even less of smaller steps
   }
-  const double newton_promise = model_decrease(system.gradient(), newton_, system.curvature(newton_));
-  return outcome_without_decrease(newton_promise, max_abs(newton_), chi2);
+  const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
+  return outcome_without_decrease(newton_decrease, max_abs(newton_), chi2);
 }
 
 }  // namespace boxplus

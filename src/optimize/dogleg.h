@@ -16,7 +16,7 @@ class Dogleg final : public Algorithm {
   std::string_view name() const override { return "dogleg"; }
   void reset(const Options& options, std::size_t scalars) override;
   IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override;
-  int regularised_steps() const override { return regularised_steps_; }
+  int regularized_steps() const override { return regularized_steps_; }
 
  private:
   LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
@@ -32,7 +32,7 @@ class Dogleg final : public Algorithm {
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   double radius_ = kUnbounded;
   double regularisation_ = 0;  // relative to the diagonal
-  int regularised_steps_ = 0;
+  int regularized_steps_ = 0;
   double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;
   bool have_cauchy_ = false;
   std::vector<double> scale_, newton_, cauchy_, step_;

@@ -43,7 +43,7 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
   record.linear_iterations += solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return solved.status;
   const double curvature = system.curvature(step_);
-  promise_ = model_decrease(system.gradient(), step_, curvature);
+  predicted_ = model_decrease(system.gradient(), step_, curvature);
   cut_short_ = curvature < -dot(system.gradient(), step_) / 2;
   return LinearStatus::kOk;
 }
@@ -52,9 +52,9 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
 LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, IterationRecord& record) {
   for (;;) {
     const LinearStatus status = find_step(system, lambda_, record);
-    const bool too_short = cut_short_ && promise_ <= kNegligible * chi2 && lambda_ > kMinLambda;
+    const bool too_short = cut_short_ && predicted_ <= kNegligible * chi2 && lambda_ > kMinLambda;
     if (status != LinearStatus::kOk || !too_short) return status;
-    lambda_ = std::max(kMinLambda, lambda_ * (promise_ / (kNoticeable * chi2)));
+    lambda_ = std::max(kMinLambda, lambda_ * (predicted_ / (kNoticeable * chi2)));
   }
 }
 
@@ -62,10 +62,10 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
 /// fall.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
-  record.promise = promise_;
+  record.predicted_decrease = predicted_;
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;
-  const double gain = record.chi2_decrease / promise_;
+  const double gain = record.chi2_decrease / predicted_;
   if (!(record.chi2_decrease > 0 && gain > 0)) {
     system.reject();
     record.chi2 = chi2;
@@ -82,31 +82,31 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
   if (!system.linearize()) return outcome_without_linearization(system);
   if (!started_) start_damping(system);
   record.gradient_max = max_abs(system.gradient());
-  double largest_promise = 0, largest_step = 0;
+  double largest_prediction = 0, largest_step = 0;
   bool largest_cut_short = false;
   LinearStatus last = LinearStatus::kOk;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
     last = record.tries == 1 ? find_first_step(system, chi2, record) : find_step(system, lambda_, record);
-    record.control = lambda_;
+    record.lambda = lambda_;
     if (last == LinearStatus::kStopped) return IterationOutcome::kStopped;
     if (last == LinearStatus::kOk) {
       if (take_step(system, chi2, record))
         return cut_short_ ? IterationOutcome::kAcceptedShort : IterationOutcome::kAccepted;
       if (system.stopped()) return IterationOutcome::kStopped;
       if (record.step_max >= largest_step) largest_cut_short = cut_short_;
-      largest_promise = std::max(largest_promise, promise_);
+      largest_prediction = std::max(largest_prediction, predicted_);
       largest_step = std::max(largest_step, record.step_max);
-      if (promise_ <= kRounding * chi2) break;  // smaller steps promise even less
+      if (predicted_ <= kRounding * chi2) break;  // the model predicts even less of smaller steps
     }
     raise_damping();
   }
   if (last == LinearStatus::kOk && largest_cut_short) {
     last = find_step(system, default_damping(system), record);
-    largest_promise = promise_;
+    largest_prediction = predicted_;
     largest_step = max_abs(step_);
   }
   if (last != LinearStatus::kOk) return outcome_of(last);
-  return outcome_without_decrease(largest_promise, largest_step, chi2);
+  return outcome_without_decrease(largest_prediction, largest_step, chi2);
 }
 
 }  // namespace boxplus

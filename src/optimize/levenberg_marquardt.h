@@ -28,7 +28,7 @@ class LevenbergMarquardt final : public Algorithm {
   double lambda_ = 0, growth_ = 2;
   bool started_ = false;
   std::vector<double> step_;
-  double promise_ = 0;      // of the step
+  double predicted_ = 0;    // of the step
   bool cut_short_ = false;  // the step is, by damping
 };
 

@@ -35,8 +35,8 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
 /// The part of chi2 that the rounding of its sum may be.
 constexpr double kChi2Rounding = 1e-13;
 
-/// Data without noise, fitted: errors of less than 1e-10 standard deviations are all rounding, whatever the
-/// model promises of the next step.
+/// Data without noise, fitted: errors of less than 1e-10 standard deviations are all rounding, whatever
+/// decrease the model predicts for the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
   constexpr double kRounding = 1e-20, kFallsFast = 0.25;
   return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
@@ -44,7 +44,8 @@ bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unk
 
 /// Neither what the iteration gained nor what the model predicted for it is more than `fraction` of chi2.
 bool gains_less_than(double fraction, const IterationRecord& record) {
-  return std::abs(record.chi2_decrease) <= fraction * record.chi2 && record.promise <= fraction * record.chi2;
+  return std::abs(record.chi2_decrease) <= fraction * record.chi2 &&
+         record.predicted_decrease <= fraction * record.chi2;
 }
 
 std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,

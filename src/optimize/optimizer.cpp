@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "boxplus/optimize/algorithms.h"
+#include "boxplus/optimize/algorithm_table.h"
 #include "optimize/fill_report.h"
 #include "optimize/planned_system.h"
 #include "optimize/starts.h"
@@ -130,7 +130,7 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
   Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
   const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
   report.iterations = descent.iterations();
-  report.regularised_steps = descent.regularized_steps();
+  report.regularized_steps = descent.regularized_steps();
   return result;
 }
 

@@ -22,18 +22,20 @@ inline IterationOutcome outcome_without_linearization(const System& system) {
   return system.stopped() ? IterationOutcome::kStopped : IterationOutcome::kNotFinite;
 }
 
-/// A step that promises to lower chi2 by a smaller fraction may fail to, by rounding alone.
+/// If the predicted decrease of a step is a smaller fraction of chi2, rounding alone may keep it from
+/// lowering chi2.
 inline constexpr double kNegligible = 1e-9;
-/// The fraction of chi2 that a step is made to promise which damping or radius had left with a negligible
-/// one.
+/// If damping or the radius leaves a step with a negligible predicted decrease, the step is made longer until
+/// the predicted decrease is this fraction of chi2.
 inline constexpr double kNoticeable = 1e-6;
 
-/// The outcome when no trial step lowered chi2: at a minimum where the step that nothing cuts short promises
-/// no more than rounding, or is no larger than rounding (chi2 itself is rounding there).
-inline IterationOutcome outcome_without_decrease(double promise, double step_max, double chi2) {
+/// The outcome if no trial step lowered chi2. The estimates are at a minimum if the predicted decrease of the
+/// step that nothing cuts short is no more than rounding, or if that step itself is no larger than rounding
+/// (chi2 itself is rounding there).
+inline IterationOutcome outcome_without_decrease(double predicted, double step_max, double chi2) {
   constexpr double kStep = 1e-9;
-  return promise <= kNegligible * chi2 || step_max <= kStep ? IterationOutcome::kNoFurtherDecrease
-                                                            : IterationOutcome::kNoStepFound;
+  return predicted <= kNegligible * chi2 || step_max <= kStep ? IterationOutcome::kNoFurtherDecrease
+                                                              : IterationOutcome::kNoStepFound;
 }
 
 }  // namespace boxplus

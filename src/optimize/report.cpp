@@ -55,9 +55,9 @@ constexpr std::size_t kHeadRows = 12, kTailRows = 4;
 
 void add_records(Text& text, const Report& report) {
   if (report.records.empty()) return;
-  const bool damped = report.algorithm == "Levenberg-Marquardt";
+  const bool has_lambda = report.records.front().lambda > 0;
   add(text, "\n  iter           chi2     decrease   |gradient|       |step|  {:>11}  tries   time [s]\n",
-      damped ? "lambda" : "radius");
+      has_lambda ? "lambda" : "radius");
   const std::size_t count = report.records.size();
   for (std::size_t k = 0; k < count; ++k) {
     if (count > kHeadRows + kTailRows && k == kHeadRows) {
@@ -65,10 +65,11 @@ void add_records(Text& text, const Report& report) {
       k = count - kTailRows;
     }
     const IterationRecord& r = report.records[k];
-    const std::string control = std::isinf(r.control) ? "∞" : fmt::format("{:.3e}", r.control);
+    const double bound = has_lambda ? r.lambda : r.radius;
+    const std::string bound_text = std::isinf(bound) ? "∞" : fmt::format("{:.3e}", bound);
     add(text, "  {:4}  {:13.7g}  {:11.4g}  {:11.3e}  {:11.3e}  {:>11}  {:5}  {:9.4f}\n", r.iteration,
         without_sign_of_nan(r.chi2), without_sign_of_nan(r.chi2_decrease), r.gradient_max, r.step_max,
-        control, r.tries, r.time_s);
+        bound_text, r.tries, r.time_s);
   }
 }
 
@@ -85,7 +86,8 @@ void add_start(Text& text, const StartReport& start) {
   if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
   add(text, "; chi2 {:.7g} as given", without_sign_of_nan(start.chi2_current));
   if (!std::isnan(start.first_step_kept))
-    add(text, ", the first step from there kept {:.0f} % of its promise", 100 * start.first_step_kept);
+    add(text, ", the first step from there reached {:.0f} % of its predicted decrease",
+        100 * start.first_step_kept);
   if (!(start.chi2_guess < 0))
     add(text, ", {:.7g} after the initial guess", without_sign_of_nan(start.chi2_guess));
   if (start.ran_both)
@@ -132,9 +134,9 @@ void add_notes(Text& text, const Report& report) {
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
-  if (report.regularised_steps > 0) {
+  if (report.regularized_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
-        report.regularised_steps);
+        report.regularized_steps);
   }
 }
 

@@ -26,7 +26,7 @@ class Significance {
   /// comes out of too small a trust region.
   bool is_lost(const IterationRecord& record) {
     std::rotate(gains_.begin(), gains_.end() - 1, gains_.end());
-    gains_[0] = std::max(std::abs(record.chi2_decrease), record.promise);
+    gains_[0] = std::max(std::abs(record.chi2_decrease), record.predicted_decrease);
     count_ = std::min(count_ + 1, gains_.size());
     const double each = std::min(kMostOfOne, tolerance_) * record.chi2;
     if (count_ >= 2 && gains_[0] <= gains_[1] && gains_[1] <= each) return true;

@@ -3,14 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
-#include "boxplus/optimize/initial_guess.h"
+#include "boxplus/optimize/start_table.h"
 #include "optimize/planned_system.h"
-#include "optimize/start_table.h"
 
 namespace boxplus {
 namespace {
+
+GuessResult guess_by(Start start, Graph& graph, const Plan& plan, const GuessLimits& limits) {
+  for (const detail::StartEntry& entry : detail::start_table()) {
+    if (entry.start == start && entry.guess != nullptr) return entry.guess(graph, plan, limits);
+  }
+  throw InvalidArgument("Options::start: expected one of the starts of the library, got " +
+                        std::to_string(static_cast<int>(start)));
+}
 
 /// Estimates to run from, as a value.
 struct StartingPoint {
@@ -37,7 +45,7 @@ struct Candidate {
 /// lie in its valley.
 bool keeps_prediction(const IterationRecord& step) {
   constexpr double kLeast = 0.75, kMost = 1.25;
-  const double kept = step.chi2_decrease / step.promise;
+  const double kept = step.chi2_decrease / step.predicted_decrease;
   return step.tries == 1 && kept >= kLeast && kept <= kMost;
 }
 
@@ -117,7 +125,7 @@ class StartSearch {
     constexpr int kMostIterations = 9;
     const auto wanted = [&](const IterationRecord& step) {
       if (step.iteration == 0) {
-        report_.first_step_kept = step.chi2_decrease / step.promise;
+        report_.first_step_kept = step.chi2_decrease / step.predicted_decrease;
         gave_up = !keeps_prediction(step);
       } else if (step.iteration + 1 == kMostIterations) {
         gave_up = true;
@@ -195,7 +203,7 @@ class StartSearch {
       const TimeAdder adder(guess_seconds_);
       const GuessLimits limits{descent_.stop(), descent_.options().max_factor_bytes,
                                resolved_threads(descent_.options()), descent_.system().elimination_order()};
-      const GuessResult guess = guess_function(start)(graph(), plan(), limits);
+      const GuessResult guess = guess_by(start, graph(), plan(), limits);
       report_.note = guess.note;
       if (!guess.made) return false;
     }

@@ -132,7 +132,7 @@ class OptimizeTest(CommandCase):
     def test_damping_is_of_levenberg_marquardt_only(self):
         marquardt = ("--algorithm", "levenberg-marquardt")
         records = self.report_of(TOWN, *marquardt, "--lambda", 7.5)["records"]
-        self.assertEqual(records[0]["control"], 7.5)
+        self.assertEqual(records[0]["lambda"], 7.5)
         scaled, plain = (self.report_of(TOWN, *marquardt, "--damping", name, "--lambda", 10)["records"]
                          for name in ("diagonal", "identity"))
         self.assertNotEqual(scaled[0]["step_max"], plain[0]["step_max"])
@@ -140,7 +140,7 @@ class OptimizeTest(CommandCase):
             self.assert_refused(run("optimize", TOWN, *option), "requires --algorithm levenberg-marquardt")
 
     def test_starts_where_it_is_told(self):
-        for name, used in (("current", "current"), ("odometry", "odometry"), ("spanning-tree", "spanning tree"),
+        for name, used in (("current", "current"), ("odometry", "odometry"), ("spanning-tree", "spanning-tree"),
                            ("chordal", "chordal")):
             self.assertEqual(self.report_of(TOWN, "--start", name)["start"]["used"], used)
 

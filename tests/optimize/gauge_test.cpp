@@ -137,7 +137,7 @@ TEST(Gauge, OfVerticesOfUnknownTypeIsHeldAtTheFirstOne) {
       const Report report = optimize(graph, {.algorithm = algorithm, .linear_solver = solver});
       EXPECT_TRUE(report.converged()) << report;
       EXPECT_EQ(report.gauge.held_directions, 3);
-      EXPECT_EQ(report.regularised_steps, 0);
+      EXPECT_EQ(report.regularized_steps, 0);
       EXPECT_TRUE(graph.estimate(rotations[0]).rotation() == before.rotation());
     }
   }

@@ -122,7 +122,7 @@ class SteepestDescent final : public Algorithm {
     for (std::size_t k = 0; k < step_.size(); ++k) {
       step_[k] = -system.gradient()[k];
       record.gradient_max = std::max(record.gradient_max, std::abs(step_[k]));
-      record.promise += step_[k] * step_[k];
+      record.predicted_decrease += step_[k] * step_[k];
     }
     record.step_max = record.gradient_max;
     record.tries = 1;

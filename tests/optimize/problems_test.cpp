@@ -69,7 +69,7 @@ TEST(Optimize, NamesTheVertexThatNothingMeasuresInSomeDirection) {
   options.algorithm = AlgorithmKind::kDogleg;
   const Report damped = optimize(graph, options);
   EXPECT_TRUE(damped.converged()) << damped;
-  EXPECT_GT(damped.regularised_steps, 0);
+  EXPECT_GT(damped.regularized_steps, 0);
   EXPECT_NEAR(graph.estimate(b)[0], 1.75, 1e-6);
   EXPECT_EQ(graph.estimate(b)[1], 1);
 }

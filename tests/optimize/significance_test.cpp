@@ -12,7 +12,7 @@ namespace {
 IterationRecord gain_of(double fraction) {
   IterationRecord record;
   record.chi2 = 1000;
-  record.chi2_decrease = record.promise = 1000 * fraction;
+  record.chi2_decrease = record.predicted_decrease = 1000 * fraction;
   return record;
 }
 
@@ -44,7 +44,7 @@ TEST(Significance, OfAPredictedGainKeepsTheRunGoing) {
   Significance significance(0.02, 1e6);
   for (int k = 0; k < 30; ++k) {
     IterationRecord record = gain_of(1e-12);
-    record.promise = 1;
+    record.predicted_decrease = 1;
     EXPECT_FALSE(significance.is_lost(record));
   }
 }

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "boxplus/optimize/algorithm_table.h"
+#include "boxplus/optimize/start_table.h"
 #include "command_line/option_kinds.h"
 #include "files/graph_input.h"
 #include "optimize/kernel_name.h"
@@ -10,15 +12,19 @@
 namespace boxplus::app {
 namespace {
 
-const Choices<Start> kStarts{{"automatic", Start::kAutomatic},
-                             {"current", Start::kCurrent},
-                             {"odometry", Start::kOdometry},
-                             {"spanning-tree", Start::kSpanningTree},
-                             {"chordal", Start::kChordal}};
-const Choices<AlgorithmKind> kAlgorithms{{"automatic", AlgorithmKind::kAutomatic},
-                                         {"gauss-newton", AlgorithmKind::kGaussNewton},
-                                         {"levenberg-marquardt", AlgorithmKind::kLevenbergMarquardt},
-                                         {"dogleg", AlgorithmKind::kDogleg}};
+Choices<Start> start_choices() {
+  Choices<Start> choices;
+  for (const detail::StartEntry& entry : detail::start_table()) choices.emplace_back(entry.name, entry.start);
+  return choices;
+}
+
+Choices<AlgorithmKind> algorithm_choices() {
+  Choices<AlgorithmKind> choices;
+  for (const detail::AlgorithmEntry& entry : detail::algorithm_table())
+    choices.emplace_back(entry.name, entry.kind);
+  return choices;
+}
+
 const Choices<LinearSolverKind> kSolvers{{"automatic", LinearSolverKind::kAutomatic},
                                          {"cholesky", LinearSolverKind::kBlockCholesky},
                                          {"pcg", LinearSolverKind::kPcg},
@@ -56,11 +62,11 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
 void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   Options& options = arguments.options;
   add_choice(
-      command, "--start", options.start, kStarts,
+      command, "--start", options.start, start_choices(),
       "Where to begin; automatic keeps the file's estimates where their first step does what the linear "
       "model promises, and else takes the better of them and the chordal guess")
       ->group("Method");
-  add_choice(command, "--algorithm", options.algorithm, kAlgorithms, "How to step")->group("Method");
+  add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "How to step")->group("Method");
   add_choice(command, "--solver", options.linear_solver, kSolvers, "What solves the linear systems")
       ->group("Method");
   add_choice(

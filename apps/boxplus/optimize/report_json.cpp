@@ -76,10 +76,11 @@ Json records_json(const std::vector<IterationRecord>& records) {
   for (const IterationRecord& record : records) {
     result.push_back({{"iteration", record.iteration},
                       {"chi2", record.chi2},
-                      {"promise", record.promise},
+                      {"predicted_decrease", record.predicted_decrease},
                       {"step_max", record.step_max},
                       {"gradient_max", record.gradient_max},
-                      {"control", record.control},
+                      {"lambda", record.lambda},
+                      {"radius", record.radius},
                       {"tries", record.tries},
                       {"linear_iterations", record.linear_iterations},
                       {"time_s", record.time_s}});
@@ -115,7 +116,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"skipped_lines", facts.skipped_lines},
                      {"scalars", report.scalars},
                      {"jacobians", jacobians_json(report.jacobians)},
-                     {"regularised_steps", report.regularised_steps},
+                     {"regularized_steps", report.regularized_steps},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};
   // Ids and messages may hold text of the file: bytes that are no UTF-8 are replaced.

@@ -30,7 +30,7 @@ class Algorithm {
   /// iteration and time; record.chi2 is the cost afterwards.
   virtual IterationOutcome iterate(System& system, double chi2, IterationRecord& record) = 0;
   /// How many steps needed a damped H because H was not positive definite.
-  virtual int regularised_steps() const { return 0; }
+  virtual int regularized_steps() const { return 0; }
 };
 
 }  // namespace boxplus

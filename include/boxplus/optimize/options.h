@@ -53,11 +53,12 @@ struct IterationRecord {
   int iteration = 0;
   double chi2 = 0;  ///< after the iteration
   double chi2_decrease = 0;
-  double promise = 0;         ///< the decrease that the linear model promised for the step taken
-  double step_max = 0;        ///< largest entry of the step taken
-  double gradient_max = 0;    ///< largest entry of the gradient before the step
-  double control = 0;         ///< λ (Levenberg-Marquardt) or trust radius (dogleg) of the step
-  int tries = 0;              ///< steps evaluated
+  double predicted_decrease = 0;  ///< of chi2, by the linear model, for the step taken
+  double step_max = 0;            ///< largest entry of the step taken
+  double gradient_max = 0;        ///< largest entry of the gradient before the step
+  double lambda = 0;              ///< of the step; 0 if the algorithm has none
+  double radius = 0;  ///< of the trust region; 0 if the algorithm has none, infinite before the first bound
+  int tries = 0;      ///< steps evaluated
   int linear_iterations = 0;  ///< of an iterative linear solver, or steps of refinement
   double time_s = 0;          ///< since the start of optimize()
 };
@@ -68,8 +69,8 @@ struct Options {
   /// Of the block Cholesky's factor. kAutomatic: double for kGaussNewton, which takes every step as it comes;
   /// the other algorithms judge a step by what it gains, and bear one that is refined from float.
   Precision precision = Precision::kAutomatic;
-  /// A custom solver, instead. An Optimizer has it analyze each structure once. As long as that Optimizer lives,
-  /// nothing else may use the solver.
+  /// A custom solver, instead. An Optimizer has it analyze each structure once. As long as that Optimizer
+  /// lives, nothing else may use the solver.
   std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;
   GaugePolicy gauge = GaugePolicy::kFixFirst;

@@ -27,7 +27,7 @@ enum class Reason : std::uint8_t {
   kCostTolerance,
   kStepTolerance,
   kGradientTolerance,
-  kNoFurtherDecrease,  ///< no step lowers chi2 any more; what the model promises is below rounding
+  kNoFurtherDecrease,  ///< no step lowers chi2 any more; the predicted decrease is below rounding
   kNothingToOptimize,  ///< no active edge touches a vertex that may move
   kMaxIterations,
   kTimeLimit,
@@ -46,7 +46,8 @@ struct StartReport {
   Start requested = Start::kCurrent;
   Start used = Start::kCurrent;
   double chi2_current = 0;  ///< of the estimates as they came
-  /// Automatic: the part that the first step from there kept of what it promised; NaN where it was not tried.
+  /// kAutomatic: the decrease of chi2 by the first step from there, as a fraction of the predicted decrease;
+  /// NaN if no step was tried.
   double first_step_kept = std::numeric_limits<double>::quiet_NaN();
   double chi2_guess = -1;        ///< of the initial guess; negative where none was made
   bool ran_both = false;         ///< automatic: both starts were run
@@ -89,7 +90,7 @@ struct Report {
   std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
   std::vector<EdgeJacobians> jacobians;  ///< of each edge type that takes part
   LinearStatistics linear;
-  int regularised_steps = 0;   ///< steps for which H had to be damped to be positive definite
+  int regularized_steps = 0;   ///< steps for which H had to be damped to be positive definite
   int threads = 1;             ///< the bound asked for
   int workers = 1;             ///< that linearise or factorise: small problems leave threads alone
   bool plan_reused = false;    ///< nothing has changed since the last call

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/optimize/algorithms.h"
+#include "boxplus/optimize/algorithm_table.h"
 
-#include <algorithm>
 #include <string>
 
 #include "boxplus/base/error.h"
@@ -25,12 +24,6 @@ constexpr detail::AlgorithmEntry kAlgorithms[] = {
     {AlgorithmKind::kDogleg, "dogleg", make<Dogleg>},
 };
 
-const detail::AlgorithmEntry* find(AlgorithmKind kind) {
-  const auto* found = std::find_if(std::begin(kAlgorithms), std::end(kAlgorithms),
-                                   [&](const auto& entry) { return entry.kind == kind; });
-  return found == std::end(kAlgorithms) ? nullptr : found;
-}
-
 }  // namespace
 
 std::span<const detail::AlgorithmEntry> detail::algorithm_table() {
@@ -38,16 +31,18 @@ std::span<const detail::AlgorithmEntry> detail::algorithm_table() {
 }
 
 std::unique_ptr<Algorithm> make_algorithm(AlgorithmKind kind) {
-  const detail::AlgorithmEntry* entry = find(kind);
-  if (entry == nullptr || entry->make == nullptr)
-    throw InvalidArgument("make_algorithm: expected one of the library's algorithms, got AlgorithmKind " +
-                          std::to_string(static_cast<int>(kind)));
-  return entry->make();
+  for (const detail::AlgorithmEntry& entry : kAlgorithms) {
+    if (entry.kind == kind && entry.make != nullptr) return entry.make();
+  }
+  throw InvalidArgument("make_algorithm: expected one of the algorithms of the library, got AlgorithmKind " +
+                        std::to_string(static_cast<int>(kind)));
 }
 
 std::string_view to_string(AlgorithmKind kind) {
-  const detail::AlgorithmEntry* entry = find(kind);
-  return entry == nullptr ? "unknown" : entry->name;
+  for (const detail::AlgorithmEntry& entry : kAlgorithms) {
+    if (entry.kind == kind) return entry.name;
+  }
+  return "unknown";
 }
 
 }  // namespace boxplus

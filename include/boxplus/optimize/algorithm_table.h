@@ -17,7 +17,7 @@ struct AlgorithmEntry {
       *make)();  ///< null for kAutomatic, which becomes another when the plan is known
 };
 
-/// One entry per AlgorithmKind, in their order.
+/// One entry per AlgorithmKind, in the order of help texts.
 std::span<const AlgorithmEntry> algorithm_table();
 
 }  // namespace boxplus::detail

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The starts of the library, in one table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "boxplus/optimize/initial_guess.h"
+#include "boxplus/optimize/options.h"
+
+namespace boxplus::detail {
+
+struct StartEntry {
+  Start start;
+  std::string_view name;  ///< for command lines: "spanning-tree"
+  /// Null for kCurrent and kAutomatic, which are not one guess.
+  GuessResult (*guess)(Graph&, const Plan&, const GuessLimits&);
+};
+
+/// One entry per Start, in the order of help texts.
+std::span<const StartEntry> start_table();
+
+}  // namespace boxplus::detail
