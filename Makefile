@@ -19,7 +19,9 @@ build: setup ## builds the programs into build/release/bin
 	@cmake --preset release
 	@cmake --build --preset release --parallel $(JOBS) --target programs
 
-demo: build ## simulates a sphere of 2500 poses, optimises it, draws it before and after
+demo: setup ## simulates a sphere of 2500 poses, optimizes it, draws it before and after
+	@cmake --preset release
+	@cmake --build --preset release --parallel $(JOBS) --target boxplus_command
 	@scripts/demo.sh
 
 test: setup ## builds everything and runs all tests

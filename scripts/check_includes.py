@@ -4,8 +4,8 @@
 
     check_includes.py [ROOT]
 
-Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in include/, src/, apps/ and
-tests/ below ROOT, by default the project. Prints file:line of each arrow that ALLOWED does not have. The public
+Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders of C++ below ROOT, by
+default the project. Prints file:line of each arrow that ALLOWED does not have. The public
 headers of the g2o face, which are C++17, include nothing of boxplus/ at all.
 """
 
@@ -35,8 +35,11 @@ ALLOWED = {
 LIBRARY = set(ALLOWED) - {"testing"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
-MAY_INCLUDE["apps"] = set(ALLOWED) | {"boxplus.h"}
-MAY_INCLUDE["tests"] = set(ALLOWED) | {"boxplus.h"}
+# The programs stand above all folders. What users copy from sees no private header, nor does what stands for users.
+PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests")
+PUBLIC_ONLY = ("examples", "fuzz")
+for folder in PROGRAMS:
+    MAY_INCLUDE[folder] = set(ALLOWED) | {"boxplus.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -44,7 +47,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 def folder_of_file(path):
     """Which row of the table a file (relative to the root) belongs to."""
     parts = path.parts
-    if parts[0] in ("apps", "tests"):
+    if parts[0] in PROGRAMS:
         return parts[0]
     inside = parts[2:] if parts[0] == "include" else parts[1:]
     return inside[0] if inside else None
@@ -65,7 +68,7 @@ def target_of_include(root, path, quote, name):
 
 
 def violations(root):
-    files = (p for top in ("include", "src", "apps", "tests") for p in (root / top).rglob("*"))
+    files = (p for top in ("include", "src", *PROGRAMS) for p in (root / top).rglob("*"))
     for file in sorted(f for f in files if f.suffix in (".h", ".hpp", ".cpp", ".cc")):
         path = file.relative_to(root)
         folder = folder_of_file(path)
@@ -83,6 +86,8 @@ def violations(root):
                 yield f"{where}: {folder} must not include {to} ({match.group(2)})"
             if private and path.parts[0] == "include":
                 yield f"{where}: a public header must not include a private one ({match.group(2)})"
+            if private and folder in PUBLIC_ONLY:
+                yield f"{where}: {folder}/ must not include a private header ({match.group(2)})"
 
 
 def violations_of_g2o(root):

@@ -57,6 +57,16 @@ class CheckIncludes(unittest.TestCase):
             {"src/base/error.cpp": '#include "graph/detail.h"\n'},
             "src/base/error.cpp:1: base must not include graph (graph/detail.h)")
 
+    def test_an_example_and_a_fuzz_target_include_no_private_header(self):
+        for folder in ("examples", "fuzz"):
+            self.assert_caught(
+                {f"{folder}/x.cpp": '#include "graph/detail.h"\n'},
+                f"{folder}/x.cpp:1: {folder}/ must not include a private header (graph/detail.h)")
+
+    def test_a_benchmark_and_the_g2o_api_may_include_private_headers(self):
+        self.assertEqual(check({"bench/x.cpp": '#include "graph/detail.h"\n',
+                                "g2o/src/x.cpp": '#include "graph/detail.h"\n'}), (0, []))
+
     def test_a_public_header_includes_no_private_one(self):
         self.assert_caught(
             {"include/boxplus/graph/graph.h": '#include "graph/detail.h"\n'},

@@ -28,7 +28,7 @@ enum class CovarianceStatus : std::uint8_t {
 /// The covariance of a vertex x is that of δ in x ⊞ δ: it has the tangent's order, units and frame. For SE2
 /// that is (Δx, Δy, Δθ) in the body frame. For SE3 it is (Δt, Δq), also in the body frame, where Δq is the
 /// vector part of a quaternion: half of an angle. (SE3RotationVector has whole angles.)
-class Covariance {
+class [[nodiscard]] Covariance {
  public:
   CovarianceStatus status() const { return status_; }
   bool ok() const { return status_ == CovarianceStatus::kOk; }

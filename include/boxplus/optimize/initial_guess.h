@@ -24,7 +24,7 @@
 
 namespace boxplus {
 
-struct GuessResult {
+struct [[nodiscard]] GuessResult {
   bool made = false;      ///< false: all estimates are as they were
   std::string_view note;  ///< why it was not made; static text
 };

@@ -15,7 +15,7 @@ struct StepDamping {
   DampingScale scale = DampingScale::kIdentity;
 };
 
-struct StepResult {
+struct [[nodiscard]] StepResult {
   LinearStatus status = LinearStatus::kOk;
   int linear_iterations = 0;
 };

@@ -25,7 +25,7 @@ struct JacobianTolerances {
   double numeric = 1e-7;    ///< anything against numeric derivatives, likewise
 };
 
-struct JacobianCheck {
+struct [[nodiscard]] JacobianCheck {
   bool ok = true;
   /// The Jacobians that optimize() takes: the type's own, exact ones, or numeric ones. to_string(source) is
   /// "own", "exact" or "numeric".

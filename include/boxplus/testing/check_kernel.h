@@ -13,7 +13,7 @@
 namespace boxplus {
 
 /// ok, or what is violated: where, and by how much.
-struct KernelCheck {
+struct [[nodiscard]] KernelCheck {
   bool ok = true;
   std::string message;
   explicit operator bool() const { return ok; }

@@ -19,7 +19,7 @@
 namespace boxplus {
 
 /// ok, or the law that fails: where, and by how much.
-struct ManifoldCheck {
+struct [[nodiscard]] ManifoldCheck {
   bool ok = true;
   std::string message;
   explicit operator bool() const { return ok; }
