@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/robust/make_robust_kernel.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <system_error>
 
@@ -26,44 +24,8 @@ double checked_kernel_width(double delta, std::string_view kernel) {
 namespace {
 
 template <class K>
-std::unique_ptr<RobustKernel> make(double delta) {
+std::unique_ptr<RobustKernel> make(std::string_view /*parameter*/, double delta) {
   return std::make_unique<K>(delta);
-}
-
-/// The units of a kernel's width: those of √e², or of e².
-enum class WidthUnit : std::uint8_t { kError, kSquaredError };
-
-struct Entry {
-  std::string_view name;
-  std::unique_ptr<RobustKernel> (*make)(double delta);
-  WidthUnit unit = WidthUnit::kError;
-};
-
-constexpr std::array kKernels = {
-    Entry{Cauchy::kName, make<Cauchy>},
-    Entry{DCS::kName, make<DCS>, WidthUnit::kSquaredError},
-    Entry{Fair::kName, make<Fair>},
-    Entry{GemanMcClure::kName, make<GemanMcClure>, WidthUnit::kSquaredError},
-    Entry{Huber::kName, make<Huber>},
-    Entry{PseudoHuber::kName, make<PseudoHuber>},
-    Entry{Saturated::kName, make<Saturated>},
-    Entry{Tukey::kName, make<Tukey>},
-    Entry{Welsch::kName, make<Welsch>},
-};
-
-constexpr std::string_view kBarronPrefix = "Barron:";
-constexpr std::string_view kBarronUsage = "Barron:ALPHA";
-
-constexpr auto kNames = [] {
-  std::array<std::string_view, kKernels.size() + 1> names{kBarronUsage};
-  for (std::size_t i = 0; i < kKernels.size(); ++i) names[i + 1] = kKernels[i].name;
-  return names;
-}();
-
-const Entry* find(std::string_view name) {
-  const auto found =
-      std::find_if(kKernels.begin(), kKernels.end(), [&](const Entry& e) { return e.name == name; });
-  return found == kKernels.end() ? nullptr : &*found;
 }
 
 std::unique_ptr<RobustKernel> make_barron(std::string_view shape, double delta) {
@@ -76,27 +38,54 @@ std::unique_ptr<RobustKernel> make_barron(std::string_view shape, double delta) 
   return std::make_unique<Barron>(alpha, delta);
 }
 
-}  // namespace
+constexpr bool kSquared = true;
+constexpr std::array kKernels = {
+    NamedKernel{"Barron:ALPHA", make_barron},
+    NamedKernel{Cauchy::kName, make<Cauchy>},
+    NamedKernel{DCS::kName, make<DCS>, kSquared},
+    NamedKernel{Fair::kName, make<Fair>},
+    NamedKernel{GemanMcClure::kName, make<GemanMcClure>, kSquared},
+    NamedKernel{Huber::kName, make<Huber>},
+    NamedKernel{PseudoHuber::kName, make<PseudoHuber>},
+    NamedKernel{Saturated::kName, make<Saturated>},
+    NamedKernel{Tukey::kName, make<Tukey>},
+    NamedKernel{Welsch::kName, make<Welsch>},
+};
 
-std::unique_ptr<RobustKernel> make_default_kernel(std::string_view name, int rows) {
-  const Entry* entry = find(name);
-  const bool is_squared = entry && entry->unit == WidthUnit::kSquaredError;
-  const double width = default_width(rows);
-  return make_robust_kernel(name, is_squared ? width * width : width);
+/// A row, and the text behind the colon of a name.
+struct Choice {
+  const NamedKernel& kernel;
+  std::string_view parameter;
+};
+
+Choice find(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  const std::string_view parameter = colon == std::string_view::npos ? "" : name.substr(colon + 1);
+  for (const NamedKernel& kernel : kKernels) {
+    const std::string_view known = kernel.name.substr(0, kernel.name.find(':'));
+    if (known == name.substr(0, colon) && kernel.takes_parameter() == (colon != std::string_view::npos))
+      return {kernel, parameter};
+  }
+  std::string message = "unknown robust kernel '" + std::string(name) + "'; known are";
+  for (const NamedKernel& known : kKernels) message += " " + std::string(known.name);
+  throw InvalidArgument(message);
 }
 
-std::span<const std::string_view> robust_kernel_names() {
-  return kNames;
+}  // namespace
+
+std::span<const NamedKernel> robust_kernels() {
+  return kKernels;
 }
 
 std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta) {
-  if (const Entry* entry = find(name)) return entry->make(delta);
-  if (name.starts_with(kBarronPrefix)) {
-    return make_barron(name.substr(kBarronPrefix.size()), delta);
-  }
-  std::string message = "unknown robust kernel '" + std::string(name) + "'; known are";
-  for (const std::string_view known : kNames) message += " " + std::string(known);
-  throw InvalidArgument(message);
+  const Choice choice = find(name);
+  return choice.kernel.make(choice.parameter, delta);
+}
+
+std::unique_ptr<RobustKernel> make_default_kernel(std::string_view name, int rows) {
+  const Choice choice = find(name);
+  const double width = default_width(rows);
+  return choice.kernel.make(choice.parameter, choice.kernel.width_is_squared ? width * width : width);
 }
 
 }  // namespace boxplus

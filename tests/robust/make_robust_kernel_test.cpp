@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "boxplus/base/error.h"
 #include "boxplus/robust/default_width.h"
@@ -26,8 +27,10 @@ std::string message_of(const std::string& name, double delta) {
 }
 
 TEST(MakeRobustKernel, ListsItsNames) {
-  EXPECT_THAT(robust_kernel_names(), ElementsAre("Barron:ALPHA", "Cauchy", "DCS", "Fair", "GemanMcClure",
-                                                 "Huber", "PseudoHuber", "Saturated", "Tukey", "Welsch"));
+  std::vector<std::string_view> names;
+  for (const NamedKernel& kernel : robust_kernels()) names.push_back(kernel.name);
+  EXPECT_THAT(names, ElementsAre("Barron:ALPHA", "Cauchy", "DCS", "Fair", "GemanMcClure", "Huber",
+                                 "PseudoHuber", "Saturated", "Tukey", "Welsch"));
 }
 
 TEST(MakeRobustKernel, MakesTheKernelOfThatNameAndWidth) {
@@ -40,6 +43,11 @@ TEST(MakeRobustKernel, MakesTheKernelOfThatNameAndWidth) {
 TEST(MakeRobustKernel, NamesTheKnownKernelsWhenOneIsUnknown) {
   EXPECT_THAT(message_of("huber", 1),
               HasSubstr("unknown robust kernel 'huber'; known are Barron:ALPHA Cauchy"));
+}
+
+TEST(MakeRobustKernel, TakesAParameterOnlyForKernelsThatHaveOne) {
+  EXPECT_THAT(message_of("Barron", 1), HasSubstr("unknown robust kernel 'Barron'"));
+  EXPECT_THAT(message_of("Huber:1", 1), HasSubstr("unknown robust kernel 'Huber:1'"));
 }
 
 TEST(MakeRobustKernel, RefusesBadWidthsAndShapes) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "boxplus/base/error.h"
 #include "boxplus/robust/make_robust_kernel.h"
@@ -21,8 +22,8 @@ std::string lower(std::string text) {
 /// "huber" as "Huber" and "barron:1" as "Barron:1"; what is not known as it is.
 std::string spelt_out(const std::string& text) {
   const std::size_t end = std::min(text.find(':'), text.size());
-  for (const std::string_view name : robust_kernel_names()) {
-    const std::string known(name.substr(0, name.find(':')));
+  for (const NamedKernel& kernel : robust_kernels()) {
+    const std::string known(kernel.name.substr(0, kernel.name.find(':')));
     if (lower(text.substr(0, end)) == lower(known)) return known + text.substr(end);
   }
   return text;
@@ -40,7 +41,17 @@ CLI::Validator kernel_name() {
       return std::string(error.what());
     }
   };
-  return {check, fmt::format("{{{}}}", fmt::join(robust_kernel_names(), ","))};
+  std::vector<std::string_view> names;
+  for (const NamedKernel& kernel : robust_kernels()) names.push_back(kernel.name);
+  return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
+}
+
+std::string kernels_with_squared_width() {
+  std::vector<std::string_view> names;
+  for (const NamedKernel& kernel : robust_kernels()) {
+    if (kernel.width_is_squared) names.push_back(kernel.name);
+  }
+  return fmt::format("{}", fmt::join(names, " and "));
 }
 
 }  // namespace boxplus::app

@@ -163,9 +163,11 @@ void add_robust_options(CLI::App& command, KernelArguments& arguments) {
           ->group("Outliers");
   command
       .add_option("--kernel-width", arguments.kernel_width,
-                  "From where errors count less, in standard deviations; for GemanMcClure and DCS squared. "
-                  "Without, it follows from the rows of each edge, so that 95 % of good errors lie within: "
-                  "1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared for those two)")
+                  "From where errors count less, in standard deviations; for " +
+                      kernels_with_squared_width() +
+                      " squared. Without, it follows from the rows of each edge, so that 95 % of good errors "
+                      "lie within: 1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared "
+                      "for those two)")
       ->check(number_above(0))
       ->type_name("X")
       ->needs(kernel)

@@ -10,11 +10,21 @@
 
 namespace boxplus {
 
-/// The names that make_robust_kernel knows, for help texts, in alphabetical order. "Barron:ALPHA" stands for
-/// Barron's kernel of any shape.
-std::span<const std::string_view> robust_kernel_names();
+/// A row of the table of kernels that have a name.
+struct NamedKernel {
+  /// As help texts list it: "Huber"; "Barron:ALPHA" takes a parameter, the shape.
+  std::string_view name;
+  /// `parameter` is the text behind the colon.
+  std::unique_ptr<RobustKernel> (*make)(std::string_view parameter, double delta);
+  bool width_is_squared = false;  ///< the width is in units of e², not of √e²
 
-/// The kernel of that name and width. "Barron:ALPHA" gives Barron's kernel with shape ALPHA ("Barron:-inf"
+  bool takes_parameter() const { return name.find(':') != std::string_view::npos; }
+};
+
+/// All kernels that have a name, in alphabetical order.
+std::span<const NamedKernel> robust_kernels();
+
+/// The kernel of that name and width. "Barron:1.5" gives Barron's kernel with the shape 1.5 ("Barron:-inf"
 /// too). Throws InvalidArgument for an unknown name (the message lists the known ones) or a width that is not
 /// positive.
 std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta);
