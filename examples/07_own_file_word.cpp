@@ -48,7 +48,7 @@ int main() {
   options.registry = &registry;
   GraphFile file = parse_graph(kText, "beacons.g2o", options);  // read_graph(path, options) for a file
   const Report report = optimize(file.graph);
-  std::cout << format_graph(file, &registry);  // write_graph(path, file, &registry) for a file
+  std::cout << format_graph(file, {.registry = &registry});  // write_graph(path, …) for a file
   // [/registry]
 
   // [misuse]

@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "boxplus/base/error.h"
 #include "command.h"
 #include "command_line/message.h"
 #include "command_line/option_kinds.h"
+#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 
@@ -38,10 +38,7 @@ std::string summary(const GraphFile& file) {
 
 int convert_file(const ConvertArguments& arguments) {
   const std::vector<Output> outputs{{"OUT", arguments.output}};
-  if (arguments.output.ends_with(".graph")) {
-    throw InvalidArgument(
-        fmt::format("{}: expected a .g2o file to write; TORO's .graph is only read", arguments.output));
-  }
+  require_writable_format(arguments.output);
   check_outputs(outputs);
   const GraphFile file = load_graph(arguments.input, arguments.reading);
   save_graph(arguments.output, file);
@@ -56,11 +53,12 @@ int convert_file(const ConvertArguments& arguments) {
 
 void add_convert(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand("convert", "Writes a graph as .g2o, its vertices sorted by id");
-  command->add_option("IN", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required()
-      ->check(file_name());
-  command->add_option("OUT", arguments->output, "Where to write it (.g2o); - is the standard output")
+  CLI::App* command = app.add_subcommand(
+      "convert", fmt::format("Writes a graph as {}, its vertices sorted by id", writable_formats()));
+  command->add_option("IN", arguments->input, graph_to_read())->required()->check(file_name());
+  command
+      ->add_option("OUT", arguments->output,
+                   fmt::format("Where to write it ({}); - is the standard output", writable_formats()))
       ->required()
       ->check(file_name());
   command->add_flag("-q,--quiet", arguments->quiet, "Do not tell what was converted")->group("Output");

@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "command_line/option_kinds.h"
+#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 
@@ -89,7 +90,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("-o,--output", arguments->output,
-                   "Where to write the graph (.g2o); - is the standard output")
+                   fmt::format("Where to write the graph ({}); - is the standard output", writable_formats()))
       ->type_name("FILE")
       ->check(file_name())
       ->required();

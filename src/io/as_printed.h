@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as a file printed them, where reading changed them: few digits that read back to the same value.
+// Undoes what reading did to printed numbers: finds few digits that read back to the same value.
 #pragma once
 
 #include "boxplus/manifold/quaternion.h"
 
 namespace boxplus {
 
-/// A quaternion of fewer digits that normalising turns into `q`, bit for bit; `q` where there is none.
+/// A quaternion of fewer digits that becomes `q`, bit for bit, when it is normalized; `q` if there is none.
 Quaternion<double> as_printed(const Quaternion<double>& q);
 
-/// An angle a little beyond ±π, of few digits, that is wrapped to `theta`, bit for bit; `theta` where there
-/// is none.
+/// An angle of few digits, a little beyond ±π, that becomes `theta`, bit for bit, when it is wrapped; `theta`
+/// if there is none.
 double as_printed(double theta);
 
 }  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Characters of text files, and how text of a file is shown in messages.
+// Blanks of text files, and quotations of text files in messages.
 #pragma once
 
 #include <string>

@@ -72,7 +72,7 @@ inline std::uint64_t joined(std::uint64_t word, int count) {
   return count == 0 ? 0 : joined(word << (8 * (kLanes - count)));
 }
 
-/// w · 10^count + digits; false where that is too large.
+/// w · 10^count + digits; false if that is too large.
 inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
   const std::uint64_t power = kPowers<10, kLanes>[static_cast<std::size_t>(count)];
   return !__builtin_mul_overflow(w, power, &w) && !__builtin_add_overflow(w, digits, &w);
@@ -82,7 +82,7 @@ inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
 inline double rounded_quotient(std::uint64_t w, int k) {
   if (w == 0) return 0;
   // With both shifted up to their top bits, their quotient has 62 or 63 bits: more than a double. The lowest
-  // also stands for what is left.
+  // also stands for the remainder.
   constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
   const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
   const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
@@ -101,13 +101,13 @@ inline double with_sign(double magnitude, bool is_negative) {
 
 }  // namespace decimal
 
-/// The number of the form -?d+(.d+)? that begins at `at`, correctly rounded: the nearest double. Where it has
-/// more than seven digits before the point, or too many behind it, or where no number begins, a general
-/// reader is to be asked.
+/// The number of the form -?d+(.d+)? that begins at `at`, correctly rounded: the nearest double. If it has
+/// more than seven digits before the point, or too many behind it, or if no number begins there, the result
+/// has no `end`, and a general reader has to try.
 ///
 /// Digits are taken eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
 /// full-word instructions, 1975). They are divided by their power of five in integers; the remainder says how
-/// to round. No case takes another way, which would be hard to predict.
+/// to round. All numbers take the same path, because branches would be hard to predict.
 inline Decimal read_decimal(const char* at) {
   using namespace decimal;
   if constexpr (!kHasWideIntegers || std::endian::native != std::endian::little) return {};

@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// The number that is all of `text`, but for a leading +; false where it is none.
+/// Whether `parse` reads all of `text`, except for a leading +.
 template <class Parse>
 bool is_all_of(std::string_view text, Parse&& parse) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -24,12 +24,27 @@ bool is_all_of(std::string_view text, Parse&& parse) {
 
 }  // namespace
 
-void FieldReader::skip_blanks() {
-  while (position_ < line_.size() && is_blank(line_[position_])) ++position_;
+/// Where the field with so many fields before it begins; the end of the line if there is none.
+std::size_t FieldReader::position_of(std::size_t field) const {
+  const auto next = [this](std::size_t at, bool blank) {
+    while (at < line_.size() && is_blank(line_[at]) == blank) ++at;
+    return at;
+  };
+  std::size_t at = next(0, true);
+  for (; field > 0 && at < line_.size(); --field) at = next(next(at, false), true);
+  return at;
 }
 
-void FieldReader::require_text() const {
-  if (is_numeric_) throw NotNumeric();
+void FieldReader::go_on_with_text() {
+  if (!is_converted_) return;
+  passed_ = passed();
+  position_ = position_of(passed_);
+  first_ = next_ = end_ = integers_end_ = nullptr;
+  is_converted_ = false;
+}
+
+void FieldReader::skip_blanks() {
+  while (position_ < line_.size() && is_blank(line_[position_])) ++position_;
 }
 
 void FieldReader::note(std::string text) {
@@ -37,31 +52,30 @@ void FieldReader::note(std::string text) {
 }
 
 bool FieldReader::at_end() {
-  if (is_numeric_) return next_ == end_;
+  if (is_converted_) return next_ == end_;
   skip_blanks();
   return position_ == line_.size() || line_[position_] == '#';
 }
 
-std::int64_t FieldReader::column() {
-  if (is_numeric_) return 0;
-  skip_blanks();
-  return static_cast<std::int64_t>(position_) + 1;
+void FieldReader::fail(FieldPlace place, const std::string& message) const {
+  fail_at(position_of(place.fields_before_), message);
 }
 
-void FieldReader::fail(std::int64_t column, const std::string& message) const {
-  throw InputError(std::string(file_), line_number_, column, message);
+void FieldReader::fail_at(std::size_t position, const std::string& message) const {
+  throw InputError(std::string(file_), line_number_, static_cast<std::int64_t>(position) + 1, message);
 }
 
-void FieldReader::fail_at(std::size_t begin, std::string_view expected, std::string_view came) const {
-  fail(static_cast<std::int64_t>(begin) + 1, fmt::format("expected {}, got {}", expected, quoted(came)));
+void FieldReader::refuse(std::size_t position, std::string_view expected, std::string_view came) const {
+  fail_at(position, fmt::format("expected {}, got {}", expected, quoted(came)));
 }
 
 std::string_view FieldReader::word(std::string_view what) {
-  require_text();
+  go_on_with_text();
   skip_blanks();
   const std::size_t begin = position_;
   while (position_ < line_.size() && !is_blank(line_[position_])) ++position_;
-  if (begin == position_) fail_at(begin, what, {});
+  if (begin == position_) refuse(begin, what, {});
+  ++passed_;
   return line_.substr(begin, position_ - begin);
 }
 
@@ -73,7 +87,7 @@ double FieldReader::number_from_text(std::string_view what) {
     return std::pair(result.ptr, result.ec);
   });
   if (!read || !std::isfinite(value))
-    fail_at(position_ - text.size(), fmt::format("{} (a finite number)", what), text);
+    refuse(position_ - text.size(), fmt::format("{} (a finite number)", what), text);
   return value;
 }
 
@@ -88,24 +102,25 @@ std::int64_t FieldReader::integer_from_text(std::string_view what) {
     const auto result = std::from_chars(begin, end, value);
     return std::pair(result.ptr, result.ec);
   });
-  if (!read) fail_at(position_ - text.size(), fmt::format("{} (an integer)", what), text);
+  if (!read) refuse(position_ - text.size(), fmt::format("{} (an integer)", what), text);
   return value;
 }
 
 bool FieldReader::accept(std::string_view text) {
-  require_text();
+  go_on_with_text();
   if (at_end()) return false;
   const std::size_t begin = position_;
   if (word("a field") == text) return true;
   position_ = begin;
+  --passed_;
   return false;
 }
 
 void FieldReader::expect_end() {
   if (at_end()) return;
-  require_text();
+  go_on_with_text();
   const std::size_t begin = position_;
-  fail_at(begin, "the end of the line", word("a field"));
+  refuse(begin, "the end of the line", word("a field"));
 }
 
 void FieldWriter::separate() {

@@ -12,11 +12,11 @@ namespace {
 
 /// A count of points, then `dimension` numbers for each.
 Vector<double, kDynamic> read_points(FieldReader& in, int dimension) {
-  const std::int64_t column = in.column();
+  const FieldPlace place = in.place();
   const std::int64_t count = in.integer("the number of points");
   constexpr std::int64_t kMost = 1'000'000;
   if (count < 1 || count > kMost)
-    in.fail(column, fmt::format("expected a number of points ≥ 1, got {}", count));
+    in.fail(place, fmt::format("expected a number of points ≥ 1, got {}", count));
   std::vector<double> values;  // grows with the line, whatever the count claims
   for (std::int64_t i = 0; i < count * dimension; ++i) values.push_back(in.number("a coordinate"));
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -43,13 +43,13 @@ void FileFields<SE2>::write(const SE2& x, FieldWriter& out) {
 SE3 FileFields<SE3>::read(FieldReader& in) {
   Vector3 t;
   in.numbers(t.data(), 3, "a coordinate");
-  const std::int64_t column = in.column();
+  const FieldPlace place = in.place();
   double q[4];
   in.numbers(q, 4, "a quaternion (qx qy qz qw)");
   const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   if (!(std::abs(norm - 1) <= kNormTolerance)) {
-    in.fail(column, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
-                                kNormTolerance, norm));
+    in.fail(place, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
+                               kNormTolerance, norm));
   }
   const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
   if (std::abs(norm - 1) <= kRounding) return SE3::from_unit(t, as_read);

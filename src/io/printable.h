@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text of others, shown where it can do no harm. Header only: programs use it, too.
+// Makes text from files and arguments harmless to terminals. Header only, because programs use it, too.
 #pragma once
 
 #include <cstddef>

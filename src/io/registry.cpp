@@ -2,14 +2,13 @@
 #include "boxplus/io/registry.h"
 
 #include <algorithm>
-#include <array>
 
-#include "boxplus/base/thread_scratch.h"
+#include "boxplus/base/error.h"
 
 namespace boxplus {
 namespace {
 
-/// Whether the edge's vertices are parameters where the tag says so, and nowhere else.
+/// Whether those vertices of an edge are parameters that the tag says are, and no others.
 bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const VertexRef> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Tag::Argument& argument = tag.arguments[std::min(i, tag.arguments.size() - 1)];
@@ -20,37 +19,6 @@ bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const Verte
 }
 
 }  // namespace
-
-std::span<const double> read_triangle(FieldReader& in, int rows) {
-  const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
-  if (const auto converted = in.converted(count); !converted.empty()) return converted;
-  auto& values = thread_scratch<std::vector<double>, struct Triangle>();
-  values.resize(count);
-  for (double& value : values) value = in.number("an entry of the information matrix");
-  return values;
-}
-
-Information checked_information(FieldReader& in, std::int64_t column, std::span<const double> triangle,
-                                int rows) {
-  Information information = Information::upper_triangle(triangle, rows);
-  // Where the columns are not known, the graph's own complaint suffices.
-  if (const std::string complaint = column > 0 ? information.complaint(rows) : ""; !complaint.empty())
-    in.fail(column, complaint);
-  if (std::all_of(triangle.begin(), triangle.end(), [](double value) { return value == 0; }))
-    in.fail(column, "information: expected a matrix that weighs something, got zeros only");
-  return information;
-}
-
-Information read_information(FieldReader& in, int rows) {
-  const std::int64_t column = in.column();
-  return checked_information(in, column, read_triangle(in, rows), rows);
-}
-
-void write_information(const InformationView& information, FieldWriter& out) {
-  for (int i = 0; i < information.rows; ++i) {
-    for (int j = i; j < information.rows; ++j) out.number(information(i, j));
-  }
-}
 
 const Tag* Registry::find(std::string_view name) const {
   const auto found = tags_.find(name);
@@ -68,6 +36,11 @@ void Registry::add(Tag tag) {
     throw InvalidArgument("registry: the word " + shared->name + " stands for another type already");
   }
   if (shared->written) by_pool_.emplace(shared->pool, shared);
+}
+
+void Registry::add_old(Tag tag) {
+  tag.written = false;
+  add(std::move(tag));
 }
 
 void Registry::add_shared(const std::string& name, Tag tag) {

@@ -5,8 +5,8 @@
 
 namespace boxplus {
 
-/// The name of a file, if any, that shall outlive neither this object nor, where a handler calls
-/// remove_temporary_files(), a signal that ends the process.
+/// The name of a file that is removed with this object, or by remove_temporary_files() when a signal ends the
+/// process. May be empty.
 class TemporaryName {
  public:
   TemporaryName() = default;

@@ -33,7 +33,7 @@ int write_all(int descriptor, std::string_view text) {
   return 0;
 }
 
-/// Has what was written reach the disk, where there is one; the error number, or 0.
+/// Waits until the written bytes are on the disk, if there is one. Returns the error number, or 0.
 int flush(int descriptor) {
   return ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
 }
@@ -71,8 +71,8 @@ void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<v
   if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
 
-/// A file beside `target` that takes its place. Until then it has no name where the file system can do so:
-/// whatever ends the process, nothing is left behind. Elsewhere remove_temporary_files() knows its name.
+/// A file beside `target` that takes its place. Until then it has no name, if the file system supports that:
+/// however the process ends, nothing is left behind. Otherwise remove_temporary_files() knows its name.
 class Replacement {
  public:
   Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {
@@ -99,7 +99,7 @@ class Replacement {
     return file;
   }
 
-  /// Gives the file a name, where it has none.
+  /// Gives the file a name if it has none.
   bool has_name() {
     if (!name_.empty()) return true;
     const std::string source = fmt::format("/proc/self/fd/{}", file_.value());

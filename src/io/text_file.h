@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "boxplus/base/function_ref.h"
+#include "boxplus/io/file_format.h"
 
 namespace boxplus {
 
@@ -39,9 +40,8 @@ std::string read_all(const FileDescriptor& file, const std::string& path);
 std::size_t read_at(const FileDescriptor& file, const std::string& path, std::size_t offset, char* out,
                     std::size_t size);
 
-/// Replaces a file, at once or not at all, by what `write` puts into the sink it is given. Pipes and devices,
-/// such as /dev/stdout, cannot be replaced: they are written to. Throws FileError.
-using TextSink = FunctionRef<void(std::string_view)>;
+/// Replaces a file, at once or not at all. `write` gets a sink for the new text. Pipes and devices, such as
+/// /dev/stdout, cannot be replaced: they are written to. Throws FileError.
 void replace_file(const std::string& path, FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "boxplus/base/error.h"
 
@@ -44,6 +46,63 @@ TEST(FieldReader, TakesACommentForTheEnd) {
   FieldReader in("file", 1, "1 # one");
   EXPECT_EQ(in.number("x"), 1);
   EXPECT_NO_THROW(in.expect_end());
+}
+
+/// A line whose fields have been converted, as they are for lines of numbers.
+struct Converted {
+  std::string line;
+  std::vector<double> values;
+  std::size_t integers;
+  FieldReader reader() const { return {"file", 7, line, {.values = values, .integers = integers}}; }
+};
+
+std::string complaint_of(FieldReader& in, void (*read)(FieldReader&)) {
+  try {
+    read(in);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FieldReader, TakesFieldsThatHaveBeenConverted) {
+  const Converted line{"TAG 3 0.5 -2", {3, 0.5, -2}, 1};
+  FieldReader in = line.reader();
+  EXPECT_EQ(in.integer("an id"), 3);
+  EXPECT_EQ(in.converted(2).size(), 2u);
+  EXPECT_TRUE(in.converted(1).empty());
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(FieldReader, GoesOnWithTheTextIfConvertedFieldsDoNotSuffice) {
+  const Converted line{"  TAG 3 0.5\t12345678901234567 4 # odd", {3, 0.5, 12345678901234567., 4}, 1};
+  FieldReader in = line.reader();
+  EXPECT_EQ(in.integer("an id"), 3);
+  EXPECT_EQ(in.number("x"), 0.5);
+  EXPECT_EQ(in.integer("a large id"), 12345678901234567);
+  EXPECT_FALSE(in.accept("||"));
+  EXPECT_EQ(in.number("y"), 4);
+  EXPECT_TRUE(in.at_end());
+}
+
+TEST(FieldReader, NamesTheColumnsOfConvertedFields) {
+  const Converted line{" TAG 3  0.5 4", {3, 0.5, 4}, 1};
+  FieldReader in = line.reader();
+  in.integer("an id");
+  const FieldPlace place = in.place();
+  EXPECT_EQ(complaint_of(in, [](FieldReader& reader) { reader.integer("an id"); }),
+            "file:7:9: expected an id (an integer), got '0.5'");
+  FieldReader again = line.reader();
+  again.converted(2);
+  EXPECT_EQ(complaint_of(again, [](FieldReader& reader) { reader.expect_end(); }),
+            "file:7:13: expected the end of the line, got '4'");
+  EXPECT_EQ(complaint_of(again, [](FieldReader& reader) { reader.number("w"); }),
+            "file:7:14: expected w, got the end of the line");
+  try {
+    again.fail(place, "wrong");
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.column(), 9);
+  }
 }
 
 TEST(FieldWriter, WritesTheShortestTextThatReadsBack) {

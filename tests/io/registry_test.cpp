@@ -26,10 +26,10 @@ TEST(Registry, LearnsANewEdgeInOneLine) {
   options.registry = &registry;
   const GraphFile file = parse_graph(text, "g", options);
   EXPECT_DOUBLE_EQ(file.graph.chi2(), 0.5);
-  EXPECT_EQ(format_graph(file, &registry), text);
+  EXPECT_EQ(format_graph(file, {.registry = &registry}), text);
 }
 
-TEST(Registry, RefusesAWordTwiceAndWhatIsNoWord) {
+TEST(Registry, RefusesATagTwiceAndTextThatIsNoTag) {
   Registry registry = default_registry();
   EXPECT_THROW(registry.vertex<SE2>("VERTEX_SE2"), InvalidArgument);
   EXPECT_THROW(registry.vertex<SE2>("TWO WORDS"), InvalidArgument);
@@ -37,7 +37,7 @@ TEST(Registry, RefusesAWordTwiceAndWhatIsNoWord) {
   EXPECT_THROW(registry.vertex<SE2>("#X"), InvalidArgument);
 }
 
-TEST(Registry, WritesTheFirstWordOfAType) {
+TEST(Registry, WritesTheFirstTagOfAType) {
   const GraphFile file = parse_graph("VERTEX_XYZ 0 1 2 3\nVERTEX2 1 0 0 0\n", "g");
   EXPECT_EQ(format_graph(file), "VERTEX_TRACKXYZ 0 1 2 3\nVERTEX_SE2 1 0 0 0\n");
 }

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "command_line/option_kinds.h"
 #include "compare/comparison.h"
+#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 
@@ -75,13 +76,11 @@ int compare_files(const CompareArguments& arguments) {
 }
 
 void add_options(CLI::App& command, CompareArguments& arguments) {
-  const char* forms = ": .g2o, TORO's .graph, a TUM file, or - for the standard input";
-  command.add_option("RESULT", arguments.result, std::string("The trajectory to judge") + forms)
+  const std::string forms = fmt::format(": {}, a TUM file, or - for the standard input", readable_formats());
+  command.add_option("RESULT", arguments.result, "The trajectory to judge" + forms)
       ->required()
       ->check(file_name());
-  command.add_option("TRUTH", arguments.truth, std::string("The true one") + forms)
-      ->required()
-      ->check(file_name());
+  command.add_option("TRUTH", arguments.truth, "The true one" + forms)->required()->check(file_name());
   add_choice(
       command, "--align", arguments.alignment,
       {{"rigid", AlignmentKind::kRigid}, {"first", AlignmentKind::kFirst}, {"none", AlignmentKind::kNone}},

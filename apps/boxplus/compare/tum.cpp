@@ -19,7 +19,7 @@ namespace {
 constexpr double kShortest = 0.5, kLongest = 2;
 
 Quaternion<double> read_quaternion(FieldReader& in) {
-  const std::int64_t column = in.column();
+  const FieldPlace place = in.place();
   Quaternion<double> q;
   q.x = in.number("qx");
   q.y = in.number("qy");
@@ -27,7 +27,7 @@ Quaternion<double> read_quaternion(FieldReader& in) {
   q.w = in.number("qw");
   const double norm = std::sqrt(q.squared_norm());
   if (!(norm >= kShortest && norm <= kLongest))
-    in.fail(column, fmt::format("expected a quaternion of length 1, got length {:g}", norm));
+    in.fail(place, fmt::format("expected a quaternion of length 1, got length {:g}", norm));
   return q;
 }
 

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "command_line/option_kinds.h"
+#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "info/edge_lines.h"
@@ -42,9 +43,7 @@ void add_info(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand(
       "info", "Tells what a graph holds: counts, components, degrees, gauge, chi2 by type, worst edges");
-  command->add_option("FILE", arguments->input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required()
-      ->check(file_name());
+  command->add_option("FILE", arguments->input, graph_to_read())->required()->check(file_name());
   command->add_option("--worst", arguments->worst, "List so many edges of the largest chi2")
       ->check(whole_number_from(0))
       ->type_name("N")

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/optimize_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "boxplus/optimize/algorithm_table.h"
 #include "boxplus/optimize/start_table.h"
 #include "command_line/option_kinds.h"
+#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "optimize/kernel_name.h"
 
@@ -39,11 +42,10 @@ const Choices<Precision> kPrecisions{
 const Choices<KernelScope> kScopes{{"all", KernelScope::kAll}, {"loop-closures", KernelScope::kLoopClosures}};
 
 void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
-  command.add_option("FILE", arguments.input, "The graph: .g2o, TORO's .graph, or - for the standard input")
-      ->required()
-      ->check(file_name());
+  command.add_option("FILE", arguments.input, graph_to_read())->required()->check(file_name());
   command
-      .add_option("-o,--output", arguments.output, "Where to write the optimised graph (.g2o); - is stdout")
+      .add_option("-o,--output", arguments.output,
+                  fmt::format("Where to write the optimised graph ({}); - is stdout", writable_formats()))
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");

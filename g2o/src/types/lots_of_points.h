@@ -55,10 +55,10 @@ struct LotsOfPoints {
   static bool read(std::istream& is, Omega& information, VectorX& z) {
     const int fields = 1 + static_cast<int>(z.size());
     return read_fields(is, fields + omega_fields(information), [&](boxplus::FieldReader& in) {
-      const std::int64_t column = in.column();
+      const boxplus::FieldPlace place = in.place();
       const Many edge = boxplus::EdgeFields<Many>::read(in);
       if (edge.measurement.size() != z.size())
-        in.fail(column, "expected as many points as the edge has vertices for");
+        in.fail(place, "expected as many points as the edge has vertices for");
       read_omega(in, information);
       z = edge.measurement;
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The blank-separated fields of one line of a text file, with exact places for complaints.
+// The blank-separated fields of one line of a text file. Complaints about them name file, line and column.
 #pragma once
 
 #include <cstddef>
@@ -13,39 +13,52 @@
 
 namespace boxplus {
 
-/// The fields of a line after its word, where all of them are finite numbers.
+/// The fields of a line after its tag, if all of them are finite numbers.
 struct NumericFields {
   std::span<const double> values;
   std::size_t integers = 0;  ///< the first so many are written as integers
 };
 
-/// Reads a line from left to right. What cannot be read throws InputError with file, line, column, what was
-/// expected and what came. The texts must outlive the reader.
+/// The place of a field in its line: cheap to remember. FieldReader::fail() finds the column, if it is
+/// needed.
+class FieldPlace {
+ public:
+  /// The first field, which is the tag.
+  FieldPlace() = default;
+
+ private:
+  friend class FieldReader;
+  explicit FieldPlace(std::size_t fields_before) : fields_before_(fields_before) {}
+  std::size_t fields_before_ = 0;
+};
+
+/// Reads a line from left to right. A field that cannot be read throws InputError, which says file, line,
+/// column, what was expected and what came. The texts must outlive the reader.
 class FieldReader {
  public:
-  /// What a reader over NumericFields throws where it is asked for something else, or for more: the line is
-  /// then read from its text, which finds out what is wrong with it, if anything.
-  struct NotNumeric {};
-
   FieldReader(std::string_view file, std::int64_t line_number, std::string_view line)
       : file_(file), line_(line), line_number_(line_number) {}
-  /// The same line, its word passed, with its fields converted already.
+  /// The same line, if its fields have been converted already: the reader stands behind the tag. It goes on
+  /// with the text as soon as it is asked for something that the numbers do not tell.
   FieldReader(std::string_view file, std::int64_t line_number, std::string_view line, NumericFields fields)
       : file_(file),
         line_(line),
         line_number_(line_number),
-        next_(fields.values.data()),
-        end_(next_ + fields.values.size()),
-        integers_end_(next_ + fields.integers),
-        is_numeric_(true) {}
+        passed_(1),
+        first_(fields.values.data()),
+        next_(first_),
+        end_(first_ + fields.values.size()),
+        integers_end_(first_ + fields.integers),
+        is_converted_(true) {}
 
+  /// Whether nothing, or a comment, is left.
   bool at_end();
   /// The next field, any text. `what` names it in complaints.
   std::string_view word(std::string_view what);
   /// The next field, a finite number.
   double number(std::string_view what) { return next_ != end_ ? *next_++ : number_from_text(what); }
   void numbers(double* out, int count, std::string_view what);
-  /// The next `count` fields where they have been converted already; none otherwise.
+  /// The next `count` fields if they have been converted already; otherwise nothing, and no field is passed.
   std::span<const double> converted(std::size_t count) {
     if (static_cast<std::size_t>(end_ - next_) < count) return {};
     return {std::exchange(next_, next_ + count), count};
@@ -53,36 +66,40 @@ class FieldReader {
   std::int64_t integer(std::string_view what) {
     return next_ < integers_end_ ? static_cast<std::int64_t>(*next_++) : integer_from_text(what);
   }
-  /// Moves past the next field where it is `text`.
+  /// Moves past the next field if it is `text`.
   bool accept(std::string_view text);
   /// Throws unless nothing, or a comment, is left.
   void expect_end();
 
-  /// Column of the next field, from 1; 0 where the line is not read from its text.
-  std::int64_t column();
+  /// The place of the next field.
+  FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
-  /// Remembers what is odd about this line, but no error.
+  /// Remembers something odd about this line that is no error.
   void note(std::string text);
   const std::string& noted() const { return note_; }
-  /// Throws InputError at a column of this line.
-  [[noreturn]] void fail(std::int64_t column, const std::string& message) const;
+  /// Throws InputError at a place of this line.
+  [[noreturn]] void fail(FieldPlace place, const std::string& message) const;
 
  private:
+  std::size_t passed() const { return passed_ + static_cast<std::size_t>(next_ - first_); }
+  std::size_t position_of(std::size_t field) const;
+  void go_on_with_text();
   double number_from_text(std::string_view what);
   std::int64_t integer_from_text(std::string_view what);
   void skip_blanks();
-  void require_text() const;
-  [[noreturn]] void fail_at(std::size_t begin, std::string_view expected, std::string_view came) const;
+  [[noreturn]] void fail_at(std::size_t position, const std::string& message) const;
+  [[noreturn]] void refuse(std::size_t position, std::string_view expected, std::string_view came) const;
 
   std::string_view file_, line_;
   std::int64_t line_number_;
-  std::size_t position_ = 0;
-  const double *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;  // the fields, where numeric
-  bool is_numeric_ = false;
+  std::size_t position_ = 0;  // in line_, unless the fields have been converted
+  std::size_t passed_ = 0;    // fields, not counting converted ones
+  const double *first_ = nullptr, *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;
+  bool is_converted_ = false;
   std::string note_;
 };
 
-/// The text of a file under construction.
+/// Appends fields to the text of a file.
 class FieldWriter {
  public:
   explicit FieldWriter(std::string& out) : out_(&out) {}

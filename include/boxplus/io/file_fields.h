@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the value of a vertex, a parameter or a measurement stands in a file. Specialise FileFields for own
-// types:
+// How values stand in a file: of vertices, of parameters and of measurements. Specialize FileFields for your
+// own types:
 //
 //     template <> struct boxplus::FileFields<Pose> {
 //       static Pose read(FieldReader& in);                     // throws InputError through `in`
@@ -47,9 +47,10 @@ struct FileFields<SE2> {
   static void write(const SE2& x, FieldWriter& out);
 };
 
-/// x y z qx qy qz qw. The quaternion's length must be within kNormTolerance of 1. Within kRounding of 1,
-/// which is what few digits do, a pose is kept as read, bit for bit: then the chi2 of a file is what other
-/// programs find, and the file is written as it was read. Otherwise it is normalised.
+/// x y z qx qy qz qw. The quaternion's length must be within kNormTolerance of 1. If it is within kRounding
+/// of 1, which rounding to few digits explains, the pose is kept as read, bit for bit: the chi2 of a file is
+/// then the one that other programs find, and the file is written as it was read. Otherwise the quaternion
+/// is normalized.
 template <>
 struct FileFields<SE3> {
   static constexpr double kNormTolerance = 1e-3, kRounding = 1e-5;
@@ -71,12 +72,15 @@ struct FileFields<WheelSpeeds> {
   static void write(const WheelSpeeds& x, FieldWriter& out);
 };
 
-/// A measured pose, as FileFields<SE3> reads it, normalised; written with the fewest digits that read back to
+/// A measured pose, as FileFields<SE3> reads it, normalized; written with the fewest digits that read back to
 /// the same.
 void write_measurement(const SE3& z, FieldWriter& out);
 
-/// How the measurement of an edge stands in a file; by default as its member `measurement`. Quaternions of
-/// measurements are normalised.
+/// How an edge stands in a file between the ids of its vertices and Ω: by default as its member
+/// `measurement`. Quaternions of measurements are normalized. A type that lists Ω in another order or scale
+/// than the upper triangle by rows also has
+///
+///     static void to_upper_triangle(std::span<double> listed);
 template <class E>
 struct EdgeFields {
   using Measurement = decltype(E::measurement);

@@ -117,42 +117,5 @@ TEST(GraphWriter, NamesTheTypeThatNoWordStandsFor) {
   EXPECT_FALSE(std::filesystem::exists(temporary("never.g2o")));
 }
 
-TEST(GraphWriter, KeepsQuaternionsOfMeasurementsAsTheyWerePrinted) {
-  const std::string text =
-      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 1 0 0 0 0 0 1\n"
-      "EDGE_SE3:QUAT 0 1 1 0 0 -0.139007 0.0806488 0.14657 0.976059 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 "
-      "1\n"
-      "EDGE_SE3:QUAT 0 1 1 0 0 -0.0107791 0.00867285 -0.00190021 0.999902 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 "
-      "0 1 0 1\n";
-  const GraphFile file = parse_graph(text, "g");
-  const SE3& z = file.graph.measurement(EdgeHandle<Between<SE3>>{file.edges[0]}).measurement;
-  EXPECT_NE(z.quaternion().w, 0.976059) << "what is computed with is normalised";
-  EXPECT_EQ(format_graph(file), text);
-}
-
-TEST(GraphWriter, KeepsAnglesBeyondPiAsTheyWerePrinted) {
-  const std::string text = "VERTEX_SE2 0 0 0 3.141593\nVERTEX_SE2 1 0 0 -3.1416\nVERTEX_SE2 2 0 0 3.14159\n";
-  EXPECT_EQ(format_graph(parse_graph(text, "g")), text);
-}
-
-TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "boxplus_link_test";
-  std::filesystem::create_directory(folder);
-  std::filesystem::create_symlink("gone.g2o", folder / "link.g2o");
-  write_file((folder / "link.g2o").string(), "text");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.g2o"));
-  EXPECT_TRUE(std::filesystem::is_regular_file(folder / "gone.g2o"));
-  std::filesystem::remove_all(folder);
-}
-
-TEST(WriteFile, LeavesTheOldFileWhereItCannotWriteTheNewOne) {
-  EXPECT_THROW(write_file("/nowhere/graph.g2o", "text"), FileError);
-  const std::string folder = temporary("folder");
-  std::filesystem::create_directory(folder);
-  EXPECT_THROW(write_file(folder, "text"), FileError);
-  EXPECT_TRUE(std::filesystem::is_directory(folder));
-  std::filesystem::remove(folder);
-}
-
 }  // namespace
 }  // namespace boxplus

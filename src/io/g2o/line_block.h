@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of lines, taken apart as far as it can be without a graph.
+// A block of lines, split into tags and numbers. That needs no graph, so several threads can do it.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 #include "boxplus/io/field_reader.h"
 #include "boxplus/io/registry.h"
-#include "io/text_blocks.h"
+#include "boxplus/io/text_source.h"
 
 namespace boxplus {
 
 using Renames = std::map<std::string, std::string, std::less<>>;
 
-/// What the words of a file stand for.
-class Words {
+/// Finds the types that the tags of a file stand for.
+class TagLookup {
  public:
-  Words(const Registry& registry, const Renames& renames) : registry_(registry), renames_(renames) {}
-  /// nullptr where the word is unknown.
-  const Tag* find(std::string_view word) const {
-    const auto renamed = renames_.find(word);
-    return registry_.find(renamed == renames_.end() ? word : renamed->second);
+  TagLookup(const Registry& registry, const Renames& renames) : registry_(registry), renames_(renames) {}
+  /// nullptr if the tag is unknown.
+  const Tag* find(std::string_view tag) const {
+    const auto renamed = renames_.find(tag);
+    return registry_.find(renamed == renames_.end() ? tag : renamed->second);
   }
 
  private:
@@ -49,16 +49,16 @@ struct Line {
   std::size_t value_count = 0;
 };
 
-/// What one worker makes of one block; its memory is used again for the next.
+/// The lines of one block. A worker uses its memory again for the next block.
 class LineBlock {
  public:
-  void read(const TextBlocks& source, std::size_t k, const Words& words);
+  void read(const TextSource& source, std::size_t k, const TagLookup& tags);
   const std::vector<Line>& lines() const { return lines_; }
   /// How many lines begin in the block, blank ones too.
   std::int64_t line_count() const { return line_count_; }
 
  private:
-  void read_line(std::string_view text, const Words& words);
+  void read_line(std::string_view text, const TagLookup& tags);
   void place_fields();
   bool read_fields(const char* at, const char* end, std::size_t& integers);
 
@@ -66,8 +66,8 @@ class LineBlock {
   std::vector<double> values_;  // the fields of all numeric lines
   std::vector<Line> lines_;
   std::int64_t line_count_ = 0;
-  const char* text_end_ = nullptr;  // of the block: up to there one may read
-  std::string_view last_word_;      // most lines begin like the one before
+  const char* text_end_ = nullptr;  // of the block; characters before it may be read
+  std::string_view last_name_;      // most lines begin like the one before
   const Tag* last_tag_ = nullptr;
 };
 

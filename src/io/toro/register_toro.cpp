@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The words of TORO (Grisetti, Stachniss, Burgard, "Nonlinear constraint network optimization for efficient
+// The tags of TORO (Grisetti, Stachniss, Burgard, "Nonlinear constraint network optimization for efficient
 // map learning", 2009). They are read, and written as their .g2o counterparts.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,11 +13,10 @@ namespace boxplus {
 namespace {
 
 /// Ω is listed as xx xy yy θθ xθ yθ.
-struct ToroEdge2 : EdgeLayout<Between<SE2>> {
-  static Information read_information(FieldReader& in, int rows) {
-    const std::int64_t column = in.column();
-    const std::span<const double> v = read_triangle(in, rows);
-    return checked_information(in, column, std::array{v[0], v[1], v[4], v[2], v[5], v[3]}, rows);
+struct ToroEdge2 : EdgeFields<Between<SE2>> {
+  static void to_upper_triangle(std::span<double> v) {
+    const std::array upper{v[0], v[1], v[4], v[2], v[5], v[3]};
+    std::copy(upper.begin(), upper.end(), v.begin());
   }
 };
 
@@ -38,16 +38,13 @@ struct ToroPose3 {
 /// as large: its rows and columns of Ω count twice.
 struct ToroEdge3 {
   static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
-  static Information read_information(FieldReader& in, int rows) {
-    const std::int64_t column = in.column();
-    const std::span<const double> read = read_triangle(in, rows);
-    std::vector<double> triangle(read.begin(), read.end());
+  static void to_upper_triangle(std::span<double> listed) {
+    constexpr int kRows = 6;
     const auto scale = [](int row) { return row < 3 ? 1 : 2; };
-    auto value = triangle.begin();
-    for (int i = 0; i < rows; ++i) {
-      for (int j = i; j < rows; ++j) *value++ *= scale(i) * scale(j);
+    auto value = listed.begin();
+    for (int i = 0; i < kRows; ++i) {
+      for (int j = i; j < kRows; ++j) *value++ *= scale(i) * scale(j);
     }
-    return checked_information(in, column, triangle, rows);
   }
 };
 

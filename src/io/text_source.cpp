@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/text_blocks.h"
+#include "boxplus/io/text_source.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "io/text_file.h"
 
 namespace boxplus {
 namespace {
@@ -10,25 +13,24 @@ constexpr std::size_t kFirstExtension = 4096;
 
 }  // namespace
 
-TextBlocks::TextBlocks(std::string_view text, std::size_t block_size)
-    : size_(text.size()), block_size_(block_size), text_(text) {}
+TextSource::TextSource(std::string_view text, std::string name, std::size_t block_size)
+    : size_(text.size()), block_size_(block_size), text_(text), name_(std::move(name)) {}
 
-TextBlocks TextBlocks::of_file(const std::string& path, std::size_t block_size) {
-  TextBlocks blocks({}, block_size);
-  blocks.path_ = path;
-  blocks.file_ = open_for_reading(path);
-  if (const auto size = blocks.file_.regular_size()) {
-    blocks.size_ = *size;
+TextSource TextSource::of_file(const std::string& path, std::size_t block_size) {
+  TextSource source({}, path, block_size);
+  FileDescriptor file = open_for_reading(path);
+  if (const auto size = file.regular_size()) {
+    source.size_ = *size;
+    source.file_ = std::make_shared<const FileDescriptor>(std::move(file));
   } else {
-    blocks.owned_ = read_all(blocks.file_, path);
-    blocks.size_ = blocks.owned_.size();
-    blocks.file_ = FileDescriptor();
+    source.owned_ = read_all(file, path);
+    source.size_ = source.owned_.size();
   }
-  return blocks;
+  return source;
 }
 
-std::string_view TextBlocks::read(std::size_t k, std::string& memory) const {
-  // A line begins after a newline, whose search begins one byte earlier.
+std::string_view TextSource::block(std::size_t k, std::string& memory) const {
+  // A line begins after a newline, so the search for one begins a byte earlier.
   const std::size_t begin = k == 0 ? 0 : k * block_size_ - 1, end = std::min((k + 1) * block_size_, size_);
   std::string_view part = bytes(begin, end - begin, memory);
   std::size_t first = 0;
@@ -36,7 +38,7 @@ std::string_view TextBlocks::read(std::size_t k, std::string& memory) const {
     first = part.find('\n');
     if (first == std::string_view::npos || ++first >= part.size()) return {};  // no line begins in this block
   }
-  // The last line ends where it likes.
+  // The last line may end in any later block.
   std::size_t searched = part.size() - 1, newline = part.find('\n', searched);
   for (std::size_t more = kFirstExtension; newline == std::string_view::npos; more *= 2) {
     const std::size_t wanted = part.size() + more;
@@ -49,10 +51,10 @@ std::string_view TextBlocks::read(std::size_t k, std::string& memory) const {
 }
 
 /// `count` bytes from `begin` on, fewer at the end of the text.
-std::string_view TextBlocks::bytes(std::size_t begin, std::size_t count, std::string& memory) const {
-  if (!file_.is_open()) return (owned_.empty() ? text_ : std::string_view(owned_)).substr(begin, count);
+std::string_view TextSource::bytes(std::size_t begin, std::size_t count, std::string& memory) const {
+  if (!file_) return (owned_.empty() ? text_ : std::string_view(owned_)).substr(begin, count);
   if (memory.size() < count) memory.resize(count);
-  return {memory.data(), read_at(file_, path_, begin, memory.data(), count)};
+  return {memory.data(), read_at(*file_, name_, begin, memory.data(), count)};
 }
 
 }  // namespace boxplus

@@ -4,26 +4,25 @@
 #include <algorithm>
 #include <map>
 
-#include "boxplus/io/graph_file.h"
+#include "boxplus/base/error.h"
 #include "boxplus/io/registry.h"
+#include "io/g2o/g2o_format.h"
 #include "io/pipeline.h"
-#include "io/text_file.h"
 
 namespace boxplus {
 namespace {
 
-/// Writes a graph in pieces, which the workers format and one of them hands on, in order.
+/// Writes a graph in pieces: the workers format them, and one worker hands them on in order.
 class GraphWriter {
  public:
-  GraphWriter(const Graph& graph, const std::vector<EdgeRef>& edges, const std::vector<KeptLine>& kept,
-              const Registry* registry)
-      : graph_(graph),
-        registry_(registry ? *registry : default_registry()),
-        parameters_(graph.all_parameters()),
-        vertices_(graph.all_vertices()),
-        edges_(edges) {
+  GraphWriter(const GraphFileView& file, const Registry& registry)
+      : graph_(file.graph),
+        registry_(registry),
+        parameters_(graph_.all_parameters()),
+        vertices_(graph_.all_vertices()),
+        edges_(file.edges.begin(), file.edges.end()) {
     append_edges_of_no_file();
-    for (const KeptLine& line : kept) kept_.emplace(std::pair(line.place, line.after), &line.text);
+    for (const KeptLine& line : file.kept) kept_.emplace(std::pair(line.place, line.after), &line.text);
   }
 
   void write(TextSink sink) const {
@@ -41,7 +40,7 @@ class GraphWriter {
     std::vector<std::vector<bool>> listed;
     for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
     for (EdgeRef& edge : edges_) {
-      // What is listed twice, or was removed, only keeps the place of the lines that follow it.
+      // An edge that is listed twice, or was removed, only keeps the place of the lines that follow it.
       if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
         edge = kNoEdge;
       } else {
@@ -70,7 +69,7 @@ class GraphWriter {
   void format_vertex(VertexRef vertex, std::string& text) const {
     const Tag* tag = registry_.tag_of(graph_, vertex);
     const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
-    if (!tag) throw_no_word("vertices", pool.type_name());
+    if (!tag) throw_no_tag("vertices", pool.type_name());
     const Id id = graph_.id(vertex);
     FieldWriter out(text);
     out.word(tag->name);
@@ -89,7 +88,7 @@ class GraphWriter {
   void format_edge(EdgeRef edge, std::string& text) const {
     if (edge == kNoEdge) return;
     const Tag* tag = registry_.tag_of(graph_, edge);
-    if (!tag) throw_no_word("edges", graph_.edge_pools()[edge.pool]->type_name());
+    if (!tag) throw_no_tag("edges", graph_.edge_pools()[edge.pool]->type_name());
     FieldWriter out(text);
     out.word(tag->name);
     const std::vector<VertexRef> vertices = graph_.vertices(edge);
@@ -110,7 +109,7 @@ class GraphWriter {
     }
   }
 
-  [[noreturn]] static void throw_no_word(const char* what, std::string_view type) {
+  [[noreturn]] static void throw_no_tag(const char* what, std::string_view type) {
     throw InvalidArgument(
         fmt::format("cannot write {} of type {}: no word of a file is registered for them", what, type));
   }
@@ -125,22 +124,8 @@ class GraphWriter {
 
 }  // namespace
 
-std::string format_graph(const GraphFile& file, const Registry* registry) {
-  std::string text;
-  GraphWriter(file.graph, file.edges, file.kept, registry).write([&](std::string_view piece) {
-    text += piece;
-  });
-  return text;
-}
-
-void write_graph(const std::string& path, const GraphFile& file, const Registry* registry) {
-  const GraphWriter writer(file.graph, file.edges, file.kept, registry);
-  replace_file(path, [&](TextSink sink) { writer.write(sink); });
-}
-
-void write_graph(const std::string& path, const Graph& graph, const Registry* registry) {
-  const GraphWriter writer(graph, {}, {}, registry);
-  replace_file(path, [&](TextSink sink) { writer.write(sink); });
+void write_tagged_lines(const GraphFileView& file, const WriteOptions& options, TextSink sink) {
+  GraphWriter(file, options.registry ? *options.registry : default_registry()).write(sink);
 }
 
 }  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/line_block.h"
+#include "io/g2o/line_block.h"
 
 #include <fast_float/fast_float.h>
 
@@ -31,7 +31,7 @@ Decimal read_integer(const char* at, const char* end) {
   return {negative ? -static_cast<double>(value) : static_cast<double>(value), digit, true};
 }
 
-/// The finite number that is the whole field at `at`; no `end` where there is none.
+/// The finite number that is the whole field at `at`; no `end` if the field is not one.
 Decimal read_any_number(const char* at, const char* end) {
   if (const Decimal integer = read_integer(at, end); integer.end) return integer;
   Decimal number;
@@ -47,11 +47,11 @@ const char* skip_blanks(const char* at, const char* end) {
 
 }  // namespace
 
-void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words) {
-  std::string_view text = source.read(k, memory_);
+void LineBlock::read(const TextSource& source, std::size_t k, const TagLookup& tags) {
+  std::string_view text = source.block(k, memory_);
   lines_.clear();
   line_count_ = 0;
-  last_word_ = {};
+  last_name_ = {};
   values_.clear();
   text_end_ = text.data() + text.size();
   while (!text.empty()) {
@@ -59,12 +59,12 @@ void LineBlock::read(const TextBlocks& source, std::size_t k, const Words& words
     const std::string_view line = text.substr(0, newline);
     text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
     ++line_count_;
-    read_line(line, words);
+    read_line(line, tags);
   }
   place_fields();
 }
 
-/// Now that values_ does not grow any more, the fields of a line are where its values lie.
+/// Points each line to its values. From now on values_ does not grow.
 void LineBlock::place_fields() {
   const double* next = values_.data();
   for (Line& line : lines_) {
@@ -73,7 +73,7 @@ void LineBlock::place_fields() {
   }
 }
 
-void LineBlock::read_line(std::string_view text, const Words& words) {
+void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
   // Some editors put a mark at the beginning of a file; joined files have it elsewhere.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
@@ -83,28 +83,28 @@ void LineBlock::read_line(std::string_view text, const Words& words) {
   Line line;
   line.text = text;
   line.number = line_count_;
-  const std::string_view word(begin, static_cast<std::size_t>(std::find_if(begin, end, is_blank) - begin));
-  if (word[0] == '#') {
+  const std::string_view name(begin, static_cast<std::size_t>(std::find_if(begin, end, is_blank) - begin));
+  if (name[0] == '#') {
     line.kind = Line::Kind::kComment;
-  } else if (word == "FIX") {
+  } else if (name == "FIX") {
     line.kind = Line::Kind::kFix;
   } else {
-    if (word != last_word_) {
-      last_word_ = word;
-      last_tag_ = words.find(word);
+    if (name != last_name_) {
+      last_name_ = name;
+      last_tag_ = tags.find(name);
     }
     line.tag = last_tag_;
     line.kind = line.tag ? Line::Kind::kElement : Line::Kind::kUnknown;
     const std::size_t values_before = values_.size();
-    line.is_numeric = line.tag && read_fields(begin + word.size(), end, line.fields.integers);
+    line.is_numeric = line.tag && read_fields(begin + name.size(), end, line.fields.integers);
     if (!line.is_numeric) values_.resize(values_before);
     line.value_count = values_.size() - values_before;
   }
   lines_.push_back(line);
 }
 
-/// Appends to values_; false where a field is no number, or there are so many that it is not worth the
-/// memory.
+/// Appends to values_. False if a field is no number, or if there are so many that the memory for all of them
+/// is not worth it.
 bool LineBlock::read_fields(const char* at, const char* end, std::size_t& integers) {
   constexpr std::size_t kMost = std::size_t{1} << 16;
   bool integers_only = true;

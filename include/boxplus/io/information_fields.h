@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the information matrix Ω of an edge stands in a file: the n(n+1)/2 values of its upper triangle by
+// rows, 11 12 … 1n 22 …
+#pragma once
+
+#include <span>
+
+#include "boxplus/graph/information.h"
+#include "boxplus/io/field_reader.h"
+
+namespace boxplus {
+
+/// Throws InputError if Ω is indefinite or zero.
+Information read_information(FieldReader& in, int rows);
+void write_information(const InformationView& information, FieldWriter& out);
+
+namespace io {
+
+/// An Ω as it was read. The graph checks it when the edge is added, which is enough: a check takes longer
+/// than reading.
+struct UncheckedInformation {
+  Information value;
+  int rows;
+  FieldPlace place;
+
+  /// Throws InputError if Ω is indefinite.
+  void check(const FieldReader& in) const;
+};
+
+/// Brings the values of Ω as a file lists them into the upper triangle by rows.
+using ToUpperTriangle = void (*)(std::span<double> listed);
+
+/// `to_upper_triangle`: nullptr if the file lists the upper triangle. Throws InputError if Ω is zero.
+UncheckedInformation read_unchecked_information(FieldReader& in, int rows, ToUpperTriangle to_upper_triangle);
+
+}  // namespace io
+}  // namespace boxplus

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tag, the first field of a line, with the functions that read and write the elements of its type. Registry
+// makes tags.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+#include "boxplus/base/error.h"
+#include "boxplus/graph/graph.h"
+#include "boxplus/io/file_fields.h"
+#include "boxplus/io/information_fields.h"
+
+namespace boxplus {
+
+/// Stands in the vertex types of an edge for a shared constant of the graph (a PARAMS_ line of the file).
+template <class T>
+struct Parameter {
+  using Element = T;
+};
+
+/// A tag, and the type that it stands for. The functions that read throw InputError, and add nothing if they
+/// do; they read to the end of the line.
+struct Tag {
+  enum class Kind : std::uint8_t { kVertex, kParameter, kEdge };
+  /// A vertex of an edge.
+  struct Argument {
+    std::type_index pool;
+    std::string_view type_name;
+    bool is_parameter, is_tail;
+    VertexRef (*create)(Graph&, Id);  ///< adds a vertex of the type, at its default value
+  };
+
+  std::string name;
+  Kind kind;
+  std::type_index pool;  ///< of its elements
+  std::vector<Argument> arguments;
+  VertexRef (*read_vertex)(Graph&, Id, FieldReader&) = nullptr;
+  void (*write_vertex)(const Graph&, VertexRef, FieldWriter&) = nullptr;
+  void (*check_edge)(FieldReader&) = nullptr;  ///< reads measurement and Ω, and adds nothing
+  EdgeRef (*read_edge)(Graph&, std::span<const VertexRef>, FieldReader&) = nullptr;
+  void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
+  /// The type to use if the last two parameters are one and the same (an edge lists no vertex twice).
+  std::shared_ptr<const Tag> shared_parameter = nullptr;
+  bool written = true;  ///< false: an old tag that is only read
+};
+
+namespace io {
+
+template <class V>
+struct Stripped {
+  using Type = V;
+};
+template <class T>
+struct Stripped<Parameter<T>> {
+  using Type = T;
+};
+template <class V>
+using Strip = typename Stripped<V>::Type;
+template <class V>
+inline constexpr bool kIsParameter = !std::is_same_v<V, Strip<V>>;
+
+template <class V>
+Tag::Argument argument() {
+  using T = edge::ElementOf<Strip<V>>;
+  const auto create = [](Graph& graph, Id id) -> VertexRef {
+    T value{};
+    if constexpr (requires { value.setZero(); }) value.setZero();
+    return graph.add_vertex(std::move(value), id);
+  };
+  return {typeid(TypedVertexPool<T>), type_name<T>(), kIsParameter<V>, kIsTail<V>, create};
+}
+
+template <class V>
+auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
+  if constexpr (kIsTail<V>) {
+    std::vector<VertexHandle<edge::ElementOf<V>>> handles;
+    for (const VertexRef& ref : refs) handles.push_back(graph.typed<edge::ElementOf<V>>(ref));
+    return handles;
+  } else {
+    const VertexRef first = refs.front();
+    refs = refs.subspan(1);
+    return graph.typed<V>(first);
+  }
+}
+
+/// An edge as it was read.
+template <class E>
+struct ListedEdge {
+  E edge;
+  UncheckedInformation information;
+};
+
+template <class Fields, class E, class... V>
+ListedEdge<E> read_listed_edge(FieldReader& in) {
+  E edge = Fields::read(in);
+  constexpr int kRows = edge::kRows<edge::Result<E, V...>>;
+  int rows = kRows;
+  if constexpr (kRows == kDynamic) rows = static_cast<int>(edge.measurement.size());
+  ToUpperTriangle to_upper_triangle = nullptr;
+  if constexpr (requires { &Fields::to_upper_triangle; }) to_upper_triangle = &Fields::to_upper_triangle;
+  UncheckedInformation information = read_unchecked_information(in, rows, to_upper_triangle);
+  return {std::move(edge), std::move(information)};
+}
+
+template <class Fields, class E, class... V>
+void check_edge(FieldReader& in) {
+  read_listed_edge<Fields, E, V...>(in).information.check(in);
+  in.expect_end();
+}
+
+template <class Fields, class E, class... V>
+EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
+  ListedEdge<E> listed = read_listed_edge<Fields, E, V...>(in);
+  if (!in.at_end()) {  // a wrong Ω comes first: it may be the cause
+    listed.information.check(in);
+    in.expect_end();
+  }
+  const std::tuple handles{attach<V>(graph, refs)...};
+  try {
+    return std::apply(
+        [&](const auto&... h) {
+          return graph.add_edge(std::move(listed.edge), listed.information.value, h...);
+        },
+        handles);
+  } catch (const InvalidArgument&) {
+    listed.information.check(in);
+    throw;
+  }
+}
+
+template <class E>
+void write_edge(const Graph& graph, EdgeRef ref, FieldWriter& out) {
+  EdgeFields<E>::write(graph.measurement(EdgeHandle<E>{ref}), out);
+  write_information(graph.information(ref), out);
+}
+
+template <class Fields, class T>
+Tag vertex_tag(std::string name) {
+  Tag tag{std::move(name), Tag::Kind::kVertex, typeid(TypedVertexPool<T>), {}};
+  tag.read_vertex = [](Graph& graph, Id id, FieldReader& in) -> VertexRef {
+    T value = Fields::read(in);
+    in.expect_end();
+    return graph.add_vertex(std::move(value), id);
+  };
+  tag.write_vertex = [](const Graph& graph, VertexRef ref, FieldWriter& out) {
+    FileFields<T>::write(graph.estimate(VertexHandle<T>{ref}), out);
+  };
+  return tag;
+}
+
+template <class T>
+Tag parameter_tag(std::string name) {
+  Tag tag = vertex_tag<FileFields<T>, T>(std::move(name));
+  tag.kind = Tag::Kind::kParameter;
+  tag.read_vertex = [](Graph& graph, Id id, FieldReader& in) -> VertexRef {
+    T value = FileFields<T>::read(in);
+    in.expect_end();
+    return graph.add_parameter(std::move(value), id);
+  };
+  return tag;
+}
+
+template <class Fields, class E, class... V>
+Tag edge_tag(std::string name) {
+  Tag tag{std::move(name), Tag::Kind::kEdge, typeid(TypedEdgePool<E, Strip<V>...>), {argument<V>()...}};
+  tag.check_edge = &check_edge<Fields, E, Strip<V>...>;
+  tag.read_edge = &read_edge<Fields, E, Strip<V>...>;
+  tag.write_edge = &write_edge<E>;
+  return tag;
+}
+
+}  // namespace io
+}  // namespace boxplus

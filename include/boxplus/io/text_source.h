@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The text that a file format reads.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "boxplus/base/abi.h"
+
+namespace boxplus {
+
+class FileDescriptor;
+
+/// A text in blocks of whole lines, for several workers. Block k holds the lines that begin in bytes
+/// [k s, (k + 1) s) of the text, where s is the block size. A file is read block by block, so that it never
+/// lies in memory as a whole; a pipe or a device does.
+class TextSource {
+ public:
+  static constexpr std::size_t kBlockSize = std::size_t{1} << 17;
+
+  /// The text must outlive the source; `name` stands for it in messages.
+  TextSource(std::string_view text, std::string name, std::size_t block_size = kBlockSize);
+  /// Throws FileError if the file cannot be opened or read.
+  static TextSource of_file(const std::string& path, std::size_t block_size = kBlockSize);
+
+  const std::string& name() const { return name_; }
+  std::size_t block_count() const { return (size_ + block_size_ - 1) / block_size_; }
+  /// The lines of block k, each with its newline; `memory` may hold them. Several threads may read at once.
+  std::string_view block(std::size_t k, std::string& memory) const;
+  /// The whole text; `memory` may hold it.
+  std::string_view text(std::string& memory) const { return bytes(0, size_, memory); }
+
+ private:
+  std::string_view bytes(std::size_t begin, std::size_t count, std::string& memory) const;
+
+  std::size_t size_ = 0, block_size_;
+  std::string_view text_;
+  std::string name_, owned_;
+  std::shared_ptr<const FileDescriptor> file_;
+};
+
+}  // namespace boxplus

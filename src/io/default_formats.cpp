@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of the formats that the library brings.
+#include "boxplus/io/file_format.h"
+#include "io/g2o/g2o_format.h"
+#include "io/toro/toro_format.h"
+
+namespace boxplus {
+
+const FileFormats& default_formats() {
+  static const FileFormats formats = [] {
+    FileFormats all;
+    all.add(g2o_format());
+    all.add(toro_format());
+    return all;
+  }();
+  return formats;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/g2o/g2o_format.h"
+
+namespace boxplus {
+
+FileFormat g2o_format() {
+  // Lines with unknown tags are kept: any text is a .g2o file, even if it holds no graph.
+  const auto recognize = [](std::string_view) { return true; };
+  return {.name = "g2o",
+          .ending = ".g2o",
+          .recognize = recognize,
+          .read = read_tagged_lines,
+          .write = write_tagged_lines};
+}
+
+}  // namespace boxplus

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "boxplus/base/error.h"
+#include "boxplus/graph/make_room.h"
+#include "io/g2o/element_reader.h"
+#include "io/g2o/g2o_format.h"
+#include "io/g2o/line_block.h"
+#include "io/g2o/unknown_tags.h"
+#include "io/pipeline.h"
+
+namespace boxplus {
+namespace {
+
+/// A line that is read after all others, because it, or an edge before it, refers to a vertex that has not
+/// been read yet.
+struct WaitingLine {
+  Line line;
+  std::string text;  ///< a copy: the block is gone by then
+  KeptLine::Place place;
+  Id vertex;
+};
+
+/// The message of an error without its place, "file:line:column: ".
+std::string without_place(const InputError& error, std::string_view file) {
+  const std::string place = fmt::format("{}:{}:{}: ", file, error.line(), error.column());
+  const std::string_view text = error.what();
+  return std::string(text.starts_with(place) ? text.substr(place.size()) : text);
+}
+
+/// "1 edge", "3 edges".
+std::string counted(std::int64_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// Builds a GraphFile. Workers split blocks into lines and numbers; one of them, who is always the same, puts
+/// the blocks before into the graph. So elements come into the graph in the order of the file, except for
+/// edges that stand before their vertices.
+class GraphReader {
+ public:
+  GraphReader(const TextSource& text, const ReadOptions& options)
+      : text_(text),
+        options_(options),
+        tags_(options.registry ? *options.registry : default_registry(), options.renames),
+        elements_(file_.graph, unknown_) {}
+
+  GraphFile read() {
+    prepare_and_consume<LineBlock>(
+        text_.block_count(), options_.threads,
+        [&](std::size_t k, LineBlock& block) { block.read(text_, k, tags_); },
+        [&](const LineBlock& block) { take(block); });
+    const bool has_no_vertices = file_.graph.vertex_count() == 0;
+    elements_.end_of_vertices(has_no_vertices);
+    take_waiting();
+    file_.vertices_created = has_no_vertices && elements_.created_vertices() > 0;
+    add_notes();
+    return std::move(file_);
+  }
+
+ private:
+  void take(const LineBlock& block) {
+    const std::size_t edges_before = file_.edges.size();
+    for (Line line : block.lines()) {
+      line.number += file_.lines;
+      guarded(line, [&] { take(line); });
+    }
+    file_.lines += block.line_count();
+    ++blocks_taken_;
+    if (place_ == KeptLine::Place::kAfterEdge) make_room(file_.edges.size() - edges_before);
+  }
+
+  /// If an edge ends a block, the rest of the file is likely to hold edges of its type.
+  void make_room(std::size_t edges_in_block) {
+    if (edges_in_block == 0) return;
+    const std::size_t expected = file_.edges.size() + edges_in_block * (text_.block_count() - blocks_taken_);
+    if (expected <= file_.edges.capacity()) return;
+    reserve(file_.edges, expected + expected / 32);
+    file_.graph.reserve_edges(file_.edges.back(), expected + expected / 32);
+  }
+
+  void take(const Line& line) {
+    switch (line.kind) {
+      case Line::Kind::kElement:
+        return line.tag->kind == Tag::Kind::kEdge ? take_edge(line) : take_vertex(line);
+      case Line::Kind::kFix:
+        return take_fix(line);
+      case Line::Kind::kUnknown:
+        unknown_.add(line.text, line.number);
+        [[fallthrough]];
+      case Line::Kind::kComment:
+        if (place_ == KeptLine::Place::kAfterEdge && !waiting_.empty()) return wait(line);
+        keep(line.text);
+    }
+  }
+
+  void take_vertex(const Line& line) {
+    FieldReader in = fields_of(line);
+    const Id id = elements_.read_vertex(*line.tag, in);
+    if (line.tag->kind == Tag::Kind::kVertex) {
+      place_ = KeptLine::Place::kAfterVertex;
+      vertex_ = id;
+    }
+    add_note_of(in);
+  }
+
+  void take_edge(const Line& line) {
+    place_ = KeptLine::Place::kAfterEdge;
+    if (!waiting_.empty()) return wait(line);  // edges stay in the order of the file
+    FieldReader in = fields_of(line);
+    const ElementReader::Edge edge = elements_.read_edge(*line.tag, in);
+    if (edge.vertices == VertexIds::Result::kNotYetKnown) return wait(line);
+    if (edge.vertices == VertexIds::Result::kUnassigned) {
+      ++unassigned_;
+      keep(line.text);
+    } else {
+      file_.edges.push_back(edge.added);
+    }
+    add_note_of(in);
+  }
+
+  void take_fix(const Line& line) {
+    FieldReader in = fields_of(line);
+    if (!elements_.fix(in)) wait(line);
+  }
+
+  void wait(const Line& line) { waiting_.push_back({line, std::string(line.text), place_, vertex_}); }
+
+  void take_waiting() {
+    for (WaitingLine& waiting : std::exchange(waiting_, {})) {
+      Line& line = waiting.line;
+      line.text = waiting.text;
+      line.is_numeric = false;  // its numbers are gone with its block
+      place_ = waiting.place;
+      vertex_ = waiting.vertex;
+      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // it has been noted
+      guarded(line, [&] { take(line); });
+    }
+  }
+
+  /// Reads one line. A lenient reader notes an error and goes on.
+  template <class F>
+  void guarded(const Line& line, F&& read_line) {
+    try {
+      read_line();
+    } catch (const InputError& error) {
+      if (!options_.lenient) throw;
+      ++file_.skipped;
+      file_.notes.push_back({line.number, without_place(error, text_.name()), error.column(), true});
+    }
+  }
+
+  /// The fields behind the tag.
+  FieldReader fields_of(const Line& line) const {
+    if (line.is_numeric) return {text_.name(), line.number, line.text, line.fields};
+    FieldReader in(text_.name(), line.number, line.text);
+    in.word("a tag");
+    return in;
+  }
+
+  void add_note_of(const FieldReader& in) {
+    if (!in.noted().empty()) file_.notes.push_back({in.line_number(), in.noted()});
+  }
+
+  void keep(std::string_view text) {
+    while (text.ends_with('\r')) text.remove_suffix(1);
+    KeptLine kept{place_, 0, std::string(text)};
+    if (place_ == KeptLine::Place::kAfterEdge) kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
+    if (place_ == KeptLine::Place::kAfterVertex) kept.after = vertex_;
+    file_.kept.push_back(std::move(kept));
+  }
+
+  /// Notes on single lines, sorted, then those on the whole file.
+  void add_notes() {
+    unknown_.append_notes(file_.notes);
+    std::stable_sort(file_.notes.begin(), file_.notes.end(),
+                     [](const auto& a, const auto& b) { return a.line < b.line; });
+    if (unassigned_ > 0) {
+      file_.notes.push_back(
+          {0, fmt::format("{} with the unassigned vertex -1: kept as {}, but not part of the graph",
+                          counted(unassigned_, "edge", "edges"), unassigned_ == 1 ? "it is" : "they are")});
+    }
+    if (file_.vertices_created) {
+      file_.notes.push_back(
+          {0, fmt::format("the file has edges only: {} an initial guess",
+                          counted(elements_.created_vertices(), "vertex was created and needs",
+                                  "vertices were created and need"))});
+    }
+  }
+
+  const TextSource& text_;
+  const ReadOptions& options_;
+  const TagLookup tags_;
+  GraphFile file_;
+  UnknownTags unknown_;
+  ElementReader elements_;
+  KeptLine::Place place_ = KeptLine::Place::kBegin;  // of the next line, if it is kept
+  Id vertex_ = 0;                                    // the one before it, if there is one
+  std::vector<WaitingLine> waiting_;
+  std::size_t blocks_taken_ = 0;
+  std::int64_t unassigned_ = 0;
+};
+
+}  // namespace
+
+GraphFile read_tagged_lines(const TextSource& text, const ReadOptions& options) {
+  return GraphReader(text, options).read();
+}
+
+}  // namespace boxplus

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "boxplus/graph/handle.h"
+#include "boxplus/io/graph_file.h"
+
+namespace boxplus {
+
+/// The tags of a file that stand for no type: they are noted, and may explain why a vertex is missing.
+class UnknownTags {
+ public:
+  /// Takes a line that begins with such a tag.
+  void add(std::string_view line, std::int64_t number);
+  /// The reason why there is no vertex (parameter) of that id, if a line with an unknown tag has it; else
+  /// nothing.
+  std::string reason_for_missing(Id id, bool is_parameter) const;
+  /// One note for each tag.
+  void append_notes(std::vector<GraphFile::Note>& notes) const;
+
+ private:
+  struct Occurrences {
+    std::int64_t count = 0, first_line = 0;
+  };
+  /// A line with an id after its tag: perhaps it defines a vertex or a parameter.
+  struct IdLine {
+    const std::string* tag;
+    std::int64_t number;
+  };
+
+  std::map<std::string, Occurrences> tags_;         // in quotes
+  std::unordered_map<Id, IdLine> lines_of_ids_[2];  // vertices, parameters
+};
+
+}  // namespace boxplus

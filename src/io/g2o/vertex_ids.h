@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/io/field_reader.h"
+#include "boxplus/io/tag.h"
+#include "io/g2o/unknown_tags.h"
+
+namespace boxplus {
+
+/// Reads the ids of vertices and parameters that a line refers to.
+class VertexIds {
+ public:
+  /// Both must outlive this object.
+  VertexIds(Graph& graph, const UnknownTags& unknown) : graph_(graph), unknown_(unknown) {}
+
+  /// From now on no more vertices come: ids that the graph does not have are errors. With `create`, edges
+  /// make vertices of such ids instead.
+  void end_of_vertices(bool create) {
+    all_known_ = true;
+    create_ = create;
+  }
+  std::int64_t created() const { return created_; }
+
+  enum class Result : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
+  /// Reads the ids of the vertices of an edge. They are known, or one is -1, which stands for none, or one is
+  /// of a vertex that has not been read yet. Throws InputError otherwise. Vertices that the edge creates are
+  /// made once the rest of the line is known to be right.
+  Result read_of_edge(const Tag& tag, FieldReader& in);
+  /// Reads ids of vertices to the end of a FIX line. False if a vertex has not been read yet.
+  bool read_to_end(FieldReader& in);
+
+  /// The vertices of the last line. If the last two parameters are one and the same and the tag has a type
+  /// for that, one of them goes, and the tag of that type is returned; otherwise `tag`.
+  const Tag& merge_shared_parameter(const Tag& tag);
+  const std::vector<VertexRef>& vertices() const { return vertices_; }
+  /// Throws InputError if the last line refers to a vertex twice.
+  void refuse_repetition(const FieldReader& in);
+
+ private:
+  /// A vertex of the current line that is to be created.
+  struct Missing {
+    std::size_t index;  // in vertices_
+    Id id;
+    VertexRef (*create)(Graph&, Id);
+  };
+
+  Result read_one(const Tag::Argument& argument, FieldReader& in);
+  void create_missing(const Tag& tag, FieldReader in);
+  [[noreturn]] void fail_unknown(FieldPlace place, Id id, bool is_parameter, const FieldReader& in) const;
+
+  Graph& graph_;
+  const UnknownTags& unknown_;
+  bool all_known_ = false, create_ = false;
+  std::int64_t created_ = 0;
+  std::vector<VertexRef> vertices_, sorted_;
+  std::vector<Missing> missing_;
+};
+
+}  // namespace boxplus

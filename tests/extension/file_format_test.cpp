@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A user's own file format, from public headers only: recognized, read, written and listed like those of the
+// library.
+#include "boxplus/io/file_format.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "boxplus/boxplus.h"
+
+namespace {
+
+using namespace boxplus;
+
+constexpr std::string_view kTitle = "id,x,y\n";
+
+/// Points of the plane as a table of comma-separated values.
+GraphFile read_table(const TextSource& text, const ReadOptions& options) {
+  std::string memory;
+  std::istringstream lines(std::string(text.text(memory)));
+  GraphFile file;
+  for (std::string line; std::getline(lines, line);) {
+    if (++file.lines == 1) continue;
+    std::replace(line.begin(), line.end(), ',', ' ');
+    FieldReader in(text.name(), file.lines, line);
+    try {
+      const Id id = in.integer("an id");
+      const double x = in.number("x"), y = in.number("y");
+      in.expect_end();
+      file.graph.add_vertex(Vector2(x, y), id);
+    } catch (const InputError& error) {
+      if (!options.lenient) throw;
+      ++file.skipped;
+    }
+  }
+  return file;
+}
+
+void write_table(const GraphFileView& file, const WriteOptions& /*options*/, TextSink sink) {
+  if (file.graph.edge_count() > 0) throw InvalidArgument("table: expected points only, got edges");
+  std::string text(kTitle);
+  for (const VertexRef& vertex : file.graph.all_vertices()) {
+    const Vector2& point = file.graph.estimate(file.graph.typed<Vector2>(vertex));
+    std::ostringstream line;
+    line << file.graph.id(vertex) << "," << point[0] << "," << point[1] << "\n";
+    text += line.str();
+  }
+  sink(text);
+}
+
+FileFormats formats_with_table() {
+  FileFormats formats = default_formats();
+  formats.add({.name = "table",
+               .ending = ".csv",
+               .recognize = [](std::string_view beginning) { return beginning.starts_with(kTitle); },
+               .read = read_table,
+               .write = write_table});
+  return formats;
+}
+
+class OwnFileFormat : public testing::Test {
+ protected:
+  const FileFormats formats_ = formats_with_table();
+  const ReadOptions reading_{.formats = &formats_};
+  const WriteOptions writing_{.formats = &formats_};
+};
+
+TEST_F(OwnFileFormat, IsRecognizedByItsTextAndRead) {
+  const GraphFile file = parse_graph("id,x,y\n0,1,2\n7,3,4.5\n", "t", reading_);
+  EXPECT_EQ(file.graph.estimate(file.graph.vertex<Vector2>(7)), Vector2(3, 4.5));
+  EXPECT_EQ(parse_graph("VERTEX_XY 0 1 2\n", "t", reading_).graph.vertex_count(), 1u) << "a .g2o file";
+  EXPECT_EQ(parse_graph("VERTEX2 0 1 2 0\n", "t", reading_).graph.vertex_count(), 1u) << "a file of TORO";
+  EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n", "t").graph.vertex_count(), 0u) << "without the format";
+}
+
+TEST_F(OwnFileFormat, IsWrittenIfTheNameOfTheFileEndsLikeIt) {
+  const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t", reading_);
+  const std::string path = testing::TempDir() + "boxplus_own_file_format_test.csv";
+  write_graph(path, file, writing_);
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  EXPECT_EQ(text.str(), "id,x,y\n3,1,2.5\n");
+  EXPECT_EQ(format_graph(read_graph(path, reading_), writing_), "VERTEX_XY 3 1 2.5\n");
+  std::filesystem::remove(path);
+}
+
+TEST_F(OwnFileFormat, IsWrittenIfAskedForByName) {
+  const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t");
+  EXPECT_EQ(format_graph(file, {.formats = &formats_, .format = "table"}), "id,x,y\n3,1,2.5\n");
+}
+
+TEST_F(OwnFileFormat, IsListed) {
+  std::vector<std::string> labels;
+  for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "table's .csv"));
+  try {
+    format_graph({}, {.formats = &formats_, .format = "tabel"});
+    FAIL();
+  } catch (const InvalidArgument& error) {
+    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known are g2o TORO table");
+  }
+}
+
+TEST_F(OwnFileFormat, SaysWhereItsTextIsWrong) {
+  try {
+    parse_graph("id,x,y\n0,1,2\n1,one,2\n", "t", reading_);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "t:3:3: expected x (a finite number), got 'one'");
+  }
+  EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n1,one,2\n", "t", {.lenient = true, .formats = &formats_}).skipped, 1);
+}
+
+}  // namespace

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/io/file_format.h"
+
+#include <gmock/gmock.h>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(FileFormats, AreG2oAndToro) {
+  std::vector<std::string> labels;
+  for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph"));
+}
+
+TEST(FileFormats, AreFoundByNameAndByTheEndingOfAPath) {
+  const FileFormats& formats = default_formats();
+  EXPECT_EQ(formats.find("TORO"), formats.of_path("data/w10000.graph"));
+  EXPECT_EQ(formats.find("g2o"), formats.of_path("a.graph.g2o"));
+  EXPECT_EQ(formats.find("toro"), nullptr);
+  EXPECT_EQ(formats.of_path("graph"), nullptr);
+}
+
+TEST(FileFormats, AskTheFormatThatWasAddedLastFirst) {
+  FileFormats formats = default_formats();
+  EXPECT_EQ(formats.recognize("any text")->name, "g2o");
+  formats.add({.name = "mine",
+               .ending = ".mine",
+               .recognize = [](std::string_view) { return true; },
+               .read = formats.find("g2o")->read});
+  EXPECT_EQ(formats.recognize("any text")->name, "mine");
+  EXPECT_EQ(default_formats().find("mine"), nullptr) << "a copy was changed";
+}
+
+TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithANameThatIsTaken) {
+  const auto complaint = [](const char* name, const char* ending) -> std::string {
+    FileFormats formats = default_formats();
+    FileFormat format = *formats.find("g2o");
+    format.name = name;
+    format.ending = ending;
+    try {
+      formats.add(format);
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+    return "no complaint";
+  };
+  EXPECT_EQ(complaint("mine", ".mine"), "no complaint");
+  EXPECT_THAT(complaint("mine", ".graph"), HasSubstr("TORO's .graph is a format already"));
+  EXPECT_THAT(complaint("TORO", ".mine"), HasSubstr("TORO's .graph is a format already"));
+  EXPECT_THAT(complaint("", ".mine"), HasSubstr("expected a name"));
+  FileFormats formats;
+  EXPECT_THROW(formats.add({.name = "mine", .ending = ".mine", .recognize = {}, .read = {}}),
+               InvalidArgument);
+}
+
+}  // namespace
+}  // namespace boxplus

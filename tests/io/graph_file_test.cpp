@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/io/graph_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
+
+namespace boxplus {
+namespace {
+
+TEST(GraphFile, SaysWhichFileCannotBeOpened) {
+  try {
+    read_graph("/nowhere/graph.g2o");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/graph.g2o: cannot be opened: No such file or directory");
+  }
+  EXPECT_THROW(read_graph("/"), FileError);
+}
+
+TEST(GraphFile, IsWrittenAsG2oIfNoFormatHasTheEndingOfItsName) {
+  const GraphFile file = parse_graph("VERTEX2 0 0 0 0\n", "g");
+  for (const char* name : {"boxplus_graph_file_test.txt", "boxplus_graph_file_test.graph"}) {
+    const std::string path = testing::TempDir() + name;
+    write_graph(path, file);
+    EXPECT_EQ(format_graph(read_graph(path)), "VERTEX_SE2 0 0 0 0\n") << name;
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(GraphFile, RefusesFormatsThatItDoesNotKnowOrThatAreOnlyRead) {
+  const auto complaint = [](const char* format) -> std::string {
+    try {
+      return format_graph({}, {.format = format});
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known are g2o TORO");
+  EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is only read");
+}
+
+TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {
+  FileFormats formats;
+  FileFormat format = *default_formats().find("TORO");
+  formats.add(format);
+  try {
+    parse_graph("VERTEX_SE2 0 0 0 0\n", "g", {.formats = &formats});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "g:1:1: expected a text in one of the formats TORO's .graph");
+  }
+  EXPECT_THROW(format_graph({}, {.formats = &formats}), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace boxplus
