@@ -10,12 +10,6 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(FileFormats, AreG2oAndToro) {
-  std::vector<std::string> labels;
-  for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph"));
-}
-
 TEST(FileFormats, AreFoundByNameAndByTheEndingOfAPath) {
   const FileFormats& formats = default_formats();
   EXPECT_EQ(formats.find("TORO"), formats.of_path("data/w10000.graph"));
