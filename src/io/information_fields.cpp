@@ -19,7 +19,7 @@ std::span<const double> read_listed(FieldReader& in, std::size_t count) {
 }
 
 std::span<const double> as_upper_triangle(std::span<const double> listed,
-                                          io::ToUpperTriangle to_upper_triangle) {
+                                          detail::ToUpperTriangle to_upper_triangle) {
   if (!to_upper_triangle) return listed;
   auto& values = thread_scratch<std::vector<double>, struct UpperTriangle>();
   values.assign(listed.begin(), listed.end());
@@ -29,12 +29,12 @@ std::span<const double> as_upper_triangle(std::span<const double> listed,
 
 }  // namespace
 
-void io::UncheckedInformation::check(const FieldReader& in) const {
+void detail::UncheckedInformation::check(const FieldReader& in) const {
   if (const std::string complaint = value.complaint(rows); !complaint.empty()) in.fail(place, complaint);
 }
 
-io::UncheckedInformation io::read_unchecked_information(FieldReader& in, int rows,
-                                                        ToUpperTriangle to_upper_triangle) {
+detail::UncheckedInformation detail::read_unchecked_information(FieldReader& in, int rows,
+                                                                ToUpperTriangle to_upper_triangle) {
   const FieldPlace place = in.place();
   const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
   const std::span<const double> listed = read_listed(in, count);
@@ -44,7 +44,7 @@ io::UncheckedInformation io::read_unchecked_information(FieldReader& in, int row
 }
 
 Information read_information(FieldReader& in, int rows) {
-  io::UncheckedInformation information = io::read_unchecked_information(in, rows, nullptr);
+  detail::UncheckedInformation information = detail::read_unchecked_information(in, rows, nullptr);
   information.check(in);
   return std::move(information.value);
 }

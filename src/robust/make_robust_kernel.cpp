@@ -11,6 +11,7 @@
 #include "boxplus/robust/barron.h"
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/huber.h"
+#include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/redescending.h"
 
 namespace boxplus {
@@ -22,6 +23,8 @@ double checked_kernel_width(double delta, std::string_view kernel) {
 }
 
 namespace {
+
+using detail::KernelEntry;
 
 template <class K>
 std::unique_ptr<RobustKernel> make(std::string_view /*parameter*/, double delta) {
@@ -40,40 +43,40 @@ std::unique_ptr<RobustKernel> make_barron(std::string_view shape, double delta) 
 
 constexpr bool kSquared = true;
 constexpr std::array kKernels = {
-    NamedKernel{"Barron:ALPHA", make_barron},
-    NamedKernel{Cauchy::kName, make<Cauchy>},
-    NamedKernel{DCS::kName, make<DCS>, kSquared},
-    NamedKernel{Fair::kName, make<Fair>},
-    NamedKernel{GemanMcClure::kName, make<GemanMcClure>, kSquared},
-    NamedKernel{Huber::kName, make<Huber>},
-    NamedKernel{PseudoHuber::kName, make<PseudoHuber>},
-    NamedKernel{Saturated::kName, make<Saturated>},
-    NamedKernel{Tukey::kName, make<Tukey>},
-    NamedKernel{Welsch::kName, make<Welsch>},
+    KernelEntry{"Barron:ALPHA", make_barron},
+    KernelEntry{Cauchy::kName, make<Cauchy>},
+    KernelEntry{DCS::kName, make<DCS>, kSquared},
+    KernelEntry{Fair::kName, make<Fair>},
+    KernelEntry{GemanMcClure::kName, make<GemanMcClure>, kSquared},
+    KernelEntry{Huber::kName, make<Huber>},
+    KernelEntry{PseudoHuber::kName, make<PseudoHuber>},
+    KernelEntry{Saturated::kName, make<Saturated>},
+    KernelEntry{Tukey::kName, make<Tukey>},
+    KernelEntry{Welsch::kName, make<Welsch>},
 };
 
 /// A row, and the text behind the colon of a name.
 struct Choice {
-  const NamedKernel& kernel;
+  const KernelEntry& kernel;
   std::string_view parameter;
 };
 
 Choice find(std::string_view name) {
   const std::size_t colon = name.find(':');
   const std::string_view parameter = colon == std::string_view::npos ? "" : name.substr(colon + 1);
-  for (const NamedKernel& kernel : kKernels) {
+  for (const KernelEntry& kernel : kKernels) {
     const std::string_view known = kernel.name.substr(0, kernel.name.find(':'));
     if (known == name.substr(0, colon) && kernel.takes_parameter() == (colon != std::string_view::npos))
       return {kernel, parameter};
   }
   std::string message = "unknown robust kernel '" + std::string(name) + "'; known are";
-  for (const NamedKernel& known : kKernels) message += " " + std::string(known.name);
+  for (const KernelEntry& known : kKernels) message += " " + std::string(known.name);
   throw InvalidArgument(message);
 }
 
 }  // namespace
 
-std::span<const NamedKernel> robust_kernels() {
+std::span<const detail::KernelEntry> detail::kernel_table() {
   return kKernels;
 }
 

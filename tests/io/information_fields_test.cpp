@@ -38,7 +38,7 @@ TEST(InformationFields, OfAnIndefiniteMatrixAreRefusedAtTheirPlace) {
 
 TEST(InformationFields, AreCheckedLaterIfTheGraphDoesSoAnyway) {
   FieldReader in("g", 1, "1 2 1");
-  const io::UncheckedInformation omega = io::read_unchecked_information(in, 2, nullptr);
+  const detail::UncheckedInformation omega = detail::read_unchecked_information(in, 2, nullptr);
   EXPECT_THROW(omega.check(in), InputError);
 }
 

@@ -10,6 +10,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/robust/default_width.h"
+#include "boxplus/robust/kernel_table.h"
 
 namespace boxplus {
 namespace {
@@ -28,7 +29,7 @@ std::string message_of(const std::string& name, double delta) {
 
 TEST(MakeRobustKernel, ListsItsNames) {
   std::vector<std::string_view> names;
-  for (const NamedKernel& kernel : robust_kernels()) names.push_back(kernel.name);
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) names.push_back(kernel.name);
   EXPECT_THAT(names, ElementsAre("Barron:ALPHA", "Cauchy", "DCS", "Fair", "GemanMcClure", "Huber",
                                  "PseudoHuber", "Saturated", "Tukey", "Welsch"));
 }

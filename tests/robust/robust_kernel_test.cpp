@@ -6,6 +6,7 @@
 #include <string>
 
 #include "boxplus/robust/huber.h"
+#include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/testing/check_kernel.h"
@@ -14,7 +15,7 @@ namespace boxplus {
 namespace {
 
 TEST(RobustKernels, ObeyTheContractAtEveryWidth) {
-  for (const NamedKernel& kernel : robust_kernels()) {
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) {
     const std::string name = kernel.takes_parameter() ? "Barron:-1.5" : std::string(kernel.name);
     for (const double delta : {0.01, 1.0, 2.5, 300.0}) {
       const KernelCheck check = check_kernel(*make_robust_kernel(name, delta));
@@ -24,7 +25,7 @@ TEST(RobustKernels, ObeyTheContractAtEveryWidth) {
 }
 
 TEST(RobustKernels, StayFiniteForHugeErrors) {
-  for (const NamedKernel& kernel : robust_kernels()) {
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) {
     const std::string name = kernel.takes_parameter() ? "Barron:-1.5" : std::string(kernel.name);
     for (const double e2 : {1e-300, 1e100, 1e300}) {
       const Rho rho = (*make_robust_kernel(name, 1.0))(e2);

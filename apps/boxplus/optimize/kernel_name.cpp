@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 
 namespace boxplus::app {
@@ -22,7 +23,7 @@ std::string lower(std::string text) {
 /// "huber" as "Huber" and "barron:1" as "Barron:1"; what is not known as it is.
 std::string spelt_out(const std::string& text) {
   const std::size_t end = std::min(text.find(':'), text.size());
-  for (const NamedKernel& kernel : robust_kernels()) {
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) {
     const std::string known(kernel.name.substr(0, kernel.name.find(':')));
     if (lower(text.substr(0, end)) == lower(known)) return known + text.substr(end);
   }
@@ -42,13 +43,13 @@ CLI::Validator kernel_name() {
     }
   };
   std::vector<std::string_view> names;
-  for (const NamedKernel& kernel : robust_kernels()) names.push_back(kernel.name);
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) names.push_back(kernel.name);
   return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 std::string kernels_with_squared_width() {
   std::vector<std::string_view> names;
-  for (const NamedKernel& kernel : robust_kernels()) {
+  for (const detail::KernelEntry& kernel : detail::kernel_table()) {
     if (kernel.width_is_squared) names.push_back(kernel.name);
   }
   return fmt::format("{}", fmt::join(names, " and "));

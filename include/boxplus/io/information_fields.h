@@ -14,7 +14,7 @@ namespace boxplus {
 Information read_information(FieldReader& in, int rows);
 void write_information(const InformationView& information, FieldWriter& out);
 
-namespace io {
+namespace detail {
 
 /// An Ω as it was read. The graph checks it when the edge is added, which is enough: a check takes longer
 /// than reading.
@@ -33,5 +33,5 @@ using ToUpperTriangle = void (*)(std::span<double> listed);
 /// `to_upper_triangle`: nullptr if the file lists the upper triangle. Throws InputError if Ω is zero.
 UncheckedInformation read_unchecked_information(FieldReader& in, int rows, ToUpperTriangle to_upper_triangle);
 
-}  // namespace io
+}  // namespace detail
 }  // namespace boxplus

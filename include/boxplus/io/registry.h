@@ -22,31 +22,31 @@ class Registry {
  public:
   template <class T>
   void vertex(std::string name) {
-    add(io::vertex_tag<FileFields<T>, T>(std::move(name)));
+    add(detail::vertex_tag<FileFields<T>, T>(std::move(name)));
   }
   template <class T>
   void parameter(std::string name) {
-    add(io::parameter_tag<T>(std::move(name)));
+    add(detail::parameter_tag<T>(std::move(name)));
   }
   /// V: a vertex type, Tail<T> in the last place, or Parameter<T> after all vertices.
   template <class E, class... V>
   void edge(std::string name) {
-    add(io::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
+    add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
   }
   /// The type of an edge with that tag whose last two parameters are one and the same: V names it once.
   template <class E, class... V>
   void edge_with_shared_parameter(const std::string& name) {
-    add_shared(name, io::edge_tag<EdgeFields<E>, E, V...>(name));
+    add_shared(name, detail::edge_tag<EdgeFields<E>, E, V...>(name));
   }
   /// An old tag for vertices (edges) that are written under another one. Fields: how they stand in the file,
   /// like FileFields (EdgeFields), but reading only.
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name) {
-    add_old(io::vertex_tag<Fields, T>(std::move(name)));
+    add_old(detail::vertex_tag<Fields, T>(std::move(name)));
   }
   template <class Fields, class E, class... V>
   void old_edge(std::string name) {
-    add_old(io::edge_tag<Fields, E, V...>(std::move(name)));
+    add_old(detail::edge_tag<Fields, E, V...>(std::move(name)));
   }
 
   /// nullptr if the tag is unknown.

@@ -51,7 +51,7 @@ struct Tag {
   bool written = true;  ///< false: an old tag that is only read
 };
 
-namespace io {
+namespace detail {
 
 template <class V>
 struct Stripped {
@@ -176,5 +176,5 @@ Tag edge_tag(std::string name) {
   return tag;
 }
 
-}  // namespace io
+}  // namespace detail
 }  // namespace boxplus

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robust kernels by name, as the command line and files give them.
+// Robust kernels by name. kernel_table.h lists the names.
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string_view>
 
 #include "boxplus/robust/robust_kernel.h"
 
 namespace boxplus {
-
-/// A row of the table of kernels that have a name.
-struct NamedKernel {
-  /// As help texts list it: "Huber"; "Barron:ALPHA" takes a parameter, the shape.
-  std::string_view name;
-  /// `parameter` is the text behind the colon.
-  std::unique_ptr<RobustKernel> (*make)(std::string_view parameter, double delta);
-  bool width_is_squared = false;  ///< the width is in units of e², not of √e²
-
-  bool takes_parameter() const { return name.find(':') != std::string_view::npos; }
-};
-
-/// All kernels that have a name, in alphabetical order.
-std::span<const NamedKernel> robust_kernels();
 
 /// The kernel of that name and width. "Barron:1.5" gives Barron's kernel with the shape 1.5 ("Barron:-inf"
 /// too). Throws InvalidArgument for an unknown name (the message lists the known ones) or a width that is not

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The robust kernels that have a name, in one table.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "boxplus/robust/robust_kernel.h"
+
+namespace boxplus::detail {
+
+struct KernelEntry {
+  /// For command lines: "Huber"; "Barron:ALPHA" takes a parameter, the shape.
+  std::string_view name;
+  /// `parameter` is the text behind the colon. Throws InvalidArgument if it or the width is wrong.
+  std::unique_ptr<RobustKernel> (*make)(std::string_view parameter, double delta);
+  bool width_is_squared = false;  ///< the width is in units of e², not of √e²
+
+  bool takes_parameter() const { return name.find(':') != std::string_view::npos; }
+};
+
+/// In the order of help texts, which is that of the alphabet.
+std::span<const KernelEntry> kernel_table();
+
+}  // namespace boxplus::detail
