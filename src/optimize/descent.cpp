@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/descent.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "optimize/significance.h"
 
 namespace boxplus {
 namespace {
@@ -15,6 +19,49 @@ double count_degrees_of_freedom(const Graph& graph, const Plan& plan) {
     }
   }
   return rows - plan.free_scalars();
+}
+
+/// Why an iteration that took no step ends the run.
+RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, int iterations) {
+  switch (outcome) {
+    case IterationOutcome::kNoFurtherDecrease:
+      return {Status::kConverged, Reason::kNoFurtherDecrease, chi2, iterations};
+    case IterationOutcome::kNoStepFound:
+      return {Status::kNotConverged, Reason::kNoStepFound, chi2, iterations};
+    case IterationOutcome::kStopped:
+      return {Status::kNotConverged, reason_of(stop), chi2, iterations};
+    case IterationOutcome::kNotFinite:
+      return {Status::kFailed, Reason::kNotFinite, chi2, iterations};
+    default:
+      return {Status::kFailed, Reason::kNotPositiveDefinite, chi2, iterations};
+  }
+}
+
+/// The part of chi2 that the rounding of its sum may be.
+constexpr double kChi2Rounding = 1e-13;
+
+/// Data without noise, fitted: errors of less than 1e-10 standard deviations are all rounding, whatever
+/// decrease the model predicts for the next step.
+bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
+  constexpr double kRounding = 1e-20, kFallsFast = 0.25;
+  return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
+}
+
+/// Neither what the iteration gained nor what the model predicted for it is more than `fraction` of chi2.
+bool gains_less_than(double fraction, const IterationRecord& record) {
+  return std::abs(record.chi2_decrease) <= fraction * record.chi2 &&
+         record.predicted_decrease <= fraction * record.chi2;
+}
+
+std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
+                                  std::size_t unknowns, double largest_step, bool cut_short) {
+  if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
+  if (is_exact(record, chi2_before, unknowns)) return Reason::kNoFurtherDecrease;
+  if (cut_short) return std::nullopt;
+  if (gains_less_than(kChi2Rounding, record)) return Reason::kNoFurtherDecrease;
+  if (record.step_max <= options.step_tolerance * largest_step) return Reason::kStepTolerance;
+  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -37,12 +84,38 @@ RunResult Descent::run(double chi2) {
 RunResult Descent::run_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Status::kFailed, Reason::kNotFinite, chi2, 0};
   algorithm_.reset(options_, system_.plan().scalars());
-  const auto go_on = [&](const IterationRecord& record) { return call_back(record) && wanted(record); };
-  const RunContext context{options_, iterations_left(), degrees_of_freedom_, stop_, clock_, go_on, records_};
-  const RunResult result = minimize(system_, algorithm_, context, chi2);
+  const RunResult result = iterate(wanted, chi2);
   iterations_ += result.iterations;
   regularized_steps_ += algorithm_.regularized_steps();
   return result;
+}
+
+RunResult Descent::iterate(FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
+  const int most = iterations_left();
+  double largest_step = 0;
+  Significance significance(options_.noise_tolerance, degrees_of_freedom_);
+  for (int iteration = 0;; ++iteration) {
+    if (stop_.raised()) return {Status::kNotConverged, reason_of(stop_), chi2, iteration};
+    if (iteration >= most) return {Status::kNotConverged, Reason::kMaxIterations, chi2, iteration};
+    IterationRecord record;
+    record.iteration = static_cast<int>(records_.size());
+    record.chi2 = chi2;
+    const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
+    if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
+    record.time_s = clock_.seconds();
+    records_.push_back(record);
+    const double before = chi2;
+    chi2 = record.chi2;
+    largest_step = std::max(largest_step, record.step_max);
+    const bool goes_on = call_back(record) && wanted(record);
+    const std::size_t unknowns = system_.gradient().size();
+    if (const auto reason = convergence(options_, record, before, unknowns, largest_step, cut_short))
+      return {Status::kConverged, *reason, chi2, iteration + 1};
+    if (significance.is_lost(record))
+      return {Status::kConverged, Reason::kCostTolerance, chi2, iteration + 1};
+    if (!goes_on) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
+  }
 }
 
 bool Descent::call_back(const IterationRecord& record) {

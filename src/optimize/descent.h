@@ -6,9 +6,26 @@
 #include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/report.h"
 #include "optimize/batch_system.h"
-#include "optimize/minimize.h"
+#include "optimize/stopwatch.h"
 
 namespace boxplus {
+
+struct RunResult {
+  Status status = Status::kNotConverged;
+  Reason reason = Reason::kMaxIterations;
+  double chi2 = 0;
+  int iterations = 0;
+};
+
+/// Whether somebody, or the clock, asked for the end.
+constexpr bool is_interruption(Reason reason) {
+  return reason == Reason::kStopFlag || reason == Reason::kTimeLimit || reason == Reason::kCallback;
+}
+
+/// Why the token is raised.
+inline Reason reason_of(const StopToken& stop) {
+  return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
+}
 
 /// Shares the bounds of the call, on iterations and on time, between its runs.
 class Descent {
@@ -38,6 +55,7 @@ class Descent {
 
  private:
   int iterations_left() const { return options_.max_iterations - iterations_; }
+  RunResult iterate(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
 
   Graph& graph_;

@@ -4,7 +4,7 @@
 
 #include "boxplus/optimize/report.h"
 #include "optimize/batch_system.h"
-#include "optimize/minimize.h"
+#include "optimize/descent.h"
 
 namespace boxplus {
 
