@@ -1,4 +1,4 @@
-# Compiler settings of boxplus itself; nothing here reaches a client, except through target properties in src/.
+# Compiler settings of boxplus itself. They reach clients only through target properties in src/.
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -7,7 +7,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Paths below the project are hashed relative to it, so that another clone finds what this one compiled.
+  # ccache hashes paths below the project relative to it, so that another clone can reuse the results.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_CURRENT_SOURCE_DIR}
                                   CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
 endif()
@@ -18,7 +18,7 @@ if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(boxplus_warnings INTERFACE -Werror)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC 12 reports false positives of these deep inside Eigen, <string> and <vector>.
+  # GCC 12 reports false positives of these warnings deep inside Eigen, <string> and <vector>.
   target_compile_options(boxplus_warnings INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
 endif()
 

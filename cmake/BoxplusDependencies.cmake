@@ -1,4 +1,4 @@
-# What the library needs. What its clients need, too, stands again in boxplusConfig.cmake.in.
+# The dependencies of the library. If clients need one too, it is also in boxplusConfig.cmake.in.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(AMD REQUIRED)

@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that find_package(boxplus) finds.
+# The files that `cmake --install` installs, and the package that find_package(boxplus) finds.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/boxplus)
 
@@ -12,7 +12,7 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/boxplus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT boxplus FILE boxplusTargets.cmake NAMESPACE boxplus:: DESTINATION ${package_dir})
 
-# A static library leaves its private dependencies to the final link, so that its clients must find them.
+# If the library is static, its private dependencies are linked by the clients, so clients must find them.
 get_target_property(type boxplus TYPE)
 string(COMPARE EQUAL ${type} STATIC_LIBRARY BOXPLUS_IS_STATIC)
 configure_package_config_file(cmake/boxplusConfig.cmake.in boxplusConfig.cmake INSTALL_DESTINATION ${package_dir})

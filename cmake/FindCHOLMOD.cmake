@@ -1,5 +1,5 @@
-# CHOLMOD of SuiteSparse, as target CHOLMOD::CHOLMOD. GPL and LGPL: a peer of bench/, and of the g2o
-# face only the plug-in solver_cholmod links it.
+# CHOLMOD of SuiteSparse, as target CHOLMOD::CHOLMOD. It is GPL and LGPL: only bench/ and the plug-in solver_cholmod
+# of the g2o API link it.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)

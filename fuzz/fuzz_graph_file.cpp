@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What must hold for any text that someone takes for a graph file:
+// Checks laws that hold for any text, graph file or not:
 //
-//   - reading it ends with a graph or with an InputError, and nothing else;
-//   - lenient reading never complains, and reads what strict reading accepts as strict reading does, with
-//     any number of threads;
-//   - what was read can be written; what was written is read as the same graph and written as the same text.
+//   - reading it returns a graph or throws an InputError, and does nothing else;
+//   - lenient reading never throws; if strict reading accepts the text, lenient reading gives the same graph,
+//     with any number of threads;
+//   - a graph that was read can be written; reading it again gives the same graph, and the same text.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,7 @@
 namespace boxplus {
 namespace {
 
-/// What tells graphs apart: the text that writes one, and its chi2 (a sum whose order may differ).
+/// Identifies a graph by the text that writes it, and by its chi2 (a sum whose order may differ).
 struct Trace {
   std::string text;
   double chi2;
@@ -60,9 +60,9 @@ void check(std::string_view text) {
   lenient.threads = 2;
   lenient.lenient = true;
   const std::optional<Trace> strictly = trace_of(text, strict), leniently = trace_of(text, lenient);
-  if (strictly) expect_same("lenient reading accepts what strict reading does", strictly, leniently);
-  if (!leniently) expect_same("lenient reading does not complain", Trace{}, leniently);
-  expect_same("what was written is read as it was", leniently, trace_of(leniently->text, strict));
+  if (strictly) expect_same("if strict reading accepts a text, so does lenient reading", strictly, leniently);
+  if (!leniently) expect_same("lenient reading never throws", Trace{}, leniently);
+  expect_same("a written graph is read unchanged", leniently, trace_of(leniently->text, strict));
 }
 
 }  // namespace

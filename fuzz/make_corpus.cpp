@@ -22,7 +22,7 @@ std::string simulated(World world) {
   return format_graph(file);
 }
 
-/// Every word that the simulators do not write, once.
+/// Each tag that the simulators do not write, once.
 std::string plane() {
   GraphFile file;
   Graph& graph = file.graph;
@@ -71,13 +71,13 @@ std::string space() {
   return format_graph(file);
 }
 
-/// What a reader does besides elements: comments, unknown words, unassigned vertices, several ids after FIX.
+/// Other features of the format: comments, unknown tags, unassigned vertices, several ids after FIX.
 std::string odds() {
   return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
          "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
 }
 
-/// TORO's words and order of Ω, which our writer does not write: the numbers of our writer, rearranged.
+/// TORO's tags and order of Ω, which our writer does not write: its output, rearranged.
 std::string toro_plane() {
   const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
   std::string text;

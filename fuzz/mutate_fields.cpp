@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mutations that know of lines and fields: most of them leave a text that still is a graph file, so that the
-// fuzzer gets behind the reader's first complaint. libFuzzer calls them in place of its own, which stay in
+// Mutations of lines and fields. Most of them leave a text that is still a graph file, so that the fuzzer
+// gets beyond the reader's first error. libFuzzer calls them in place of its own mutations, which they still
 // use.
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace {
 using Parts = std::vector<std::string>;
 using Random = std::minstd_rand;
 
-/// Numbers at which arithmetic and parsers change their ways.
+/// Numbers at which arithmetic or parsers behave in special ways.
 constexpr const char* kNumbers[] = {"0",
                                     "-0",
                                     "1",
@@ -67,7 +67,7 @@ std::size_t below(std::size_t count, Random& random) {
   return random() % count;
 }
 
-/// A number like `text`, but for one digit.
+/// `text` with one digit changed.
 std::string nudged(std::string text, Random& random) {
   if (!text.empty()) text[below(text.size(), random)] = static_cast<char>('0' + below(10, random));
   return text;
@@ -78,7 +78,7 @@ std::string any_field(const std::string& line, Random& random) {
   return fields[below(fields.size(), random)];
 }
 
-/// Changes one field of a line; `other` is a line to take one from.
+/// Changes one field of a line; may copy a field from the line `other`.
 void mutate_field(std::string& line, const std::string& other, Random& random) {
   Parts fields = split(line, ' ');
   std::string& field = fields[below(fields.size(), random)];

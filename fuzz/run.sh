@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# run.sh SECONDS: runs each fuzz target of build/fuzz for so long, beginning with the regressions. A finding ends
-# it and lies in build/fuzz/findings; once mended, it belongs into fuzz/regressions. What is new in a run joins
-# build/fuzz/corpus, so that the next one begins there.
+# run.sh SECONDS: runs each fuzz target of build/fuzz for this many seconds, beginning with the regressions. A finding
+# ends the run and is saved in build/fuzz/findings; move it to fuzz/regressions when it is fixed. New inputs of a run
+# are added to build/fuzz/corpus, where the next run starts.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

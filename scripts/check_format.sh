@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Fails when clang-format would change a C++ file that git knows or could know; with --fix, formats them instead.
+# Fails if clang-format would change a C++ file that git tracks or could track; with --fix, formats them instead.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

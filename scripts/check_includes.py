@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that includes point only downwards, and never from public headers to private ones.
+"""Checks that includes point only downwards, and that public headers include no private ones.
 
     check_includes.py [ROOT]
 
 Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders of C++ below ROOT, by
-default the project. Prints file:line of each arrow that ALLOWED does not have. The public
-headers of the g2o face, which are C++17, include nothing of boxplus/ at all.
+default the project. Prints file:line of each arrow that ALLOWED does not have. The public headers of the g2o API, which
+are C++17, must not include boxplus/ at all.
 """
 
 import pathlib
@@ -14,7 +14,7 @@ import re
 import sys
 
 # The arrows: a file in the folder on the left may include its own folder and those on the right; lowest first.
-# ARCHITECTURE.md tells why.
+# ARCHITECTURE.md explains why.
 ALLOWED = {
     "base": "",
     "kernels": "",
@@ -45,7 +45,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def folder_of_file(path):
-    """Which row of the table a file (relative to the root) belongs to."""
+    """The row of the table for a file (relative to the root)."""
     parts = path.parts
     if parts[0] in PROGRAMS:
         return parts[0]
@@ -54,12 +54,12 @@ def folder_of_file(path):
 
 
 def target_of_include(root, path, quote, name):
-    """(folder, is_private) of an included file of ours, or None for one that is not ours."""
+    """(folder, is_private) of an included file of the project, or None for any other file."""
     parts = pathlib.PurePosixPath(name).parts
     if parts[0] == "boxplus":
         return parts[1], False
     if quote == '"':
-        # "graph/x.h" from src/, or a neighbour of the including file.
+        # "graph/x.h" from src/, or a neighbor of the including file.
         for base in (root / "src", (root / path).parent):
             file = (base / name).resolve()
             if file.is_file() and file.is_relative_to((root / "src").resolve()):

@@ -1,24 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that README.md and the pages of docs/ show what compiles, and what programs really print.
+"""Checks that README.md and docs/ show the code of examples/, and the output that programs print.
 
     check_listings.py [--fix] [PROGRAMS]
 
-Each C++ block of these pages follows a line that names its source, each block of text one that names the
+Before each C++ block of these pages, a line names its source. Before each block of text, a line names the
 command that prints it, or says that no program does:
 
-    <!-- examples/02_own_edge.cpp [edge] -->        what stands there between // [edge] and // [/edge],
+    <!-- examples/02_custom_edge.cpp [edge] -->        the lines between // [edge] and // [/edge],
                                                     or # [edge] and # [/edge]
-    <!-- output of 02_own_edge -->                  what a command prints that succeeds,
+    <!-- output of 02_custom_edge -->                  the output of a command that succeeds,
     <!-- output of boxplus info data/01_town.g2o -->
     <!-- complaint of boxplus info nowhere.g2o -->  or one that refuses its input (exit code 2)
     <!-- drawing -->
 
 Outputs are checked if PROGRAMS is given, the folder of the examples in a build; the command boxplus is that of
-the same build. A command is run by the shell in an empty folder, in which data/ is that of the project. Numbers
-may differ by rounding; times (four decimals) and threads by anything. With --fix the pages are corrected instead.
-docs/cli.md must be what `boxplus help --markdown` prints, and is not searched for blocks. Words of files that
-src/io registers must stand in docs/formats.md, and links to files must lead somewhere.
+the same build. The shell runs a command in an empty folder with the project's data/. Numbers may differ by
+rounding; times (four decimals) and numbers of threads may differ arbitrarily. With --fix, the script corrects the
+pages. docs/cli.md must equal the output of `boxplus help --markdown`, and is not searched for blocks.
+docs/formats.md must contain all tags that src/io registers, and links must lead to existing files.
 """
 
 import os
@@ -39,7 +39,7 @@ LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 
 
 def region(source):
-    """What stands between the markers of "examples/x.cpp [name]", or all of "examples/x.cpp"."""
+    """The lines between the markers of "examples/x.cpp [name]", or all of "examples/x.cpp"."""
     file, _, name = source.partition(" ")
     text = (ROOT / file).read_text(encoding="utf-8")
     if name:
@@ -52,7 +52,7 @@ def region(source):
 
 
 def run(programs, command):
-    """The command, run to its end; programs of the build come first."""
+    """Runs the command to its end; programs of the build come first in the PATH."""
     path = os.pathsep.join([str(programs), str(programs.parents[1] / "bin"), os.environ["PATH"]])
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "data").symlink_to(ROOT / "data")
@@ -62,7 +62,7 @@ def run(programs, command):
 
 
 def printed_by(programs, source):
-    """What stands on the output, or on the error output, of the command in "output of …", "complaint of …"."""
+    """The output, or the error output, of the command in "output of …", "complaint of …"."""
     kind, _, command = source.partition(" of ")
     done = run(programs, command)
     expected = 0 if kind == "output" else 2
@@ -72,7 +72,7 @@ def printed_by(programs, source):
 
 
 def alike(shown, printed):
-    """The same text, and the same numbers but for rounding."""
+    """True for the same text with the same numbers, up to rounding."""
     shown, printed = VARIES.sub("…", shown), VARIES.sub("…", printed)
     if NUMBER.sub("0", shown) != NUMBER.sub("0", printed):
         return False
@@ -81,7 +81,7 @@ def alike(shown, printed):
 
 
 def check_block(match, programs, complain):
-    """The block as it should be."""
+    """The corrected block."""
     source, language, shown = match["source"], match["language"], match["text"]
     try:
         if source and source.startswith("examples/"):
@@ -133,7 +133,7 @@ def check_command_page(programs, fix):
         return []
     if fix:
         page.write_text(done.stdout, encoding="utf-8")
-    return ["docs/cli.md: differs from what boxplus help --markdown prints"]
+    return ["docs/cli.md: differs from the output of boxplus help --markdown"]
 
 
 def missing_words():

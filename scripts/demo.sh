@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes a noisy pose graph on a sphere, optimises it, and draws it before and after.
+# Makes a noisy pose graph on a sphere, optimizes it, and draws it before and after.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -22,6 +22,6 @@ cat <<END
 
 Written:
   $folder/sphere.g2o            the simulated graph, from odometry
-  $folder/sphere_optimized.g2o  the optimised graph
+  $folder/sphere_optimized.g2o  the optimized graph
   $folder/sphere.svg            the picture: before and after
 END

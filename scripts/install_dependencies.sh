@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs those packages of a list that are missing. Says and does nothing when none is.
+# Installs the missing packages of a list. Prints and does nothing if no package is missing.
 #
 #     install_dependencies.sh [LIST]      by default debian-packages.txt
 set -euo pipefail
@@ -8,7 +8,7 @@ set -euo pipefail
 list="${1:-$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt}"
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-  echo "boxplus: not a Debian system, so nothing is installed; what is needed stands in $list" >&2
+  echo "boxplus: not a Debian system, so nothing is installed; $list lists the packages that boxplus needs" >&2
   exit 0
 fi
 
