@@ -64,7 +64,7 @@ void CholmodPeer::check(const char* step) const {
                            " after " + step);
 }
 
-/// Row i of the lower triangle is column i of the upper one: blocks of a row come in the order of columns.
+/// Row i of the lower triangle is column i of the upper one: the blocks of a row are in the order of columns.
 void CholmodPeer::fill(const BlockStructure& structure, std::span<const double> values) {
   const std::uint32_t n = structure.scalars();
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> blocks_of_row(structure.blocks());
@@ -105,7 +105,7 @@ void CholmodPeer::fill_block_pattern(const BlockStructure& structure) {
   cholmod_free_sparse(&lower, &common_);
 }
 
-/// The ordering of the blocks, written out for their scalars.
+/// The ordering of the blocks, expanded to their scalars.
 std::vector<int> CholmodPeer::order_blocks() {
   std::vector<int> blocks(block_pattern_->ncol), scalars;
   if (settings_.ordering == CholmodSettings::Ordering::kAmd) {
@@ -138,7 +138,7 @@ void CholmodPeer::analyze() {
 
 void CholmodPeer::factorize() {
   cholmod_factorize(matrix_, factor_, &common_);
-  check("factorisation");
+  check("factorization");
 }
 
 std::span<const double> CholmodPeer::solve(std::span<const double> b) {

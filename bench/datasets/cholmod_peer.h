@@ -12,17 +12,17 @@
 
 namespace boxplus::bench {
 
-/// The ways to use CHOLMOD that are tried on every matrix.
+/// The configurations of CHOLMOD that are tried on every matrix.
 struct CholmodSettings {
   enum class Ordering { kAmd, kMetis } ordering;
-  bool on_blocks;   ///< order the graph of blocks, as g2o does, not that of scalars
-  bool supernodal;  ///< else simplicial: L D Lᵀ, column by column
+  bool on_blocks;   ///< order the graph of blocks, as g2o does, instead of that of scalars
+  bool supernodal;  ///< otherwise simplicial: L D Lᵀ, column by column
 
   std::string name() const;
 };
 const std::array<CholmodSettings, 8>& all_cholmod_settings();
 
-/// One matrix, stored as its upper triangle by columns, which CHOLMOD names as the fastest form.
+/// One matrix, stored as its upper triangle by columns, the fastest form according to CHOLMOD's manual.
 class CholmodPeer {
  public:
   CholmodPeer(const BlockStructure& structure, std::span<const double> values,
@@ -32,14 +32,14 @@ class CholmodPeer {
   CholmodPeer& operator=(const CholmodPeer&) = delete;
 
   const CholmodSettings& settings() const { return settings_; }
-  /// Gives back the memory of the factor.
+  /// Frees the memory of the factor.
   void forget();
-  /// Each throws std::runtime_error where CHOLMOD reports a failure.
+  /// Each throws std::runtime_error if CHOLMOD reports a failure.
   void analyze();
   void factorize();
-  /// Returns A⁻¹ b; the vector stays the peer's.
+  /// Returns A⁻¹ b; the peer owns the vector.
   std::span<const double> solve(std::span<const double> b);
-  /// Useful floating-point operations of a factorisation L Lᵀ with the ordering.
+  /// Useful floating-point operations of a factorization L Lᵀ with the ordering.
   double flops() const { return common_.fl; }
 
  private:

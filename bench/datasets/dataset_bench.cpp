@@ -3,8 +3,8 @@
 //
 //     dataset_bench FOLDER COMMIT [NAME…]
 //
-// FOLDER holds the files (see datasets.cpp), COMMIT names the sources, NAMEs choose files. Progress goes to
-// stderr.
+// FOLDER contains the files (see datasets.cpp), COMMIT names the sources, NAMEs select files. Progress goes
+// to stderr.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Arguments parse(int count, char** words) {
   return arguments;
 }
 
-/// The files that the goals of the g2o face are about.
+/// True for the files in the goals of the g2o API.
 bool compares_faces(const std::string& name) {
   return name == "sphere2500" || name == "torus3D";
 }
@@ -55,12 +55,12 @@ DatasetResults measure(const Dataset& dataset, const Arguments& arguments) {
   const std::string path = std::filesystem::path(arguments.folder) / dataset.path;
   try {
     GraphFile file = read_anchored(path);
-    results.linear = run_linear_duel(file.graph);
-    results.solve = run_solve_duel(file.graph, dataset.target());
+    results.linear = run_linear_comparison(file.graph);
+    results.solve = run_solve_comparison(file.graph, dataset.target());
     results.whole =
-        run_whole_duel(arguments.programs, path, results.solve->ceres_settings_index, dataset.target());
-    results.threads = run_thread_duel(file.graph);
-    if (compares_faces(dataset.name())) results.faces = run_face_duel(path);
+        run_whole_comparison(arguments.programs, path, results.solve->ceres_settings_index, dataset.target());
+    results.threads = run_thread_comparison(file.graph);
+    if (compares_faces(dataset.name())) results.faces = run_face_comparison(path);
   } catch (const std::exception& error) {
     results.trouble = error.what();
     fmt::print(stderr, "{}: {}\n", dataset.name(), error.what());
@@ -83,7 +83,7 @@ Results measure_all(const Arguments& arguments) {
   for (const int poses : {200, 300, 400, kLargeTorus}) {
     fmt::print(stderr, "torus of {} poses\n", poses);
     Simulation torus = simulate(World::kTorus, {.poses = poses});
-    results.tori[poses] = run_thread_duel(torus.graph);
+    results.tori[poses] = run_thread_comparison(torus.graph);
   }
   results.scale = run_scale(arguments.programs);
   return results;
@@ -92,11 +92,10 @@ Results measure_all(const Arguments& arguments) {
 void print(const Results& results) {
   fmt::print(
       "# Results of the benchmarks\n\n"
-      "Written by `make bench`; the latest run. Everything below was measured in that one run: contestants "
-      "in turn,\n"
-      "medians of at least five repetitions, one thread where nothing else is said. × tells how many times "
-      "faster\n"
-      "(or smaller) boxplus is.\n\n| | |\n|---|---|\n");
+      "Written by `make bench`; the latest run. All figures are from that one run: contestants took turns,\n"
+      "and the figures are medians of at least five repetitions, with one thread unless another number is "
+      "given.\n"
+      "× is the factor by which boxplus is faster (or smaller).\n\n| | |\n|---|---|\n");
   for (const auto& [what, value] : results.machine) fmt::print("| {} | {} |\n", what, value);
   fmt::print("\n{}{}", goals_of(results), tables_of(results));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/face_duel.h"
+#include "datasets/face_comparison.h"
 
 #include <cmath>
 #include <memory>
@@ -54,7 +54,8 @@ Figures run_face(g2o::SparseOptimizer& optimizer) {
   return {median(linearize), median(iteration), chi2};
 }
 
-/// Where Gauss-Newton descends: from the estimates of torus3D's file it goes astray, each face its own way.
+/// The graph after one iteration from the chordal guess. From the estimates of its file, Gauss-Newton
+/// diverges on torus3D, differently in each API.
 GraphFile read_near_minimum(const std::string& path) {
   GraphFile file = read_anchored(path);
   optimize(file.graph, {.start = Start::kChordal, .max_iterations = 1});
@@ -65,7 +66,7 @@ void prepare(g2o::SparseOptimizer& optimizer, const GraphFile& file) {
   using Blocks = g2o::BlockSolverX;
   using Linear = g2o::LinearSolverEigen<Blocks::PoseMatrixType>;
   std::istringstream text(format_graph(file));
-  if (!optimizer.load(text)) throw std::runtime_error("the g2o face cannot read what the native one wrote");
+  if (!optimizer.load(text)) throw std::runtime_error("the g2o API cannot read what the native one wrote");
   optimizer.setAlgorithm(std::make_unique<g2o::OptimizationAlgorithmGaussNewton>(
       std::make_unique<Blocks>(std::make_unique<Linear>())));
   optimizer.setComputeBatchStatistics(true);
@@ -74,7 +75,7 @@ void prepare(g2o::SparseOptimizer& optimizer, const GraphFile& file) {
 
 }  // namespace
 
-FaceDuel run_face_duel(const std::string& path) {
+FaceComparison run_face_comparison(const std::string& path) {
   GraphFile file = read_near_minimum(path);
   g2o::SparseOptimizer optimizer;
   prepare(optimizer, file);
@@ -82,7 +83,7 @@ FaceDuel run_face_duel(const std::string& path) {
       interleaved_medians({[&] { return run_native(file.graph); }, [&] { return run_face(optimizer); }});
   const double native = medians[0][2], face = medians[1][2];
   if (!(std::abs(native - face) <= 1e-9 * native))
-    throw std::runtime_error("the two faces end at different chi2");
+    throw std::runtime_error("the two APIs end at different chi2");
   return {{medians[0][0], medians[0][1]}, {medians[1][0], medians[1][1]}};
 }
 

@@ -11,16 +11,17 @@
 namespace boxplus::bench {
 namespace {
 
-/// How many times faster boxplus was on each file; 0 where only the peer arrived.
+/// The factor by which boxplus was faster on each file; 0 if only the peer arrived.
 struct Ratios {
   std::vector<std::pair<std::string, double>> files;
-  std::vector<std::string> missing;  ///< files where the peer did not arrive, or that could not be measured
+  std::vector<std::string>
+      missing;  ///< files on which the peer did not arrive, or that could not be measured
 };
 
 struct Goal {
   std::string text;
-  double mean;       ///< the geometric mean that is wanted
-  double least = 0;  ///< and the least of any file, where that is wanted too
+  double mean;       ///< the goal for the geometric mean
+  double least = 0;  ///< the goal for every single file, if there is one
 };
 
 Ratios ratios_of(const Results& results, const std::function<double(const DatasetResults&)>& ratio) {
@@ -53,43 +54,48 @@ std::string line_of(const Goal& goal, const Ratios& ratios) {
 }
 
 std::string linear_goals(const Results& results) {
-  const auto linear = [&](const std::function<double(const LinearDuel&)>& ratio) {
+  const auto linear = [&](const std::function<double(const LinearComparison&)>& ratio) {
     return ratios_of(results, [&](const DatasetResults& result) { return ratio(*result.linear); });
   };
-  return line_of({"factorisation, against CHOLMOD's fastest way", 4, 2.5}, linear([](const LinearDuel& d) {
+  return line_of({"factorization, against CHOLMOD's fastest way", 4, 2.5},
+                 linear([](const LinearComparison& d) {
                    return d.cholmod.factorize_s / d.automatic.factorize_s;
                  })) +
-         line_of({"the same, all in double", 4, 2.5},
-                 linear([](const LinearDuel& d) { return d.cholmod.factorize_s / d.ours.factorize_s; })) +
-         line_of({"factorisation and solution", 4, 2.5}, linear([](const LinearDuel& d) {
+         line_of({"the same, all in double", 4, 2.5}, linear([](const LinearComparison& d) {
+                   return d.cholmod.factorize_s / d.ours.factorize_s;
+                 })) +
+         line_of({"factorization and solution", 4, 2.5}, linear([](const LinearComparison& d) {
                    return (d.cholmod.factorize_s + d.cholmod.solve_s) /
                           (d.automatic.factorize_s + d.automatic.solve_s);
                  })) +
-         line_of({"analysis, against CHOLMOD's with AMD", 3}, linear([](const LinearDuel& d) {
+         line_of({"analysis, against CHOLMOD's with AMD", 3}, linear([](const LinearComparison& d) {
                    return d.cholmod_amd_analyze_s / d.analyze_by_degree_s;
                  })) +
-         line_of({"the same, with AMD on blocks", 3}, linear([](const LinearDuel& d) {
+         line_of({"the same, with AMD on blocks", 3}, linear([](const LinearComparison& d) {
                    return d.cholmod_block_amd_analyze_s / d.analyze_by_degree_s;
                  }));
 }
 
 std::string solve_goals(const Results& results) {
-  const auto solve = [&](const std::function<double(const SolveDuel&)>& ratio) {
+  const auto solve = [&](const std::function<double(const SolveComparison&)>& ratio) {
     return ratios_of(results, [&](const DatasetResults& result) { return ratio(*result.solve); });
   };
-  return line_of({"linearise + assemble, against Ceres's Jacobian evaluation with autodiff", 6},
-                 solve([](const SolveDuel& d) { return d.autodiff.linearize_s / d.ours.linearize_s; })) +
-         line_of({"the same, with analytic edges", 2},
-                 solve([](const SolveDuel& d) { return d.analytic.linearize_s / d.ours.linearize_s; })) +
-         line_of({"iteration, against Ceres's with analytic edges", 4},
-                 solve([](const SolveDuel& d) { return d.analytic.iteration_s / d.ours.iteration_s; })) +
+  return line_of(
+             {"linearize + assemble, against Ceres's Jacobian evaluation with autodiff", 6},
+             solve([](const SolveComparison& d) { return d.autodiff.linearize_s / d.ours.linearize_s; })) +
+         line_of({"the same, with analytic edges", 2}, solve([](const SolveComparison& d) {
+                   return d.analytic.linearize_s / d.ours.linearize_s;
+                 })) +
+         line_of({"iteration, against Ceres's with analytic edges", 4}, solve([](const SolveComparison& d) {
+                   return d.analytic.iteration_s / d.ours.iteration_s;
+                 })) +
          line_of(
              {"to within 1e-6 of the best chi2, both from the file's estimates, against Ceres's fastest way",
               10, 4},
-             solve([](const SolveDuel& d) {
+             solve([](const SolveComparison& d) {
                return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours.arrival_s;
              })) +
-         line_of({"the same, ours with Start::kAutomatic", 10, 4}, solve([](const SolveDuel& d) {
+         line_of({"the same, ours with Start::kAutomatic", 10, 4}, solve([](const SolveComparison& d) {
                    return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours_automatic.arrival_s;
                  }));
 }
@@ -106,19 +112,19 @@ std::string thread_goal(const Results& results) {
   return line_of({"two threads, against one", 1.25, 1.25}, ratios);
 }
 
-/// Small files must not lose by a second thread.
+/// A second thread must not slow down small files.
 std::string slowdown_goal(const Results& results) {
   Ratios ratios;
   for (const DatasetResults& result : results.datasets) {
     if (result.threads)
       ratios.files.emplace_back(result.dataset.name(), result.threads->one_s / result.threads->two_s);
   }
-  for (const auto& [poses, duel] : results.tori)
-    ratios.files.emplace_back(fmt::format("torus of {} poses", poses), duel.one_s / duel.two_s);
+  for (const auto& [poses, comparison] : results.tori)
+    ratios.files.emplace_back(fmt::format("torus of {} poses", poses), comparison.one_s / comparison.two_s);
   return line_of({"the same, on every file and simulated torus", 0.95, 0.95}, ratios);
 }
 
-/// The share of DGEMM's rate that our factorisation reaches.
+/// Our factorization's rate as a share of DGEMM's.
 std::string rate_goal(const Results& results) {
   Ratios ratios;
   for (const DatasetResults& result : results.datasets) {
@@ -126,10 +132,10 @@ std::string rate_goal(const Results& results) {
     if ((name == "sphere2500" || name == "torus3D") && result.linear)
       ratios.files.emplace_back(name, result.linear->ours.rate() / results.dgemm_rate);
   }
-  return line_of({"factorisation in double, against DGEMM's rate", 0.35, 0.35}, ratios);
+  return line_of({"factorization in double, against DGEMM's rate", 0.35, 0.35}, ratios);
 }
 
-/// The goals that are bounds, not ratios to a peer.
+/// The goals that are bounds instead of ratios to a peer.
 std::string scale_goals(const Results& results) {
   const auto streets = [&](int poses) -> const ScaleFigures* {
     for (const ScaleResult& result : results.scale) {
@@ -151,7 +157,7 @@ std::string scale_goals(const Results& results) {
               fmt::format("{:.2f}", growth), growth < 2);
 }
 
-/// What the g2o face costs: the largest ratio of its files.
+/// The cost of the g2o API: the largest ratio over its files.
 std::string face_goals(const Results& results) {
   const auto line = [&](const char* what, double most, double FaceFigures::*figure) {
     double worst = 0;
@@ -166,9 +172,9 @@ std::string face_goals(const Results& results) {
     return fmt::format("| {} | at most {:g} | – | {:.2f} ({}) | {} |\n", what, most, worst, file,
                        worst <= most ? "met" : "**not met**");
   };
-  return line("the g2o face: time of an iteration, of the native face's, all threads", 1.25,
+  return line("the g2o API: time of an iteration, of the native API's, all threads", 1.25,
               &FaceFigures::iteration_s) +
-         line("the same: of a linearisation", 4, &FaceFigures::linearize_s);
+         line("the same: of a linearization", 4, &FaceFigures::linearize_s);
 }
 
 }  // namespace
@@ -179,9 +185,9 @@ std::string goals_of(const Results& results) {
     if (result.dataset.counts) counted += (counted.empty() ? "" : ", ") + result.dataset.name();
   }
   return "## Goals\n\nTimes faster than the peer: the geometric mean over " + counted +
-         ".\nFiles where the peer did not arrive are left out of a line, and named in it; where only the "
-         "peer did, 0 counts.\n\n"
-         "| what | wanted | mean | least | |\n|---|--:|--:|--:|---|\n" +
+         ".\nA line leaves out the files on which the peer did not arrive, and names them; if only the "
+         "peer\ndid, 0 counts.\n\n"
+         "| quantity | goal | mean | least | |\n|---|--:|--:|--:|---|\n" +
          linear_goals(results) + rate_goal(results) + solve_goals(results) + thread_goal(results) +
          slowdown_goal(results) + scale_goals(results) + face_goals(results);
 }

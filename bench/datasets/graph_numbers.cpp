@@ -14,7 +14,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// S with Ω = SᵀS, row by row: the transposed Cholesky factor, or √D Vᵀ where Ω is singular.
+/// S with Ω = SᵀS, row by row: the transposed Cholesky factor, or √D Vᵀ if Ω is singular.
 template <std::size_t N>
 std::array<double, N> root_of(const InformationView& information) {
   const Eigen::MatrixXd omega = information.matrix();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a Graph to bare numbers and back.
+// Converts a Graph to plain numbers and back.
 #pragma once
 
 #include "boxplus/graph/graph.h"
@@ -7,11 +7,11 @@
 
 namespace boxplus::bench {
 
-/// Poses and points are numbered as their slots. Throws std::runtime_error for an edge type that the peers
-/// do not have.
+/// Poses and points have the indices of their slots. Throws std::runtime_error for an edge type that the
+/// peers do not have.
 PlainGraph numbers_of(const Graph& graph);
 
-/// Overwrites the estimates of the graph that `numbers` were taken from.
+/// Overwrites the estimates of the graph from which `numbers` were taken.
 void set_estimates(Graph& graph, const PlainGraph& numbers);
 
 }  // namespace boxplus::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contestants are measured in turn, over and over, so that whatever disturbs the machine disturbs them alike.
+// Measures contestants in turns, over and over, so that disturbances of the machine affect all of them
+// equally.
 #pragma once
 
 #include <functional>
@@ -7,21 +8,21 @@
 
 namespace boxplus::bench {
 
-/// The figures of one run: seconds, mostly. All runs of a contestant have equally many.
+/// The figures of one run, mostly seconds. All runs of a contestant have the same number of figures.
 using Figures = std::vector<double>;
 using Contestant = std::function<Figures()>;
 
 struct Effort {
-  int least = 5;          ///< repetitions, whatever they take
-  int most = 25;          ///< repetitions, however short
-  double enough_s = 1.0;  ///< between the two: no further repetition after so many seconds
+  int least = 5;          ///< repetitions, however long they take
+  int most = 25;          ///< repetitions, however short they are
+  double enough_s = 1.0;  ///< between the two: no further repetition after this many seconds
 };
 
-/// The median of each figure of each contestant, after one run of each that is not counted.
+/// The median of each figure of each contestant. One run of each comes before, and is not counted.
 std::vector<Figures> interleaved_medians(const std::vector<Contestant>& contestants,
                                          const Effort& effort = {});
 
-/// exp of the mean logarithm; 1 of nothing.
+/// exp of the mean logarithm; 1 for an empty list.
 double geometric_mean(const std::vector<double>& values);
 
 }  // namespace boxplus::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/linear_duel.h"
+#include "datasets/linear_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,8 @@ struct Equations {
   std::vector<double> right_hand_side;
 };
 
-/// With a new solver; the memory of the last one is given back first, on both sides, and not counted.
+/// Uses a new solver. On both sides, the memory of the last one is freed before, outside of the measured
+/// time.
 Figures run_ours(const Equations& equations, Precision precision, std::unique_ptr<LinearSolver>& last,
                  std::vector<double>& x) {
   last = make_linear_solver(LinearSolverKind::kBlockCholesky);
@@ -49,11 +50,11 @@ Figures run_ours(const Equations& equations, Precision precision, std::unique_pt
       seconds_of([&] { solver.analyze(equations.plan.structure, {.precision = precision}); });
   const auto factorize = [&] {
     if (solver.factorize(system, {}).status != LinearStatus::kOk) {
-      throw std::runtime_error("our factorisation failed");
+      throw std::runtime_error("our factorization failed");
     }
   };
   const auto solve = [&] { solver.solve(equations.right_hand_side.data(), 1, x.data()); };
-  factorize();  // the first touches fresh memory, on both sides
+  factorize();  // not measured: the first one touches fresh memory, on both sides
   return {analyze, seconds_of(factorize), seconds_of(solve), by_degree};
 }
 
@@ -77,7 +78,7 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
   return difference / size;
 }
 
-/// The analysis with AMD in the form, simplicial or supernodal, that then factorises faster.
+/// The analysis with AMD in the form, simplicial or supernodal, that factorizes faster.
 double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
   const Figures* best = nullptr;
   for (std::size_t k = 0; k < medians.size(); ++k) {
@@ -90,7 +91,7 @@ double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
 
 }  // namespace
 
-LinearDuel run_linear_duel(Graph& graph) {
+LinearComparison run_linear_comparison(Graph& graph) {
   const Equations equations(graph);
   std::unique_ptr<LinearSolver> in_double, automatic;
   std::vector<double> our_x(equations.right_hand_side.size()), automatic_x = our_x;
@@ -98,7 +99,7 @@ LinearDuel run_linear_duel(Graph& graph) {
   std::vector<Contestant> contestants{
       [&] { return run_ours(equations, Precision::kDouble, in_double, our_x); },
       [&] { return run_ours(equations, Precision::kAutomatic, automatic, automatic_x); }};
-  LinearDuel duel;
+  LinearComparison comparison;
   std::vector<std::vector<double>> peer_x(all_cholmod_settings().size());
   for (const CholmodSettings& settings : all_cholmod_settings()) {
     peers.push_back(
@@ -113,23 +114,25 @@ LinearDuel run_linear_duel(Graph& graph) {
   const auto best = std::min_element(medians.begin(), medians.end(),
                                      [](const Figures& a, const Figures& b) { return a[1] < b[1]; });
   const CholmodPeer& best_peer = *peers[static_cast<std::size_t>(best - medians.begin())];
-  duel.scalars = equations.plan.scalars();
-  duel.analyze_by_degree_s = ours[3];
-  duel.dissected = in_double->statistics().ordering == Ordering::kNestedDissection;
-  duel.mixed = automatic->statistics().precision == Precision::kMixed;
+  comparison.scalars = equations.plan.scalars();
+  comparison.analyze_by_degree_s = ours[3];
+  comparison.dissected = in_double->statistics().ordering == Ordering::kNestedDissection;
+  comparison.mixed = automatic->statistics().precision == Precision::kMixed;
   const double flops = in_double->statistics().factor_flops;
-  duel.ours = {ours[0], ours[1], ours[2], flops};
-  duel.automatic = duel.mixed ? LinearFigures{chosen[0], chosen[1], chosen[2], flops} : duel.ours;
-  duel.cholmod = {(*best)[0], (*best)[1], (*best)[2], best_peer.flops()};
-  duel.cholmod_settings = best_peer.settings().name();
-  duel.cholmod_amd_analyze_s = amd_analysis(medians, false);
-  duel.cholmod_block_amd_analyze_s = amd_analysis(medians, true);
+  comparison.ours = {ours[0], ours[1], ours[2], flops};
+  comparison.automatic =
+      comparison.mixed ? LinearFigures{chosen[0], chosen[1], chosen[2], flops} : comparison.ours;
+  comparison.cholmod = {(*best)[0], (*best)[1], (*best)[2], best_peer.flops()};
+  comparison.cholmod_settings = best_peer.settings().name();
+  comparison.cholmod_amd_analyze_s = amd_analysis(medians, false);
+  comparison.cholmod_block_amd_analyze_s = amd_analysis(medians, true);
   for (const std::vector<double>& x : peer_x) {
-    duel.largest_difference = std::max(
-        {duel.largest_difference, relative_difference(our_x, x), relative_difference(automatic_x, x)});
+    comparison.largest_difference = std::max(
+        {comparison.largest_difference, relative_difference(our_x, x), relative_difference(automatic_x, x)});
   }
-  if (!(duel.largest_difference < kSameSolution)) throw std::runtime_error("CHOLMOD solves another system");
-  return duel;
+  if (!(comparison.largest_difference < kSameSolution))
+    throw std::runtime_error("CHOLMOD solves another system");
+  return comparison;
 }
 
 }  // namespace boxplus::bench

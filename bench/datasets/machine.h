@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a table of times must say about where it was made.
+// The facts about the machine that belong to a table of times.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace boxplus::bench {
 
-/// Lines of a table: what, and its value. `commit` names the sources.
+/// Lines of a table, each with a name and a value. `commit` names the sources.
 std::vector<std::pair<std::string, std::string>> describe_machine(const std::string& commit);
 
 }  // namespace boxplus::bench

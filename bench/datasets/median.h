@@ -6,7 +6,7 @@
 
 namespace boxplus::bench {
 
-/// Of at least one value; the mean of the middle two where their number is even.
+/// The median of at least one value; the mean of the middle two if their number is even.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

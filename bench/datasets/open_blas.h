@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The BLAS below the peers: OpenBLAS with one thread, or the figures mean nothing.
+// The BLAS of the peers: it must be OpenBLAS with one thread, otherwise the figures are meaningless.
 #pragma once
 
 #include <string>
 
 namespace boxplus::bench {
 
-/// The file that a call of `routine` from any library ends up in.
+/// The file that contains `routine` for calls from any library.
 std::string library_of(const char* routine);
 
-/// Throws std::runtime_error where the BLAS and LAPACK routines that CHOLMOD calls are not OpenBLAS's, or
-/// where OpenBLAS or OpenMP may use more than one thread.
+/// Throws std::runtime_error if the BLAS and LAPACK routines that CHOLMOD calls are not OpenBLAS's, or if
+/// OpenBLAS or OpenMP may use more than one thread.
 void require_open_blas_with_one_thread();
 
 /// Version, build and the kernels in use.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pose graph as bare numbers: what the peers are given. Knows neither boxplus nor Eigen, so that code with
-// other compiler flags may include it.
+// A pose graph as plain numbers, the input of the peers. Includes neither boxplus nor Eigen, so that code
+// with other compiler flags may include it.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct PlainGraph {
     std::array<double, 7> z;
     std::array<double, 36> root_information;
   };
-  /// z measures a point of the plane from a pose.
+  /// z measures a point in the plane from a pose.
   struct Observation {
     std::size_t pose, point;
     std::array<double, 2> z;

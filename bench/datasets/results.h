@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that one run of the benchmark found, and the Markdown of it.
+// All results of one run of the benchmark, and their Markdown.
 #pragma once
 
 #include <map>
@@ -9,23 +9,23 @@
 #include <vector>
 
 #include "datasets/datasets.h"
-#include "datasets/face_duel.h"
-#include "datasets/linear_duel.h"
+#include "datasets/face_comparison.h"
+#include "datasets/linear_comparison.h"
 #include "datasets/scale.h"
-#include "datasets/solve_duel.h"
-#include "datasets/thread_duel.h"
-#include "datasets/whole_duel.h"
+#include "datasets/solve_comparison.h"
+#include "datasets/thread_comparison.h"
+#include "datasets/whole_comparison.h"
 
 namespace boxplus::bench {
 
-/// Of one file. What could not be measured is absent, and `trouble` says why.
+/// The results for one file. A figure that could not be measured is absent, and `trouble` says why.
 struct DatasetResults {
   Dataset dataset;
-  std::optional<LinearDuel> linear = {};
-  std::optional<SolveDuel> solve = {};
-  std::optional<WholeDuel> whole = {};
-  std::optional<ThreadDuel> threads = {};
-  std::optional<FaceDuel> faces = {};
+  std::optional<LinearComparison> linear = {};
+  std::optional<SolveComparison> solve = {};
+  std::optional<WholeComparison> whole = {};
+  std::optional<ThreadComparison> threads = {};
+  std::optional<FaceComparison> faces = {};
   std::string trouble = {};
 };
 
@@ -35,14 +35,14 @@ struct Results {
   std::vector<std::pair<std::string, std::string>> machine;
   double dgemm_rate = 0;  ///< GFLOP/s
   std::vector<DatasetResults> datasets = {};
-  std::map<int, ThreadDuel> tori = {};  ///< simulated, by the number of their poses
+  std::map<int, ThreadComparison> tori = {};  ///< simulated, by the number of their poses
   std::vector<ScaleResult> scale = {};
 };
 
 /// The tables, without the goals.
 std::string tables_of(const Results& results);
 
-/// How far the goals are reached: one line each, with the geometric mean and the worst file.
+/// The goals: one line each, with the geometric mean and the worst file.
 std::string goals_of(const Results& results);
 
 }  // namespace boxplus::bench

@@ -13,7 +13,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// A file in the folder for temporary ones, as long as this lives.
+/// A file in the folder for temporary files, removed by the destructor.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& name)

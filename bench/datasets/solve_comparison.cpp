@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/solve_duel.h"
+#include "datasets/solve_comparison.h"
 
 #include <fmt/core.h>
 
@@ -16,7 +16,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// Runs that end far from the target are repeated with so few iterations, for the time of one.
+/// Runs that end far from the target are repeated with this many iterations, to measure the time of one.
 constexpr int kIterationsWhenStuck = 12;
 
 Figures numbers(const SolveFigures& f) {
@@ -38,7 +38,7 @@ double median_iteration(const Report& report) {
   return seconds.empty() ? 0 : median(seconds);
 }
 
-/// Optimises from the estimates as they are, and leaves them so.
+/// Optimizes from the current estimates, and restores them afterwards.
 SolveFigures run_ours(Graph& graph, Start start, double target) {
   SolveFigures out;
   Options options{.start = start, .threads = 1};
@@ -63,13 +63,13 @@ SolveFigures run_ceres(CeresPeer& peer, const CeresSettings& settings, const Cer
           run.chi2_final};
 }
 
-/// Runs with each of the settings; the index of the fastest that arrives, or of the best chi2.
+/// Runs with each of the settings; returns the index of the fastest that arrives, or of the best chi2.
 std::size_t find_fastest(CeresPeer& peer, const CeresStop& stop, SolveFigures& best) {
   std::size_t fastest = 0;
   const auto rank = [](const SolveFigures& f) { return std::pair(f.arrival_s, f.arrived() ? 0 : f.chi2); };
   for (std::size_t k = 0; k < all_ceres_settings().size(); ++k) {
     SolveFigures run = run_ceres(peer, all_ceres_settings()[k], stop);
-    if (run.arrived()) {  // once more, for whatever disturbed the first
+    if (run.arrived()) {  // a second run, in case the first one was disturbed
       run.arrival_s = std::min(run.arrival_s, run_ceres(peer, all_ceres_settings()[k], stop).arrival_s);
     }
     if (k > 0 && rank(run) >= rank(best)) continue;
@@ -84,7 +84,8 @@ void require_equal(const char* what, double a, double b) {
   throw std::runtime_error(fmt::format("{}: expected {:.15g} within 1e-9, got {:.15g}", what, a, b));
 }
 
-/// All solve the same problem: chi2 at the start is ours, and autodiff finds what is written by hand.
+/// Checks that all solve the same problem: equal chi2 at the start, and equal gradients from both kinds of
+/// edges.
 void check_start(CeresPeer& analytic, CeresPeer& autodiff, double chi2) {
   const CeresStop at_once{.iterations = 0};
   const CeresRun by_hand = analytic.solve(all_ceres_settings()[0], at_once);
@@ -96,20 +97,20 @@ void check_start(CeresPeer& analytic, CeresPeer& autodiff, double chi2) {
 
 }  // namespace
 
-SolveDuel run_solve_duel(Graph& graph, double target) {
+SolveComparison run_solve_comparison(Graph& graph, double target) {
   const PlainGraph plain = numbers_of(graph);
   CeresPeer analytic(plain, CeresPeer::Jacobians::kAnalytic),
       autodiff(plain, CeresPeer::Jacobians::kAutodiff);
-  SolveDuel duel;
-  duel.chi2_initial = graph.chi2();
-  check_start(analytic, autodiff, duel.chi2_initial);
+  SolveComparison comparison;
+  comparison.chi2_initial = graph.chi2();
+  check_start(analytic, autodiff, comparison.chi2_initial);
 
   CeresStop stop{.chi2 = target};
   SolveFigures scouted;
   const std::size_t fastest = find_fastest(analytic, stop, scouted);
   const CeresSettings& settings = all_ceres_settings()[fastest];
-  duel.ceres_settings = settings.name;
-  duel.ceres_settings_index = static_cast<int>(fastest);
+  comparison.ceres_settings = settings.name;
+  comparison.ceres_settings_index = static_cast<int>(fastest);
   if (!scouted.arrived()) stop.iterations = kIterationsWhenStuck;
   const std::vector<Figures> medians =
       interleaved_medians({[&] { return numbers(run_ours(graph, Start::kCurrent, target)); },
@@ -117,17 +118,17 @@ SolveDuel run_solve_duel(Graph& graph, double target) {
                            [&] { return numbers(run_ceres(analytic, settings, stop)); },
                            [&] { return numbers(run_ceres(autodiff, settings, stop)); }},
                           {.least = 5, .most = 15, .enough_s = 5});
-  duel.ours = figures(medians[0]);
-  duel.ours_automatic = figures(medians[1]);
-  duel.analytic = figures(medians[2]);
-  duel.autodiff = figures(medians[3]);
+  comparison.ours = figures(medians[0]);
+  comparison.ours_automatic = figures(medians[1]);
+  comparison.analytic = figures(medians[2]);
+  comparison.autodiff = figures(medians[3]);
   if (!scouted.arrived()) {
-    for (SolveFigures* ceres : {&duel.analytic, &duel.autodiff}) {
+    for (SolveFigures* ceres : {&comparison.analytic, &comparison.autodiff}) {
       ceres->chi2 = scouted.chi2;
       ceres->iterations = scouted.iterations;
     }
   }
-  return duel;
+  return comparison;
 }
 
 }  // namespace boxplus::bench

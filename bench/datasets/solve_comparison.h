@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole solves of a graph from its estimates: ours against Ceres.
+// Whole solves of a graph from its estimates: boxplus and Ceres.
 #pragma once
 
 #include <limits>
@@ -11,14 +11,14 @@ namespace boxplus::bench {
 
 struct SolveFigures {
   double arrival_s = std::numeric_limits<double>::infinity();  ///< until chi2 was at most the target
-  double linearize_s = 0;  ///< of one linearisation; ours adds H, Ceres only writes the Jacobian
-  double iteration_s = 0;  ///< the median iteration but for the first
+  double linearize_s = 0;  ///< for one linearization; ours adds up H, Ceres only writes the Jacobian
+  double iteration_s = 0;  ///< the median iteration without the first
   double iterations = 0;
-  double chi2 = 0;  ///< where it ended
+  double chi2 = 0;  ///< at the end
   bool arrived() const { return arrival_s < std::numeric_limits<double>::infinity(); }
 };
 
-struct SolveDuel {
+struct SolveComparison {
   double chi2_initial = 0;
   SolveFigures ours;                ///< from the estimates, default options, one thread
   SolveFigures ours_automatic;      ///< Start::kAutomatic: the estimates or the chordal guess
@@ -27,8 +27,8 @@ struct SolveDuel {
   int ceres_settings_index = 0;
 };
 
-/// Throws std::runtime_error where the two do not solve the same problem: where their chi2 at the start
-/// differ by more than 1e-9, or the gradients of Ceres's two kinds of edges.
-SolveDuel run_solve_duel(Graph& graph, double target);
+/// Throws std::runtime_error if the two do not solve the same problem: if chi2 at the start differs by more
+/// than 1e-9, or the gradients of Ceres's two kinds of edges do.
+SolveComparison run_solve_comparison(Graph& graph, double target);
 
 }  // namespace boxplus::bench

@@ -30,7 +30,7 @@ std::string times(double theirs, double ours) {
   return fmt::format("{:.2f}", theirs / ours);
 }
 
-/// One row per file; where `cells` finds nothing to say, why.
+/// One row per file; if `cells` is empty for a file, the row has the reason.
 std::string rows_of(const Results& results, const std::function<Cells(const DatasetResults&)>& cells) {
   std::string rows;
   for (const DatasetResults& result : results.datasets) {
@@ -49,22 +49,21 @@ std::string rate(const LinearFigures& figures, const Results& results) {
 
 std::string linear_tables(const Results& results) {
   std::string out =
-      "## One linear system\n\nH of the file's estimates, ms. CHOLMOD's factorisation is the fastest of "
-      "eight ways: AMD or METIS, of\n"
-      "scalars or of blocks, supernodal or simplicial; its AMD analysis is that of the form that then "
-      "factorises\n"
-      "faster, and compared with ours with AMD. Where nested dissection is predicted to pay, what that "
-      "analysis "
-      "takes follows.\n"
-      "In float: where that is the automatic choice, the factorisation in float and the solution refined in "
-      "double "
-      "to a residual of 1e-10.\n\n";
+      "## One linear system\n\nH at the file's estimates, ms. CHOLMOD's factorization is the fastest of "
+      "eight ways: "
+      "AMD or METIS, on\nscalars or on blocks, supernodal or simplicial. Its AMD analysis is that of the "
+      "form that "
+      "factorizes\nfaster, and is compared with our analysis with AMD. If nested dissection is predicted to "
+      "be faster, "
+      "the time of\nthat analysis follows. \"In float\" is given if it is the automatic choice: the "
+      "factorization in "
+      "float, and the\nsolution refined in double to a residual of 1e-10.\n\n";
   out +=
-      head_of({"file", "scalars", "analyse", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorise",
-               "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorise", "×", "solve", "both ×"});
+      head_of({"file", "scalars", "analyze", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorize",
+               "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorize", "×", "solve", "both ×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
     if (!result.linear) return {};
-    const LinearDuel& d = *result.linear;
+    const LinearComparison& d = *result.linear;
     const double analyze = d.analyze_by_degree_s;
     return {std::to_string(d.scalars),
             milliseconds(analyze),
@@ -85,14 +84,14 @@ std::string linear_tables(const Results& results) {
             times(d.cholmod.factorize_s + d.cholmod.solve_s, d.automatic.factorize_s + d.automatic.solve_s)};
   });
   out += fmt::format(
-      "\nUseful operations of the factorisation per second, and the share of DGEMM, n = 1024, which runs at "
+      "\nUseful operations of the factorization per second, and as a share of DGEMM, n = 1024, which runs at "
       "{:.1f}\nGFLOP/s.\n\n",
       results.dgemm_rate);
   out += head_of({"file", "boxplus Mflop", "GFLOP/s", "CHOLMOD Mflop", "GFLOP/s", "CHOLMOD's fastest way",
                   "largest difference of the solutions"});
   return out + rows_of(results, [&](const DatasetResults& result) -> Cells {
            if (!result.linear) return {};
-           const LinearDuel& d = *result.linear;
+           const LinearComparison& d = *result.linear;
            return {fmt::format("{:.1f}", d.ours.flops * 1e-6),
                    rate(d.ours, results),
                    fmt::format("{:.1f}", d.cholmod.flops * 1e-6),
@@ -104,13 +103,13 @@ std::string linear_tables(const Results& results) {
 
 std::string iteration_table(const Results& results) {
   std::string out =
-      "## Linearisation and iterations\n\nms, in the runs of the next table: the mean linearisation, the "
-      "first "
-      "included, and the median iteration but for the\n"
-      "first. Ours linearises and adds up H and the gradient; Ceres's Jacobian evaluation writes the "
-      "Jacobian and the\n"
-      "gradient, and multiplies JᵀJ later, in its linear solver.\n\n";
-  out += head_of({"file", "linearise + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
+      "## Linearization and iterations\n\nms, in the runs of the next table: the mean linearization, "
+      "including the "
+      "first, and the median iteration\nwithout the first. Ours linearizes and adds up H and the gradient; "
+      "Ceres's "
+      "Jacobian evaluation writes the\nJacobian and the gradient; its linear solver multiplies JᵀJ "
+      "later.\n\n";
+  out += head_of({"file", "linearize + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
                   "Ceres analytic", "×", "Ceres autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
            if (!result.solve) return {};
@@ -144,18 +143,17 @@ std::string iterations(const SolveFigures& figures) {
 
 std::string arrival_table(const Results& results) {
   std::string out =
-      "## To within 1e-6 of the best chi2\n\nms from the call, analysis included. Both begin at the file's "
-      "estimates; \"automatic\" is our Start::kAutomatic,\n"
-      "which compares them with a chordal guess. Ceres: the fastest of six ways that arrives "
-      "(Levenberg-Marquardt,\n"
-      "the same with post-ordering, with a radius of 1e16 or non-monotonic; dogleg, subspace dogleg). Stuck: "
-      "where\n"
-      "it stood after 100 iterations at most.\n\n";
+      "## To within 1e-6 of the best chi2\n\nms from the call, with the analysis. Both start at the file's "
+      "estimates; \"automatic\" is our Start::kAutomatic,\nwhich compares them with a chordal guess. Ceres: "
+      "the "
+      "fastest of six ways that arrives (Levenberg-Marquardt,\nthe same with post-ordering, with a radius of "
+      "1e16, "
+      "or non-monotonic; dogleg, subspace dogleg). Stuck: its\nchi2 after at most 100 iterations.\n\n";
   out += head_of({"file", "chi2 of the file", "best chi2", "iterations", "ms", "automatic: iterations", "ms",
                   "Ceres", "iterations", "analytic", "×", "autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
            if (!result.solve) return {};
-           const SolveDuel& d = *result.solve;
+           const SolveComparison& d = *result.solve;
            return {fmt::format("{:.9g}", d.chi2_initial),
                    fmt::format("{:.9g}", result.dataset.best_chi2),
                    iterations(d.ours),
@@ -173,10 +171,13 @@ std::string arrival_table(const Results& results) {
 
 std::string whole_table(const Results& results) {
   std::string out =
-      "## From file to file\n\nLoad, optimise until chi2 falls by less than 1e-10 of itself, write; a "
-      "process each. boxplus as `boxplus optimize\n"
-      "--threads 1`, which may start from the chordal guess; Ceres from the file's estimates, with analytic "
-      "Jacobians and the\nway above, between our reader and our writer.\n\n";
+      "## From file to file\n\nLoad, optimize until chi2 falls by less than 1e-10 of itself, and write, each "
+      "in its "
+      "own process. boxplus runs\nas `boxplus optimize --threads 1`, which may start from the chordal guess. "
+      "Ceres "
+      "starts from the file's\nestimates, with analytic Jacobians and the way above, between our reader and "
+      "our "
+      "writer.\n\n";
   out += head_of({"file", "ms", "chi2", "peak MiB", "Ceres ms", "chi2", "peak MiB", "time ×", "memory ×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
            if (!result.whole) return {};
@@ -193,20 +194,22 @@ std::string whole_table(const Results& results) {
          });
 }
 
-Cells thread_cells(const ThreadDuel& duel) {
-  return {milliseconds(duel.one_s), milliseconds(duel.two_s), times(duel.one_s, duel.two_s)};
+Cells thread_cells(const ThreadComparison& comparison) {
+  return {milliseconds(comparison.one_s), milliseconds(comparison.two_s),
+          times(comparison.one_s, comparison.two_s)};
 }
 
 std::string thread_table(const Results& results) {
   std::string out =
-      "## Two threads\n\noptimize() with Start::kAutomatic, from nothing to convergence, ms; the results are "
-      "the same bits.\n\n";
+      "## Two threads\n\noptimize() with Start::kAutomatic, with all preparations, ms; the results have the "
+      "same "
+      "bits.\n\n";
   out += head_of({"file", "one thread", "two threads", "×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
     return result.threads ? thread_cells(*result.threads) : Cells{};
   });
-  for (const auto& [poses, duel] : results.tori) {
-    Cells torus = thread_cells(duel);
+  for (const auto& [poses, comparison] : results.tori) {
+    Cells torus = thread_cells(comparison);
     torus.insert(torus.begin(), fmt::format("torus of {} poses, simulated", poses));
     out += line_of(torus);
   }
@@ -215,15 +218,13 @@ std::string thread_table(const Results& results) {
 
 std::string scale_table(const Results& results) {
   std::string out =
-      "## Scale\n\nSimulated worlds in processes of their own, one thread, five iterations from odometry. "
-      "The "
-      "solver is what\n"
-      "LinearSolverKind::kAutomatic chose: Cholesky, unless its factor is predicted not to fit into half of "
-      "the "
-      "memory,\n"
-      "or to take several times as long as a rough solution by pcg.\n\n";
+      "## Scale\n\nSimulated worlds, each in its own process, one thread, five iterations from odometry. The "
+      "solver "
+      "is the choice\nof LinearSolverKind::kAutomatic: Cholesky, unless its factor is predicted not to fit "
+      "into half "
+      "of the memory,\nor to take several times as long as a rough solution by pcg.\n\n";
   out += head_of({"world", "poses", "edges", "load s", "plan s", "iteration s", "µs per pose", "write s",
-                  "all s", "peak MiB", "solver", "predicted: factorise s", "pcg s"});
+                  "all s", "peak MiB", "solver", "predicted: factorize s", "pcg s"});
   for (const ScaleResult& result : results.scale) {
     const ScaleFigures& f = result.figures;
     out += line_of({result.world, std::to_string(f.vertices), std::to_string(f.edges),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/thread_duel.h"
+#include "datasets/thread_comparison.h"
 
 #include <stdexcept>
 
@@ -18,7 +18,7 @@ Figures run(Graph& graph, int threads) {
 
 }  // namespace
 
-ThreadDuel run_thread_duel(Graph& graph) {
+ThreadComparison run_thread_comparison(Graph& graph) {
   const std::vector<Figures> medians =
       interleaved_medians({[&] { return run(graph, 1); }, [&] { return run(graph, 2); }},
                           {.least = 11, .most = 15, .enough_s = 3});

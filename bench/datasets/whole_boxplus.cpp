@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// whole_boxplus FILE OUTPUT: what `boxplus optimize FILE -o OUTPUT --threads 1` does.
+// whole_boxplus FILE OUTPUT: does the same as `boxplus optimize FILE -o OUTPUT --threads 1`.
 #include <fmt/core.h>
 
 #include <exception>

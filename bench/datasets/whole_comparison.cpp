@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/whole_duel.h"
+#include "datasets/whole_comparison.h"
 
 #include <unistd.h>
 
@@ -19,8 +19,8 @@ WholeRun whole_run(const Figures& figures) {
 
 }  // namespace
 
-WholeDuel run_whole_duel(const std::string& programs, const std::string& file, int ceres_settings,
-                         double target) {
+WholeComparison run_whole_comparison(const std::string& programs, const std::string& file, int ceres_settings,
+                                     double target) {
   const std::string output =
       std::filesystem::temp_directory_path() / ("boxplus_bench_" + std::to_string(getpid()) + ".g2o");
   const auto ours = [&] { return run_process({programs + "/whole_boxplus", file, output}); };

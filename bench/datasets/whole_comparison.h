@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From file to file: ours against Ceres, each to where its own default tolerance of 1e-10 ends it.
+// From file to file: boxplus and Ceres, each until its own tolerance of 1e-10 ends it.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace boxplus::bench {
 
-struct WholeDuel {
+struct WholeComparison {
   WholeRun ours, ceres;
 };
 
 /// `programs` is the folder of whole_boxplus and whole_ceres. A run of Ceres that misses `target` is not
 /// repeated.
-WholeDuel run_whole_duel(const std::string& programs, const std::string& file, int ceres_settings,
-                         double target);
+WholeComparison run_whole_comparison(const std::string& programs, const std::string& file, int ceres_settings,
+                                     double target);
 
 }  // namespace boxplus::bench

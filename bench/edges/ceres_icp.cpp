@@ -10,7 +10,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// The pose as two blocks, as in Ceres's own example.
+/// The error with the pose as two blocks, as in Ceres's own example.
 struct PlaneError {
   explicit PlaneError(const Match& match) : p(match.p.data()), q(match.q.data()), n(match.n.data()) {}
 

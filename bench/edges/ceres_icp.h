@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ceres on the same problem, with autodiff, as a library of its own (see datasets/ceres/ceres_peer.h).
+// Ceres on the same problem, with autodiff, as a separate library (see datasets/ceres/ceres_peer.h).
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ class __attribute__((visibility("default"))) CeresIcp {
  public:
   explicit CeresIcp(const IcpProblem& problem);
   ~CeresIcp();
-  /// From the start, with one thread. `solver`: DENSE_QR, or DENSE_NORMAL_CHOLESKY if it is true.
+  /// Solves from the start with one thread, by DENSE_NORMAL_CHOLESKY or DENSE_QR.
   IcpRun run(bool normal_equations);
 
  private:

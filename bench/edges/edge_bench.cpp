@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that a user writes, beside Ceres with autodiff and beside a loop by hand; prints the table that
-// follows those of dataset_bench in bench/RESULTS.md.
+// Edges of a user, compared with Ceres with autodiff and with a handwritten loop; prints the last table of
+// bench/RESULTS.md.
 //
 //     edge_bench             measures
-//     edge_bench dual        runs ours over and over, for a profiler; so does `edge_bench analytic`
+//     edge_bench dual        repeats ours, for a profiler; so does `edge_bench analytic`
 #include <fmt/core.h>
 
 #include <Eigen/Cholesky>
@@ -20,7 +20,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// Generic in its scalar: differentiated by dual numbers.
+/// A template in its scalar: differentiated by dual numbers.
 struct Plane {
   Vector3 p, q, n;
 
@@ -72,7 +72,7 @@ IcpRun run_ours(Graph& graph) {
   return {median_iteration(marks), report.chi2_final};
 }
 
-/// JᵀJ and Jᵀe of all matches, and their chi2.
+/// The sums JᵀJ and Jᵀe over all matches, and their chi2.
 struct NormalEquations {
   double H[6][6] = {}, b[6] = {}, chi2 = 0;
 };
@@ -126,7 +126,7 @@ void require_equal(const char* what, double a, double b) {
   throw std::runtime_error(fmt::format("{}: expected {:.15g} within 1e-9, got {:.15g}", what, a, b));
 }
 
-void print_duel(std::size_t count) {
+void print_comparison(std::size_t count) {
   const IcpProblem problem = make_icp_problem(count);
   Graph automatic = make_graph<Plane>(problem), analytic = make_graph<PlaneWithJacobians>(problem);
   CeresIcp ceres(problem);
@@ -143,7 +143,7 @@ void print_duel(std::size_t count) {
              peer / ms(0), ms(1), peer / ms(1), ms(4), ms(1) / ms(4));
 }
 
-/// One contestant over and over, for a profiler.
+/// Repeats one contestant, for a profiler.
 void repeat(const char* which, std::size_t count) {
   const IcpProblem problem = make_icp_problem(count);
   Graph graph = std::strcmp(which, "analytic") == 0 ? make_graph<PlaneWithJacobians>(problem)
@@ -164,12 +164,13 @@ int main(int count, char** words) try {
   require_open_blas_with_one_thread();
   fmt::print(
       "\n## Edges of a user\n\nPoint-to-plane ICP: one pose, one edge of one row per point. CPU ms per "
-      "iteration on one thread; Ceres\nwith the faster of DENSE_QR and DENSE_NORMAL_CHOLESKY; by hand: a "
-      "loop "
-      "that adds up JᵀJ and Jᵀe, and a 6 × 6 solution.\n\n"
+      "iteration on "
+      "one thread. Ceres uses\nthe faster of DENSE_QR and DENSE_NORMAL_CHOLESKY. By hand: a loop that adds "
+      "up JᵀJ and "
+      "Jᵀe, and a 6 × 6 solution.\n\n"
       "| points | dual numbers | Ceres, autodiff | × | with Jacobians | × | by hand | of it |\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|\n");
-  for (const std::size_t points : {2'000u, 20'000u, 200'000u}) print_duel(points);
+  for (const std::size_t points : {2'000u, 20'000u, 200'000u}) print_comparison(points);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "edge_bench: {}\n", error.what());

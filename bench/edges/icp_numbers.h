@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point-to-plane ICP: one pose, and many measurements of one row that all share it. Plain numbers, so that
-// every contestant builds the same problem.
+// Point-to-plane ICP: one pose, and many measurements of one row that all share it. The problem consists of
+// plain numbers, so that every contestant builds the same one.
 #pragma once
 
 #include <array>
@@ -22,17 +22,17 @@ struct IcpProblem {
 /// `count` points on the walls of a room, seen from a pose at some distance from the start, with noise.
 IcpProblem make_icp_problem(std::size_t count);
 
-/// One run: CPU seconds of the median iteration but for the first, and chi2 after the last.
+/// One run: CPU seconds of the median iteration without the first, and chi2 after the last.
 struct IcpRun {
   double iteration_s = 0, chi2 = 0;
 };
 
 inline constexpr int kIcpIterations = 6;
 
-/// CPU seconds that this thread has used.
+/// The CPU seconds that this thread has used.
 double thread_seconds();
 
-/// The median of the times between the marks but for the first: it plans and touches fresh memory.
+/// The median of the times between the marks, without the first, which includes planning and fresh memory.
 double median_iteration(const std::vector<double>& marks);
 
 }  // namespace boxplus::bench

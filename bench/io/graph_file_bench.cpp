@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading and writing a simulated graph of 200 MB, and how long a plain std::istream reader takes for the
-// same.
+// Reading and writing a simulated graph of 200 MB, and reading it with a plain std::istream for comparison.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -14,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// The file, made once and removed at the end.
+/// The file, created once and removed at the end.
 class LargeFile {
  public:
   LargeFile() {
@@ -51,7 +50,7 @@ SE3 read_pose(std::istream& in) {
   return {t, q};
 }
 
-/// What one writes in an afternoon: a line, a std::istringstream, and >> for each field.
+/// A simple reader: std::getline(), a std::istringstream per line, and >> for each field.
 Graph read_with_istream(const std::string& path) {
   Graph graph;
   std::ifstream file(path);

@@ -24,7 +24,7 @@ void report(benchmark::State& state, double flops) {
   state.counters["GFLOP/s"] = benchmark::Counter(flops * 1e-9, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// A panel of `columns` columns and `below` rows more.
+/// A panel of `columns` columns with `below` more rows.
 template <class Scalar>
 void factor_panel(benchmark::State& state, const dense::FactorKernels<Scalar>& kernels) {
   const int columns = static_cast<int>(state.range(0)), below = static_cast<int>(state.range(1));

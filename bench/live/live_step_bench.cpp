@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of a robot that optimizes while it drives: a pose and its edges are added, and the whole graph
-// takes one iteration. Compares plans that are extended with plans that are made anew, and with a window, in
-// turns, by CPU time.
+// One step of a robot that optimizes while it drives: adds a pose and its edges, and runs one iteration on
+// the whole graph. Compares extended plans, new plans, and a window, in turns, by CPU time.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -22,7 +21,7 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A simulated graph that is driven again, pose by pose.
+/// A simulated graph that is built up again, pose by pose.
 template <class Pose>
 class Drive {
  public:
@@ -55,7 +54,7 @@ class Drive {
   std::vector<VertexRef> window(std::size_t size) const {
     return {poses_.end() - static_cast<std::ptrdiff_t>(std::min(size, poses_.size())), poses_.end()};
   }
-  /// Makes the next call plan anew.
+  /// Makes the next call compute a new plan.
   void touch() {
     graph.fix(poses_[1]);
     graph.unfix(poses_[1]);

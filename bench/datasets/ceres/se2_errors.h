@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errors of the plane for Ceres: for autodiff, and with Jacobians. A pose is one block (x, y, θ).
+// The errors in the plane for Ceres: for autodiff, and with Jacobians. A pose is one block (x, y, θ).
 #pragma once
 
 #include <ceres/sized_cost_function.h>
@@ -11,7 +11,7 @@
 
 namespace boxplus::bench {
 
-/// θ in [−π, π).
+/// Wraps θ to [−π, π).
 template <class T>
 T wrapped(const T& angle) {
   using std::floor;

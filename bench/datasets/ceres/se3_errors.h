@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The relative pose of space for Ceres: for autodiff, and with Jacobians. A pose is two blocks, the position
+// The relative pose in space for Ceres: for autodiff, and with Jacobians. A pose is two blocks, the position
 // and the quaternion (x, y, z, w), as in Ceres's own example.
 #pragma once
 
@@ -41,7 +41,7 @@ inline Eigen::Matrix3d cross_with(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// The Jacobians are those of the formula in the four numbers of each quaternion, as autodiff finds them:
+/// The Jacobians are with respect to the four scalars of each quaternion, as autodiff computes them:
 ///   rotate(q*, d) = d − 2w (v × d) + 2 v × (v × d)
 ///     ⇒ ∂/∂v = 2 (w [d]× − [v × d]× − [v]× [d]×),  ∂/∂w = −2 v × d
 ///   vec(p q) = (p_w I + [p_v]×) q_v + p_v q_w
