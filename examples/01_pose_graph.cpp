@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot drives a square and comes back to where it began; README.md shows this program.
+// A robot drives along a square and returns to its start. README.md shows this program.
 
 // [program]
 #include <boxplus/boxplus.h>
@@ -8,7 +8,7 @@
 using namespace boxplus;
 int main() {
   Graph graph;
-  auto a = graph.add_vertex(SE2(0, 0, 0));  // poses: x, y in metres, heading in radians
+  auto a = graph.add_vertex(SE2(0, 0, 0));  // poses: x, y in meters, heading in radians
   auto b = graph.add_vertex(SE2(0.9, 0.1, 1.4));
   auto c = graph.add_vertex(SE2(1.2, 1.1, 3.0));
   graph.fix(a);

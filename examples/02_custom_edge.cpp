@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An own edge type: where is a robot that measures its distance from three beacons?
+// A custom edge type: a robot measures its distance from three beacons; the program finds its position.
 //
-// An edge is a value with a function error(…) of the estimates of its vertices. Where that function is
-// generic in its arguments, boxplus differentiates it exactly: nobody writes Jacobians.
+// An edge is a value with a function error(…) of the estimates of its vertices. If that function is a
+// template in its arguments, boxplus differentiates it exactly: nobody writes Jacobians.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/check_jacobians.h>
 
@@ -12,7 +12,7 @@
 using namespace boxplus;
 
 // [edge]
-/// The distance (metres) of a point from a beacon whose place is known.
+/// The distance (meters) of a point from a beacon at a known position.
 struct BeaconRange {
   Vector2 beacon;
   double measurement;
@@ -35,9 +35,9 @@ bool jacobians_are_right() {
 int main() {
   // [graph]
   Graph graph;
-  const auto robot = graph.add_vertex(Vector2(0, 0));  // a first guess will do
+  const auto robot = graph.add_vertex(Vector2(0, 0));  // a rough guess is good enough
 
-  const double sigma = 0.05;                       // of the measurements, in metres
+  const double sigma = 0.05;                       // of the measurements, in meters
   const double information = 1 / (sigma * sigma);  // the inverse of their variance
   graph.add_edge(BeaconRange{Vector2(10, 0), 8.02}, information, robot);
   graph.add_edge(BeaconRange{Vector2(0, 10), 9.26}, information, robot);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An own vertex type: a circle through measured points.
+// A custom vertex type: a circle through measured points.
 //
-// Any copyable type becomes a vertex by the trait Manifold<T>, which says how many degrees of freedom it has
-// (kDim), what it means to add a small step to it (⊞, oplus), and the step between two of them (⊟, ominus).
-// The type itself stays as it is; it may come from another library.
+// Any copyable type becomes a vertex when the trait Manifold<T> is specialized for it. The trait has the
+// number of degrees of freedom (kDim), adds a small step to a value (⊞, oplus), and returns the step between
+// two values (⊟, ominus). The type itself stays unchanged; it may come from another library.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/check_manifold.h>
 
@@ -15,7 +15,7 @@ using namespace boxplus;
 // [type]
 template <class S>
 struct BasicCircle {
-  Vector<S, 2> centre;
+  Vector<S, 2> center;
   S radius;
 };
 using Circle = BasicCircle<double>;
@@ -26,36 +26,36 @@ template <class S>
 struct boxplus::Manifold<BasicCircle<S>> {
   static constexpr int kDim = 3;
 
-  /// The radius is stretched, not added to: whatever the step, it stays positive.
+  /// Multiplies the radius by an exponential, so that it stays positive for any step.
   static BasicCircle<S> oplus(const BasicCircle<S>& x, const S* delta) {
     using std::exp;
-    return {Vector<S, 2>(x.centre[0] + delta[0], x.centre[1] + delta[1]), x.radius * exp(delta[2])};
+    return {Vector<S, 2>(x.center[0] + delta[0], x.center[1] + delta[1]), x.radius * exp(delta[2])};
   }
   static void ominus(const BasicCircle<S>& y, const BasicCircle<S>& x, S* delta) {
     using std::log;
-    delta[0] = y.centre[0] - x.centre[0];
-    delta[1] = y.centre[1] - x.centre[1];
+    delta[0] = y.center[0] - x.center[0];
+    delta[1] = y.center[1] - x.center[1];
     delta[2] = log(y.radius / x.radius);
   }
 
-  // These two let exact derivatives pass through ⊞. Without them, edges are differentiated numerically.
+  // These two let exact derivatives pass through ⊞. Without them, boxplus differentiates edges numerically.
   template <class T>
   using Rebind = BasicCircle<T>;
   template <class T>
   static BasicCircle<T> cast(const BasicCircle<S>& x) {
-    return {x.centre.template cast<T>(), T(x.radius)};
+    return {x.center.template cast<T>(), T(x.radius)};
   }
 };
 // [/trait]
 
 // [edge]
-/// How far (metres) a measured point lies outside of the circle.
+/// The distance (meters) of a measured point from the circle: positive outside, negative inside.
 struct PointOnCircle {
   Vector2 point;
 
   template <class S>
   S error(const BasicCircle<S>& circle) const {
-    return (point - circle.centre).norm() - circle.radius;
+    return (point - circle.center).norm() - circle.radius;
   }
 };
 // [/edge]
@@ -79,9 +79,9 @@ int main() {
   }
   const Report report = optimize(graph);
   const Circle& found = graph.estimate(circle);
-  std::printf("centre (%.2f, %.2f), radius %.2f\n", found.centre.x(), found.centre.y(), found.radius);
+  std::printf("center (%.2f, %.2f), radius %.2f\n", found.center.x(), found.center.y(), found.radius);
   // [/graph]
 
-  const bool is_right = (found.centre - Vector2(3, -1)).norm() < 0.02 && std::abs(found.radius - 2) < 0.02;
+  const bool is_right = (found.center - Vector2(3, -1)).norm() < 0.02 && std::abs(found.radius - 2) < 0.02;
   return report.converged() && is_right && laws_hold() ? 0 : 1;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outliers: a curve y = exp(m t + c) is fitted to samples, of which every fifth is grossly wrong.
+// Outliers: fits a curve y = exp(m t + c) to samples; every fifth sample is grossly wrong.
 //
-// Least squares trusts every measurement, so a few wrong ones pull the curve away. A robust kernel lets an
-// edge count less the more it disagrees; its width says from which (whitened) error on.
+// Least squares trusts every measurement, so a few wrong ones pull the curve away. A robust kernel gives an
+// edge less weight when its error is large; its width is the (whitened) error at which this begins.
 #include <boxplus/boxplus.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ int main() {
 
   // [kernel]
   for (const auto& sample : samples)
-    graph.set_kernel(sample, Cauchy(default_width(1)));  // of errors of one row
+    graph.set_kernel(sample, Cauchy(default_width(1)));  // for errors of one row
   const Report report = optimize(graph);
   // [/kernel]
   const Vector2 robust = graph.estimate(curve);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibration: an edge over three vertices finds how a laser scanner is mounted while the robot drives.
+// Calibration: an edge over three vertices finds the mount of a laser scanner while the robot drives.
 //
-// The odometry measures how the robot moves, the scan matcher how the scanner moves. Both agree for one mount
-// only. Edges may tie any number of vertices, of any types.
+// The odometry measures the motion of the robot; the scan matcher measures the motion of the scanner. Both
+// agree for one mount only. An edge may connect any number of vertices, of any types.
 #include <boxplus/boxplus.h>
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 using namespace boxplus;
 
 // [hyper_edge]
-/// The motion of a scanner that sits at `mount` on a robot, which drove from pose a to pose b.
+/// The motion of a scanner at pose `mount` on a robot that drove from pose a to pose b.
 struct ScanMatch {
   SE2 measurement;
 
@@ -26,11 +26,11 @@ int main() {
   const SE2 true_mount(0.25, -0.1, 0.3);
 
   Graph graph;
-  const auto mount = graph.add_vertex(SE2(0, 0, 0));  // nothing is known about it
+  const auto mount = graph.add_vertex(SE2(0, 0, 0));  // unknown at the start
   auto last = graph.add_vertex(SE2(0, 0, 0));
   graph.fix(last);
   for (int step = 0; step < 20; ++step) {
-    const SE2 motion(0.5, 0, step % 7 < 3 ? 0.4 : -0.2);  // turns tell where on the robot the scanner sits
+    const SE2 motion(0.5, 0, step % 7 < 3 ? 0.4 : -0.2);  // only turns reveal the scanner's position
     const auto next = graph.add_vertex(graph.estimate(last) * motion);
     graph.add_edge(Between(motion), 100.0, last, next);
     graph.add_edge(ScanMatch{true_mount.inverse() * motion * true_mount}, 400.0, last, next, mount);

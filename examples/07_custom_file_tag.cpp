@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files with own words: what the registry learns is read, optimised and written like anything else.
+// Files with custom tags: a type that is added to the registry is read, optimized and written like any other.
 #include <boxplus/boxplus.h>
 
 #include <iostream>
 
 using namespace boxplus;
 
-/// The distance (metres) of a point from a beacon whose place is known.
+/// The distance (meters) of a point from a beacon at a known position.
 struct BeaconRange {
   Vector2 beacon;
   double measurement;
@@ -18,8 +18,8 @@ struct BeaconRange {
 };
 
 // [fields]
-/// In a file: the beacon's x and y, then the distance. The vertex ids before it and Ω after it are not our
-/// concern. (FileFields<T> does the same for the value of a vertex.)
+/// In a file: the beacon's x and y, then the distance. The reader handles the vertex ids before these fields
+/// and Ω after them. (FileFields<T> does the same for the value of a vertex.)
 template <>
 struct boxplus::EdgeFields<BeaconRange> {
   static BeaconRange read(FieldReader& in) {
@@ -37,7 +37,7 @@ constexpr const char* kText =
     "VERTEX_XY 0 2.5 0.5\n"
     "EDGE_BEACON_RANGE 0 10 0 8.06 100\n"
     "EDGE_BEACON_RANGE 0 0 10 9.22 100\n"
-    "ROBOTLASER1 what boxplus does not know is kept\n";
+    "ROBOTLASER1 a line with an unknown tag is kept\n";
 
 int main() {
   // [registry]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An own robust kernel: the logarithm of the hyperbolic cosine, a smooth cousin of Huber's.
+// A custom robust kernel: the logarithm of the hyperbolic cosine, which is similar to Huber's but smooth.
 //
-// A kernel turns the squared error e² = eᵀΩe of an edge into what it costs, ρ(e²), and says how that changes.
+// A kernel maps the squared error e² = eᵀΩe of an edge to its cost ρ(e²), and returns the derivatives of ρ.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/kernel_base.h>
 #include <boxplus/testing/check_kernel.h>
@@ -37,9 +37,9 @@ bool contract_holds() {
 }
 
 int main() {
-  // The place of a wall, from five echoes of which one is an artefact.
+  // The position of a wall, from five echoes, one of which is an artifact.
   Graph graph;
-  const auto wall = graph.add_vertex(0.0);  // a plain number is a vertex, too
+  const auto wall = graph.add_vertex(0.0);  // a plain double is a vertex, too
   for (const double echo : {4.9, 5.1, 5.0, 5.05, 40.0}) {
     const auto edge = graph.add_edge([echo](const auto& x) { return x - echo; }, 100.0, wall);
     graph.set_kernel(edge, LogCosh(1));

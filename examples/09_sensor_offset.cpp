@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A parameter: a constant that many edges share, such as where a sensor sits on the robot.
+// A parameter: a constant that many edges share, such as the pose of a sensor on the robot.
 //
-// It is a vertex that is fixed from the start. Files write it as a PARAMS_ line; calibrating it is unfixing
-// it.
+// It is a vertex that starts out fixed. Files write it as a PARAMS_ line. To calibrate it, unfix it.
 #include <boxplus/boxplus.h>
 
 #include <cstdio>
@@ -23,7 +22,7 @@ int main() {
   for (int i = 0; i < 6; ++i) {
     const SE2 pose(0.5 * i, 0.1 * i * i, 0.6 * i);
     const auto robot = graph.add_vertex(pose);
-    graph.add_edge(Prior(pose), 1e4, robot);  // where the robot is, is known from elsewhere
+    graph.add_edge(Prior(pose), 1e4, robot);  // the pose of the robot is known from another source
     for (const auto& landmark : landmarks) {
       const SE2 sensor = pose * true_offset;
       const OffsetPointObservation2 seen(sensor.inverse() * graph.estimate(landmark));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A graph that grows while the robot drives, and loop closures that are tried before they are believed.
+// A graph that grows while the robot drives, and loop closures that are tested before they are accepted.
 #include <boxplus/boxplus.h>
 
 #include <cstdio>
@@ -8,7 +8,7 @@
 using namespace boxplus;
 
 // [try_edge]
-/// Adds the edge where the graph can live with it; otherwise leaves everything as it was.
+/// Adds the edge if it agrees with the graph; otherwise leaves everything as it was.
 bool try_edge(Graph& graph, const SE2& measured, VertexHandle<SE2> a, VertexHandle<SE2> b) {
   const double believable = 12.8;  // 3 rows exceed this chi2 in one of 200 cases
   const double before = graph.chi2();
@@ -16,11 +16,11 @@ bool try_edge(Graph& graph, const SE2& measured, VertexHandle<SE2> a, VertexHand
   const auto edge = graph.add_edge(Between(measured), 100.0, a, b);
   const Report report = optimize(graph);
   if (report.converged() && report.chi2_final - before < believable) {
-    graph.discard_top();  // forgets what was saved
+    graph.discard_top();  // drops the saved estimates
     return true;
   }
   graph.remove(edge);
-  graph.pop();  // puts the estimates back
+  graph.pop();  // restores the estimates
   return false;
 }
 // [/try_edge]
@@ -38,9 +38,9 @@ int main() {
     optimize(graph);
   }
 
-  // After four sides the robot is back where it began. (Seen again from there: itself.)
+  // After four sides the robot is back at its start, and recognizes it.
   const bool good = try_edge(graph, SE2(0, 0, 0), poses[0], poses[4]);
-  // Somebody takes one corner for the opposite one.
+  // A false closure: one corner is mistaken for the opposite one.
   const SE2 kept = graph.estimate(poses[8]);
   const bool bad = try_edge(graph, SE2(0, 0, 0), poses[0], poses[6]);
   std::printf("true closure %s, false closure %s\n", good ? "accepted" : "refused",
@@ -48,11 +48,11 @@ int main() {
   const bool is_restored = graph.estimate(poses[8]).vector() == kept.vector();
 
   // [subset]
-  // Only the last three poses move; edges that do not touch them take no part.
+  // Only the last three poses move; edges that touch none of them are left out.
   Options options;
   options.vertices = {poses[6], poses[7], poses[8]};
   const Report local = optimize(graph, options);
   // [/subset]
-  std::printf("local optimisation: %u vertices, %u edges\n", local.vertices, local.edges);
+  std::printf("local optimization: %u vertices, %u edges\n", local.vertices, local.edges);
   return good && !bad && is_restored && local.converged() && local.vertices == 3 ? 0 : 1;
 }

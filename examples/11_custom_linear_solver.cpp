@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An own linear solver behind the seam of boxplus/linear/linear_solver.h: Eigen's dense Cholesky.
+// A custom linear solver behind the interface of boxplus/linear/linear_solver.h: Eigen's dense Cholesky.
 //
-// A solver gets the blocks of A, adds the damping λD to its diagonal while it copies them, and solves.
+// A solver gets the blocks of A, adds the damping λD to the diagonal while it copies them, and solves.
 #include <boxplus/linear/linear_solver.h>
 
 #include <Eigen/Cholesky>
@@ -15,13 +15,13 @@ class EigenLlt final : public LinearSolver {
   std::string_view name() const override { return "eigen_llt"; }
   Needs needs() const override { return Needs::kBlocks; }
 
-  /// Once per structure: all that does not depend on the values, and memory.
+  /// Called once per structure: does all work that does not depend on the values, and allocates memory.
   void analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) override {
     structure_ = &structure;
     matrix_.resize(structure.scalars(), structure.scalars());
   }
 
-  /// Once per linearisation and damping.
+  /// Called once per linearization and damping.
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          std::span<const std::uint32_t> /*changed_columns*/) override {
     const BlockStructure& s = *structure_;
@@ -39,7 +39,7 @@ class EigenLlt final : public LinearSolver {
     return {LinearStatus::kNotPositiveDefinite, 0};
   }
 
-  /// Any number of times per factorisation; b and x may be the same.
+  /// Called any number of times per factorization; b and x may be the same array.
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& /*control*/) override {
     const Eigen::Map<const Eigen::MatrixXd> right(b, matrix_.rows(), columns);
     Eigen::Map<Eigen::MatrixXd>(x, matrix_.rows(), columns) = cholesky_.solve(right).eval();
@@ -54,7 +54,7 @@ class EigenLlt final : public LinearSolver {
 // [/solver]
 
 int main() {
-  // Two blocks, of 2 and 1 scalars, that are coupled: values column by column, diagonal blocks in full.
+  // Two coupled blocks, of 2 and 1 scalars; values column by column, diagonal blocks in full.
   const BlockStructure structure = make_block_structure({2, 1}, {{1, 0}});
   const std::vector<double> values{4, 1, 1, 3, /* (1, 0) */ 1, 0.5, /* (1, 1) */ 2};
   const std::vector<double> b{1, 2, 3};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An own algorithm behind the seam of boxplus/optimize/algorithm.h: Gauss-Newton with a line search.
+// A custom algorithm behind the interface of boxplus/optimize/algorithm.h: Gauss-Newton with a line search.
 //
-// An algorithm sees the problem only as a System: it has it linearised, asks for steps, tries them, and
-// accepts or rejects what it tried. It knows neither graphs nor matrices.
+// An algorithm sees the problem only as a System. It asks the System to linearize, to compute steps and to
+// try them; then it accepts or rejects each trial. It knows neither graphs nor matrices.
 #include <boxplus/boxplus.h>
 
 #include <algorithm>
@@ -53,8 +53,7 @@ class LineSearch final : public Algorithm {
 
 int main() {
   Graph graph;
-  const auto x =
-      graph.add_vertex(Vector2(-1.2, 1));  // Rosenbrock's valley, along which the minimum lies at (1, 1)
+  const auto x = graph.add_vertex(Vector2(-1.2, 1));  // Rosenbrock's valley; its minimum is at (1, 1)
   graph.add_edge([](const auto& p) { return 10.0 * (p[1] - p[0] * p[0]); }, x);
   graph.add_edge([](const auto& p) { return 1.0 - p[0]; }, x);
 

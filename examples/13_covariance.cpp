@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How certain are the estimates? Covariances of poses and landmarks, and whether they keep what they promise.
+// How certain are the estimates? Computes covariances of poses and landmarks, and tests if they are right.
 #include <boxplus/boxplus.h>
 
 #include <Eigen/Dense>
@@ -10,7 +10,7 @@
 
 using namespace boxplus;
 
-/// A drive along an arc, past a tree that is seen twice. All measurements are as noisy as their Ω says.
+/// A drive along an arc, past a tree that is seen twice. The noise of all measurements agrees with their Ω.
 struct Drive {
   static constexpr int kSteps = 20;
   static constexpr double kStepSigma = 0.05, kTurnSigma = 0.02, kSightSigma = 0.1;  // m, rad, m
@@ -18,7 +18,7 @@ struct Drive {
   const Vector2 true_tree = Vector2(10, 5);
 
   Graph graph;
-  VertexHandle<SE2> robot;  // where it ends
+  VertexHandle<SE2> robot;  // the last pose
   VertexHandle<Vector2> tree;
   SE2 true_robot;
 
@@ -30,7 +30,7 @@ struct Drive {
                  turn_information = 1 / (kTurnSigma * kTurnSigma);
     const double sight_information = 1 / (kSightSigma * kSightSigma);
     robot = graph.add_vertex(SE2());
-    graph.fix(robot);  // where the drive begins: all else is known relative to it
+    graph.fix(robot);  // the first pose: everything else is known relative to it
     tree = graph.add_vertex(true_tree);
     for (int k = 1; k <= kSteps; ++k) {
       const SE2 measured = step * SE2(noise(kStepSigma), noise(kStepSigma), noise(kTurnSigma));
@@ -56,33 +56,33 @@ int main() {
   const auto tree = drive.tree;
   // [covariance]
   const Covariance sigma = covariance(graph, {robot, tree});
-  if (!sigma.ok()) {  // something is not determined: the message names it
+  if (!sigma.ok()) {  // something is undetermined: the message names it
     std::printf("%s\n", sigma.message().c_str());
     return 1;
   }
   const Eigen::Matrix3d of_robot = sigma.of(robot);      // x, y, heading in the robot's own frame
   const Eigen::Matrix2d of_tree = sigma.of(tree);        // x, y in the world
-  const Eigen::MatrixXd across = sigma.of(robot, tree);  // 3 × 2: how their errors go together
-  const Eigen::MatrixXd joint = sigma.joint();           // 5 × 5: all of it
+  const Eigen::MatrixXd across = sigma.of(robot, tree);  // 3 × 2: the cross-covariance
+  const Eigen::MatrixXd joint = sigma.joint();           // 5 × 5: both, with the cross-covariance
   // [/covariance]
   std::printf("the robot is known to %.2f m ahead, %.2f m aside and %.1f degrees\n",
               std::sqrt(of_robot(0, 0)), std::sqrt(of_robot(1, 1)), std::sqrt(of_robot(2, 2)) * 180 / kPi);
 
   // [world]
   const Matrix<double, 2, 2> R =
-      graph.estimate(robot).rotation();  // turns the robot's frame into the world's
+      graph.estimate(robot).rotation();  // rotates vectors from the robot's frame into the world
   const Eigen::Matrix2d robot_in_world = R * of_robot.topLeftCorner<2, 2>() * R.transpose();
   // [/world]
   // [ellipse]
-  // The ellipse that holds the tree with 95 %: its half-axes are √5.991 standard deviations long.
+  // The ellipse that contains the tree with 95 % probability: its half-axes are √5.991 standard deviations.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(of_tree);
   const Eigen::Vector2d half_axes = (5.991 * axes.eigenvalues()).cwiseSqrt();
   // [/ellipse]
   std::printf("the tree lies in an ellipse of half-axes %.2f m and %.2f m\n", half_axes[1], half_axes[0]);
 
   // [difference]
-  // How well is the tree known as seen from the robot? Much of their errors is common to both, and cancels.
-  Graph look = graph;  // a copy accepts the handles of its original
+  // How certain is the tree as seen from the robot? Their errors are mostly the same, and cancel.
+  Graph look = graph;  // handles of a graph are valid for its copies, too
   const auto edge = look.add_edge(PointObservation2(Vector2(0, 0)), robot, tree);
   Eigen::MatrixXd J(2, 5);
   J << look.jacobian(edge)[0], look.jacobian(edge)[1];
@@ -91,7 +91,7 @@ int main() {
   std::printf("variances (m²): tree %.3f, robot %.3f, the tree as seen from the robot %.3f\n",
               of_tree.trace(), robot_in_world.trace(), seen_from_robot.trace());
 
-  // Do they keep what they promise? The truth must lie within 95 % ellipses in about 95 of 100 drives.
+  // Are the covariances right? The truth must lie within the 95 % ellipses in about 95 of 100 drives.
   constexpr int kDrives = 1000;
   int robots = 0, trees = 0;
   for (unsigned seed = 1; seed <= kDrives; ++seed) {

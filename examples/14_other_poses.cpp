@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses that come from other libraries, and a pose whose tangent has whole angles.
+// Poses that come from other libraries, and a pose whose tangent has full angles.
 #include <boxplus/boxplus.h>
 #include <boxplus/manifold/convert_to.h>
 
@@ -12,7 +12,7 @@ using namespace boxplus;
 
 int main() {
   // [measurement]
-  // What another program measured: a motion, and its standard deviations in metres and radians.
+  // The measurement of another program: a motion, and its standard deviations in meters and radians.
   const Eigen::Isometry3d measured =
       Eigen::Translation3d(1, 2, 0.5) * Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ());
   const double sigma_t = 0.05, sigma_r = 0.02;
@@ -24,8 +24,8 @@ int main() {
   const auto a = graph.add_vertex(SE3RotationVector());
   const auto b = graph.add_vertex(SE3RotationVector());
   graph.fix(a);
-  const double metres = 1 / (sigma_t * sigma_t), radians = 1 / (sigma_r * sigma_r);
-  const auto Omega = Information::diagonal(std::vector{metres, metres, metres, radians, radians, radians});
+  const double meters = 1 / (sigma_t * sigma_t), radians = 1 / (sigma_r * sigma_r);
+  const auto Omega = Information::diagonal(std::vector{meters, meters, meters, radians, radians, radians});
   graph.add_edge(Between(convert_to<SE3RotationVector>(measured)), Omega, a, b);
   // [/rotation_vector]
   const bool converged = optimize(graph).converged();
@@ -41,7 +41,7 @@ int main() {
   Graph halves;
   const auto c = halves.add_vertex(SE3());
   const auto Omega_halves =
-      Information::diagonal(std::vector{metres, metres, metres, 4 * radians, 4 * radians, 4 * radians});
+      Information::diagonal(std::vector{meters, meters, meters, 4 * radians, 4 * radians, 4 * radians});
   halves.add_edge(Prior(convert_to<SE3>(measured)), Omega_halves, c);
   // [/half_angles]
   optimize(halves);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program for Ceres, as it looks here: residuals, a loss function, constant parameter blocks, and the
+// A program for Ceres, rewritten for boxplus: residuals, a loss function, constant parameter blocks, and the
 // information of a relative pose.
 #include <boxplus/boxplus.h>
 
@@ -9,7 +9,7 @@
 using namespace boxplus;
 
 // [residual]
-/// y = exp(m x + c): in Ceres the functor of an AutoDiffCostFunction<ExponentialResidual, 1, 1, 1>.
+/// y = exp(m x + c). In Ceres, this is the functor of an AutoDiffCostFunction<ExponentialResidual, 1, 1, 1>.
 struct ExponentialResidual {
   double x, y;
 
@@ -21,15 +21,15 @@ struct ExponentialResidual {
 };
 // [/residual]
 
-/// Samples of y = exp(0.3 x + 0.1) with noise; every sixth is off by 4.
+/// Samples of y = exp(0.3 x + 0.1) with noise; every sixth one is off by 4.
 double sample(double x, int i) {
   return std::exp(0.3 * x + 0.1) + 0.2 * std::sin(37.0 * i) + (i % 6 == 2 ? 4 : 0);
 }
 
 // [omega]
-/// Ω of the residual of Ceres' example pose_graph_3d as the Ω of Between(z). That residual is
-///   [R_aᵀ(p_b − p_a) − t_z; 2 vec(q_z q_ab*)] = A e,  A = [R_z 0; 0 −2 R_z],
-/// where e = (t, q_v) of z⁻¹ a⁻¹ b is ours: it lies in the frame at the end of z, and has half angles.
+/// Converts Ω of the residual of Ceres' example pose_graph_3d to Ω of Between(z). That residual is
+///   [R_aᵀ(p_b − p_a) − t_z; 2 vec(q_z q_ab*)] = A e,  A = [R_z 0; 0 −2 R_z].
+/// Here e = (t, q_v) of z⁻¹ a⁻¹ b is the error of boxplus: in the frame at the end of z, with half angles.
 Matrix<double, 6, 6> omega_of_between(const SE3& z, const Matrix<double, 6, 6>& omega) {
   Matrix<double, 6, 6> A = Matrix<double, 6, 6>::Zero();
   A.topLeftCorner<3, 3>() = z.rotation();
@@ -38,7 +38,7 @@ Matrix<double, 6, 6> omega_of_between(const SE3& z, const Matrix<double, 6, 6>& 
 }
 // [/omega]
 
-/// The residual of that example, as its text defines it.
+/// The residual of that example, as its documentation defines it.
 Vector<double, 6> ceres_residual(const SE3& z, const SE3& a, const SE3& b) {
   const SE3 motion = a.inverse_times(b);
   const Quaternion<double> q = z.quaternion() * motion.quaternion().conjugate();
@@ -68,13 +68,13 @@ bool weighs_as_in_ceres() {
 int main() {
   // [problem]
   Graph graph;                           // ceres::Problem
-  const auto m = graph.add_vertex(0.0);  // a parameter block, with its first value
+  const auto m = graph.add_vertex(0.0);  // a parameter block, with its initial value
   const auto c = graph.add_vertex(0.0);
-  const double sigma = 0.2;  // of the noise: in Ceres, the residual would be divided by it
+  const double sigma = 0.2;  // of the noise; a Ceres program divides the residual by it
   for (int i = 0; i < 40; ++i) {
     const double x = 0.125 * i;
     const auto edge = graph.add_edge(ExponentialResidual{x, sample(x, i)}, 1 / (sigma * sigma), m, c);
-    graph.set_kernel(edge, Cauchy(2.5));  // new CauchyLoss(2.5), on the residual that was divided by sigma
+    graph.set_kernel(edge, Cauchy(2.5));  // new CauchyLoss(2.5), on the residual divided by sigma
   }
 
   Options options;  // ceres::Solver::Options

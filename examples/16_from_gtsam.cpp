@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program for GTSAM, as it looks here: keys, factors, noise models, a robust loss, marginal covariances.
+// A program for GTSAM, rewritten for boxplus: keys, factors, noise models, a robust loss, marginal
+// covariances.
 #include <boxplus/boxplus.h>
 
 #include <Eigen/LU>
@@ -11,15 +12,15 @@
 using namespace boxplus;
 
 // [noise]
-/// noiseModel::Diagonal::Sigmas: Ω holds the inverse variances.
+/// noiseModel::Diagonal::Sigmas: Ω contains the inverse variances.
 template <std::size_t N>
 Information sigmas(std::array<double, N> values) {
   for (double& value : values) value = 1 / (value * value);
   return Information::diagonal(values);
 }
 
-/// noiseModel::Gaussian::Covariance of a Pose3, whose tangent is (ω, t) with ω in radians, as the Ω of SE3,
-/// whose tangent is (t, ω/2).
+/// noiseModel::Gaussian::Covariance of a Pose3, converted to Ω of SE3. The tangent of Pose3 is (ω, t) with ω
+/// in radians; that of SE3 is (t, ω/2).
 Matrix<double, 6, 6> omega_of_se3(const Matrix<double, 6, 6>& covariance_of_pose3) {
   const Matrix<double, 6, 6> omega = covariance_of_pose3.inverse();
   Matrix<double, 6, 6> D = Matrix<double, 6, 6>::Zero();  // (ω, t) = D (t, ω/2)
@@ -29,7 +30,7 @@ Matrix<double, 6, 6> omega_of_se3(const Matrix<double, 6, 6>& covariance_of_pose
 }
 // [/noise]
 
-/// For an error of a few millimetres and milliradians, chi2 is that of Pose3 to first order.
+/// For errors of a few millimeters and milliradians, chi2 equals that of Pose3 to first order.
 bool weighs_as_in_gtsam() {
   const Vector3 omega(0.002, -0.003, 0.001), t(0.004, 0.001, -0.002);
   const SE3 error(t, Quaternion<double>{omega[0] / 2, omega[1] / 2, omega[2] / 2, 1});
@@ -64,7 +65,7 @@ int main() {
   graph.set_kernel(closure, Huber(1.345));  // noiseModel::Robust with mEstimator::Huber(1.345)
 
   Options options;
-  options.start = Start::kAutomatic;               // the estimates are poor
+  options.start = Start::kAutomatic;               // because the initial estimates are poor
   const Report report = optimize(graph, options);  // LevenbergMarquardtOptimizer(graph, initial).optimize()
   const SE2 last = graph.estimate(graph.vertex<SE2>(5));  // result.at<Pose2>(5)
   // [/graph]
@@ -73,7 +74,7 @@ int main() {
 
   // [marginals]
   const Covariance marginals = covariance(graph, {x[1]});  // Marginals(graph, result).marginalCovariance(2)
-  const Eigen::Matrix3d of_x2 = marginals.of(x[1]);        // in the frame of x2, as there
+  const Eigen::Matrix3d of_x2 = marginals.of(x[1]);        // in the frame of x2, as in GTSAM
   // [/marginals]
   std::printf("x2 is known to %.2f m and %.2f rad\n", std::sqrt(of_x2(0, 0)), std::sqrt(of_x2(2, 2)));
   const bool is_found = report.converged() && std::abs(last.x() - 2) < 1e-6 && std::abs(last.y() - 2) < 1e-6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices that are more than a pose or a point: products, directions, similarities.
+// Vertices beyond poses and points: products, directions, similarities.
 #include <boxplus/boxplus.h>
 #include <boxplus/manifold/product.h>
 #include <boxplus/manifold/s2.h>
@@ -15,7 +15,7 @@ using namespace boxplus;
 /// A pose and its velocity (m/s, in the world), in one vertex with 9 unknowns.
 using State = Product<SE3, Vector3>;
 
-/// Nothing accelerates: the position follows from the velocity, which stays.
+/// Constant velocity: the position changes by the velocity, and the velocity stays the same.
 struct ConstantVelocity {
   double seconds;
 
@@ -29,7 +29,7 @@ struct ConstantVelocity {
   }
 };
 
-/// Where a satellite receiver says the body is.
+/// The position of the body as a satellite receiver measures it.
 struct Fix {
   Vector3 measurement;
 
@@ -40,7 +40,7 @@ struct Fix {
 };
 // [/product]
 
-/// The speed of a body that was seen at x = 0, 2, 4, 6, once a second.
+/// The speed of a body that is seen at x = 0, 2, 4, 6, once per second.
 double estimated_speed() {
   Graph graph;
   std::vector<VertexHandle<State>> states;
@@ -59,11 +59,11 @@ double estimated_speed() {
   return graph.estimate(states.back()).get<1>().x();
 }
 
-/// The angle between the direction that was found and the true one, in degrees.
+/// The angle between the estimated direction and the true one, in degrees.
 double direction_error() {
   // [direction]
   Graph graph;
-  const auto up = graph.add_vertex(S2());  // begins as the z axis; 2 unknowns, no length
+  const auto up = graph.add_vertex(S2());  // starts as the z axis; 2 unknowns, no length
   for (const Vector3& measured : {Vector3(0.6, 0.1, 0.8), Vector3(0.6, -0.1, 0.8), Vector3(0.61, 0, 0.79)})
     graph.add_edge(Prior(S2(measured)), 1 / (0.1 * 0.1), up);  // sigma in radians
   optimize(graph);
@@ -72,14 +72,14 @@ double direction_error() {
   return std::acos(std::min(1.0, found.dot(Vector3(0.6, 0, 0.8)))) * 180 / kPi;
 }
 
-/// The scale of the last keyframe of a camera that came back to where it began.
+/// The scale of the last keyframe of a camera that returned to its start.
 double scale_at_the_end() {
   // [similarity]
-  // Without a known length, a single camera's scale drifts: here by 5 % in every step of a square. Keyframes
-  // that are similarities let the loop closure spread the drift.
-  const Vector3 metre(1, 0, 0);
+  // The scale of a single camera drifts if no length is known: here by 5 % in every step of a square. If the
+  // keyframes are similarities, the loop closure can spread the drift over all of them.
+  const Vector3 meter(1, 0, 0);
   const auto turn = RotationVectorChart::exp(0.0, 0.0, kPi / 2);
-  const Sim3 measured(turn, metre, 1.05), closing(turn, metre, 1.0);
+  const Sim3 measured(turn, meter, 1.05), closing(turn, meter, 1.0);
   Graph graph;
   std::vector<VertexHandle<Sim3>> keyframes{graph.add_vertex(Sim3())};
   graph.fix(keyframes[0]);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many outliers: three loop closures in ten are wrong, and the estimates begin at the odometry.
+// Many outliers: three in ten loop closures are wrong, and the initial estimates are those of the odometry.
 //
-// A kernel that rejects outliers rejects right measurements, too, while the estimates are bad. So it begins
-// as least squares and is made stricter in every iteration: Barron's family reaches from squared errors (α =
-// 2) to a kernel that hardly looks at large ones (α = −10). Graduated non-convexity works in the same way.
+// A kernel that rejects outliers also rejects correct measurements while the estimates are bad. So the kernel
+// starts as least squares and becomes stricter in every iteration. Barron's family ranges from squared errors
+// (α = 2) to a kernel that almost ignores large ones (α = −10). Graduated non-convexity works in the same
+// way.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/simulate.h>
 
@@ -14,7 +15,7 @@
 
 using namespace boxplus;
 
-/// Mean distance (metres) of the poses from where they truly are.
+/// The mean distance (meters) of the poses from their true positions.
 double error_of(const Simulation& world) {
   double sum = 0;
   for (const VertexRef& vertex : world.graph.all_vertices()) {
@@ -29,7 +30,7 @@ Simulation make_world() {
   return simulate(World::kStreets, {.poses = 2000, .outliers = 0.3});
 }
 
-/// The loop closures: odometry is trusted.
+/// The loop closures; the odometry is trusted.
 std::vector<EdgeRef> closures_of(const Simulation& world) {
   std::vector<EdgeRef> closures;
   for (std::size_t k = 0; k < world.edges.size(); ++k) {
@@ -56,7 +57,7 @@ double annealed() {
   double shape = 2;  // α of Barron's kernel
   const auto anneal = [&](const IterationRecord&) {
     shape = std::max(shape - 0.5, -10.0);
-    const auto kernel = std::make_shared<const Barron>(shape, default_width(3));  // errors of three rows
+    const auto kernel = std::make_shared<const Barron>(shape, default_width(3));  // errors of 3 rows
     for (const EdgeRef& edge : closures) graph.set_kernel(edge, kernel);
     return true;
   };
@@ -64,7 +65,7 @@ double annealed() {
   options.callback = anneal;
   optimize(graph, options);
 
-  while (shape > -10) anneal({});  // if it ended before
+  while (shape > -10) anneal({});  // if the optimization stopped before
   const Report report = optimize(graph);
   // [/anneal]
   return report.converged() ? error_of(world) : 1e9;

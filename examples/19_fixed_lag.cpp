@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fixed-lag smoother: only the last poses are estimated. What the older ones said stays, as a dense prior
+// A fixed-lag smoother: estimates only the last poses. The information of older poses stays, as a dense prior
 // on the vertices around them.
 #include <boxplus/boxplus.h>
 
@@ -14,13 +14,13 @@
 using namespace boxplus;
 
 // [marginalize]
-/// Removes a pose. All that its edges say about the vertices around it stays, as one edge.
+/// Removes a pose. The information of its edges about the vertices around it stays, as one edge.
 void marginalize(Graph& graph, VertexHandle<SE2> pose) {
   std::vector<VertexHandle<SE2>> poses;
   std::vector<VertexHandle<Vector2>> points;
   std::vector<SE2> pose_means;
   std::vector<Vector2> point_means;
-  std::map<VertexRef, int> column{{pose, 0}};  // of each vertex in H; its tangent has as many as the vertex
+  std::map<VertexRef, int> column{{pose, 0}};  // the first column of each vertex in H
   const std::vector<EdgeRef> edges = graph.edges(pose);
   for (const EdgeRef& edge : edges) {
     for (const VertexRef& vertex : graph.vertices(edge)) {
@@ -38,7 +38,7 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
   for (const auto& vertex : poses) column[vertex] = std::exchange(size, size + 3);
   for (const auto& vertex : points) column[vertex] = std::exchange(size, size + 2);
 
-  // The normal equations of its edges, H δ = −b.
+  // The normal equations of the pose's edges, H δ = −b.
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   for (const EdgeRef& edge : edges) {
@@ -54,7 +54,7 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
         H.block(at, column[vertices[j]], J[i].cols(), J[j].cols()) += J[i].transpose() * Omega * J[j];
     }
   }
-  // The pose is eliminated: the Schur complement is what is left for the others.
+  // Eliminates the pose: the others keep the Schur complement.
   const int rest = size - 3;
   const Eigen::MatrixXd gain = H.bottomLeftCorner(rest, 3) * H.topLeftCorner(3, 3).inverse();
   const Eigen::MatrixXd left_H = H.bottomRightCorner(rest, rest) - gain * H.topRightCorner(3, rest);
@@ -76,7 +76,7 @@ int main() {
   std::vector<Vector2> trees;
   for (int k = 0; k < 12; ++k) trees.emplace_back(8 * std::cos(k), 6 + 8 * std::sin(k));
 
-  // The same drive twice: in `all` nothing is forgotten.
+  // The same drive twice: `all` forgets nothing.
   Graph all, lagged;
   std::vector<VertexHandle<SE2>> all_poses, lagged_poses;
   std::vector<VertexHandle<Vector2>> all_trees, lagged_trees;

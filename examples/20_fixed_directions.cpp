@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices that move in some directions only: a vehicle with poses of space that stays on its plane, and a
-// camera whose focal length is known while its distortion is not.
+// Vertices that move in some directions only: a vehicle with poses in space that stays on its plane, and a
+// camera with a known focal length and an unknown distortion.
 #include <boxplus/boxplus.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 using namespace boxplus;
 
-/// How far from the middle of the image a ray appears that has the slope `ray`: f (1 + k ray²) ray.
+/// The distance from the center of the image to the pixel of a ray with slope `ray`: f (1 + k ray²) ray.
 struct Ray {
   double ray, pixels;
 
@@ -34,7 +34,7 @@ int main() {
   }
   // [/plane]
   graph.fix(poses[0]);
-  // A sensor that says the vehicle climbs and tilts a little.
+  // A sensor whose measurements say that the vehicle climbs and tilts a little.
   const SE3 tilted(Vector3(1, 0, 0.05), Quaternion<double>{0.01, -0.02, 0.03, 1});
   for (std::size_t k = 0; k + 1 < poses.size(); ++k) graph.add_edge(Between(tilted), poses[k], poses[k + 1]);
   const Report report = optimize(graph);

@@ -10,7 +10,7 @@
 using namespace boxplus;
 
 // [window]
-/// Moves only the newest `size` poses; all others stay where they are.
+/// Moves only the newest `size` poses; all others keep their estimates.
 Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses, std::size_t size) {
   Options options;
   const std::size_t first = poses.size() - std::min(size, poses.size());
@@ -21,11 +21,12 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 // [/window]
 
 // [whole]
-/// For steps that move everything. An Optimizer keeps its plan, and extends it by what was added since.
+/// Options for steps that move everything. An Optimizer keeps its plan, and extends it by the new vertices and
+/// edges.
 Options options_for_steps() {
   Options options;
-  options.max_iterations = 1;    // the next step goes on from here
-  options.time_limit_s = 0.010;  // holds in every phase; the report tells if it struck
+  options.max_iterations = 1;    // the next step continues from here
+  options.time_limit_s = 0.010;  // applies to every phase; the report says if it was reached
   return options;
 }
 // [/whole]
@@ -47,7 +48,7 @@ int main() {
   Optimizer whole(graph, options_for_steps());
   const Report first = whole.run();
 
-  // Four sides later the robot is where it was: a loop closure concerns more than the window.
+  // After four sides the robot is back at its start: a loop closure affects more than the window.
   int extended = 0;
   for (std::size_t k = 4; k < 40; k += 4) {
     graph.add_edge(Between(SE2(0, 0, 0)), 100.0, poses[k - 4], poses[k]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library of types for the tool: beacons at unknown places, measured by their distance from poses.
+// A library of types for the tool: beacons at unknown positions, measured by their distance from poses.
 //
-//     VERTEX_BEACON id x y        EDGE_RANGE pose beacon metres information
+//     VERTEX_BEACON id x y        EDGE_RANGE pose beacon meters information
 #include <cmath>
 #include <istream>
 #include <ostream>

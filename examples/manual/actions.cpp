@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operations on the elements of a graph, by name and by type: drawing, writing, and an own one.
+// Operations on the elements of a graph, by name and by type: drawing, writing, and a custom action.
 //
 //     manual_actions [PICTURE.svg]
 #include <cmath>
@@ -43,12 +43,12 @@ EDGE_SE2_XY 4 11 0.3 1.6 1 0 1
 EDGE_PRIOR_SE2_XY 4 3.2 4.3 1 0 1
 )";
 
-// [own]
-/// Adds up how far the robot drove: an action of our own, for one type of edges.
+// [custom]
+/// Adds up the distance that the robot drove: a custom action for one type of edge.
 class EdgeSE2Length : public HyperGraphElementAction {
  public:
   struct Parameters : HyperGraphElementAction::Parameters {
-    double metres = 0;
+    double meters = 0;
   };
   EdgeSE2Length() : HyperGraphElementAction(typeid(EdgeSE2).name()) { _name = "length"; }
 
@@ -56,15 +56,15 @@ class EdgeSE2Length : public HyperGraphElementAction {
                                       HyperGraphElementAction::Parameters* parameters) override {
     auto* result = dynamic_cast<Parameters*>(parameters);
     if (result == nullptr) return nullptr;
-    result->metres += static_cast<EdgeSE2*>(element)->measurement().translation().norm();
+    result->meters += static_cast<EdgeSE2*>(element)->measurement().translation().norm();
     return this;
   }
 };
 G2O_REGISTER_ACTION(EdgeSE2Length)
-// [/own]
+// [/custom]
 
 // [iteration]
-/// Called by the optimiser after each iteration.
+/// Called by the optimizer after each iteration.
 class CountIterations : public HyperGraphAction {
  public:
   HyperGraphAction* operator()(const HyperGraph*, Parameters* parameters) override {
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
   HyperGraphActionLibrary* library = HyperGraphActionLibrary::instance();
   EdgeSE2Length::Parameters length;
   applyAction(&graph, library->actionByName("length"), &length);
-  std::printf("driven: %.1f m\n", length.metres);
+  std::printf("driven: %.1f m\n", length.meters);
   // [/length]
 
   // [gnuplot]
@@ -119,5 +119,5 @@ int main(int argc, char** argv) {
   graph.optimize(3);
   graph.removePostIterationAction(&counter);
   // [/count]
-  return counter.count == 3 && std::abs(length.metres - 7.6) < 1e-9 && !picture.empty() ? 0 : 1;
+  return counter.count == 3 && std::abs(length.meters - 7.6) < 1e-9 && !picture.empty() ? 0 : 1;
 }

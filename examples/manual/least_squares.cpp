@@ -28,7 +28,7 @@ class VertexCup : public g2o::BaseVertex<3, Eigen::Vector3d> {
 // [/vertex]
 
 // [edge]
-/// The temperature (°C) that was read at a time (minutes).
+/// The temperature (°C) at a time (minutes).
 class EdgeReading : public g2o::BaseUnaryEdge<1, double, VertexCup> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where is up? An accelerometer at rest measures the direction of gravity, with noise. Directions are unit
-// vectors: three numbers, two degrees of freedom.
+// Which way is up? An accelerometer at rest measures the direction of gravity, with noise. Directions are
+// unit vectors: three scalars, two degrees of freedom.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -15,7 +15,7 @@
 #include "g2o/solvers/dense/linear_solver_dense.h"
 
 // [vertex]
-/// A unit vector. The step (a, b) turns it: by a and by b radians, about two axes orthogonal to it.
+/// A unit vector. The step (a, b) rotates it by a and by b radians, about two axes orthogonal to it.
 class VertexDirection : public g2o::BaseVertex<2, Eigen::Vector3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -25,7 +25,7 @@ class VertexDirection : public g2o::BaseVertex<2, Eigen::Vector3d> {
     const Eigen::Vector3d step = axes() * Eigen::Vector2d(update);
     const double angle = step.norm();
     if (angle > 0) _estimate = Eigen::AngleAxisd(angle, step / angle) * _estimate;
-    _estimate.normalize();  // rounding adds up
+    _estimate.normalize();  // otherwise rounding errors add up
   }
 
   /// Two axes, orthogonal to the vector and to each other.
@@ -69,7 +69,7 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
 // [/edge]
 
 // [check]
-/// The largest difference between the Jacobian that an edge computes and the numeric one of its base class.
+/// The largest difference between the Jacobian of an edge and the numeric one of its base class.
 template <class OwnEdge>
 double jacobian_error(OwnEdge& edge) {
   g2o::JacobianWorkspace workspace;
@@ -77,7 +77,7 @@ double jacobian_error(OwnEdge& edge) {
   workspace.allocate();
   auto& base = static_cast<g2o::OptimizableGraph::Edge&>(edge);
   edge.computeError();
-  base.linearizeOplus(workspace);  // maps the Jacobians into the workspace, and fills them
+  base.linearizeOplus(workspace);  // sets the Jacobians to point into the workspace, and fills them
   const Eigen::MatrixXd own = edge.template jacobianOplusXn<0>();
   edge.OwnEdge::BaseFixedSizedEdge::linearizeOplus();
   return (edge.template jacobianOplusXn<0>() - own).cwiseAbs().maxCoeff();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two places on a line, and one measurement: the second lies 1 beyond the first.
+// Two positions on a line, and one measurement: the second lies 1 beyond the first.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -44,7 +44,7 @@ class EdgeDistance : public g2o::BaseBinaryEdge<1, double, VertexPlace, VertexPl
 };
 // [/types]
 
-/// A belief about one place.
+/// A prior on one position.
 class EdgePrior : public g2o::BaseUnaryEdge<1, double, VertexPlace> {
  public:
   void computeError() override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How high is the ceiling? Six echoes come from it, two from a lamp that hangs below.
+// How high is the ceiling? Six echoes come from the ceiling, two from a lamp that hangs below it.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -46,10 +46,10 @@ struct Room {
     height->setId(0);
     height->setEstimate(2.3);
     optimizer.addVertex(height);
-    for (const double metres : {2.51, 2.49, 2.50, 2.52, 2.48, 2.50, 1.90, 1.88}) {
+    for (const double meters : {2.51, 2.49, 2.50, 2.52, 2.48, 2.50, 1.90, 1.88}) {
       auto* echo = new EdgeEcho;
       echo->setVertex(0, height);
-      echo->setMeasurement(metres);
+      echo->setMeasurement(meters);
       echo->setInformation(g2o::MatrixN<1>::Constant(1 / (0.02 * 0.02)));  // σ = 2 cm
       optimizer.addEdge(echo);
       echoes.push_back(echo);

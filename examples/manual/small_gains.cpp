@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ends Levenberg-Marquardt after three iterations in a row that gain little, as ORB_SLAM2's copy of g2o does.
+// Stops Levenberg-Marquardt after three small gains in a row, as ORB_SLAM2's copy of g2o does.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,7 +14,7 @@
 using namespace g2o;
 
 // [action]
-/// Stops the optimizer after three iterations in a row that lower chi2 by less than a thousandth of it.
+/// Stops the optimizer after three iterations in a row that each lower chi2 by less than a thousandth of it.
 class EndAfterSmallGains : public HyperGraphAction {
  public:
   explicit EndAfterSmallGains(SparseOptimizer& optimizer) : optimizer_(optimizer) {

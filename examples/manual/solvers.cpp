@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One graph, many ways to solve it: which algorithm, over which Solver, over which LinearSolver.
+// One graph, many ways to solve it: each combines an algorithm, a Solver and a LinearSolver.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,8 +23,8 @@ G2O_USE_OPTIMIZATION_LIBRARY(eigen)
 
 using namespace g2o;
 
-/// A robot drives along a square, 10 poses a side, twice; it sees the landmarks near it. Measured with errors
-/// that are no noise, but as good.
+/// A robot drives along a square, 10 poses per side, twice; it sees the landmarks near it. The measurement
+/// errors are deterministic, but of the size of noise.
 void add_graph(SparseOptimizer& optimizer) {
   const auto wobble = [](int i) { return 0.03 * std::sin(12.9898 * i); };
   for (int id = 0; id < 16; ++id) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each edge adds to H: blocks, in the rows and columns of its vertices. Some poses, two landmarks, and
-// an edge over three vertices.
+// Each edge adds blocks to H, in the rows and columns of its vertices. The graph: some poses, two landmarks,
+// and an edge over three vertices.
 #include <cstdio>
 #include <initializer_list>
 #include <memory>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: the files of the tutorial, which the tool g2o reads under other names of
-# types, have the same chi2 as boxplus finds, and become a picture.
+# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the tutorial's chi2 for the tutorial's
+# files, and that they become a picture. The tool g2o reads the files under other names of types.
 set -euo pipefail
 tutorial_program="$1" g2o_program="$2" boxplus_program="$3" work="$4"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
@@ -20,7 +20,7 @@ boxplus plot before.g2o after.g2o -o tutorial.svg
 # [/picture]
 grep -q "</svg>" tutorial.svg
 
-# What the tutorial said of chi2 is, to its last digit, what boxplus finds in the file.
+# boxplus must find the chi2 that the tutorial printed, to its last digit.
 for when in before after; do
   said=$(sed -n "s/^$when: *chi2 = \([0-9.]*\);.*/\1/p" said.txt)
   found=$(boxplus info "$when.g2o" | sed -n 's/.*chi2[^0-9]*\([0-9.e+]*\).*/\1/p' | head -1)

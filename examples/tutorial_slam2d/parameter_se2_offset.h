@@ -8,7 +8,7 @@ namespace g2o {
 namespace tutorial {
 
 // [parameter]
-/// How the sensor is mounted on the robot. TUTORIAL_PARAMS_SE2_OFFSET id x y θ
+/// The mount of the sensor on the robot. TUTORIAL_PARAMS_SE2_OFFSET id x y θ
 class ParameterSE2Offset : public Parameter {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -22,7 +22,8 @@ class ParameterSE2Offset : public Parameter {
   SE2 _offset;
 };
 
-/// Where the sensor of one robot pose is: computed once, however many edges ask. TUTORIAL_CACHE_SE2_OFFSET
+/// The pose of the sensor at one robot pose: computed once for all edges that use it.
+/// TUTORIAL_CACHE_SE2_OFFSET
 class CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

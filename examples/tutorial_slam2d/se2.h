@@ -8,7 +8,7 @@ namespace g2o {
 namespace tutorial {
 
 // [se2]
-/// A rigid motion of the plane: a rotation by θ (radians), then a translation (metres).
+/// A rigid motion of the plane: a rotation by θ (radians), then a translation (meters).
 class SE2 {
  public:
   SE2() : _R(0), _t(0, 0) {}
@@ -21,7 +21,7 @@ class SE2 {
     product._R.angle() = normalize_theta(_R.angle() + other._R.angle());
     return product;
   }
-  /// Where a point of this frame is in the outer one.
+  /// Transforms a point of this frame into the outer frame.
   Vector2 operator*(const Vector2& point) const { return _t + _R * point; }
 
   SE2 inverse() const {

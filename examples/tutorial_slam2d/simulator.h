@@ -10,20 +10,20 @@ namespace g2o {
 namespace tutorial {
 
 // [simulation]
-/// What to simulate; lengths in metres, angles in radians.
+/// The options of a simulation; lengths in meters, angles in radians.
 struct SimulationOptions {
   int poses = 300;
   int landmarks = 100;
-  double world = 12;     ///< half the side of the square that the robot and the landmarks are in
-  double step = 1;       ///< how far the robot drives from pose to pose
-  double range = 5;      ///< how far the sensor sees,
-  double opening = 1.5;  ///< and how far to each side
+  double world = 12;     ///< half the side of the square that contains the robot and the landmarks
+  double step = 1;       ///< distance from pose to pose
+  double range = 5;      ///< largest distance at which the sensor sees landmarks
+  double opening = 1.5;  ///< largest angle to each side
   double odometry_noise = 0.05, turn_noise = 0.02, landmark_noise = 0.05;  ///< standard deviations
   SE2 sensor_offset{0.2, 0.1, -0.1};
   unsigned seed = 1;
 };
 
-/// The truth, and what the robot measured of it.
+/// The truth, and the measurements of the robot.
 struct Simulation {
   struct Motion {
     int from, to;
@@ -46,7 +46,8 @@ struct Simulation {
 Simulation simulate(const SimulationOptions& options);
 // [/simulation]
 
-/// Pseudo-random numbers with a normal distribution. The standard's own is not the same everywhere.
+/// Pseudo-random numbers. The distributions of the standard library give different numbers on different
+/// platforms.
 class Noise {
  public:
   explicit Noise(unsigned seed) : _engine(seed) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// 2-D SLAM from scratch: a robot is simulated, its measurements become a graph of own types, and the graph is
-// optimised. Ends with failure where the result is not near the truth.
+// 2-D SLAM from scratch: simulates a robot, turns its measurements into a graph of custom types, and
+// optimizes the graph. Fails if the result is far from the truth.
 //
 //     tutorial_slam2d [-poses 300] [-landmarks 100] [-seed 1] [-o FOLDER]
 //
@@ -34,8 +34,8 @@ constexpr int kSensor = 0;             // the id of the parameter
 constexpr int kFirstLandmark = 10000;  // ids of poses come before
 
 // [graph]
-/// The graph of all measurements. Poses start where odometry alone puts them, landmarks where they were seen
-/// first.
+/// Adds the graph of all measurements. The odometry alone determines the initial poses; a landmark starts at
+/// the position of its first observation.
 void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimizer& optimizer) {
   auto* offset = new ParameterSE2Offset;
   offset->setId(kSensor);
@@ -80,7 +80,7 @@ void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimize
 }
 // [/graph]
 
-/// The root of the mean square of the distances (metres) of poses and of landmarks from where they truly are.
+/// The root of the mean squared distance (meters) of poses and of landmarks from their true positions.
 struct Distance {
   double poses = 0, landmarks = 0;
 };
@@ -102,7 +102,7 @@ Distance distance_from_truth(const Simulation& world, const SparseOptimizer& opt
           std::sqrt(sum.landmarks / std::max(seen, 1))};
 }
 
-/// With n rows of errors and m free unknowns, noise alone gives chi2 a distribution with mean n − m and
+/// If noise is the only error, then with n rows of errors and m free unknowns, chi2 has mean n − m and
 /// variance 2 (n − m).
 double degrees_of_freedom(const SparseOptimizer& optimizer) {
   double freedom = 0;

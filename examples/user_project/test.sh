@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: does what docs/first_steps.md says about an own project, with the
-# program of README.md.
+# test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: follows the steps of docs/first_steps.md for a user's project, with
+# the program of README.md.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4"
 examples="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -9,10 +9,10 @@ examples="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 rm -rf "$work"
 mkdir -p "$work/my_robot"
 "$cmake" --install "$build" --prefix "$work/boxplus" >/dev/null
-cp "$examples/own_project/CMakeLists.txt" "$work/my_robot"
+cp "$examples/user_project/CMakeLists.txt" "$work/my_robot"
 cp "$examples/01_pose_graph.cpp" "$work/my_robot/main.cpp"
 cd "$work/my_robot"
-# configure FOLDER OPTION...: prints what CMake says, and keeps it in FOLDER.txt.
+# configure FOLDER OPTION...: prints CMake's output, and keeps it in FOLDER.txt.
 configure() {
   env -u CXXFLAGS "$cmake" -B "$1" -DCMAKE_PREFIX_PATH="$work/boxplus" -DCMAKE_CXX_COMPILER="$compiler" \
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${@:2}" 2>&1 | tee "$1.txt"
@@ -21,7 +21,7 @@ configure build
 "$cmake" --build build
 build/my_robot
 
-# Without a build type the project optimizes all the same, and one that does not is told so.
+# Without a build type, the project still optimizes. A project that does not optimize gets a notice.
 grep -q -e '-O3' build/compile_commands.json || { echo "expected an optimized build"; exit 1; }
 configure debug -DCMAKE_BUILD_TYPE=Debug >/dev/null
 grep -q -e '-O3' debug/compile_commands.json && { echo "expected the build type that was asked for"; exit 1; }
