@@ -29,7 +29,7 @@ test: setup ## builds everything and runs all tests
 	@cmake --build --preset release --parallel $(JOBS)
 	@ctest --preset release --parallel $(JOBS)
 
-bench: setup ## measures us beside CHOLMOD and Ceres, and writes bench/RESULTS.md
+bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@scripts/install_dependencies.sh scripts/debian-packages-bench.txt
 	@cmake --preset bench
 	@cmake --build --preset bench --parallel $(JOBS) --target benchmarks
