@@ -21,8 +21,8 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 // [/window]
 
 // [whole]
-/// Options for steps that move everything. An Optimizer keeps its plan, and extends it by the new vertices and
-/// edges.
+/// Options for steps that move everything. An Optimizer keeps its plan, and extends it by the new vertices
+/// and edges.
 Options options_for_steps() {
   Options options;
   options.max_iterations = 1;    // the next step continues from here

@@ -61,7 +61,8 @@ void add_convert(CLI::App& app, Action& action) {
                    fmt::format("Where to write it ({}); - is the standard output", writable_formats()))
       ->required()
       ->check(file_name());
-  command->add_flag("-q,--quiet", arguments->quiet, "Do not tell what was converted")->group("Output");
+  command->add_flag("-q,--quiet", arguments->quiet, "Do not print a summary of the conversion")
+      ->group("Output");
   add_reading_options(*command, arguments->reading);
   command->footer(
       "Examples:\n"

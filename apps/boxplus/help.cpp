@@ -17,7 +17,7 @@ struct HelpArguments {
   bool markdown = false;
 };
 
-/// Within a table a bar would end the cell.
+/// Escapes bars, which would end a cell of a table.
 std::string cell(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);

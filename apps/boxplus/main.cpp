@@ -31,16 +31,16 @@ constexpr const char* kFooter =
     "  0  success (optimize: converged)\n"
     "  1  optimize stopped before it converged; the best estimate is kept\n"
     "  2  bad input or usage; no output file is touched\n"
-    "  3  the numerics failed, or the memory did not suffice\n"
+    "  3  the numerics failed, or there was not enough memory\n"
     "\n"
     "Environment:\n"
-    "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. Without it, the\n"
+    "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. By default, the\n"
     "               latest that the processor has. The last digits of results may depend on them.\n"
     "\n"
     "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
     "to the standard error.";
 
-/// A name that has no effect is most likely misspelt.
+/// Throws for an unknown name: it would have no effect, and is most likely misspelled.
 void require_known_instructions() {
   const char* wanted = std::getenv("BOXPLUS_ISA");
   const std::vector<std::string_view> known = instruction_sets();
@@ -66,7 +66,7 @@ int run(int argc, char** argv) {
   add_compare(app, action);
   add_completion(app, action);
   add_help(app, action);
-  app.footer(kFooter);  // last, since commands would inherit it
+  app.footer(kFooter);  // last, because sub-commands would inherit it
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version

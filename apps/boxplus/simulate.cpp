@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus simulate WORLD -o FILE: makes a noisy graph whose truth is known.
+// boxplus simulate WORLD -o FILE: makes a noisy graph with known truth.
 #include "boxplus/testing/simulate.h"
 
 #include <fmt/format.h>
@@ -20,17 +20,17 @@ namespace {
 
 constexpr const char* kFooter =
     "Worlds in space:\n"
-    "  sphere     winds around a sphere from pole to pole, and sees where it was one lap ago\n"
+    "  sphere     winds around a sphere from pole to pole, and sees its positions of one lap ago\n"
     "  torus      winds around a ring; the last lap meets the first\n"
-    "  grid       fills a cube line by line and floor by floor, and sees its neighbours\n"
+    "  grid       fills a cube line by line and floor by floor, and sees its neighbors\n"
     "Worlds in the plane:\n"
-    "  manhattan  walks at random through streets at right angles, and knows crossings again\n"
+    "  manhattan  walks at random through streets at right angles, and recognizes crossings\n"
     "  streets    drives each street of a town 2 to 4 times, over 100 poses from crossing to crossing,\n"
-    "             and sees where it drove before: about 4 edges per pose\n"
+    "             and recognizes places along the way: about 4 edges per pose\n"
     "  city       drives through short streets, and sees lampposts and corners of houses ahead\n"
     "\n"
-    "The same words give the same graph on every computer. Its estimates begin at the odometry. A wrong\n"
-    "loop closure (observation) takes one place (landmark) for another; odometry is never wrong.\n"
+    "The same arguments give the same graph on every computer. Its estimates start at the odometry. A\n"
+    "wrong loop closure (observation) mistakes one place (landmark) for another; odometry is never wrong.\n"
     "\n"
     "Example:\n"
     "  boxplus simulate streets --poses 100000 --outliers 0.05 -o streets.g2o --truth truth.g2o";
@@ -47,7 +47,7 @@ Choices<World> worlds_by_name() {
   return worlds;
 }
 
-/// What was made, in one line; chi2 at the truth is about the number of rows, but for outliers.
+/// A summary of the graph in one line. Without outliers, chi2 at the truth is about the number of rows.
 std::string summary(const SimulateArguments& arguments, const Simulation& simulation) {
   const auto count = [&](EdgeKind kind) {
     return std::count(simulation.kinds.begin(), simulation.kinds.end(), kind);
@@ -83,9 +83,8 @@ int simulate_file(const SimulateArguments& arguments) {
 
 void add_simulate(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* command = app.add_subcommand("simulate", "Makes a noisy graph whose truth is known");
-  add_choice(*command, "WORLD", arguments->world, worlds_by_name(),
-             "What the robot drives through; see below")
+  CLI::App* command = app.add_subcommand("simulate", "Makes a noisy graph with known truth");
+  add_choice(*command, "WORLD", arguments->world, worlds_by_name(), "The path of the robot; see below")
       ->default_str("")
       ->required();
   command
@@ -94,16 +93,16 @@ void add_simulate(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->check(file_name())
       ->required();
-  command->add_option("--truth", arguments->truth, "Where to write the same graph at its true places")
+  command->add_option("--truth", arguments->truth, "Where to write the same graph at its true poses")
       ->type_name("FILE")
       ->check(file_name());
   command
       ->add_option("--poses", arguments->options.poses,
-                   "About so many poses; sphere, torus and grid round to whole laps")
+                   "The approximate number of poses; sphere, torus and grid round to whole laps")
       ->type_name("N")
       ->check(whole_number_within(2, 10'000'000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->options.seed, "Another seed, another noise and another town")
+  command->add_option("--seed", arguments->options.seed, "Another seed gives another noise and another town")
       ->type_name("N")
       ->check(whole_number_within(0, std::numeric_limits<long>::max()))
       ->capture_default_str();

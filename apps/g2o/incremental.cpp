@@ -8,7 +8,7 @@
 namespace g2o_tool {
 namespace {
 
-/// Estimates v from the vertices that are there, by the first of its edges that can.
+/// Estimates v from the vertices in `there`, with the first of its edges that can do so.
 void estimate(g2o::OptimizableGraph::Vertex* v, const g2o::HyperGraph::VertexSet& there) {
   if (v->fixed()) return;
   for (g2o::HyperGraph::Edge* u : v->edges()) {
@@ -27,8 +27,8 @@ bool is_absolute(const g2o::HyperGraph::Edge* e) {
   return e->vertices().size() == 1;
 }
 
-/// Fixes the first of the largest vertices while it lives, where nothing else holds the part of the graph
-/// that is there yet.
+/// Fixes the first of the vertices with the largest dimension during its lifetime, if nothing else holds the
+/// current part of the graph.
 class Hold {
  public:
   explicit Hold(const std::vector<g2o::OptimizableGraph::Vertex*>& there) {

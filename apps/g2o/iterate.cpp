@@ -19,8 +19,9 @@ extern "C" void on_interrupt(int) {
   if (interrupts == 3) std::_Exit(1);
 }
 
-/// Raises and lowers the flag that interrupts raise, too; these count more. Near the minimum, chi2 may rise
-/// and fall by rounding, and never gain little: what does not fall for long has ended.
+/// Raises and lowers the flag that interrupts raise, too; interrupts have priority. Near the minimum,
+/// rounding can make chi2 rise and fall without ever gaining little; so it also stops when chi2 finds no new
+/// minimum for long.
 class StopOnGain : public g2o::SparseOptimizerTerminateAction {
  public:
   g2o::HyperGraphAction* operator()(const g2o::HyperGraph* graph, Parameters* parameters) override {

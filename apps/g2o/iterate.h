@@ -8,18 +8,18 @@
 
 namespace g2o_tool {
 
-/// What happened.
+/// Counts and chi2 of a run.
 struct Run {
   double chi2_loaded = 0, chi2_initial = 0, chi2_final = 0;
   int iterations = 0, failures = 0;
   std::vector<g2o::G2OBatchStatistics> statistics;
 };
 
-/// Lets interrupts stop the optimiser: the first two ask for the end, the third ends the program.
+/// Lets interrupts stop the optimizer: the first two request the end, the third ends the program.
 void stop_at_interrupts(g2o::SparseOptimizer& optimizer);
 
-/// Optimises what was initialised, for so many iterations, or, where they are negative, until the gain is
-/// small. Adds to `run`.
+/// Optimizes the initialized graph for Options::iterations iterations or, if they are negative, until the
+/// gain is small. Adds to `run`.
 void iterate(g2o::SparseOptimizer& optimizer, const Options& options, int iterations, Run& run);
 
 }  // namespace g2o_tool

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line interface of the g2o document: loads a graph, optimises it, saves it.
+// The command line interface of the g2o document: loads a graph, optimizes it, saves it.
 //
-// Ends with 0 (also without input, and for an unknown algorithm), 1 where a file cannot be opened or written,
-// 2 where it has lines that cannot be read, no vertices, or not the vertex to fix, 3 where the algorithm does
+// Exit codes: 0 success (also without input, and for an unknown algorithm); 1 a file cannot be opened or
+// written; 2 the file has unreadable lines or no vertices, or lacks the vertex to fix; 3 the algorithm does
 // not suit the graph.
 #include <fstream>
 #include <iostream>
@@ -52,12 +52,12 @@ double chi2(g2o::SparseOptimizer& optimizer) {
   return optimizer.activeRobustChi2();
 }
 
-/// 0, or the exit code of what went wrong.
+/// Returns 0, or the exit code of the failure.
 int load(g2o::SparseOptimizer& optimizer, const Options& options) {
   optimizer.setRenamedTypesFromString(options.rename_types);
   std::ifstream file;
   if (options.input != "-") file.open(options.input);
-  const bool unreadable = options.input != "-" && (!file || (file.peek(), file.bad()));  // as folders are
+  const bool unreadable = options.input != "-" && (!file || (file.peek(), file.bad()));  // bad(): a folder
   if (unreadable) {
     std::cerr << "g2o: " << escaped(options.input) << " cannot be opened\n";
     return 1;
@@ -84,7 +84,7 @@ void make_initial_guess(g2o::SparseOptimizer& optimizer, const Options& options)
   }
 }
 
-/// Of all edges, also those that take no part.
+/// The chi2 of all edges, active or not.
 double chi2_of_all(g2o::SparseOptimizer& optimizer) {
   double sum = 0;
   for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
@@ -99,7 +99,7 @@ double chi2_of_all(g2o::SparseOptimizer& optimizer) {
 Run optimize(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm, const Options& options) {
   Run run;
   if (!optimizer.initializeOptimization()) {
-    std::cerr << "# there is nothing to optimise: no edge has a vertex that is not fixed\n";
+    std::cerr << "# there is nothing to optimize: no edge has a vertex that is not fixed\n";
     run.chi2_loaded = run.chi2_initial = run.chi2_final = chi2_of_all(optimizer);
     return run;
   }

@@ -8,7 +8,7 @@
 namespace g2o_tool {
 namespace {
 
-/// Takes every "-name value" out of the arguments: CommandArgs knows parameters that are given once.
+/// Takes every "-name value" out of the arguments, because CommandArgs accepts each parameter only once.
 std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name) {
   std::vector<std::string> values;
   for (size_t i = 1; i + 1 < arguments.size();) {
@@ -23,7 +23,7 @@ std::vector<std::string> take_repeated(std::vector<std::string>& arguments, cons
   return values;
 }
 
-/// Ends the program where a number is out of its range.
+/// Ends the program if a number is out of its range.
 void require(bool in_range, const char* name, const char* expected) {
   if (in_range) return;
   std::cerr << "parameter -" << name << ": expected " << expected << '\n';
@@ -36,7 +36,7 @@ Options read_options(int argc, char** argv) {
   Options o;
   std::string library;
   g2o::CommandArgs args;
-  args.setBanner("g2o: optimises a graph of a .g2o file.");
+  args.setBanner("g2o: optimizes a graph of a .g2o file.");
   args.param("i", o.iterations, 5, "perform n iterations; if negative, stop on the gain");
   args.param("gain", o.gain, 1e-6, "the gain to stop at, with a negative -i");
   args.param("ig", o.gain_iterations, std::numeric_limits<int>::max(),
@@ -44,25 +44,25 @@ Options read_options(int argc, char** argv) {
   args.param("v", o.verbose, false, "print a line per iteration");
   args.param("guess", o.guess, false, "start from an initial guess along a spanning tree");
   args.param("guessOdometry", o.guess_odometry, false, "start from an initial guess along the odometry");
-  args.param("inc", o.incremental, false, "add the vertices by and by");
+  args.param("inc", o.incremental, false, "add the vertices one by one");
   args.param("update", o.update_every, 10,
-             "optimise after every n vertices, with -inc; one iteration if there is no -i");
+             "optimize after every n vertices, with -inc; one iteration if there is no -i");
   args.param("guiout", o.gui_output, false, "write commands for gnuplot to the standard output, with -inc");
   args.param("marginalize", o.marginalize, false,
-             "eliminate all vertices of less than the largest dimension");
+             "eliminate all vertices that do not have the largest dimension");
   args.param("printSolverProperties", o.print_solver_properties, false,
              "print the properties of the algorithm");
   args.param("solverProperties", o.solver_properties, "",
              "set properties, such as initialLambda=0.0001,maxTrialsAfterFailure=2");
-  args.param("gnudump", o.gnuplot, "", "write files for gnuplot whose names begin so");
+  args.param("gnudump", o.gnuplot, "", "write files for gnuplot whose names begin with this text");
   args.param("robustKernel", o.robust_kernel, "", "use this robust kernel for all edges");
   args.param("robustKernelWidth", o.robust_kernel_width, -1., "the width of the robust kernel");
   args.param("nonSequential", o.non_sequential, false,
-             "use the robust kernel only for edges that do not join consecutive vertices");
+             "use the robust kernel only for edges that do not connect consecutive vertices");
   args.param("computeMarginals", o.compute_marginals, false, "print the covariances of the vertices");
   args.param("gaugeId", o.gauge_id, -1, "fix this vertex");
   args.param("gaugeList", o.gauge_list, std::vector<int>(), "fix these vertices: 1,2,3");
-  args.param("o", o.output, "", "write the optimised graph to this file; - is the standard output");
+  args.param("o", o.output, "", "write the optimized graph to this file; - is the standard output");
   args.param("solver", o.solver, "gn_var", "the algorithm; see -listSolvers");
   args.param("solverlib", library, "", "load this library of algorithms; may be given several times");
   args.param("typeslib", library, "", "load this library of types; may be given several times");

@@ -8,7 +8,7 @@
 
 namespace g2o_tool {
 
-/// What the command line says.
+/// The options of the command line.
 struct Options {
   int iterations = 5;
   bool iterations_given = false;
@@ -34,8 +34,8 @@ struct Options {
   std::string input;
 };
 
-/// Reads the command line; ends the program with the help, where that was asked for, or where it cannot be
-/// understood.
+/// Reads the command line. Ends the program with the help if the user asked for it, or if the command line is
+/// wrong.
 Options read_options(int argc, char** argv);
 
 }  // namespace g2o_tool

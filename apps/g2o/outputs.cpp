@@ -44,7 +44,7 @@ bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& option
   return out.flush().good();
 }
 
-/// Writes the elements that `wanted` chooses, with the action "writeGnuplot" of their types.
+/// Writes the elements for which `wanted` is true, with the action "writeGnuplot" of their types.
 template <class Elements, class Wanted>
 void write_gnuplot(const Elements& elements, std::ostream& out, Wanted&& wanted) {
   auto* action = g2o::HyperGraphActionLibrary::instance()->actionByName("writeGnuplot");
@@ -86,7 +86,7 @@ bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& pre
 }
 
 bool save_graph(const g2o::SparseOptimizer& optimizer, const std::string& path) {
-  if (path != "-") return optimizer.save(path.c_str());  // has a message of its own
+  if (path != "-") return optimizer.save(path.c_str());  // prints its own message
   if (optimizer.save(std::cout) && std::cout.flush()) return true;
   std::cerr << "g2o: the graph cannot be written to the standard output\n";
   return false;
@@ -110,7 +110,7 @@ bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options
   return ok;
 }
 
-// Poses of the plane have three dimensions, those of space six.
+// Poses in the plane have three dimensions, poses in space six.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer) {
   const bool in_space = optimizer.maxDimension() > 3;
   std::cout << (in_space ? "set view equal xyz\nsplot" : "set size ratio -1\nplot")

@@ -8,11 +8,11 @@
 
 namespace g2o_tool {
 
-/// Writes all that the options ask for. False, with a message, where one of the files cannot be written.
+/// Writes all outputs of the options. False, with a message, if one of the files cannot be written.
 bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run);
 /// Writes commands for gnuplot that draw the active edges to the standard output.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer);
-/// Prints the diagonal blocks of the covariance at the estimates, and those beside them.
+/// Prints the diagonal blocks of the covariance at the estimates, and the blocks beside them.
 void print_marginals(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm);
 
 }  // namespace g2o_tool

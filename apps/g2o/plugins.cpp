@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loaded libraries stay until the end of the process: what they registered is theirs. A name without a
-/// folder is that of a file here, or else one that the loader looks for.
+/// Loads a library until the end of the process, because the types that it registers are its code. A name
+/// without a folder is a file in the current folder if there is one; otherwise the loader searches for it.
 void load(const std::string& path) {
   if (path.empty()) {
     std::cerr << "g2o: expected the file of a library, got an empty name\n";
@@ -30,7 +30,7 @@ void load(const std::string& path) {
               << '\n';
 }
 
-/// The folders that the variables name, separated by colons; what is none is said.
+/// The folders in the variables, separated by colons; prints a message for each that does not exist.
 std::vector<std::string> named_folders(const std::vector<const char*>& variables) {
   std::vector<std::string> result;
   std::error_code error;
@@ -62,7 +62,7 @@ std::vector<std::string> folders_beside(const char* program) {
   return result;
 }
 
-/// Whether the tool has the library inside, or finds it as a plug-in in the folder g2o below.
+/// True if the tool contains the library, or finds it as a plug-in in a subfolder g2o.
 bool is_known(const fs::path& library, const std::vector<std::string>& folders) {
   std::istringstream linked(G2O_LINKED_LIBRARIES);
   const std::string name = library.stem().string();
@@ -75,7 +75,7 @@ bool is_known(const fs::path& library, const std::vector<std::string>& folders) 
          std::find(folders.begin(), folders.end(), plugins.string()) != folders.end();
 }
 
-/// Those of the variables, or, where none is set, those beside the program.
+/// The folders of the variables or, if none is set, those beside the program.
 std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
   const bool is_set = std::any_of(variables.begin(), variables.end(),
                                   [](const char* variable) { return std::getenv(variable) != nullptr; });

@@ -6,9 +6,10 @@
 
 namespace g2o_tool {
 
-/// Loads the libraries named, and those that match the pattern in the folders of the environment variables,
-/// or, where none is set, beside the program, in ../lib and in ../lib/g2o. They register their types or
-/// algorithms when they are loaded. What cannot be loaded is said on standard error.
+/// Loads the named libraries, and those in plug-in folders whose names match the pattern. The folders are
+/// those of the environment variables or, if none is set, the program's, ../lib and ../lib/g2o. Libraries
+/// register their types or algorithms when they are loaded. Prints a message on standard error for each that
+/// cannot be loaded.
 void load_type_libraries(const std::vector<std::string>& named, const char* program);
 void load_solver_libraries(const std::vector<std::string>& named, const char* program);
 

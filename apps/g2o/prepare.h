@@ -6,13 +6,13 @@
 
 namespace g2o_tool {
 
-/// Fixes what the options say, and a vertex of its own choice where the graph still floats. False where it
-/// names a vertex that is not there.
+/// Fixes the vertices of the options, and chooses another one if the graph still floats. Returns false if the
+/// options name a vertex that does not exist.
 bool fix_gauge(g2o::SparseOptimizer& optimizer, const Options& options);
 void marginalize_landmarks(g2o::SparseOptimizer& optimizer);
-/// False where the kernel is unknown.
+/// Returns false if the kernel is unknown.
 bool add_robust_kernels(g2o::SparseOptimizer& optimizer, const Options& options);
-/// Says how many vertices cannot be reached from the fixed ones.
+/// Prints the number of vertices that are not connected to a fixed one.
 void warn_about_unconnected(g2o::SparseOptimizer& optimizer);
 
 }  // namespace g2o_tool

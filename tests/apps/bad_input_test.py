@@ -93,7 +93,7 @@ class BadInputTest(CommandCase):
         graph = self.written("graph.g2o", GRAPH)
         link = self.path / "link.json"
         os.link(graph, link)
-        self.assert_refused(run("info", graph, "--json", link), "expected another file than the input")
+        self.assert_refused(run("info", graph, "--json", link), "expected a file different from the input")
         self.assertEqual(link.read_text(encoding="utf-8"), GRAPH)
 
     def is_half_written(self):

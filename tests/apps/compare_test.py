@@ -141,7 +141,7 @@ class CompareTest(CommandCase):
                 ("# c\n\n1 0 0 0 0 0 0\n", good, (), "result:3:14: expected qw, got the end of the line"),
                 ("1 0 0 0 0 0 0 1 9\n", good, (), "result:1:17: "),
                 ("1 0 0 0 0 0 0 0\n", good, (), "result:1:9: expected a quaternion of length 1, got length 0"),
-                ("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n", good, (), "result:3:1: expected another time than that of line 1, got 2"),
+                ("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n", good, (), "result:3:1: expected a time different from that of line 1, got 2"),
                 ("VERTEX_SE2 0 0 zero 0\n", flat, (), "result:1:16: expected y"),
                 ("", good, (), "result:1:1: expected a vertex or an edge"),
                 ("VERTEX_XY 0 0 0\n", flat, (), "expected poses, got a graph without any"),
@@ -159,7 +159,7 @@ class CompareTest(CommandCase):
         self.assert_refused(run("compare", "-", "-"), "'-' twice")
         truth = self.written("truth", flat)
         self.assert_refused(run("compare", truth, self.path / "none"), "none: cannot be opened")
-        self.assert_refused(run("compare", truth, truth, "--json", truth), "expected another file than the input")
+        self.assert_refused(run("compare", truth, truth, "--json", truth), "expected a file different from the input")
 
 
 if __name__ == "__main__":

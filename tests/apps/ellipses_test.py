@@ -38,13 +38,13 @@ class Picture:
     def in_panel(self, shape):
         return max(y for _, y in shape) < self.height - 74
 
-    def pixels_per_metre(self, metres):
+    def pixels_per_meter(self, meters):
         (x0, y0), (x1, y1) = self.trajectory[0], self.trajectory[-1]
-        return ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5 / metres
+        return ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5 / meters
 
 
 def extent(shape):
-    """Width, height and centre of the box around a shape."""
+    """Width, height and center of the box around a shape."""
     xs, ys = [x for x, _ in shape], [y for _, y in shape]
     return max(xs) - min(xs), max(ys) - min(ys), (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
 
@@ -59,7 +59,7 @@ class EllipsesTest(CommandCase):
         picture = self.drawn(stdin=TWO_POSES)
         self.assertEqual(len(picture.ellipses), 1, "the fixed pose has none")
         width, height, x, y = extent(picture.ellipses[0])
-        scale = picture.pixels_per_metre(10)
+        scale = picture.pixels_per_meter(10)
         self.assertAlmostEqual(width, 2 * RADIUS_95 * 0.2 * scale, delta=0.5)
         self.assertAlmostEqual(height, 2 * RADIUS_95 * 0.4 * scale, delta=0.5)
         self.assertAlmostEqual(x, picture.trajectory[-1][0], delta=0.2)
@@ -75,7 +75,7 @@ class EllipsesTest(CommandCase):
     def test_are_drawn_for_points(self):
         picture = self.drawn(stdin=TWO_POSES + POINT)
         self.assertEqual(len(picture.ellipses), 2)
-        scale = picture.pixels_per_metre(10)
+        scale = picture.pixels_per_meter(10)
         sizes = sorted(extent(ellipse)[0] for ellipse in picture.ellipses)
         self.assertAlmostEqual(sizes[1], 2 * RADIUS_95 * 0.5 * scale, delta=0.5)
 
@@ -88,7 +88,7 @@ EDGE_SE3:QUAT 0 1 10 0 0 0 0 0 1 25 0 0 0 0 0 6.25 0 0 0 0 1 0 0 0 10000 0 0 100
         for view, height in (("top", 0.4), ("side", 1.0)):  # y points up, or z
             picture = self.drawn("--view", view, stdin=space)
             size = extent(picture.ellipses[0])
-            scale = picture.pixels_per_metre(10)
+            scale = picture.pixels_per_meter(10)
             self.assertAlmostEqual(size[0], 2 * RADIUS_95 * 0.2 * scale, delta=0.5)
             self.assertAlmostEqual(size[1], 2 * RADIUS_95 * height * scale, delta=0.5)
 

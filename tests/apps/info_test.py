@@ -8,7 +8,7 @@ from command_case import TOWN, CommandCase, main, run
 
 UNIT = "1 0 0 1 0 1"  # Ω of an EDGE_SE2
 
-# Two components: one that nothing holds, whose loop closure is off by 3 metres; one with a fixed vertex.
+# Two components: one that nothing holds, whose loop closure is off by 3 meters; one with a fixed vertex.
 GRAPH = f"""\
 VERTEX_SE2 0 0 0 0
 VERTEX_SE2 2 1 0 0

@@ -221,7 +221,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual(self.on_a_terminal("optimize", TOWN, "--quiet"), "")
 
     def start_endless(self, output):
-        """An optimisation that would take long, once it has begun to iterate."""
+        """An optimization that would take long, once it has begun to iterate."""
         words = [BOXPLUS, "optimize", self.simulated("sphere", 2500), "-o", output, "--json", self.path / "out.json",
                  "--verbose", "--algorithm", "levenberg-marquardt", "--lambda", "1e9", "--start", "current",
                  "--iterations", "1000000000", "--cost-tolerance", "0", "--step-tolerance", "0"]

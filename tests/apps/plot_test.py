@@ -20,7 +20,7 @@ EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1
 EDGE_SE2 2 3 1 1 0 1 0 0 1 0 1
 """
 INFORMATION = "1 0 0 1 0 1"
-GREY = "#a6b2c2"
+GRAY = "#a6b2c2"
 
 
 class Picture:
@@ -30,7 +30,7 @@ class Picture:
         self.words = [text.text for text in self.root.iter(f"{SVG}text")]
 
     def closures(self):
-        """The colours of loop closures, one for each path: grey ones are thinner."""
+        """The colors of loop closures, one for each path: gray ones are thinner."""
         return [path.get("stroke") for path in self.paths
                 if path.get("stroke-opacity") and path.get("stroke-width") in ("0.7", "1")]
 
@@ -89,18 +89,18 @@ class PlotTest(CommandCase):
             self.assertEqual("landmarks" in picture.words, world == "city")
             self.assertEqual(sum("chi2 = " in words for words in picture.words), 2)
 
-    def test_colours_loop_closures_by_their_chi2(self):
+    def test_colors_loop_closures_by_their_chi2(self):
         good, bad, worse = (f"EDGE_SE2 0 {to} {to} {error} 0 {INFORMATION}\n" for to, error in ((3, 1), (2, 9), (2, 99)))
         self.assertEqual(self.drawn("-", stdin=CHAIN).closures(), [])
         picture = self.drawn("-", stdin=CHAIN + good)
-        self.assertEqual(picture.closures(), [GREY])
+        self.assertEqual(picture.closures(), [GRAY])
         self.assertIn("chi2 per row of loop closures", picture.words)
         for bads in (bad, worse):
-            colours = self.drawn("-", stdin=CHAIN + good + bads).closures()
-            self.assertEqual((len(colours), colours[0]), (2, GREY))
-            self.assertNotEqual(colours[1], GREY)
+            colors = self.drawn("-", stdin=CHAIN + good + bads).closures()
+            self.assertEqual((len(colors), colors[0]), (2, GRAY))
+            self.assertNotEqual(colors[1], GRAY)
 
-    def test_both_panels_have_one_scale_of_colours(self):
+    def test_both_panels_have_one_scale_of_colors(self):
         closure = f"EDGE_SE2 0 3 3 {{}} 0 {INFORMATION}\n"
         before, after = (self.written(name, CHAIN + closure.format(y)) for name, y in (("b", 500), ("a", 8)))
         same, different = self.drawn(after, after), self.drawn(before, after)
@@ -128,9 +128,9 @@ class PlotTest(CommandCase):
 
     def test_keeps_the_worst_of_what_lies_on_one_another(self):
         copies = "".join(f"EDGE_SE2 0 3 3 1 0 {INFORMATION}\n" for _ in range(50))
-        colours = self.drawn("-", stdin=CHAIN + copies + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n").closures()
-        self.assertEqual(len(colours), 1)
-        self.assertNotEqual(colours[0], GREY)
+        colors = self.drawn("-", stdin=CHAIN + copies + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n").closures()
+        self.assertEqual(len(colors), 1)
+        self.assertNotEqual(colors[0], GRAY)
 
     def test_titles_are_text(self):
         path = self.written("a<b>&c.g2o", CHAIN)
@@ -138,7 +138,7 @@ class PlotTest(CommandCase):
 
     def test_what_cannot_be_drawn_is_refused(self):
         for words, stdin, text in ((["-"], "", "<stdin>:1:1: expected a vertex or an edge"), (["-", "-"], CHAIN, "'-' twice"),
-                                   (["-"], "VERTEX_SE2 0 1e308 0 0\n", "finite place"), ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
+                                   (["-"], "VERTEX_SE2 0 1e308 0 0\n", "finite position"), ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
             done = run("plot", *words, "-o", self.path / "p.svg", stdin=stdin)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
             self.assertIn(text, done.stderr)
@@ -227,8 +227,8 @@ class PlotTest(CommandCase):
     def test_with_a_kernel_the_colors_are_those_of_the_robust_chi2(self):
         graph = CHAIN + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n" + f"EDGE_SE2 0 2 2 400 0 {INFORMATION}\n"
         plain, robust = self.drawn("-", stdin=graph), self.drawn("-", "--kernel", "GemanMcClure", "--kernel-width", 1, stdin=graph)
-        self.assertNotIn(GREY, plain.closures())
-        self.assertEqual(set(robust.closures()), {GREY})
+        self.assertNotIn(GRAY, plain.closures())
+        self.assertEqual(set(robust.closures()), {GRAY})
         self.assertIn("robust chi2 per row of loop closures", robust.words)
         self.assertTrue(any("(GemanMcClure)" in words for words in robust.words))
 

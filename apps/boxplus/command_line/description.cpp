@@ -10,14 +10,14 @@
 namespace boxplus::app {
 namespace {
 
-/// The values in "TEXT:{a,b,c}", as validators of choices describe themselves; none where there is no brace.
+/// The values in "TEXT:{a,b,c}", the form in which validators describe their choices; empty without a brace.
 std::vector<std::string> choices_in(const std::string& type) {
   const std::size_t begin = type.find('{'), end = type.rfind('}');
   if (begin == std::string::npos || end == std::string::npos) return {};
   return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
-/// What stands for the value in help texts; empty for flags and for arguments, which stand for themselves.
+/// The name of the value in help texts; empty for flags, and for arguments, which are named already.
 std::string value_of(const CLI::Option& option, const std::vector<std::string>& choices) {
   if (option.get_items_expected_max() == 0 || option.get_positional()) return {};
   if (!choices.empty()) return "NAME";
@@ -66,7 +66,7 @@ CommandDescription describe(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_group().empty()) result.options.push_back(describe(*option));
   }
-  // --help comes first in CLI11's list; it is the last that one looks for.
+  // CLI11's list begins with --help; users look for it at the end.
   std::stable_partition(result.options.begin(), result.options.end(),
                         [](const OptionDescription& option) { return option.names.back() != "--help"; });
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))

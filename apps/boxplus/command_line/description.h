@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line described as data: help texts, docs/cli.md and shell completions are made of it.
+// The command line described as data; help texts, docs/cli.md and shell completions are made from it.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ class App;
 namespace boxplus::app {
 
 struct OptionDescription {
-  std::vector<std::string> names;    ///< "-o", "--output"; of a positional, its one name
-  std::string value;                 ///< what stands for its value, such as FILE; empty for a flag
-  std::vector<std::string> choices;  ///< the only values, where they can be listed
+  std::vector<std::string> names;    ///< "-o", "--output"; a positional has one name
+  std::string value;                 ///< the name of its value, such as FILE; empty for a flag
+  std::vector<std::string> choices;  ///< the allowed values, if they can be listed
   std::string text, default_text, group;
   bool positional = false, required = false;
 };
@@ -30,7 +30,7 @@ CommandDescription describe(const CLI::App& app);
 
 /// "-o, --output FILE".
 std::string signature(const OptionDescription& option);
-/// The text, with the choices and the default where there are any.
+/// The text, followed by the choices and the default if there are any.
 std::string explanation(const OptionDescription& option);
 
 /// Calls f(title, options) for the arguments and for each group of options, in order.

@@ -13,11 +13,11 @@ namespace boxplus::app {
 /// First and last id, both included.
 using IdRange = std::pair<Id, Id>;
 
-/// Throws InvalidArgument where the text is no comma-separated list of ids and ranges.
+/// Throws InvalidArgument unless the text is a comma-separated list of ids and ranges.
 std::vector<IdRange> parse_id_ranges(const std::string& text);
 
-/// The vertices in the ranges, by id, none twice. Throws InvalidArgument, naming `option`, for an id or a
-/// range without a vertex.
+/// The vertices in the ranges, sorted by id, each once. Throws InvalidArgument, naming `option`, if an id or
+/// a range has no vertex.
 std::vector<VertexRef> find_vertices(const Graph& graph, const std::vector<IdRange>& ranges,
                                      const std::string& option);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command says to people, apart from its results.
+// Messages of the command to the user, as opposed to its results.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace boxplus::app {
 
-/// `text` as one line that does no harm to a terminal: control characters and bytes that are no UTF-8 become
-/// \n, \t or \xNN.
+/// `text` as one line that cannot harm a terminal: control characters and bytes that are not UTF-8 become \n,
+/// \t or \xNN.
 std::string escaped(std::string_view text);
 
-/// Writes text to stderr as it is. Nobody can be told if that fails (a closed stderr, a full disk): the text
-/// is lost, and the command goes on.
+/// Writes text to stderr unchanged. If that fails (a closed stderr, a full disk), the text is lost and the
+/// command continues, because there is no place left to report the failure.
 void write_to_stderr(std::string_view text) noexcept;
 
 /// Writes "boxplus: TEXT" to stderr, escaped, on a line of its own.

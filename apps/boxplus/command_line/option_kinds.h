@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options whose values are checked, with complaints that say what was expected and what came.
+// Options whose values are checked; error messages name the expected and the given value.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,24 +11,24 @@
 
 namespace boxplus::app {
 
-/// Names and what they stand for, in the order of help texts.
+/// Names and their values, in the order of the help texts.
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;
 
-/// Accepts these words only. Its description is "{a,b,…}", which help texts and completions read.
+/// Accepts only these words. The description is "{a,b,…}", which help texts and completions read.
 CLI::Validator one_of(std::vector<std::string> words);
-/// Accepts any text but none: an empty name is a slip, such as a shell variable that is not set.
+/// Accepts any text that is not empty: an empty name is a mistake, such as an unset shell variable.
 CLI::Validator file_name();
-/// Accepts whole numbers from `low`.
+/// Accepts whole numbers ≥ `low`.
 CLI::Validator whole_number_from(long low);
-/// Accepts whole numbers (numbers) in [low, high].
+/// The first accepts whole numbers in [low, high], the second any finite numbers in [low, high].
 CLI::Validator whole_number_within(long low, long high);
 CLI::Validator number_within(double low, double high);
-/// Accepts finite numbers from (above) `low`.
+/// The first accepts finite numbers ≥ `low`, the second those > `low`.
 CLI::Validator number_from(double low);
 CLI::Validator number_above(double low);
 
-/// An option that chooses one of `choices`; the default is the value as it is.
+/// An option that chooses one of `choices`; the default is the current value.
 template <class T>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, T& value, const Choices<T>& choices,
                         const std::string& text) {

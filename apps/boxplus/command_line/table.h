@@ -9,10 +9,10 @@ namespace boxplus::app {
 
 class Table {
  public:
-  /// Titles that begin with '<' are of columns aligned to the left.
+  /// A title that begins with '<' aligns its column to the left.
   explicit Table(std::vector<std::string> titles);
   void add(std::vector<std::string> row);
-  /// Every line begins with two blanks; the titles come first.
+  /// The titles, then the rows. Every line begins with two blanks.
   std::string text() const;
 
  private:
@@ -20,7 +20,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// What a terminal shows of UTF-8, where no character is wide.
+/// The number of columns that a terminal needs for UTF-8 text without wide characters.
 std::size_t shown_width(const std::string& text);
 
 }  // namespace boxplus::app

@@ -13,7 +13,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Levenshtein's distance: how many letters must be inserted, deleted or replaced.
+/// Levenshtein distance: the number of letters to insert, delete or replace.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -28,7 +28,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// "; did you mean X?", where a name is close.
+/// "; did you mean X?" if one of the names is close, otherwise empty.
 std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
   const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
   const auto best = std::min_element(names.begin(), names.end(),
@@ -57,7 +57,7 @@ std::string missing(const std::string& text) {
   return fmt::format("expected {}, got none", text.substr(0, text.find(" is required")));
 }
 
-/// CLI11 names what was missing or too much as "NAME: …".
+/// CLI11 reports a missing or surplus value as "NAME: …".
 std::string mismatch(const std::string& text) {
   const std::string name = text.substr(0, text.find(':'));
   return text.ends_with("missing") ? name + ": expected a value, got none"

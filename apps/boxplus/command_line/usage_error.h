@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Complaints about the command line, in our words.
+// Error messages about the command line, in boxplus' own words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace boxplus::app {
 
-/// One sentence on why `app` could not read its arguments, and where to look.
+/// One sentence that says why `app` could not read its arguments, and where to find help.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace boxplus::app

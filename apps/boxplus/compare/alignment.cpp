@@ -21,7 +21,7 @@ std::vector<PosePair> matched_by_id(const Poses& result, const Poses& truth) {
   return pairs;
 }
 
-/// The nearest in time, searched from `from` on; the earlier one of two. `poses` must not be empty.
+/// The pose nearest in time, searched from index `from`; the earlier one of a tie. `poses` must not be empty.
 std::size_t nearest(const Poses& poses, double time, std::size_t from) {
   while (from + 1 < poses.size() && std::abs(poses[from + 1].time - time) < std::abs(poses[from].time - time))
     ++from;
@@ -52,7 +52,7 @@ Alignment umeyama(const std::vector<PosePair>& pairs, int dimension, bool with_s
   const Eigen::MatrixXd motion = Eigen::umeyama(result, truth, with_scale);
   Alignment alignment;
   if (with_scale) alignment.scale = motion.block(0, 0, dimension, 1).norm();
-  if (!(alignment.scale > 0)) throw InvalidArgument("--scale: the truth does not tell a scale above 0");
+  if (!(alignment.scale > 0)) throw InvalidArgument("--scale: the truth does not determine a scale above 0");
   alignment.rotation.topLeftCorner(dimension, dimension) =
       motion.topLeftCorner(dimension, dimension) / alignment.scale;
   alignment.translation.head(dimension) = motion.col(dimension).head(dimension);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of poses of a result and its truth, and the motion that lays one over the other.
+// Pairs the poses of a result with those of its truth, and finds the motion that aligns them.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace boxplus::app {
 
-/// The same moment twice.
+/// A pose of the result and the true pose at the same moment.
 struct PosePair {
   TrajectoryPose result, truth;
 };
 
-/// Pairs poses of equal id or, if both are timed, those that are each other's nearest in time and at most
-/// `most_seconds` apart. In the order of the truth; O(n). Throws InvalidArgument if one has times and the
-/// other ids, or one lies in the plane and the other in space.
+/// Pairs poses of equal id. If both trajectories have times, pairs poses that are each other's nearest in
+/// time and at most `most_seconds` apart. The pairs are in the order of the truth; O(n). Throws
+/// InvalidArgument if one has times and the other ids, or if one lies in the plane and the other in space.
 std::vector<PosePair> matched(const Trajectory& result, const Trajectory& truth, double most_seconds);
 
 enum class AlignmentKind : std::uint8_t { kRigid, kFirst, kNone };
@@ -31,9 +31,9 @@ struct Alignment {
 };
 
 /// kRigid: the motion with the least sum of squared distances (Umeyama, Least-squares estimation of
-/// transformation parameters between two point patterns, PAMI 1991), with a scale if asked for. kFirst: the
-/// one that lays the first pose onto its truth. `pairs` must not be empty. Throws InvalidArgument if a scale
-/// is asked for and all poses of the result are at one place.
+/// transformation parameters between two point patterns, PAMI 1991), with a scale on request. kFirst: the
+/// motion that maps the first pose to its truth. `pairs` must not be empty. Throws InvalidArgument if a scale
+/// is requested and all poses of the result are at one position.
 Alignment align(const std::vector<PosePair>& pairs, int dimension, AlignmentKind kind, bool with_scale);
 
 }  // namespace boxplus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus compare RESULT TRUTH: how far a trajectory is from the truth.
+// boxplus compare RESULT TRUTH: measures the distance of a trajectory from the truth.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,11 +17,11 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Poses match by id in graphs, and by time in TUM files, whose lines are \"time x y z qx qy qz qw\":\n"
-    "those that are each other's nearest, and not farther apart than --max-difference. Landmarks do not\n"
-    "count. ATE, the absolute trajectory error, is the distance of each position from its truth, after\n"
-    "the result as a whole was laid over it. RPE, the relative pose error, is the error of the motion\n"
-    "from one pose to a later one.\n"
+    "Graphs are matched by id. TUM files, whose lines are \"time x y z qx qy qz qw\", are matched by time:\n"
+    "two poses match if they are each other's nearest and at most --max-difference apart. Landmarks are\n"
+    "ignored. ATE, the absolute trajectory error, is the distance of each position from its truth, after\n"
+    "the whole result was aligned with the truth. RPE, the relative pose error, is the error of the\n"
+    "motion from one pose to a later one.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
@@ -29,7 +29,7 @@ constexpr const char* kFooter =
     "  boxplus compare after.g2o truth.g2o\n"
     "  boxplus compare estimate.txt groundtruth.txt --scale --distance 10 --json - | jq .ate_m.rmse\n"
     "\n"
-    "Exit codes: 0 compared, 2 bad input or usage, or no pose of the result has a truth.";
+    "Exit codes: 0 compared, 2 bad input or usage, or no pose of the result matches one of the truth.";
 
 struct CompareArguments {
   std::string result, truth, json;
@@ -77,34 +77,34 @@ int compare_files(const CompareArguments& arguments) {
 
 void add_options(CLI::App& command, CompareArguments& arguments) {
   const std::string forms = fmt::format(": {}, a TUM file, or - for the standard input", readable_formats());
-  command.add_option("RESULT", arguments.result, "The trajectory to judge" + forms)
+  command.add_option("RESULT", arguments.result, "The trajectory to measure" + forms)
       ->required()
       ->check(file_name());
-  command.add_option("TRUTH", arguments.truth, "The true one" + forms)->required()->check(file_name());
+  command.add_option("TRUTH", arguments.truth, "The true trajectory" + forms)->required()->check(file_name());
   add_choice(
       command, "--align", arguments.alignment,
       {{"rigid", AlignmentKind::kRigid}, {"first", AlignmentKind::kFirst}, {"none", AlignmentKind::kNone}},
-      "How the result is laid over the truth: with the least squared distances (Umeyama), so that the "
+      "How the result is aligned with the truth: with the least squared distances (Umeyama), so that the "
       "first poses agree, or not at all");
-  command.add_flag("--scale", arguments.scale, "Let --align rigid choose the scale, too");
+  command.add_flag("--scale", arguments.scale, "Let --align rigid also choose the scale");
   command
       .add_option("--max-difference", arguments.most_seconds,
-                  "TUM files: match poses that are at most so many seconds apart")
+                  "TUM files: match poses that are at most this many seconds apart")
       ->type_name("SECONDS")
       ->check(number_from(0))
       ->capture_default_str();
   CLI::Option* steps =
-      command.add_option("--steps", arguments.span.steps, "RPE over so many of the matched poses")
+      command.add_option("--steps", arguments.span.steps, "RPE over this many of the matched poses")
           ->type_name("N")
           ->check(whole_number_from(1))
           ->capture_default_str();
-  command.add_option("--distance", arguments.span.distance, "RPE over so many metres of the truth instead")
-      ->type_name("METRES")
+  command.add_option("--distance", arguments.span.distance, "RPE over this many meters of the truth instead")
+      ->type_name("METERS")
       ->check(number_above(0))
       ->excludes(steps);
   command
       .add_option("--json", arguments.json,
-                  "Where to write the same as JSON; - is stdout, in place of the text")
+                  "Where to write the result as JSON; - is stdout, and replaces the text")
       ->type_name("FILE")
       ->check(file_name())
       ->group("Output");
@@ -116,7 +116,7 @@ void add_options(CLI::App& command, CompareArguments& arguments) {
 void add_compare(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command =
-      app.add_subcommand("compare", "Tells how far a trajectory is from the truth: ATE and RPE");
+      app.add_subcommand("compare", "Measures the distance of a trajectory from the truth: ATE and RPE");
   add_options(*command, *arguments);
   command->footer(kFooter);
   command->callback([&action, arguments] {

@@ -25,7 +25,7 @@ std::string how_aligned(const Comparison& comparison) {
                  ? "after the best rigid alignment"
                  : fmt::format("after the best alignment with the scale {:.6g}", comparison.alignment.scale);
     case AlignmentKind::kFirst:
-      return "after laying the first pose onto its truth";
+      return "after aligning the first pose with its truth";
     default:
       return "without alignment";
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus compare` found out, and how it tells it.
+// The results of `boxplus compare`, as text and as JSON.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ TrajectoryPose pose_of(const Frame& frame, Id id) {
     for (int column = 0; column < frame.dimension; ++column)
       pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
   }
-  // Quaternions keep the length that rounding in their file gave them; a rotation has none.
+  // The length of a quaternion from a file has rounding errors, so it must be normalized.
   pose.rotation = rotation_matrix(normalized(quaternion_of(pose.rotation)));
   return pose;
 }
@@ -50,7 +50,7 @@ Trajectory poses_of(const Graph& graph, const std::string& name) {
   return trajectory;
 }
 
-/// So that no square of a length overflows.
+/// Throws if a position is so far away that the square of a length could overflow.
 void require_bounded(const Trajectory& trajectory, const std::string& name) {
   constexpr double kFarthest = 1e100;
   for (const TrajectoryPose& pose : trajectory.poses) {

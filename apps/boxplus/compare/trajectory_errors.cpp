@@ -7,19 +7,19 @@
 namespace boxplus::app {
 namespace {
 
-/// The metres that the truth has travelled until each pair.
-std::vector<double> travelled(const std::vector<PosePair>& pairs) {
+/// The distance (meters) that the truth has traveled up to each pair.
+std::vector<double> traveled(const std::vector<PosePair>& pairs) {
   std::vector<double> lengths(pairs.size(), 0);
   for (std::size_t k = 1; k < pairs.size(); ++k)
     lengths[k] = lengths[k - 1] + (pairs[k].truth.position - pairs[k - 1].truth.position).norm();
   return lengths;
 }
 
-/// Calls f(begin, end) for the pairs of pairs that the span compares.
+/// Calls f(begin, end) for each two pairs that the span compares.
 template <class F>
 void for_each_span(const std::vector<PosePair>& pairs, const RelativeSpan& span, F&& f) {
   if (span.distance > 0) {
-    const std::vector<double> lengths = travelled(pairs);
+    const std::vector<double> lengths = traveled(pairs);
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < pairs.size(); ++begin) {
       while (end < pairs.size() && lengths[end] - lengths[begin] < span.distance) ++end;

@@ -15,7 +15,7 @@
 namespace boxplus::app {
 namespace {
 
-/// A quaternion this short (or long) is an error of the file, not of rounding.
+/// A quaternion shorter (or longer) than this is an error of the file, not of rounding.
 constexpr double kShortest = 0.5, kLongest = 2;
 
 Quaternion<double> read_quaternion(FieldReader& in) {
@@ -54,8 +54,9 @@ void sort_by_time(std::vector<TrajectoryPose>& poses, const std::string& name) {
       std::adjacent_find(poses.begin(), poses.end(),
                          [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time == b.time; });
   if (twice == poses.end()) return;
-  throw InputError(name, (twice + 1)->id, 1,
-                   fmt::format("expected another time than that of line {}, got {}", twice->id, twice->time));
+  throw InputError(
+      name, (twice + 1)->id, 1,
+      fmt::format("expected a time different from that of line {}, got {}", twice->id, twice->time));
 }
 
 }  // namespace

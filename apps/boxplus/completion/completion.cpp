@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus completion SHELL: prints what completes the command line there.
+// boxplus completion SHELL: prints a script that completes the command line in that shell.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

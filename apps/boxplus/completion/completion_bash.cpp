@@ -7,7 +7,7 @@
 namespace boxplus::app {
 namespace {
 
-/// The words that begin with '-' at this place, and those that a positional allows.
+/// The words that begin with '-' here, and the words that a positional allows.
 std::vector<std::string> words_of(const CommandDescription& command) {
   std::vector<std::string> words;
   for (const CommandDescription& sub : command.commands) words.push_back(sub.name);
@@ -18,7 +18,7 @@ std::vector<std::string> words_of(const CommandDescription& command) {
   return words;
 }
 
-/// One branch per option that takes a value: its choices, nothing (a number) or files.
+/// One branch per option that takes a value: completes its choices, files, or nothing (a number).
 std::string value_branches(const CommandDescription& command) {
   std::string text;
   for (const OptionDescription& option : command.options) {

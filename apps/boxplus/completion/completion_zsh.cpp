@@ -7,7 +7,7 @@
 namespace boxplus::app {
 namespace {
 
-/// As part of a specification of _arguments within single quotes.
+/// Quotes a text for a specification of _arguments within single quotes.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
-/// What completes a value: its choices, files, or nothing.
+/// The completion of a value: its choices, files, or nothing.
 std::string action_of(const OptionDescription& option) {
   if (!option.choices.empty()) {
     std::vector<std::string> words;

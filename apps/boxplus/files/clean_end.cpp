@@ -13,7 +13,7 @@ void end_cleanly_on_signals() {
   }
 }
 
-/// Only async-signal-safe calls in here.
+/// Must contain async-signal-safe calls only.
 extern "C" void end_cleanly(int signal) {
   remove_temporary_files();
   std::signal(signal, SIG_DFL);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signals that end the process leave no half-written files.
+// Removes half-written files when a signal ends the process.
 #pragma once
 
 namespace boxplus::app {
 
-/// Has SIGINT, SIGTERM and SIGHUP, where they are not ignored, call end_cleanly().
+/// Makes SIGINT, SIGTERM and SIGHUP call end_cleanly(), unless they are ignored.
 void end_cleanly_on_signals();
 
-/// A signal handler: ends the process as the signal does by default, and removes temporary files before.
+/// A signal handler: removes temporary files, then ends the process as the signal does by default.
 extern "C" void end_cleanly(int signal);
 
 }  // namespace boxplus::app

@@ -40,8 +40,8 @@ std::string read_all(std::FILE* file, const std::string& path) {
   }
 }
 
-/// Without vertices and edges it is most likely a file of another kind: notes on each of its words would help
-/// nobody.
+/// Throws if there are neither vertices nor edges. It is most likely a file of another kind, and notes on
+/// each of its lines would not help anybody.
 void require_graph(const GraphFile& file, const std::string& path) {
   if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
   std::string message = "expected a vertex or an edge, got the end of the file";
@@ -59,25 +59,25 @@ void require_graph(const GraphFile& file, const std::string& path) {
   throw InputError(input_name(path), file.lines + 1, 1, message);
 }
 
-/// The chordal guess for vertices that the file does not place.
+/// Computes the chordal guess for vertices without an estimate in the file.
 void place_vertices(Graph& graph, const std::string& path) {
   Options guess_only;
   guess_only.start = Start::kChordal;
   guess_only.max_iterations = 0;
   const Report report = optimize(graph, guess_only);
   print_message(report.start.note.empty()
-                    ? fmt::format("{}: they were placed by a first guess from the edges", input_name(path))
+                    ? fmt::format("{}: they start at a first guess from the edges", input_name(path))
                     : fmt::format("{}: they stay at the origin: {}", input_name(path), report.start.note));
 }
 
-/// "OLD=NEW", where NEW is a word that boxplus reads.
+/// Checks "OLD=NEW"; NEW must be a tag that boxplus reads.
 std::string complaint_about_rename(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     return fmt::format("expected OLD=NEW[,OLD=NEW…], got '{}'", text);
   const std::string known = text.substr(equals + 1);
   if (default_registry().find(known)) return {};
-  return fmt::format("expected a word that boxplus reads after '{}=', got '{}'", text.substr(0, equals),
+  return fmt::format("expected a tag that boxplus reads after '{}=', got '{}'", text.substr(0, equals),
                      known);
 }
 
@@ -112,7 +112,7 @@ void add_reading_options(CLI::App& command, ReadOptions& options) {
   };
   command
       .add_option_function<std::string>("--rename", add_renames,
-                                        "Read the word OLD of the file as the word NEW")
+                                        "Read the tag OLD of the file as the tag NEW")
       ->type_name("OLD=NEW,...")
       ->check(CLI::Validator(complaint_about_renames, ""))
       ->join(',')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs as the sub-commands read them: from a file, or from the standard input.
+// Reads and writes the graphs of the sub-commands: files, or standard input and output.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ class App;
 
 namespace boxplus::app {
 
-/// What stands for the standard input and output in place of a path.
+/// The path that means standard input or output.
 inline constexpr const char* kStandardStream = "-";
 
 /// "<stdin>" for "-", else the path.
@@ -24,14 +24,14 @@ std::string read_text(const std::string& path);
 /// Adds --lenient and --rename, which fill `options`.
 void add_reading_options(CLI::App& command, ReadOptions& options);
 
-/// Reads a graph. Throws FileError, and InputError also where the file holds no vertex and no edge.
+/// Reads a graph. Throws FileError, and InputError if the file has neither a vertex nor an edge.
 GraphFile read_input(const std::string& path, const ReadOptions& options = {});
 /// The same from the text of the file.
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);
 
-/// Reads a graph, prints the notes of its file, and places the vertices of a file that has edges only.
+/// Reads a graph, prints the notes about its file, and computes estimates if the file has edges only.
 GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
-/// One message per note, and not too many.
+/// Prints one message per note, up to a limit.
 void print_notes(const GraphFile& file, const std::string& path);
 
 /// Writes a .g2o file, or to the standard output. Throws FileError.

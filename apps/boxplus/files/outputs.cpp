@@ -19,7 +19,7 @@ bool is_stdout(const Output& output) {
   return output.path == kStandardStream || output.path == "/dev/stdout";
 }
 
-/// Whatever way the path is spelt; empty where it leads nowhere.
+/// The absolute path without links; empty if it cannot be determined.
 std::filesystem::path place_of(const std::string& path) {
   std::error_code none;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
@@ -29,7 +29,7 @@ bool are_same(const Output& a, const Output& b) {
   if (a.path.empty() || b.path.empty()) return false;
   if (is_stdout(a) || is_stdout(b)) return is_stdout(a) && is_stdout(b);
   std::error_code none;
-  if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null takes any number
+  if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null accepts many outputs
   if (std::filesystem::equivalent(a.path, b.path, none)) return true;  // hard links too
   const std::filesystem::path place = place_of(a.path);
   return !place.empty() && place == place_of(b.path);
@@ -60,7 +60,7 @@ void refuse_to_replace(const Output& output, const std::vector<std::string>& inp
   for (const std::string& input : inputs) {
     if (input != kStandardStream && are_same(output, {"", input})) {
       throw InvalidArgument(
-          fmt::format("{}: expected another file than the input '{}'", output.option, input));
+          fmt::format("{}: expected a file different from the input '{}'", output.option, input));
     }
   }
 }

@@ -4,9 +4,9 @@
 
 namespace boxplus::app {
 
-/// Opens /dev/null in place of each standard stream that is closed, in the mode in which reading (stdin) or
-/// writing (stdout, stderr) still fails. Without this, the next file that the process opens would become its
-/// standard error, and messages would be written into it. Call it before any file is opened.
+/// Opens /dev/null in place of each closed standard stream, in a mode in which reading (stdin) or writing
+/// (stdout, stderr) still fails. Without this, the next file that the process opens would become its standard
+/// error, and messages would be written into it. Call it before any file is opened.
 void reserve_standard_streams();
 
 }  // namespace boxplus::app

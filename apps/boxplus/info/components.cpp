@@ -10,7 +10,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Disjoint sets of vertices, by id, with path halving.
+/// Disjoint sets of vertex ids (union-find with path halving).
 class Sets {
  public:
   explicit Sets(const Graph& graph) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a graph that hang together, and what holds each in place.
+// The connected components of a graph, and the vertices and edges that hold each in place.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the edges of a graph stand in its file.
+// The lines of the edges in a graph file.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace boxplus::app {
 
-/// The line of each of file.edges in the text that `file` was read from. Empty where that is not certain,
-/// because lines with edges were left out.
+/// The line of each edge of file.edges in the text from which `file` was read. Empty if skipped lines with
+/// edges make the lines uncertain.
 std::vector<std::int64_t> find_edge_lines(std::string_view text, const GraphFile& file,
                                           const ReadOptions& reading);
 

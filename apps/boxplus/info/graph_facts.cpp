@@ -22,7 +22,7 @@ std::string word_of(const Graph& graph, EdgeRef edge) {
   return tag ? tag->name : std::string(graph.edge_pools()[edge.pool]->type_name());
 }
 
-/// How bad an edge is; one that overflowed is the worst.
+/// The badness of an edge; an overflow is the worst.
 double badness(double chi2) {
   return std::isnan(chi2) ? std::numeric_limits<double>::infinity() : chi2;
 }
@@ -47,7 +47,7 @@ std::map<VertexRef, std::size_t> count_degrees(const Graph& graph) {
 void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, VertexTypeFacts& type) {
   type.degrees.min = type.count == 0 ? degree : std::min(type.degrees.min, degree);
   type.degrees.max = std::max(type.degrees.max, degree);
-  type.degrees.mean += static_cast<double>(degree);  // a sum until all are known
+  type.degrees.mean += static_cast<double>(degree);  // a sum until all degrees are known
   ++type.count;
   if (graph.is_fixed(vertex)) {
     ++type.fixed;

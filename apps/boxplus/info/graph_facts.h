@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus info` tells about a graph.
+// The facts about a graph that `boxplus info` prints.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Degrees {
 };
 
 struct VertexTypeFacts {
-  std::string word;  ///< of the file, or the name of the type where it has none
+  std::string word;  ///< the tag in the file, or the name of the type if it has no tag
   VertexRole role = VertexRole::kOther;
   bool parameter = false;
   std::size_t count = 0, fixed = 0, unknowns = 0;
@@ -30,39 +30,39 @@ struct EdgeFacts {
   std::string word;
   std::vector<Id> vertices;  ///< without parameters
   double chi2 = 0;
-  std::int64_t line = 0;  ///< of the file; 0: not known
+  std::int64_t line = 0;  ///< of the file; 0: unknown
 };
 
 struct EdgeTypeFacts {
   std::string word;
-  std::size_t count = 0, rows = 0;  ///< rows of error, of all edges together
+  std::size_t count = 0, rows = 0;  ///< rows of error, summed over all edges
   double chi2 = 0;
   EdgeFacts worst;
 };
 
-/// Vertices that edges connect; parameters connect nothing.
+/// A set of vertices connected by edges; parameters do not connect.
 struct ComponentFacts {
   Id first = 0;  ///< lowest id
   std::size_t vertices = 0, edges = 0;
-  std::vector<Id> fixed, held;  ///< by FIX; by optimize, because nothing else does
+  std::vector<Id> fixed, held;  ///< fixed by the file; held by optimize, because nothing else holds them
   std::size_t priors = 0;
-  std::string_view free;  ///< motions that change no error, beyond what optimize holds; or empty
+  std::string_view free;  ///< motions that change no error, beyond those that optimize holds; may be empty
 };
 
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
   std::array<std::size_t, kEdgeRoles> roles{};  ///< edges by EdgeRole
-  std::vector<ComponentFacts> components;       ///< largest first; not those of a single vertex without edges
+  std::vector<ComponentFacts> components;       ///< largest first; without single vertices that have no edges
   std::vector<Id> isolated;                     ///< vertices without edges
   std::vector<EdgeFacts> worst;                 ///< largest chi2 first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   double chi2 = 0;
-  int dimension = 0;               ///< of the world; 0: no vertex has a place
-  std::array<double, 3> extent{};  ///< of all places, metres
+  int dimension = 0;               ///< of the world; 0: no vertex has a position
+  std::array<double, 3> extent{};  ///< of all positions, meters
 };
 
-/// `edge_lines` are those of find_edge_lines(); `worst` is how many edges to list.
+/// `edge_lines` is the result of find_edge_lines(); `worst` is the number of edges to list.
 GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst);
 
 }  // namespace boxplus::app

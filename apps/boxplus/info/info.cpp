@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus info FILE: what is in a graph, and what is odd about it.
+// boxplus info FILE: prints the contents of a graph, and its peculiarities.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -42,16 +42,16 @@ int describe_file(const InfoArguments& arguments) {
 void add_info(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand(
-      "info", "Tells what a graph holds: counts, components, degrees, gauge, chi2 by type, worst edges");
+      "info", "Describes a graph: counts, components, degrees, gauge, chi2 by type, worst edges");
   command->add_option("FILE", arguments->input, graph_to_read())->required()->check(file_name());
-  command->add_option("--worst", arguments->worst, "List so many edges of the largest chi2")
+  command->add_option("--worst", arguments->worst, "List this many edges with the largest chi2")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->capture_default_str()
       ->group("Output");
   command
       ->add_option("--json", arguments->json,
-                   "Where to write the same as JSON; - is stdout, in place of the text")
+                   "Where to write the result as JSON; - is stdout, and replaces the text")
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");

@@ -34,7 +34,7 @@ std::size_t count_of(const GraphFacts& facts, VertexRole role) {
   return count;
 }
 
-/// "1250  (1200 poses, 50 landmarks)"; kinds of which there are none are left out.
+/// "1250  (1200 poses, 50 landmarks)", without kinds whose count is 0.
 std::string with_kinds(std::size_t total, const std::vector<std::pair<std::size_t, std::string>>& kinds) {
   std::vector<std::string> parts;
   for (const auto& [count, name] : kinds) {
@@ -67,7 +67,7 @@ std::string extent_text(const GraphFacts& facts) {
   return text + " m";
 }
 
-/// chi2 or a ratio of two, to so many digits; a NaN without the sign that it may have.
+/// chi2 or a ratio of two values of it, with `digits` digits; NaN is printed without its sign.
 std::string number(double value, int digits) {
   return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, digits);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an edge is to a robot: odometry, a loop closure, an observation …
+// The role of an edge in a trajectory: odometry, loop closure, observation …
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
 
 enum class EdgeRole : std::uint8_t {
-  kOdometry,     ///< between poses that follow each other by id (landmarks in between do not count)
+  kOdometry,     ///< between consecutive poses by id (landmarks in between are ignored)
   kLoopClosure,  ///< between other poses
   kObservation,  ///< of a landmark
   kPrior,        ///< of one vertex
@@ -25,7 +25,7 @@ inline constexpr std::size_t kEdgeRoles = 5;
 /// "loop closure", "loop closures" …
 std::string_view name_of(EdgeRole role, std::size_t count);
 
-/// Tells the roles of the edges of a graph whose structure does not change meanwhile. O(n log n).
+/// Finds the roles of edges. The structure of the graph must not change meanwhile. O(n log n).
 class EdgeRoles {
  public:
   explicit EdgeRoles(const Graph& graph);
@@ -33,7 +33,7 @@ class EdgeRoles {
 
  private:
   const Graph* graph_;
-  std::unordered_map<Id, std::size_t> rank_;  ///< of each pose among the poses by id
+  std::unordered_map<Id, std::size_t> rank_;  ///< the rank of each pose when poses are sorted by id
 };
 
 }  // namespace boxplus::app

@@ -20,7 +20,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// "huber" as "Huber" and "barron:1" as "Barron:1"; what is not known as it is.
+/// Returns "Huber" for "huber" and "Barron:1" for "barron:1"; leaves unknown names unchanged.
 std::string spelt_out(const std::string& text) {
   const std::size_t end = std::min(text.find(':'), text.size());
   for (const detail::KernelEntry& kernel : detail::kernel_table()) {

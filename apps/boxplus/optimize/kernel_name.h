@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Robust kernels as they are named on the command line.
+// Names of robust kernels on the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,8 @@
 
 namespace boxplus::app {
 
-/// Accepts what make_robust_kernel() knows, "Barron:1.5" too, in any case of letters, and spells it out.
+/// Accepts the names that make_robust_kernel() knows, and "Barron:1.5", in upper or lower case, and
+/// normalizes them.
 CLI::Validator kernel_name();
 
 /// "DCS and GemanMcClure": the kernels whose width is in units of e².

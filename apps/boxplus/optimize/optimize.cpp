@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus optimize FILE: reads a graph, optimises it, reports, writes.
+// boxplus optimize FILE: reads a graph, optimizes it, reports, writes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -85,7 +85,7 @@ int optimize_file(const OptimizeArguments& arguments) {
 void add_optimize(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<OptimizeArguments>();
   CLI::App* command =
-      app.add_subcommand("optimize", "Moves the vertices of a graph to where they explain its edges best");
+      app.add_subcommand("optimize", "Moves the vertices of a graph so that they explain its edges best");
   add_optimize_options(*command, *arguments);
   command->footer(
       "Examples:\n"
@@ -93,7 +93,7 @@ void add_optimize(CLI::App& app, Action& action) {
       "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
       "\n"
       "Exit codes: 0 converged, 1 stopped before, 2 bad input or usage, 3 the numerics failed.\n"
-      "Ctrl-C stops at the next chance: the best estimate so far is written, and the exit code is 1.\n"
+      "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"
       "A second Ctrl-C ends at once.");
   command->callback([&action, command, arguments] {
     require_levenberg_marquardt(*command, *arguments);

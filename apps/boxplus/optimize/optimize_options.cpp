@@ -45,7 +45,7 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
   command.add_option("FILE", arguments.input, graph_to_read())->required()->check(file_name());
   command
       .add_option("-o,--output", arguments.output,
-                  fmt::format("Where to write the optimised graph ({}); - is stdout", writable_formats()))
+                  fmt::format("Where to write the optimized graph ({}); - is stdout", writable_formats()))
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
@@ -65,27 +65,28 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   Options& options = arguments.options;
   add_choice(
       command, "--start", options.start, start_choices(),
-      "Where to begin; automatic keeps the file's estimates where their first step does what the linear "
-      "model promises, and else takes the better of them and the chordal guess")
+      "The initial estimates; automatic keeps the file's estimates if their first step reduces chi2 as the "
+      "linear model predicts, and otherwise takes the better of them and the chordal guess")
       ->group("Method");
-  add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "How to step")->group("Method");
-  add_choice(command, "--solver", options.linear_solver, kSolvers, "What solves the linear systems")
+  add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "The algorithm")
+      ->group("Method");
+  add_choice(command, "--solver", options.linear_solver, kSolvers, "The solver of the linear systems")
       ->group("Method");
   add_choice(
       command, "--precision", options.precision, kPrecisions,
-      "How cholesky factorises; mixed: in float, with solutions refined in double; automatic: whichever is "
-      "predicted to be faster, but double for gauss-newton")
+      "The precision of the factorization by cholesky; mixed: in float, with solutions refined in double; "
+      "automatic: the one that is predicted to be faster, but double for gauss-newton")
       ->group("Method");
   command
       .add_option("--threads", options.threads,
-                  "At most so many threads; 0: all. The result is the same to the bit")
+                  "Use at most this many threads; 0: all. The result is the same to the bit")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->group("Method");
   auto* damping = add_choice(command, "--damping", options.damping, kDampings,
-                             "What lambda multiplies, in Levenberg-Marquardt");
+                             "The matrix that lambda multiplies in Levenberg-Marquardt");
   auto* lambda = command.add_option("--lambda", options.initial_lambda,
-                                    "The first lambda of Levenberg-Marquardt; without, H tells");
+                                    "The first lambda of Levenberg-Marquardt; by default, H determines it");
   damping->group("Method");
   lambda->check(number_above(0))->type_name("X")->group("Method");
 }
@@ -111,27 +112,27 @@ void add_id_option(CLI::App& command, const std::string& name, std::vector<IdRan
 
 void add_problem_options(CLI::App& command, OptimizeArguments& arguments) {
   add_choice(command, "--gauge", arguments.options.gauge, kGauges,
-             "What to do about a part of the graph that nothing holds in place: hold its first pose, damp "
-             "it minutely, or stop with exit code 3")
+             "The treatment of a part of the graph that nothing holds in place: fix its first pose, damp "
+             "it minimally, or stop with exit code 3")
       ->group("Problem");
-  add_id_option(command, "--fix", arguments.fixed, "Keep these vertices where they are, in this run");
+  add_id_option(command, "--fix", arguments.fixed, "Keep the estimates of these vertices, in this run");
   add_id_option(command, "--only-vertices", arguments.moving,
-                "Move these vertices only; all others stay where they are");
+                "Move only these vertices; all others keep their estimates");
 }
 
 void add_stop_options(CLI::App& command, Options& options) {
-  command.add_option("--iterations", options.max_iterations, "Stop after so many iterations")
+  command.add_option("--iterations", options.max_iterations, "Stop after this many iterations")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->capture_default_str()
       ->group("Stop");
-  command.add_option("--time-limit", options.time_limit_s, "Stop after so many seconds of optimisation")
+  command.add_option("--time-limit", options.time_limit_s, "Stop after this many seconds of optimization")
       ->check(number_from(0))
       ->type_name("SECONDS")
       ->group("Stop");
   command
       .add_option("--cost-tolerance", options.cost_tolerance,
-                  "Converged when chi2 falls by less than this fraction")
+                  "Converged when chi2 falls by less than this fraction of itself")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()
@@ -159,23 +160,23 @@ void add_robust_options(CLI::App& command, KernelArguments& arguments) {
       command
           .add_option(
               "--kernel", arguments.kernel,
-              "Robust kernel for the errors, so that outliers count less. Barron takes its shape along: "
+              "Robust kernel for the errors: outliers get less weight. The shape of Barron follows the name: "
               "Barron:-2")
           ->transform(kernel_name())
           ->group("Outliers");
   command
       .add_option("--kernel-width", arguments.kernel_width,
-                  "From where errors count less, in standard deviations; for " +
+                  "The error beyond which weights fall, in standard deviations; for " +
                       kernels_with_squared_width() +
-                      " squared. Without, it follows from the rows of each edge, so that 95 % of good errors "
-                      "lie within: 1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared "
+                      " squared. The default depends on the rows of each edge, so that 95 % of good errors "
+                      "are below it: 1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared "
                       "for those two)")
       ->check(number_above(0))
       ->type_name("X")
       ->needs(kernel)
       ->group("Outliers");
   add_choice(command, "--kernel-on", arguments.kernel_scope, kScopes,
-             "The edges that get it; loop closures join poses that do not follow each other by id")
+             "The edges with the kernel; loop closures connect poses that are not consecutive by id")
       ->needs(kernel)
       ->group("Outliers");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus optimize` can be asked for.
+// The options of `boxplus optimize`.
 #pragma once
 
 #include <memory>
@@ -23,10 +23,10 @@ enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
 /// The robust kernel that edges get, if any.
 struct KernelArguments {
   std::string kernel;                  ///< empty: none
-  std::optional<double> kernel_width;  ///< else the default for the rows of each edge
+  std::optional<double> kernel_width;  ///< if absent: the default for the rows of each edge
   KernelScope kernel_scope = KernelScope::kAll;
 };
-/// Adds --kernel and the options that go with it.
+/// Adds --kernel and the options that belong to it.
 void add_robust_options(CLI::App& command, KernelArguments& arguments);
 
 struct OptimizeArguments : KernelArguments {

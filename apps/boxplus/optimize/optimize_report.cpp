@@ -37,13 +37,13 @@ std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   std::string text = to_string(report);
   if (!facts.kernel.name.empty()) {
-    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is the sum of what the kernels make of it.\n",
+    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is the sum of the costs after the kernels.\n",
                         facts.kernel.name, widths_text(facts.kernel), facts.kernel.edges, facts.edges);
   }
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,
                         facts.skipped_lines == 1 ? "" : "s", facts.skipped_lines == 1 ? "was" : "were");
-  text += fmt::format("\nThe optimised graph is {}.\n", escaped(where_written(arguments)));
+  text += fmt::format("\nThe optimized graph is {}.\n", escaped(where_written(arguments)));
   print_summary(outputs_of(arguments), text);
 }
 

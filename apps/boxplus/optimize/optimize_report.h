@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus optimize` says in the end.
+// The final messages of `boxplus optimize`.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ namespace boxplus::app {
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments);
 
-/// The report for people, on stdout, or on stderr where stdout holds an output.
+/// Prints the report for the user on stdout, or on stderr if stdout holds an output.
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments);
 
-/// A message where the run did not converge.
+/// Prints a message if the run did not converge.
 void print_why_stopped(const Report& report, const OptimizeArguments& arguments);
 
 }  // namespace boxplus::app

@@ -13,7 +13,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Fixes vertices for one run: what the file says about them stays.
+/// Fixes vertices for one run; a FIX line of the file stays in effect.
 class FixForRun {
  public:
   FixForRun(Graph& graph, const std::vector<VertexRef>& vertices) : graph_(graph) {
@@ -59,7 +59,7 @@ KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
     }
   }
   if (facts.edges == 0 && arguments.kernel_scope == KernelScope::kLoopClosures)
-    print_message("the graph has no loop closures: the kernel is used nowhere");
+    print_message("the graph has no loop closures: no edge gets the kernel");
   return facts;
 }
 

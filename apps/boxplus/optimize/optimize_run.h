@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus optimize` does between reading and writing.
+// The work of `boxplus optimize` between reading and writing.
 #pragma once
 
 #include "boxplus/optimize/report.h"
@@ -9,10 +9,10 @@
 
 namespace boxplus::app {
 
-/// Gives the chosen edges the robust kernel that was asked for; tells how many.
+/// Gives the chosen edges the requested robust kernel; returns their number.
 KernelFacts robustify(Graph& graph, const KernelArguments& arguments);
 
-/// Optimises, showing progress, until it ends or an Interrupt is raised.
+/// Optimizes and shows progress, until the run ends or an Interrupt is raised.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
 
 }  // namespace boxplus::app

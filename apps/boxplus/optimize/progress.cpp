@@ -13,14 +13,14 @@
 namespace boxplus::app {
 namespace {
 
-/// A line that wraps cannot be rewritten.
+/// The width of the terminal: a line that wraps cannot be overwritten.
 std::size_t terminal_columns() {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
 }
 
-/// At most so many bytes, and no half character.
+/// At most `size` bytes of the text, without an incomplete character at the end.
 std::string cut(const std::string& text, std::size_t size) {
   while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
   return text.substr(0, size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a run has come, on stderr.
+// Progress of a run, on stderr.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace boxplus::app {
 
 enum class ProgressKind : std::uint8_t {
   kNone,
-  kLive,  ///< one line of a terminal, rewritten and at last erased
+  kLive,  ///< one line on a terminal, overwritten again and again, and erased at the end
   kLines  ///< a line per iteration, for logs
 };
 
-/// Live on a terminal, unless it was asked for lines or quiet.
+/// Live on a terminal, unless the user chose lines or quiet.
 ProgressKind choose_progress(bool quiet, bool verbose);
 
 class Progress {
@@ -24,7 +24,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What is being done; on live lines only.
+  /// Names the work in progress; on live lines only.
   void stage(const std::string& text);
   void iteration(const IterationRecord& record);
   void erase();

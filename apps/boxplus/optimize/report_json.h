@@ -10,15 +10,15 @@
 
 namespace boxplus::app {
 
-/// The robust kernel that --kernel asked for; without a name there is none.
+/// The robust kernel of --kernel; without a name there is none.
 struct KernelFacts {
   std::string name;
-  std::optional<double> width;   ///< as asked for
-  std::map<int, double> widths;  ///< else the default ones, by the rows of the edges
-  std::size_t edges = 0;         ///< that have it
+  std::optional<double> width;   ///< from the command line
+  std::map<int, double> widths;  ///< otherwise the defaults, by the rows of the edges
+  std::size_t edges = 0;         ///< the number of edges with this kernel
 };
 
-/// What only the command knows.
+/// Facts about the run that are not in the Report.
 struct RunFacts {
   std::string input;
   std::size_t edges = 0;  ///< in the file
@@ -27,7 +27,7 @@ struct RunFacts {
   double load_s = 0, total_s = 0;
 };
 
-/// One JSON object, indented, with a newline at its end. Numbers that are not finite become null.
+/// One JSON object, indented, with a newline at its end. Values that are not finite become null.
 std::string report_json(const Report& report, const RunFacts& facts);
 
 }  // namespace boxplus::app

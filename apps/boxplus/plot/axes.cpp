@@ -17,7 +17,7 @@ double round_length(double most) {
   const double power = std::pow(10, std::floor(std::log10(most)));
   return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
 }
-/// The least that is at least `least`.
+/// The smallest of 1, 2 and 5 times a power of ten that is at least `least`.
 double round_length_above(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   return least <= power       ? power
@@ -26,7 +26,7 @@ double round_length_above(double least) {
                               : 10 * power;
 }
 
-/// With the digits that the step needs, and a minus as long as a digit.
+/// `value` with the digits that the step needs, and with a minus sign as wide as a digit.
 std::string value_text(double value, double step) {
   constexpr double kLong = 1e7;
   constexpr int kMostDecimals = 6;
@@ -96,7 +96,7 @@ void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas
     unit[axis] = 1;
     const Spot seen = project(unit, 3, view);
     const double shown = std::hypot(seen[0], seen[1]);
-    if (shown < 0.05) continue;  // it points to the viewer
+    if (shown < 0.05) continue;  // the axis points at the viewer
     const double dx = seen[0] / shown, dy = -seen[1] / shown, tip = length * shown,
                  head = std::min(6 * text, tip / 2);
     const auto at = [&](double along, double beside) {

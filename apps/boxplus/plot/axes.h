@@ -11,10 +11,10 @@
 
 namespace boxplus::app {
 
-/// From metres of the picture plane to places on the canvas.
+/// Maps meters of the picture plane to points on the canvas.
 struct PlaneMap {
   Box plot;
-  double scale = 1;  ///< pixels per metre
+  double scale = 1;  ///< pixels per meter
   double center_x = 0, center_y = 0;
 
   Point operator()(double x, double y) const {
@@ -23,7 +23,7 @@ struct PlaneMap {
   }
 };
 
-/// What the axes of the picture plane are called, if they are axes of the world.
+/// The names of the axes of the picture plane, if they are axes of the world.
 struct AxisNames {
   const char *across, *up;
 };
@@ -31,7 +31,7 @@ std::optional<AxisNames> axis_names(bool is_spatial, const View& view);
 
 void draw_ticks(const PlaneMap& map, const AxisNames& names, const Layout& layout, Canvas& canvas);
 void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas& canvas);
-/// In the lower right corner of a panel that ends at `right` and `bottom`.
+/// Draws in the lower right corner of a panel whose sides end at `right` and `bottom`.
 void draw_scale_bar(double right, double bottom, double scale, const Layout& layout, Canvas& canvas);
 
 }  // namespace boxplus::app

@@ -15,7 +15,7 @@ namespace {
 /// The 95 % quantile of chi2 with two degrees of freedom: −2 ln 0.05.
 constexpr double kChi2 = 5.991464547107979;
 
-/// From the frame of a pose, or from the world for a point, to the picture plane.
+/// Maps the frame of a pose, or the world for a point, to the picture plane.
 Eigen::MatrixXd to_picture(const Frame& frame, const View& view) {
   const int d = frame.dimension;
   Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
@@ -35,14 +35,14 @@ double length(const std::array<double, 2>& v) {
   return std::hypot(v[0], v[1]);
 }
 
-/// How far an ellipse reaches from its centre in the direction of a unit vector.
+/// The extent of an ellipse from its center in the direction of a unit vector.
 double reach(const Ellipse& ellipse, double x, double y) {
   return std::hypot(ellipse.long_axis[0] * x + ellipse.long_axis[1] * y,
                     ellipse.short_axis[0] * x + ellipse.short_axis[1] * y);
 }
 
 bool lies_over(const Ellipse& a, const Ellipse& b, double gap) {
-  constexpr double kPart = 0.9;  // of what would touch: a little over one another they can be told apart
+  constexpr double kPart = 0.9;  // of the distance at which they touch: a small overlap is still legible
   if (a.is_pose != b.is_pose) return false;
   const double dx = b.center[0] - a.center[0], dy = b.center[1] - a.center[1], distance = std::hypot(dx, dy);
   if (distance <= gap) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uncertainty ellipses: where a pose or a point lies with 95 %.
+// Uncertainty ellipses: regions that contain a pose or a point with 95 % probability.
 #pragma once
 
 #include <array>
@@ -12,16 +12,17 @@
 
 namespace boxplus::app {
 
-/// Adds the 95 % ellipses of all poses and points of the scene's graph, at the estimates and relative to what
-/// holds it, and makes some room for them. Throws InvalidArgument, with the name of the graph and the vertex,
-/// if one is not determined.
+/// Adds the 95 % ellipses of all poses and points of the scene's graph, and makes some room for them. They
+/// are computed at the estimates, relative to the vertices that hold the graph in place. Throws
+/// InvalidArgument, with the name of the graph and the vertex, if a vertex is undetermined.
 void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name);
 
-/// Those that can be told apart, the last pose first: not smaller than a few pixels (of `pixel` metres), and
-/// not over one another, unless one is of a pose and one of a point. At most a few hundred.
+/// The ellipses that can be told apart, the last pose first. Leaves out those smaller than a few pixels (of
+/// `pixel` meters), and those that lie over another, unless one is of a pose and one of a point. At most a
+/// few hundred.
 std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel);
 
-/// Draws the parts that lie within a box; lines are `width` pixels wide.
+/// Draws the parts of the ellipses inside a box; lines are `width` pixels wide.
 void draw_ellipses(const std::vector<Ellipse>& ellipses, const PlaneMap& map, const Box& box, double width,
                    Canvas& canvas);
 

@@ -28,7 +28,7 @@ PanelLayout Layout::panel(std::size_t index) const {
   const double gap = 8 * unit_;
   PanelLayout panel;
   panel.frame = {left + gap, title_height_ + gap, panel_width_ - 2 * gap, legend_top() - title_height_ - gap};
-  // Around the graph: room for half a dot, or for margin, header and scale bar; then for the values at axes.
+  // The space around the graph: half a dot, or margin, header and scale bar; then the values at the axes.
   const double margin = is_bare_ ? gap : 30 * unit_;
   double plot_left = left + margin, plot_right = right - margin;
   double top = is_bare_ ? gap : panel.frame.top + 84 * text_,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the parts of a picture lie.
+// The positions of the parts of a picture.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +12,31 @@ namespace boxplus::app {
 struct PictureOptions {
   std::string title;             ///< empty: none
   double width = 0, height = 0;  ///< of the picture; 0: 620 per panel, and 666
-  double font_size = 0;          ///< of most text; 0: in proportion to the panels
-  bool is_bare = false;          ///< the graphs alone: no frame, header, scale bar, legend or background
-  bool has_axes = false;         ///< ticks with their values, or arrows if no axis lies in the picture
-  bool has_one_scale = false;    ///< for all panels, even if that makes one of them tiny
+  double font_size = 0;          ///< of most text; 0: proportional to the panels
+  bool is_bare = false;          ///< only the graphs: no frame, header, scale bar, legend or background
+  bool has_axes = false;         ///< ticks with their values, or arrows if no axis lies in the picture plane
+  bool has_one_scale = false;    ///< one scale for all panels, even if that makes one of them tiny
 };
 
 /// One panel of a picture.
 struct PanelLayout {
   Box frame;  ///< the card behind it
-  Box plot;   ///< where the graph is drawn; what axes enclose
-  Box fit;    ///< within it: what the graph must fit into
+  Box plot;   ///< the area of the graph, inside the axes
+  Box fit;    ///< inside `plot`: the area that the graph must fit into
 };
 
 class Layout {
  public:
-  /// `has_ticks`: room for the values at axes is left.
+  /// `has_ticks`: leaves space for the values at the axes.
   Layout(const PictureOptions& options, std::size_t panels, bool has_ticks);
 
   double width() const { return width_; }
   double height() const { return height_; }
-  /// What lengths of lines and margins are multiplied by: 1 in a panel of the usual size.
+  /// The factor for line widths and margins: 1 in a panel of the usual size.
   double unit() const { return unit_; }
-  /// What sizes of text are multiplied by.
+  /// The factor for text sizes.
   double text() const { return text_; }
-  /// The strip for the title above all panels; 0 if there is none.
+  /// The height of the strip for the title above all panels; 0 if there is no title.
   double title_height() const { return title_height_; }
   double legend_top() const { return height_ - legend_height_; }
   PanelLayout panel(std::size_t index) const;

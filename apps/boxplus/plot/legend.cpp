@@ -10,7 +10,7 @@
 namespace boxplus::app {
 namespace {
 
-/// As in text: 1, 10, 100, 1000, 10⁴, …, 10¹².
+/// The power as text: 1, 10, 100, 1000, 10⁴, …, 10¹².
 std::string power_of_ten(int exponent) {
   if (exponent < 4) return std::string("1000", static_cast<std::size_t>(exponent) + 1);
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -53,14 +53,14 @@ class Legend {
   void swatch(double at, double width, const Stroke& stroke) {
     canvas_.line({at, row_}, {at + width, row_}, stroke);
   }
-  /// Begins an entry of this width: at left_, or in the second row if the first is full.
+  /// Begins an entry of this width: at left_, or in the second row if the first one is full.
   void begin(double width_of_sign, double width_of_name) {
     const double end_of_row = right_ - 250 * text_;
     if (left_ + (width_of_sign + 10 + width_of_name) * text_ <= end_of_row || row_ > middle_) return;
     left_ = start_;
     row_ += 25 * text_;
   }
-  /// Writes the name of an entry, and moves left_ to the next.
+  /// Writes the name of an entry, and moves left_ to the next entry.
   void name(double width_of_sign, double width_of_name, std::string_view name) {
     canvas_.text({left_ + (width_of_sign + 10) * text_, row_ + 5 * text_}, {.size = 15 * text_}, name);
     left_ += (width_of_sign + 10 + width_of_name + 26) * text_;

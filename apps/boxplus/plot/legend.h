@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the colors mean, in one strip below all panels.
+// Explains the colors, in one strip below all panels.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace boxplus::app {
 
-/// Names only what the scenes have.
+/// Lists only the kinds of things that the scenes contain.
 void draw_legend(const std::vector<Scene>& scenes, const ErrorColors& colors, const Layout& layout,
                  Canvas& canvas);
 

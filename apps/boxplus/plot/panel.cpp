@@ -25,7 +25,7 @@ std::string chi2_text(const Scene& scene) {
   return fmt::format("chi2 = {:.6g}{}", scene.chi2, scene.kernel.empty() ? "" : " (" + scene.kernel + ")");
 }
 
-/// How a kind of segment is drawn.
+/// The stroke for a kind of segment.
 Stroke stroke_for(SegmentKind kind, int color, bool is_crowded) {
   const double badness = static_cast<double>(color) / (ErrorColors::kBins - 1);
   switch (kind) {
@@ -58,7 +58,7 @@ class ScenePainter {
     if (!(range > 0)) return kDepthLayers - 1;
     return std::clamp(static_cast<int>((depth - scene_.low[2]) / range * kDepthLayers), 0, kDepthLayers - 1);
   }
-  /// Farther things are fainter.
+  /// The opacity by depth: farther things are fainter.
   static double nearness(int layer) { return 0.3 + 0.7 * (layer + 1) / kDepthLayers; }
 
   int color_of(const Segment& segment) const {
@@ -72,7 +72,8 @@ class ScenePainter {
     }
   }
 
-  /// Paths of one layer, kind and color: far ones first; below the trajectory the errors, small ones first.
+  /// Draws the paths of each layer, kind and color: far ones first; errors below the trajectory, small ones
+  /// first.
   void segments() {
     std::map<std::tuple<int, SegmentKind, int>, std::vector<const Segment*>> groups;
     for (const Segment& segment : scene_.segments) {
@@ -88,7 +89,7 @@ class ScenePainter {
     }
   }
 
-  /// In pieces, because viewers take quadratic time for the crossings within a path.
+  /// Draws in pieces, because viewers take quadratic time for the crossings within a path.
   void draw(std::span<const Segment* const> segments, const Stroke& stroke) {
     constexpr std::size_t kPiece = 256;
     for (; !segments.empty(); segments = segments.subspan(std::min(kPiece, segments.size()))) {

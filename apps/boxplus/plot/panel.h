@@ -9,9 +9,9 @@
 
 namespace boxplus::app {
 
-/// Pixels per metre with which the scene fills a box.
+/// The pixels per meter at which the scene fills a box.
 double fitting_scale(const Scene& scene, const Box& box);
-/// Whether not all that it shows is at one place.
+/// True if the scene shows things at more than one position.
 bool has_extent(const Scene& scene);
 
 struct PanelStyle {
@@ -20,7 +20,7 @@ struct PanelStyle {
   const ErrorColors& colors;
   const View& view;
 };
-/// Draws the scene with `scale` pixels per metre, and what the options ask for around it.
+/// Draws the scene with `scale` pixels per meter, and the parts around it that the options ask for.
 void draw_panel(const Scene& scene, const PanelLayout& place, double scale, const PanelStyle& style,
                 Canvas& canvas);
 

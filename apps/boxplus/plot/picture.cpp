@@ -37,7 +37,7 @@ std::unique_ptr<Canvas> make_canvas(const Layout& layout, const std::string& tit
   }
 }
 
-/// Pixels per metre of each panel.
+/// The pixels per meter of each panel.
 std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& layout, bool has_one_scale) {
   constexpr double kTiny = 2.5;  // panels that differ by more have their own scales
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -59,7 +59,7 @@ std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& la
 std::string draw_picture(std::vector<Scene> scenes, const View& view, const PictureOptions& options,
                          PictureFormat format, double resolution) {
   constexpr double kVisible = 0.4;        // pixels
-  constexpr std::size_t kMost = 120'000;  // things to draw
+  constexpr std::size_t kMost = 120'000;  // elements to draw
   constexpr Rgb kBackground{0xf8, 0xfa, 0xfc};
   const bool has_ticks =
       options.has_axes && std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {

@@ -20,13 +20,13 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Poses in the order of their ids are the trajectory. Loop closures and observations are colored by\n"
-    "their chi2 per row: grey up to 1, which is what noise explains; the darker, the worse. Both panels\n"
-    "have one scale of colors. Files do not hold robust kernels: after a robust run, give --kernel and\n"
-    "--kernel-width as they were given to optimize, and the colors show what the kernel left of chi2.\n"
+    "Poses in the order of their ids form the trajectory. Loop closures and observations are colored by\n"
+    "their chi2 per row: gray up to 1, which noise explains; beyond that, the darker, the worse. Both\n"
+    "panels have the same color scale. Files do not contain robust kernels: after a robust run, repeat\n"
+    "the --kernel and --kernel-width of optimize, and the colors show chi2 after the kernel.\n"
     "Graphs in space are drawn in parallel projection.\n"
-    "Ellipses are those of the covariances at the estimates, relative to the fixed vertex (or the first).\n"
-    "Ellipses that lie over others, or are too small to see, are left out.\n"
+    "Ellipses show the covariances at the estimates, relative to the fixed vertex (or the first one).\n"
+    "Ellipses that overlap others or are too small to see are left out.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
@@ -48,7 +48,7 @@ Input read(const std::string& path, const PlotArguments& arguments) {
 Scene scene_of(const Input& input, std::string title, const View& view, const TruePlaces& truth) {
   Scene scene = make_scene(input.graph, std::move(title), view, truth);
   if (scene.poses + scene.landmark_count == 0)
-    throw FileError(input.name + ": expected poses or points to draw, found none with a finite place");
+    throw FileError(input.name + ": expected poses or points to draw, found none with a finite position");
   if (scene.hidden > 0) {
     print_message(fmt::format("{}: {} {} too far away to be drawn", input.name, scene.hidden,
                               scene.hidden == 1 ? "vertex is" : "vertices are"));

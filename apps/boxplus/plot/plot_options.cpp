@@ -67,7 +67,7 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
   command.add_option("BEFORE", arguments.before, "A graph; - reads the standard input")
       ->check(file_name())
       ->required();
-  command.add_option("AFTER", arguments.after, "The same graph, optimised")->check(file_name());
+  command.add_option("AFTER", arguments.after, "The same graph, optimized")->check(file_name());
   command
       .add_option("-o,--output", arguments.output,
                   "Where to write the picture (.svg, .pdf or .png); - is the standard output")
@@ -82,13 +82,13 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
               if (word == chosen) arguments.format = format;
             }
           },
-          "The format, if the name of the file does not tell it")
+          "The format, if the name of the file does not have its ending")
       ->check(one_of({"svg", "pdf", "png"}));
   command
       .add_option(
           "--truth", arguments.truth,
-          "A graph of the true places, drawn as a band behind the trajectory, moved as a whole to where it "
-          "fits the last graph best")
+          "A graph of the true poses, drawn as a band behind the trajectory after it was aligned with the "
+          "last graph")
       ->type_name("FILE")
       ->check(file_name());
 }
@@ -104,13 +104,13 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
             picture.width = size->first;
             picture.height = size->second;
           },
-          "The size of the picture in pixels, in PDF points (1/72 inch); without, 620x666 per panel")
+          "The size of the picture in pixels, in PDF points (1/72 inch); the default is 620x666 per panel")
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(complaint_about_size, ""))
       ->group("Look");
   command
       .add_option("--font-size", picture.font_size,
-                  "The size of the text; without, it follows from the size of the panels")
+                  "The size of the text; the default is proportional to the panels")
       ->type_name("X")
       ->check(number_within(1, 200))
       ->group("Look");
@@ -122,25 +122,26 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
       ->group("Look");
   command
       .add_flag("--bare", picture.is_bare,
-                "The graphs alone, without frame, header, legend, scale bar and background: for papers")
+                "Only the graphs, without frame, header, legend, scale bar and background: for papers")
       ->group("Look");
   command
       .add_flag("--axes", picture.has_axes,
-                "Axes with their values in metres; arrows if the view is along no axis")
+                "Axes with their values in meters; arrows if the view is not along an axis")
       ->group("Look");
   command
-      .add_flag("--ellipses", arguments.has_ellipses,
-                "Where poses and points lie with 95 %, as ellipses: those of the last graph, which should be "
-                "optimised")
+      .add_flag(
+          "--ellipses", arguments.has_ellipses,
+          "Ellipses that contain poses and points of the last graph with 95 % probability; this graph should "
+          "be optimized")
       ->group("Look");
   command
       .add_flag("--equal-scale", picture.has_one_scale,
-                "One scale for both panels in any case; without, only if neither becomes tiny")
+                "Always use one scale for both panels; by default, only if neither becomes tiny")
       ->group("Look");
   command
       .add_option_function<std::string>(
           "--view", [&arguments](const std::string& text) { arguments.view = *view_of(text); },
-          "From where graphs in space are seen: top, side (along y), iso or AZIMUTH,ELEVATION in degrees")
+          "The view of graphs in space: top, side (along y), iso or AZIMUTH,ELEVATION in degrees")
       ->type_name("VIEW")
       ->check(CLI::Validator(complaint_about_view, ""))
       ->default_str("-31.5,24")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `boxplus plot` can be asked for.
+// The options of `boxplus plot`.
 #pragma once
 
 #include <optional>
@@ -25,8 +25,8 @@ struct PlotArguments {
 /// Adds all options; they fill `arguments`, which must outlive the command.
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
-/// What --format says or, without it, the ending of the output; SVG if there is neither. Throws
-/// InvalidArgument if the ending is that of another format, or of none that is known.
+/// The format of --format or, without it, of the ending of the output; SVG if there is neither. Throws
+/// InvalidArgument if the ending belongs to another format, or to no known one.
 PictureFormat format_of(const PlotArguments& arguments);
 
 }  // namespace boxplus::app

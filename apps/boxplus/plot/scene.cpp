@@ -9,7 +9,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Where a vertex is, if it is anywhere, and whether it is a pose.
+/// The position of a vertex, if it has one, and if the vertex is a pose.
 struct Place {
   Spot spot{};
   bool is_known = false, is_pose = false;

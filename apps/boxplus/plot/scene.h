@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture of a graph shows: segments and dots on a plane, with depth.
+// The visible parts of a graph: segments and dots on a plane, with depth.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace boxplus::app {
 
-/// A point of the picture plane (metres, y upwards) and its depth: larger is nearer.
+/// A point of the picture plane (meters, y upwards) and its depth: larger is nearer.
 using Spot = std::array<double, 3>;
 
-/// In the order in which they are drawn.
+/// In drawing order.
 enum class SegmentKind : std::uint8_t { kTruth, kObservation, kLoopClosure, kTrajectory };
 
 struct Segment {
@@ -30,26 +30,26 @@ struct Dot {
   double time;  ///< of a pose, as above
 };
 
-/// Where a pose or a point lies with 95 %, in the picture plane.
+/// The region of the picture plane that contains a pose or a point with 95 % probability.
 struct Ellipse {
   Spot center;
-  std::array<double, 2> long_axis, short_axis;  ///< half axes, metres
+  std::array<double, 2> long_axis, short_axis;  ///< half axes, meters
   bool is_pose;
   double time;  ///< of a pose, as above
 };
 
 struct Scene {
-  std::vector<Segment> segments;  ///< those of the trajectory by time
+  std::vector<Segment> segments;  ///< those of the trajectory in the order of time
   std::vector<Spot> landmarks;
-  std::vector<Dot> dots;  ///< poses that no trajectory passes; all, where they are few
+  std::vector<Dot> dots;  ///< poses that are not on the trajectory; all poses if there are few
   std::vector<Ellipse> ellipses;
-  bool has_ellipses = false;  ///< they were asked for; there are none if all are too small to see
-  Spot low{}, high{};         ///< what encloses everything
+  bool has_ellipses = false;  ///< the user asked for ellipses; there are none if all are too small to see
+  Spot low{}, high{};         ///< the box around everything
   std::size_t poses = 0, landmark_count = 0, edges = 0;
-  std::size_t hidden = 0;   ///< vertices that are too far away to draw, or nowhere
+  std::size_t hidden = 0;   ///< vertices that are too far away to draw, or have no position
   bool is_spatial = false;  ///< drawn by a parallel projection
   double chi2 = 0;          ///< after kernels
-  std::string kernel;       ///< the name of one that edges have; empty if none has
+  std::string kernel;       ///< the name of a kernel of the edges; empty if no edge has one
   std::string title;
 
   bool has(SegmentKind kind) const;
@@ -61,14 +61,14 @@ struct View {
   double azimuth_deg = -31.5, elevation_deg = 24;
   bool operator==(const View&) const = default;
 };
-/// The point (x, y, z) as seen. Points in the plane are seen from above, whatever the view.
+/// The point (x, y, z) as seen. Points in the plane are seen from above, for any view.
 Spot project(const std::array<double, 3>& point, int dimension, const View& view);
 
-/// True places of vertices by id, in the frame of the graph.
+/// The true positions of vertices by id, in the frame of the graph.
 using TruePlaces = std::unordered_map<Id, std::array<double, 3>>;
 
-/// Poses in the order of their ids make the trajectory; other edges between poses are loop closures, those
-/// between a pose and a point observations. The truth is drawn along the trajectory.
+/// Poses in the order of their ids form the trajectory. Other edges between poses are loop closures; edges
+/// between a pose and a point are observations. The truth is drawn along the trajectory.
 Scene make_scene(const Graph& graph, std::string title, const View& view = {}, const TruePlaces& truth = {});
 
 }  // namespace boxplus::app

@@ -16,11 +16,11 @@ Cell cell_of(const Spot& spot, const Spot& origin, double pixel) {
   return {std::llround((spot[0] - origin[0]) / pixel), std::llround((spot[1] - origin[1]) / pixel)};
 }
 
-/// Segments come by time. A piece of the trajectory that ends below a pixel ends a pixel early.
+/// Segments are in the order of time. A piece of the trajectory that ends below a pixel ends a pixel early.
 std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, const Spot& origin,
                                        double pixel) {
   std::vector<Segment> result;
-  std::optional<Spot> begin, end;  // what of the trajectory waits to be long enough, and where it came to
+  std::optional<Spot> begin, end;  // the pending piece of the trajectory, still too short
   for (Segment segment : segments) {
     if (segment.kind == SegmentKind::kTrajectory) {
       const bool goes_on = end == segment.from;
@@ -35,7 +35,7 @@ std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, con
   return result;
 }
 
-/// Keeps the first of those with equal keys, where `keys` are (what is equal, what comes first, …, index).
+/// Keeps the first of the items with equal keys; the keys are (identity, order, …, index).
 template <class T, class Keys>
 std::vector<T> without_copies(const std::vector<T>& items, Keys keys) {
   std::sort(keys.begin(), keys.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The true places of a graph's poses, to draw them beside it.
+// The true positions of a graph's poses, for drawing.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace boxplus::app {
 
-/// The places of the poses in the graph file `truth`, moved as a whole to where they fit the poses of `graph`
-/// with the same ids best, as `boxplus compare` does; `name` stands for the graph in messages. Throws what
-/// read_trajectory() throws, and FileError if no id is in both.
+/// The positions of the poses in the graph file `truth`, aligned with the poses of `graph` with the same ids,
+/// as `boxplus compare` does; messages call the graph `name`. Throws the exceptions of read_trajectory(), and
+/// FileError if the two have no id in common.
 TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
                        const ReadOptions& reading);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pictures are drawn on: lines, boxes and text, for every format of files. Coordinates are pixels
+// The drawing surface for pictures: lines, boxes and text, for every file format. Coordinates are pixels
 // (points in PDF), x to the right and y downwards.
 #pragma once
 
@@ -34,7 +34,7 @@ struct Stroke {
   double width = 1, opacity = 1;
 };
 
-/// Polylines. One of a single point is a round dot.
+/// A set of polylines. A polyline of a single point is a round dot.
 class Path {
  public:
   void move_to(Point point) {
@@ -72,23 +72,23 @@ struct TextStyle {
 class Canvas {
  public:
   virtual ~Canvas() = default;
-  /// Lines with round ends and joins. Where lines of one path cross, they do not become darker.
+  /// Draws lines with round ends and joins. Crossings within one path do not become darker.
   virtual void stroke(const Path& path, const Stroke& stroke) = 0;
-  /// A filled rectangle with round corners.
+  /// Draws a filled rectangle with round corners.
   virtual void fill(const Box& box, double radius, Rgb color) = 0;
-  /// One line of text (UTF-8) whose baseline begins, has its middle or ends at the point.
+  /// Draws one line of text (UTF-8) whose baseline starts, has its middle, or ends at the point.
   virtual void text(Point point, const TextStyle& style, std::string_view words) = 0;
-  /// The bytes of the file. Nothing can be drawn afterwards.
+  /// Returns the bytes of the file. Nothing can be drawn afterwards.
   virtual std::string finish() = 0;
 
   void line(Point from, Point to, const Stroke& stroke);
   void dot(Point at, double diameter, Rgb color);
 };
 
-/// `title` tells programs that show the file what it is; it is not drawn.
+/// `title` names the picture for programs that show the file; it is not drawn.
 std::unique_ptr<Canvas> make_svg_canvas(double width, double height, std::string_view title);
 std::unique_ptr<Canvas> make_pdf_canvas(double width, double height, std::string_view title);
-/// `resolution` pixels of the file per pixel of the picture, on white.
+/// A PNG on white, with `resolution` pixels of the file per pixel of the picture.
 std::unique_ptr<Canvas> make_png_canvas(double width, double height, double resolution);
 
 }  // namespace boxplus::app

@@ -10,7 +10,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Bits from the lowest of each byte up.
+/// Writes bits, beginning with the lowest of each byte.
 class BitWriter {
  public:
   void bits(std::uint32_t value, int count) {
@@ -18,7 +18,7 @@ class BitWriter {
     for (used_ += count; used_ >= 8; used_ -= 8, buffer_ >>= 8)
       bytes_.push_back(static_cast<char>(buffer_ & 0xFF));
   }
-  /// Huffman codes come from their highest bit on.
+  /// Writes a Huffman code, beginning with its highest bit.
   void code(std::uint32_t value, int count) {
     std::uint32_t reversed = 0;
     for (int i = 0; i < count; ++i) reversed |= ((value >> i) & 1u) << (count - 1 - i);
@@ -35,7 +35,7 @@ class BitWriter {
   int used_ = 0;
 };
 
-/// The fixed code of literals, the end (256) and lengths (RFC 1951, section 3.2.6).
+/// Writes a symbol in the fixed code of literals, the end (256) and lengths (RFC 1951, section 3.2.6).
 void write_symbol(BitWriter& out, std::uint32_t symbol) {
   if (symbol < 144) {
     out.code(0x30 + symbol, 8);
@@ -48,8 +48,8 @@ void write_symbol(BitWriter& out, std::uint32_t symbol) {
   }
 }
 
-/// Lengths from 3 and distances from 1 come in ranges that double after every 2^`shift` of them: the symbol
-/// counts the ranges, extra bits tell the place within one (section 3.2.5).
+/// The code of lengths from 3 and of distances from 1. Their ranges double in size after every 2^`shift` of
+/// them: the symbol is the index of the range, and the extra bits are the position within it (section 3.2.5).
 struct Ranged {
   std::uint32_t symbol, extra;
   int extra_bits;
@@ -64,7 +64,7 @@ constexpr std::size_t kWindow = 32768, kShortest = 3, kLongest = 258;
 
 void write_match(BitWriter& out, std::size_t length, std::size_t distance) {
   const Ranged l = ranged(static_cast<std::uint32_t>(length - kShortest), 2);
-  const bool is_longest = length == kLongest;  // has a symbol of its own
+  const bool is_longest = length == kLongest;  // it has its own symbol
   write_symbol(out, 257 + (is_longest ? 28 : l.symbol));
   if (!is_longest) out.bits(l.extra, l.extra_bits);
   const Ranged d = ranged(static_cast<std::uint32_t>(distance - 1), 1);
@@ -72,7 +72,7 @@ void write_match(BitWriter& out, std::size_t length, std::size_t distance) {
   out.bits(d.extra, d.extra_bits);
 }
 
-/// Where earlier places with the same three bytes are.
+/// Finds earlier positions with the same three bytes.
 class Matches {
  public:
   explicit Matches(std::string_view bytes)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The widths of Helvetica's letters, to place text by its middle or end.
+// The widths of Helvetica's letters, for centering and right-aligning text.
 #pragma once
 
 namespace boxplus::app {
 
-/// In thousandths of the size of the text. Letters beyond ASCII count as an n.
+/// The width in thousandths of the text size. Letters outside ASCII have the width of an n.
 int helvetica_width(unsigned char letter, bool is_bold);
 
 }  // namespace boxplus::app

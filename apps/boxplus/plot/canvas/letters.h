@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text as canvases that set it themselves need it: letter by letter.
+// Text letter by letter, for canvases that place letters themselves.
 #pragma once
 
 #include <string_view>
@@ -12,10 +12,10 @@ struct Letter {
   bool is_raised = false;  ///< the digit of an exponent: smaller, and above the others
 };
 
-/// What raised letters are multiplied by, and raised by, in units of the size of the text.
+/// The scale of raised letters, and their height above the baseline, relative to the text size.
 inline constexpr double kRaisedSize = 0.66, kRaisedBy = 0.36;
 
-/// UTF-8, with superscript digits as raised ones. What is no UTF-8 becomes U+FFFD.
+/// Splits UTF-8 into letters; superscript digits become raised ones. Bytes that are not UTF-8 become U+FFFD.
 std::vector<Letter> letters_of(std::string_view text);
 
 }  // namespace boxplus::app

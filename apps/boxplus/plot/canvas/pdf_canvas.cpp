@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PDF 1.4 (Adobe, PDF Reference, third edition): one page, whose text is in Helvetica, which every reader
-// has.
+// PDF 1.4 (Adobe, PDF Reference, third edition): one page, with text in Helvetica, which every reader has.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,12 +21,12 @@ unsigned char win_ansi(char32_t code) {
   if ((code >= 0x20 && code < 0x7F) || (code >= 0xA0 && code <= 0xFF))
     return static_cast<unsigned char>(code);
   if (code == 0x2212 || code == 0x2013)
-    return kEnDash;  // the minus, which the encoding lacks, looks like one
+    return kEnDash;  // used for the minus sign, which WinAnsiEncoding lacks
   if (code == 0x2014) return kEmDash;
   return code == 0x2026 ? kEllipsis : '?';
 }
 
-/// A string literal: what has a meaning in one, and what is not ASCII, as octal numbers.
+/// A string literal; special characters, and those outside ASCII, become octal codes.
 std::string literal(std::string_view bytes) {
   std::string result = "(";
   for (const char byte : bytes) {
@@ -74,7 +73,7 @@ class PdfCanvas final : public Canvas {
   }
 
   void fill(const Box& box, double radius, Rgb color) override {
-    constexpr double kArc = 0.5523;  // of a quarter of a circle as a Bézier curve
+    constexpr double kArc = 0.5523;  // approximates a quarter circle by a Bézier curve
     const double l = box.left, r = box.right(), t = box.top, b = box.bottom(), a = radius,
                  k = (1 - kArc) * radius;
     add("{} rg {:.2f} {:.2f} m {:.2f} {:.2f} l\n", rgb(color), l + a, t, r - a, t);
@@ -143,7 +142,7 @@ class PdfCanvas final : public Canvas {
     file_ += fmt::format("{} 0 obj\n", offsets_.size()) + body + "\nendobj\n";
   }
 
-  /// The table of where each object begins, which readers start from.
+  /// Appends the table with the offset of each object, which readers need first.
   std::string with_index() {
     const std::size_t begin = file_.size(), count = offsets_.size() + 1;
     file_ += fmt::format("xref\n0 {}\n0000000000 65535 f \n", count);
@@ -156,7 +155,7 @@ class PdfCanvas final : public Canvas {
   double width_, height_;
   std::string title_, content_;
   std::set<int> opacities_;
-  std::string file_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";  // the second line tells that the file is binary
+  std::string file_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";  // the second line marks the file as binary
   std::vector<std::size_t> offsets_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures in pixels. A line covers each pixel by its distance from it, which is what a box of one pixel
-// would show; all lines of a path are joined before they are blended.
+// Pictures in pixels. The distance of a pixel from a line determines its coverage, as with a box filter of
+// one pixel; all lines of a path are combined before they are blended.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -74,7 +74,7 @@ class PngCanvas final : public Canvas {
     return static_cast<int>(std::clamp(std::ceil(at + 1), 0.0, double(end)));
   }
 
-  /// Covers what is within half the width of the line between two points (of the picture).
+  /// Adds the coverage of a line between two points (of the picture).
   void cover(Point from, Point to, double width) {
     const Point a{from.x * resolution_, from.y * resolution_}, b{to.x * resolution_, to.y * resolution_};
     const double half = width * resolution_ / 2, reach = half + 0.5,
@@ -83,7 +83,7 @@ class PngCanvas final : public Canvas {
     for (int row = first(std::min(a.y, b.y) - reach); row < last(std::max(a.y, b.y) + reach, rows_); ++row) {
       const double y = row + 0.5 - a.y;
       double low = std::min(a.x, b.x) - reach, high = std::max(a.x, b.x) + reach;
-      if (std::abs(along.y) > 1e-6) {  // where the row crosses the strip around the line
+      if (std::abs(along.y) > 1e-6) {  // the interval of the row inside the strip around the line
         const double middle = a.x + y * along.x / along.y, half_crossing = reach / std::abs(along.y);
         low = std::max(low, middle - half_crossing);
         high = std::min(high, middle + half_crossing);
@@ -111,7 +111,7 @@ class PngCanvas final : public Canvas {
     mix(colors_[at].blue, color.blue);
   }
 
-  /// Each row begins with its filter: none.
+  /// Each row begins with its filter type: none.
   std::string image() const {
     std::string bytes;
     bytes.reserve(size() * 3 + static_cast<std::size_t>(rows_));
@@ -141,7 +141,7 @@ class PngCanvas final : public Canvas {
   double resolution_;
   int columns_, rows_;
   std::vector<Rgb> colors_;
-  std::vector<float> coverage_;  ///< of the path that is drawn
+  std::vector<float> coverage_;  ///< of the path being drawn
   std::vector<std::size_t> touched_;
 };
 

@@ -11,9 +11,9 @@
 namespace boxplus::app {
 namespace {
 
-/// A letter on a grid of 20 units per size of the text: capitals are 14 high, small letters 10. "Mx,y" begins
-/// a line (a dot, if none follows), "Lx,y" goes on straight, "Kcx,cy x,y" by a quarter of an ellipse that is
-/// tangent to the lines to and from the corner c.
+/// A letter on a grid of 20 units per text size: capitals are 14 high, small letters 10. "Mx,y" starts a line
+/// (a dot, if nothing follows), "Lx,y" continues straight, and "Kcx,cy x,y" continues with a quarter of an
+/// ellipse that is tangent to the lines to and from the corner c.
 struct Glyph {
   double advance;
   const char* lines;
@@ -171,7 +171,7 @@ const Glyph& glyph_of(char32_t code) {
   return found != glyphs().end() ? found->second : kBox;
 }
 
-/// Draws one glyph, moved and scaled.
+/// Draws one glyph, translated and scaled.
 class Pen {
  public:
   Pen(Path& path, Point origin, double scale) : path_(path), origin_(origin), scale_(scale) {}
@@ -193,7 +193,7 @@ class Pen {
  private:
   Point placed(Point p) const { return {origin_.x + scale_ * p.x, origin_.y - scale_ * p.y}; }
 
-  /// Takes "x,y " off.
+  /// Removes "x,y " from the front, and returns the point.
   static Point point(const char*& lines) {
     Point result;
     for (double* value : {&result.x, &result.y}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A font of lines, so that pictures in pixels need no font file: what it draws is stroked like any path.
+// A font made of lines, so that pictures in pixels need no font file: letters are stroked like any path.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace boxplus::app {
 
-/// The lines of `words`, and the width of the pen to draw them with. ASCII and a few signs more; a box stands
-/// for any other letter.
+/// The lines of `words`, and the width of the pen that draws them. The font has ASCII and a few more
+/// characters; any other character becomes a box.
 struct StrokedText {
   Path path;
   double pen = 1;

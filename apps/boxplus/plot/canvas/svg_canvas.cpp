@@ -42,7 +42,7 @@ class SvgCanvas final : public Canvas {
     add("<path d=\"");
     path.for_each_line([this](std::span<const Point> points) {
       add("M{:.1f} {:.1f}", points[0].x, points[0].y);
-      if (points.size() == 1) add("h0");  // with round ends: a dot
+      if (points.size() == 1) add("h0");  // with round ends, this is a dot
       for (const Point& point : points.subspan(1)) add("L{:.1f} {:.1f}", point.x, point.y);
     });
     add("\" stroke=\"{}\" stroke-width=\"{:.3g}\"", hex(stroke.color), stroke.width);
