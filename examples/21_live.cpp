@@ -60,5 +60,5 @@ int main() {
   const Report report = optimize(graph);
   std::printf("windows of %u poses of %zu; %d plans extended; chi2 %.4f\n", in_window, poses.size(), extended,
               report.chi2_final);
-  return report.converged() && in_window == 10 && first.iterations == 1 ? 0 : 1;
+  return report.converged() && in_window == 10 && first.iterations <= 1 ? 0 : 1;
 }
