@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loads a library until the end of the process, because the types that it registers are its code. A name
-/// without a folder is a file in the current folder if there is one; otherwise the loader searches for it.
+/// Loads a library and never unloads it, because the types that it registers use its code. A name without a
+/// folder is a file in the current folder if there is one; otherwise the loader searches for it.
 void load(const std::string& path) {
   if (path.empty()) {
     std::cerr << "g2o: expected the file of a library, got an empty name\n";

@@ -49,15 +49,13 @@ std::string rate(const LinearFigures& figures, const Results& results) {
 
 std::string linear_tables(const Results& results) {
   std::string out =
-      "## One linear system\n\nH at the file's estimates, ms. CHOLMOD's factorization is the fastest of "
-      "eight ways: "
-      "AMD or METIS, on\nscalars or on blocks, supernodal or simplicial. Its AMD analysis is that of the "
-      "form that "
-      "factorizes\nfaster, and is compared with our analysis with AMD. If nested dissection is predicted to "
-      "be faster, "
-      "the time of\nthat analysis follows. \"In float\" is given if it is the automatic choice: the "
-      "factorization in "
-      "float, and the\nsolution refined in double to a residual of 1e-10.\n\n";
+      "## One linear system\n\n"
+      "H at the file's estimates, ms. CHOLMOD's factorization is the fastest of eight ways: AMD or\n"
+      "METIS, on scalars or on blocks, supernodal or simplicial. Its AMD analysis is that of the\n"
+      "form that factorizes faster, and is compared with our analysis with AMD. If nested\n"
+      "dissection is predicted to be faster, the time of that analysis follows. \"In float\" is given\n"
+      "if it is the automatic choice: the factorization in float, and the solution refined in\n"
+      "double to a residual of 1e-10.\n\n";
   out +=
       head_of({"file", "scalars", "analyze", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorize",
                "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorize", "×", "solve", "both ×"});
@@ -84,8 +82,9 @@ std::string linear_tables(const Results& results) {
             times(d.cholmod.factorize_s + d.cholmod.solve_s, d.automatic.factorize_s + d.automatic.solve_s)};
   });
   out += fmt::format(
-      "\nUseful operations of the factorization per second, and as a share of DGEMM, n = 1024, which runs at "
-      "{:.1f}\nGFLOP/s.\n\n",
+      "\n"
+      "Useful operations of the factorization per second, and as a share of DGEMM, n = 1024, which\n"
+      "runs at {:.1f} GFLOP/s.\n\n",
       results.dgemm_rate);
   out += head_of({"file", "boxplus Mflop", "GFLOP/s", "CHOLMOD Mflop", "GFLOP/s", "CHOLMOD's fastest way",
                   "largest difference of the solutions"});
@@ -103,11 +102,10 @@ std::string linear_tables(const Results& results) {
 
 std::string iteration_table(const Results& results) {
   std::string out =
-      "## Linearization and iterations\n\nms, in the runs of the next table: the mean linearization, "
-      "including the "
-      "first, and the median iteration\nwithout the first. Ours linearizes and adds up H and the gradient; "
-      "Ceres's "
-      "Jacobian evaluation writes the\nJacobian and the gradient; its linear solver multiplies JᵀJ "
+      "## Linearization and iterations\n\n"
+      "ms, in the runs of the next table: the mean linearization, including the first, and the\n"
+      "median iteration without the first. Ours linearizes and adds up H and the gradient; Ceres's\n"
+      "Jacobian evaluation writes the Jacobian and the gradient; its linear solver multiplies JᵀJ\n"
       "later.\n\n";
   out += head_of({"file", "linearize + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
                   "Ceres analytic", "×", "Ceres autodiff", "×"});
@@ -143,12 +141,11 @@ std::string iterations(const SolveFigures& figures) {
 
 std::string arrival_table(const Results& results) {
   std::string out =
-      "## To within 1e-6 of the best chi2\n\nms from the call, with the analysis. Both start at the file's "
-      "estimates; \"automatic\" is our Start::kAutomatic,\nwhich compares them with a chordal guess. Ceres: "
-      "the "
-      "fastest of six ways that arrives (Levenberg-Marquardt,\nthe same with post-ordering, with a radius of "
-      "1e16, "
-      "or non-monotonic; dogleg, subspace dogleg). Stuck: its\nchi2 after at most 100 iterations.\n\n";
+      "## To within 1e-6 of the best chi2\n\n"
+      "ms from the call, with the analysis. Both start at the file's estimates; \"automatic\" is our\n"
+      "Start::kAutomatic, which compares them with a chordal guess. Ceres: the fastest of six ways\n"
+      "that arrives (Levenberg-Marquardt, the same with post-ordering, with a radius of 1e16, or\n"
+      "non-monotonic; dogleg, subspace dogleg). Stuck: its chi2 after at most 100 iterations.\n\n";
   out += head_of({"file", "chi2 of the file", "best chi2", "iterations", "ms", "automatic: iterations", "ms",
                   "Ceres", "iterations", "analytic", "×", "autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -171,13 +168,11 @@ std::string arrival_table(const Results& results) {
 
 std::string whole_table(const Results& results) {
   std::string out =
-      "## From file to file\n\nLoad, optimize until chi2 falls by less than 1e-10 of itself, and write, each "
-      "in its "
-      "own process. boxplus runs\nas `boxplus optimize --threads 1`, which may start from the chordal guess. "
-      "Ceres "
-      "starts from the file's\nestimates, with analytic Jacobians and the way above, between our reader and "
-      "our "
-      "writer.\n\n";
+      "## From file to file\n\n"
+      "Load, optimize until chi2 falls by less than 1e-10 of itself, and write, each in its own\n"
+      "process. boxplus runs as `boxplus optimize --threads 1`, which may start from the chordal\n"
+      "guess. Ceres starts from the file's estimates, with analytic Jacobians and the way above,\n"
+      "between our reader and our writer.\n\n";
   out += head_of({"file", "ms", "chi2", "peak MiB", "Ceres ms", "chi2", "peak MiB", "time ×", "memory ×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
            if (!result.whole) return {};
@@ -201,8 +196,8 @@ Cells thread_cells(const ThreadComparison& comparison) {
 
 std::string thread_table(const Results& results) {
   std::string out =
-      "## Two threads\n\noptimize() with Start::kAutomatic, with all preparations, ms; the results have the "
-      "same "
+      "## Two threads\n\n"
+      "optimize() with Start::kAutomatic, with all preparations, ms; the results have the same\n"
       "bits.\n\n";
   out += head_of({"file", "one thread", "two threads", "×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -218,11 +213,11 @@ std::string thread_table(const Results& results) {
 
 std::string scale_table(const Results& results) {
   std::string out =
-      "## Scale\n\nSimulated worlds, each in its own process, one thread, five iterations from odometry. The "
-      "solver "
-      "is the choice\nof LinearSolverKind::kAutomatic: Cholesky, unless its factor is predicted not to fit "
-      "into half "
-      "of the memory,\nor to take several times as long as a rough solution by pcg.\n\n";
+      "## Scale\n\n"
+      "Simulated worlds, each in its own process, one thread, five iterations from odometry. The\n"
+      "solver is the choice of LinearSolverKind::kAutomatic: Cholesky, unless its factor is\n"
+      "predicted not to fit into half of the memory, or to take several times as long as a rough\n"
+      "solution by pcg.\n\n";
   out += head_of({"world", "poses", "edges", "load s", "plan s", "iteration s", "µs per pose", "write s",
                   "all s", "peak MiB", "solver", "predicted: factorize s", "pcg s"});
   for (const ScaleResult& result : results.scale) {
