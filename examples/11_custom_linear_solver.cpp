@@ -2,7 +2,7 @@
 // A custom linear solver behind the interface of boxplus/linear/linear_solver.h: Eigen's dense Cholesky.
 //
 // A solver gets the blocks of A, adds the damping λD to the diagonal while it copies them, and solves.
-#include <boxplus/linear/linear_solver.h>
+#include <boxplus/linear/make_linear_solver.h>
 
 #include <Eigen/Cholesky>
 #include <cstdio>
@@ -16,14 +16,15 @@ class EigenLlt final : public LinearSolver {
   Needs needs() const override { return Needs::kBlocks; }
 
   /// Called once per structure: does all work that does not depend on the values, and allocates memory.
-  void analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) override {
+  void analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
+               const StopToken& /*stop*/) override {
     structure_ = &structure;
     matrix_.resize(structure.scalars(), structure.scalars());
   }
 
   /// Called once per linearization and damping.
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> /*changed_columns*/) override {
+                         const SolveControl& /*control*/) override {
     const BlockStructure& s = *structure_;
     matrix_.setZero();
     for (std::uint32_t j = 0; j < s.blocks(); ++j) {
@@ -43,7 +44,7 @@ class EigenLlt final : public LinearSolver {
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& /*control*/) override {
     const Eigen::Map<const Eigen::MatrixXd> right(b, matrix_.rows(), columns);
     Eigen::Map<Eigen::MatrixXd>(x, matrix_.rows(), columns) = cholesky_.solve(right).eval();
-    return {};
+    return {.exact = true};
   }
 
  private:

@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "boxplus/linearize/linearizer.h"
 #include "datasets/cholmod_peer.h"
 #include "datasets/interleave.h"
@@ -40,14 +40,16 @@ struct Equations {
 /// time.
 Figures run_ours(const Equations& equations, Precision precision, std::unique_ptr<LinearSolver>& last,
                  std::vector<double>& x) {
-  last = make_linear_solver(LinearSolverKind::kBlockCholesky);
-  LinearSolver& solver = *last;
+  const auto make = [&](Ordering ordering) {
+    return make_linear_solver(LinearSolverKind::kBlockCholesky,
+                              {.block_cholesky = {.ordering = ordering, .precision = precision}});
+  };
+  last = make(Ordering::kMinimumDegree);
   const AssembledSystem system(equations.plan.structure, equations.linearizer.values());
-  const double by_degree = seconds_of([&] {
-    solver.analyze(equations.plan.structure, {.ordering = Ordering::kMinimumDegree, .precision = precision});
-  });
-  const double analyze =
-      seconds_of([&] { solver.analyze(equations.plan.structure, {.precision = precision}); });
+  const double by_degree = seconds_of([&] { last->analyze(equations.plan.structure, {}); });
+  last = make(Ordering::kAutomatic);
+  LinearSolver& solver = *last;
+  const double analyze = seconds_of([&] { solver.analyze(equations.plan.structure, {}); });
   const auto factorize = [&] {
     if (solver.factorize(system, {}).status != LinearStatus::kOk) {
       throw std::runtime_error("our factorization failed");

@@ -25,9 +25,10 @@ std::vector<InverseRequest> list_requests(const BlockStructure& structure,
 }
 
 bool solve_for_inverse(LinearSolver& solver, const BlockStructure& structure,
-                       std::span<InverseRequest> requests) {
+                       std::span<InverseRequest> requests, const StopToken& stop) {
   std::sort(requests.begin(), requests.end(),
             [](const InverseRequest& a, const InverseRequest& b) { return a.block.column < b.block.column; });
+  const SolveControl control{.stop = stop};
   std::vector<double> x(structure.scalars());
   for (std::size_t begin = 0; begin < requests.size();) {
     const std::uint32_t column = requests[begin].block.column;
@@ -36,7 +37,7 @@ bool solve_for_inverse(LinearSolver& solver, const BlockStructure& structure,
     for (std::uint32_t j = 0; j < structure.dim(column); ++j) {
       std::fill(x.begin(), x.end(), 0.0);
       x[structure.offset[column] + j] = 1;
-      if (solver.solve(x.data(), 1, x.data()).status != LinearStatus::kOk) return false;
+      if (solver.solve(x.data(), 1, x.data(), control).status != LinearStatus::kOk) return false;
       for (const InverseRequest& request : requests.subspan(begin, end - begin)) {
         const std::uint32_t rows = structure.dim(request.block.row);
         std::copy_n(x.data() + structure.offset[request.block.row], rows,

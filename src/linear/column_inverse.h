@@ -21,8 +21,8 @@ std::vector<InverseRequest> list_requests(const BlockStructure& structure,
                                           std::span<const BlockCoordinate> blocks, double* out);
 
 /// Fills the requests (which it sorts by column) with one solve per scalar column that occurs. The solver is
-/// factorised. False where a solve fails.
+/// factorised. False if a solve fails or is stopped.
 bool solve_for_inverse(LinearSolver& solver, const BlockStructure& structure,
-                       std::span<InverseRequest> requests);
+                       std::span<InverseRequest> requests, const StopToken& stop);
 
 }  // namespace boxplus

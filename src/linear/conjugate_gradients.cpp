@@ -59,7 +59,7 @@ SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition
 /// Solves into x_. Rounding lets the residual of the recurrence drift from the true one: where they differ at
 /// the end, the iteration starts again from the true one.
 SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precondition, const double* b,
-                                             const SolveControl& control, const StopToken& stop) {
+                                             const SolveControl& control) {
   const std::size_t size = x_.size();
   std::copy_n(b, size, b_.data());
   std::fill(x_.begin(), x_.end(), 0.0);
@@ -69,7 +69,7 @@ SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precond
                                         : std::max(kMinimumIterations, 2 * static_cast<int>(size));
   SolveResult total;
   for (double previous = INFINITY;;) {
-    const SolveResult part = iterate(multiply, precondition, target, left, stop);
+    const SolveResult part = iterate(multiply, precondition, target, left, control.stop);
     total.iterations += part.iterations;
     total.status = part.status;
     if (part.status != LinearStatus::kOk) return total;
@@ -86,8 +86,8 @@ SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precond
 }
 
 SolveResult ConjugateGradients::solve(Operator multiply, Operator precondition, const double* b, double* x,
-                                      const SolveControl& control, const StopToken& stop) {
-  const SolveResult result = solve_into_x(multiply, precondition, b, control, stop);
+                                      const SolveControl& control) {
+  const SolveResult result = solve_into_x(multiply, precondition, b, control);
   std::copy(x_.begin(), x_.end(), x);
   return result;
 }

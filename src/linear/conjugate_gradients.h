@@ -16,15 +16,15 @@ class ConjugateGradients {
   using Operator = FunctionRef<void(const double* x, double* y)>;
 
   void resize(std::size_t size);
-  /// Solves A x = b from x = 0. x may be b. Where the result is not kOk, x is the last iterate.
+  /// Solves A x = b from x = 0. x may be b. If the result is not kOk, x is the last iterate.
   SolveResult solve(Operator multiply, Operator precondition, const double* b, double* x,
-                    const SolveControl& control, const StopToken& stop);
+                    const SolveControl& control);
 
  private:
   SolveResult iterate(Operator multiply, Operator precondition, double target, int& iterations_left,
                       const StopToken& stop);
   SolveResult solve_into_x(Operator multiply, Operator precondition, const double* b,
-                           const SolveControl& control, const StopToken& stop);
+                           const SolveControl& control);
 
   std::vector<double> b_, x_, r_, z_, p_, q_;
 };

@@ -15,14 +15,6 @@ namespace {
 /// rounding noise, too little to be seen in a step.
 constexpr double kGaugeDamping = 1e-10;
 
-/// The forcing term, at least, where the direct solver was wanted and did not fit into memory: on large maps
-/// far fewer iterations than an exact step takes.
-constexpr double kRoughTolerance = 0.1;
-
-/// The forcing term, at least, of a factor in float: as good as exact for Newton's method, whose own error is
-/// squared in each step, and half the refinement.
-constexpr double kRefinedTolerance = 1e-6;
-
 /// The diagonal that damping is scaled by stays above this fraction of its largest entry: less is rounding of
 /// Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
@@ -37,33 +29,20 @@ std::vector<std::uint32_t> last_blocks(const Plan& plan, bool reduced) {
   return last;
 }
 
-/// Where only solve() finds that a matrix is not positive definite, as with a factor in float: factorize(),
-/// which names the block.
-FactorResult find_late_failure(LinearSolver& solver, const SolveResult& solved, const BlockSystem& system,
-                               const Damping& damping) {
-  return solved.status == LinearStatus::kNotPositiveDefinite ? solver.factorize(system, damping)
-                                                             : FactorResult();
-}
-
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
-                         SchurMode schur, AnalyzeHints hints)
+                         SchurMode schur)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
       before_step_(graph, *plan_),  // no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
       solver_(std::move(solver)) {
-  hints.threads = request.threads;
+  threads_ = request.threads;
   gauge_ = request.gauge;
   const bool reduces = plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks();
-  const std::vector<std::uint32_t> last = last_blocks(*plan_, reduces);
-  if (!last.empty()) {
-    hints.last = last;
-    hints.precision = Precision::kDouble;  // a factor in float cannot tell a lost pivot
-  }
-  solver_->set_stop(request.stop);
+  last_blocks_ = last_blocks(*plan_, reduces);
   if (reduces) {
     const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
     const bool make_values =
@@ -77,12 +56,15 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
     }
     reduced_right_hand_side_.resize(schur_->reduced_structure().scalars());
     reduced_step_.resize(reduced_right_hand_side_.size());
-    solver_->analyze(schur_->reduced_structure(), hints);
+    solver_->analyze(schur_->reduced_structure(), hints(), request.stop);
   } else {
-    solver_->analyze(plan_->structure, hints);
+    solver_->analyze(plan_->structure, hints(), request.stop);
   }
   resize_vectors();
-  hints_ = hints;
+}
+
+AnalyzeHints BatchSystem::hints() const {
+  return {.threads = threads_, .last = last_blocks_, .may_be_singular = !last_blocks_.empty()};
 }
 
 void BatchSystem::resize_vectors() {
@@ -98,24 +80,18 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
   linearizer_.extend();
   assembled_ = AssembledSystem(plan_->structure, linearizer_.values());
   resize_vectors();
-  solver_->set_stop(request.stop);
-  if (!solver_->extend(growth->of_structure())) solver_->analyze(plan_->structure, hints_);
+  if (!solver_->extend(growth->of_structure(), request.stop))
+    solver_->analyze(plan_->structure, hints(), request.stop);
   return true;
 }
 
 void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
-  const LinearStatistics statistics = solver_->statistics();
-  const double least = statistics.refused_factor_bytes > 0         ? kRoughTolerance
-                       : statistics.precision == Precision::kMixed ? kRefinedTolerance
-                                                                   : 0;
-  control_ = {std::max(least, options.linear_tolerance), 0};
-  solver_->set_stop(stop);
+  control_ = {.relative_tolerance = options.linear_tolerance, .stop = stop};
   lost_scalars_.clear();
   holds_ = true;
   gauge_damping_ = last_chi2_ = 0;
   linearizer_.set_stop(stop);
-  stop_ = stop;
   timings_ = &timings;
 }
 
@@ -246,43 +222,42 @@ StepResult BatchSystem::fail(const FactorResult& result, std::uint32_t first_blo
   failed_scalar_ = result.failed_scalar == BlockStructure::kAbsent
                        ? BlockStructure::kAbsent
                        : plan_->structure.offset[first_block] + result.failed_scalar;
-  return {result.status, 0};
+  return {result.status};
+}
+
+StepResult BatchSystem::finish(const SolveResult& result, std::uint32_t first_block) {
+  if (result.status == LinearStatus::kNotPositiveDefinite)
+    fail({result.status, result.failed_block, result.failed_scalar}, first_block);
+  const bool usable = result.status == LinearStatus::kNotConverged;  // an inexact step is a step
+  return {usable ? LinearStatus::kOk : result.status, result.iterations, result.exact};
 }
 
 StepResult BatchSystem::solve_full(const Damping& damping, std::span<double> step) {
   {
     const TimeAdder adder(timings_->factorize_s);
-    const FactorResult factor = solver_->factorize(assembled_, damping);
+    const FactorResult factor = solver_->factorize(assembled_, damping, control_);
     if (factor.status != LinearStatus::kOk) return fail(factor, 0);
   }
   const TimeAdder adder(timings_->solve_s);
-  const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
-  const FactorResult late = find_late_failure(*solver_, solved, assembled_, damping);
-  if (late.status != LinearStatus::kOk) return fail(late, 0);
-  const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is a step
-  return {usable ? LinearStatus::kOk : solved.status, solved.iterations};
+  return finish(solver_->solve(right_hand_side_.data(), 1, step.data(), control_), 0);
 }
 
 StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> step) {
   {
     const TimeAdder adder(timings_->factorize_s);
-    const FactorResult eliminated = schur_->eliminate(linearizer_.values(), damping, stop_);
+    const FactorResult eliminated = schur_->eliminate(linearizer_.values(), damping, control_.stop);
     if (eliminated.status != LinearStatus::kOk) return fail(eliminated, 0);
-    const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping));
+    const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping), control_);
     if (factor.status != LinearStatus::kOk) return fail(factor, plan_->eliminated_blocks);
   }
   const TimeAdder adder(timings_->solve_s);
   schur_->reduce(right_hand_side_.data(), reduced_right_hand_side_.data());
   const SolveResult solved =
       solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
-  const FactorResult late = find_late_failure(*solver_, solved, *reduced_, schur_->reduced_damping(damping));
-  if (late.status != LinearStatus::kOk) return fail(late, plan_->eliminated_blocks);
-  if (solved.status == LinearStatus::kNotFinite || solved.status == LinearStatus::kStopped) {
-    return {solved.status, solved.iterations};
-  }
-  schur_->back_substitute(right_hand_side_.data(), reduced_step_.data(), step.data());
-  return {solved.status == LinearStatus::kNotConverged ? LinearStatus::kOk : solved.status,
-          solved.iterations};
+  const StepResult result = finish(solved, plan_->eliminated_blocks);
+  if (result.status == LinearStatus::kOk)
+    schur_->back_substitute(right_hand_side_.data(), reduced_step_.data(), step.data());
+  return result;
 }
 
 double BatchSystem::try_step(std::span<const double> step) {

@@ -18,10 +18,10 @@ namespace boxplus {
 
 class BatchSystem final : public System {
  public:
-  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null, and
-  /// is given the hints for its analysis with request.threads. Throws Stopped once request.stop is raised.
-  BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver, SchurMode schur,
-              AnalyzeHints hints = {});
+  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null.
+  /// Throws Stopped once request.stop is raised.
+  BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
+              SchurMode schur);
 
   /// Takes over what was appended to the graph since the plan was made, where `vertices` and `edges` are the
   /// slots that each pool had then. False if that takes another plan; the system is of no use then.
@@ -69,6 +69,8 @@ class BatchSystem final : public System {
   StepResult solve_full(const Damping& damping, std::span<double> step);
   StepResult solve_reduced(const Damping& damping, std::span<double> step);
   StepResult fail(const FactorResult& result, std::uint32_t first_block);
+  StepResult finish(const SolveResult& result, std::uint32_t first_block);
+  AnalyzeHints hints() const;
   void resize_vectors();
 
   Graph* graph_;
@@ -89,8 +91,8 @@ class BatchSystem final : public System {
   double last_chi2_ = 0;
   LinearizeOptions linearize_options_;
   SolveControl control_;
-  StopToken stop_;
-  AnalyzeHints hints_;
+  int threads_ = 1;
+  std::vector<std::uint32_t> last_blocks_;  // in the elimination
   std::optional<bool> extensible_;  // once it was asked for
   Timings* timings_ = nullptr;
 };

@@ -39,6 +39,7 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
   for (;;) {
     const StepResult solved = system.solve({regularisation_, DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
+    newton_is_exact_ = solved.exact;
     if (solved.status == LinearStatus::kOk && all_finite(newton_)) {
       regularized_steps_ += regularisation_ > 0;
       return LinearStatus::kOk;
@@ -50,9 +51,9 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
   }
 }
 
-/// dᵀHd of the Gauss-Newton step d. A direct solver has (H + λD) d = −g, which spares a product.
-double Dogleg::curvature_of_newton(System& system, const IterationRecord& record) const {
-  if (record.linear_iterations > 0) return system.curvature(newton_);
+/// dᵀHd of the Gauss-Newton step d. If the step is exact, (H + λD) d = −g, which spares a product.
+double Dogleg::curvature_of_newton(System& system) const {
+  if (!newton_is_exact_) return system.curvature(newton_);
   const double damped = norm(newton_);
   return -dot(system.gradient(), newton_) - regularisation_ * damped * damped;
 }
@@ -129,7 +130,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   const LinearStatus solved = solve_gauss_newton(system, record);
   if (solved != LinearStatus::kOk) return outcome_of(solved);
   newton_norm_ = norm(newton_);
-  newton_curvature_ = curvature_of_newton(system, record);
+  newton_curvature_ = curvature_of_newton(system);
   have_cauchy_ = false;
   for (record.tries = 1; record.tries <= kMaxTries; ++record.tries) {
     const double predicted = record.tries == 1 ? find_first_step(system, chi2) : find_step(system);

@@ -20,7 +20,7 @@ class Dogleg final : public Algorithm {
 
  private:
   LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
-  double curvature_of_newton(System& system, const IterationRecord& record) const;
+  double curvature_of_newton(System& system) const;
   void find_cauchy_step(System& system);
   double find_step(System& system);
   double find_first_step(System& system, double chi2);
@@ -33,6 +33,7 @@ class Dogleg final : public Algorithm {
   double radius_ = kUnbounded;
   double regularisation_ = 0;  // relative to the diagonal
   int regularized_steps_ = 0;
+  bool newton_is_exact_ = false;
   double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;
   bool have_cauchy_ = false;
   std::vector<double> scale_, newton_, cauchy_, step_;

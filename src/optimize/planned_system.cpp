@@ -59,13 +59,13 @@ void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& 
   options_.callback = {};
   options_.threads = resolved_threads(options);
   options_.precision = resolved_precision(options);
-  AnalyzeHints hints;
-  hints.max_factor_bytes = options_.max_factor_bytes;
-  hints.precision = options_.precision;
-  std::shared_ptr<LinearSolver> solver = options_.own_linear_solver
-                                             ? options_.own_linear_solver
-                                             : std::shared_ptr(make_linear_solver(options_.linear_solver));
-  system_ = std::make_unique<BatchSystem>(graph, request(stop), std::move(solver), options_.schur, hints);
+  std::shared_ptr<LinearSolver> solver = options_.own_linear_solver;
+  if (!solver) {
+    const LinearSolverOptions of_solver{.block_cholesky = {.precision = options_.precision},
+                                        .automatic = {.max_factor_bytes = options_.max_factor_bytes}};
+    solver = make_linear_solver(options_.linear_solver, for_newton_steps(of_solver));
+  }
+  system_ = std::make_unique<BatchSystem>(graph, request(stop), std::move(solver), options_.schur);
   note_structure(graph);
 }
 

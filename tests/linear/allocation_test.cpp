@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "allocation_counter.h"
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "linear/test_system.h"
 
 namespace boxplus {

@@ -30,7 +30,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 
 void expect_as_reference(const TestSystem& system, const AnalyzeHints& hints, const AmalgamationRule& rule) {
   const Damping damping{.lambda = 0.01};
-  BlockCholesky fast(rule);
+  BlockCholesky fast({}, rule);
   fast.analyze(system.structure, hints);
   ASSERT_EQ(fast.factorize(system.view(), damping, {}).status, LinearStatus::kOk);
   const ReferenceCholesky reference(system.structure, system.values, damping);
@@ -157,8 +157,8 @@ TEST(BlockCholesky, NeverTakesAStopForALostPivot) {
     BlockCholesky solver;
     solver.analyze(system.structure, {.threads = threads});
     for (double seconds = 0; seconds < 0.01; seconds += 0.0005) {  // wherever the deadline falls
-      solver.set_stop(StopToken(nullptr, StopToken::Clock::now(), seconds));
-      const LinearStatus status = solver.factorize(system.view(), {}, {}).status;
+      const StopToken stop(nullptr, StopToken::Clock::now(), seconds);
+      const LinearStatus status = solver.factorize(system.view(), {}, {.stop = stop}).status;
       EXPECT_TRUE(status == LinearStatus::kStopped || (status == LinearStatus::kOk && seconds > 0));
     }
   }

@@ -92,9 +92,8 @@ TEST_P(Extended, FactorsSolveAsNewOnesDo) {
   int extended = 0;
   for (int round = 0; round < 20; ++round) {
     Growing growing = random_structure(random, 20 + 20 * static_cast<std::uint32_t>(round));
-    const AnalyzeHints hints{.precision = GetParam()};
-    BlockCholesky solver;
-    solver.analyze(growing.structure, hints);
+    BlockCholesky solver({.precision = GetParam()});
+    solver.analyze(growing.structure, {});
     for (int step = 0; step < 12; ++step) {
       const std::uint32_t old = growing.structure.blocks(), count = random() % 4;
       std::vector<std::uint32_t> dims;
@@ -109,10 +108,10 @@ TEST_P(Extended, FactorsSolveAsNewOnesDo) {
       if (solver.extend(growing.growth)) {
         ++extended;
       } else {
-        solver.analyze(growing.structure, hints);
+        solver.analyze(growing.structure, {});
       }
-      BlockCholesky fresh;
-      fresh.analyze(growing.structure, {.precision = Precision::kDouble});
+      BlockCholesky fresh({.precision = Precision::kDouble});
+      fresh.analyze(growing.structure, {});
       const auto expected = solution(fresh, growing.structure), found = solution(solver, growing.structure);
       for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 1e-11);
     }
@@ -127,8 +126,8 @@ TEST(ExtendedFactor, HasTheSameBitsForAnyNumberOfThreads) {
   for (const int threads : {1, 2, 3}) {
     Growing growing;
     growing.grow(std::vector<std::uint32_t>(1600, 6), grid_edges(40, 40));
-    BlockCholesky solver;
-    solver.analyze(growing.structure, {.threads = threads, .precision = Precision::kDouble});
+    BlockCholesky solver({.precision = Precision::kDouble});
+    solver.analyze(growing.structure, {.threads = threads});
     for (std::uint32_t k = 0; k < 5; ++k) {
       growing.grow({6}, {{1600 + k, 1599 + k}, {1600 + k, 40 * k}, {1600 + k, 777}});
       ASSERT_TRUE(solver.extend(growing.growth));

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every implementation of LinearSolver must do.
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/linear_solver_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "boxplus/base/error.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 #include "linear/test_system.h"
 
@@ -26,12 +28,13 @@ struct Candidate {
 
 class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
  protected:
-  LinearSolverTest() : solver(make_linear_solver(GetParam().kind)) {}
+  LinearSolverTest()
+      : solver(make_linear_solver(GetParam().kind, {.block_cholesky = {.precision = GetParam().precision}})) {}
 
   FactorResult factorize(const TestSystem& system, const Damping& damping = {}) {
-    solver->analyze(system.structure, {.right_hand_sides = 3, .precision = GetParam().precision});
+    solver->analyze(system.structure, {.right_hand_sides = 3});
     view.emplace(system.view());
-    return solver->factorize(*view, damping);
+    return solver->factorize(*view, damping, control);
   }
 
   MatrixXd solve(const MatrixXd& b) {
@@ -81,6 +84,14 @@ TEST_P(LinearSolverTest, SolvesSystemsOfOneBlockSize) {
     const MatrixXd b = right_hand_sides(system, 1);
     expect_solution(system.dense(), solve(b), b);
   }
+}
+
+TEST_P(LinearSolverTest, SaysWhetherTheSolutionIsExact) {
+  TestSystem system = random_system(20, 20, 4);
+  ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
+  MatrixXd b = right_hand_sides(system, 1);
+  const SolveResult result = solver->solve(b.data(), 1, b.data(), control);
+  EXPECT_EQ(result.exact, !is_iterative() && GetParam().precision != Precision::kMixed);
 }
 
 TEST_P(LinearSolverTest, AddsDampingWithoutTouchingTheValues) {
@@ -304,22 +315,22 @@ TEST_P(LinearSolverTest, IsStoppedByARaisedFlagAndByAPassedDeadline) {
   TestSystem system = random_system(20, 20, 12);
   const std::atomic<bool> flag{true};
   for (const StopToken& stop : {StopToken(&flag), StopToken(nullptr, StopToken::Clock::now(), 0)}) {
-    solver->set_stop(stop);
+    control.stop = stop;
     EXPECT_EQ(factorize(system).status, LinearStatus::kStopped);
-    solver->set_stop({});
+    control.stop = {};
     ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
-    solver->set_stop(stop);
     MatrixXd b = right_hand_sides(system, 1);
-    EXPECT_EQ(solver->solve(b.data(), 1, b.data()).status, LinearStatus::kStopped);
+    EXPECT_EQ(solver->solve(b.data(), 1, b.data(), {.stop = stop}).status, LinearStatus::kStopped);
+    EXPECT_EQ(solver->solve(b.data(), 1, b.data()).status, LinearStatus::kOk) << "a token holds for one call";
   }
 }
 
 TEST_P(LinearSolverTest, GoesOnAfterAStop) {
   TestSystem system = random_system(20, 20, 13);
   const std::atomic<bool> flag{true};
-  solver->set_stop(StopToken(&flag));
+  control.stop = StopToken(&flag);
   ASSERT_EQ(factorize(system).status, LinearStatus::kStopped);
-  solver->set_stop({});
+  control.stop = {};
   ASSERT_EQ(solver->factorize(*view, {}).status, LinearStatus::kOk);
   const MatrixXd b = right_hand_sides(system, 1);
   expect_solution(system.dense(), solve(b), b);
@@ -328,7 +339,7 @@ TEST_P(LinearSolverTest, GoesOnAfterAStop) {
 TEST_P(LinearSolverTest, IsNotStoppedByADeadlineFarAway) {
   const std::atomic<bool> flag{false};
   for (const double seconds : {1e6, 1e300, kInfinity}) {
-    solver->set_stop(StopToken(&flag, StopToken::Clock::now(), seconds));
+    control.stop = StopToken(&flag, StopToken::Clock::now(), seconds);
     EXPECT_EQ(factorize(random_system(5, 3, 14)).status, LinearStatus::kOk);
   }
 }
@@ -344,6 +355,12 @@ INSTANTIATE_TEST_SUITE_P(All, LinearSolverTest,
                                   (test.param.precision == Precision::kMixed ? "_mixed" : "");
                          });
 
+std::unique_ptr<LinearSolver> automatic_solver(const AutomaticSolverOptions& options,
+                                               const BlockCholeskyOptions& block_cholesky = {}) {
+  return make_linear_solver(LinearSolverKind::kAutomatic,
+                            {.block_cholesky = block_cholesky, .automatic = options});
+}
+
 TEST(TheAutomaticSolver, IsTheBlockCholesky) {
   TestSystem system = random_system(20, 20, 1);
   const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
@@ -355,22 +372,24 @@ TEST(TheAutomaticSolver, IsTheBlockCholesky) {
 
 TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
   TestSystem system = random_system(20, 20, 1);
-  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
-  solver->analyze(system.structure, {.max_factor_bytes = 100});
+  const auto analyzed = [&](std::uint64_t max_factor_bytes) {
+    auto solver = automatic_solver({.max_factor_bytes = max_factor_bytes});
+    solver->analyze(system.structure, {});
+    return solver;
+  };
+  const auto solver = analyzed(100);
   EXPECT_EQ(solver->name(), "pcg");
   const std::uint64_t bytes = solver->statistics().refused_factor_bytes;
   EXPECT_GE(bytes, 8 * system.structure.nonzero_values() / 2);
-  solver->analyze(system.structure, {.max_factor_bytes = bytes});
-  EXPECT_EQ(solver->name(), "block_cholesky");
-  solver->analyze(system.structure, {.max_factor_bytes = bytes - 1});
-  EXPECT_EQ(solver->name(), "pcg");
+  EXPECT_EQ(analyzed(bytes)->name(), "block_cholesky");
+  EXPECT_EQ(analyzed(bytes - 1)->name(), "pcg");
 }
 
 TEST(TheAutomaticSolver, IsPcgWhereAFactorisationIsPredictedToTakeFarLonger) {
   const BlockStructure structure = cube(30, 6);
-  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
-  solver->analyze(structure,
-                  {.max_factor_bytes = std::uint64_t{1} << 60, .ordering = Ordering::kMinimumDegree});
+  const auto solver = automatic_solver({.max_factor_bytes = std::uint64_t{1} << 60},
+                                       {.ordering = Ordering::kMinimumDegree});
+  solver->analyze(structure, {});
   EXPECT_EQ(solver->name(), "pcg");
   const LinearStatistics statistics = solver->statistics();
   EXPECT_GT(statistics.factor_seconds, 4 * statistics.pcg_seconds);
@@ -383,19 +402,34 @@ TEST(TheAutomaticSolver, IsPcgWhereAFactorisationIsPredictedToTakeFarLonger) {
 TEST(TheAutomaticSolver, SolvesAndStopsAsWhatItChose) {
   TestSystem system = random_system(20, 20, 1);
   const AssembledSystem view = system.view();
-  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
   for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}}) {
-    solver->analyze(system.structure, {.max_factor_bytes = limit});
+    const auto solver = automatic_solver({.max_factor_bytes = limit});
+    solver->analyze(system.structure, {});
     ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
     const MatrixXd b = right_hand_sides(system, 1);
     MatrixXd x = b;
     ASSERT_EQ(solver->solve(x.data(), 1, x.data(), {.relative_tolerance = 1e-12}).status, LinearStatus::kOk);
     expect_solution(system.dense(), x, b);
     const std::atomic<bool> flag{true};
-    solver->set_stop(StopToken(&flag));
-    EXPECT_EQ(solver->factorize(view, {}).status, LinearStatus::kStopped);
-    solver->set_stop({});
+    EXPECT_EQ(solver->factorize(view, {}, {.stop = StopToken(&flag)}).status, LinearStatus::kStopped);
   }
+}
+
+TEST(TheAutomaticSolver, SolvesNoMoreExactlyThanItsOptionsSay) {
+  TestSystem system = random_system(200, 300, 1);
+  const AssembledSystem view = system.view();
+  int iterations[2];
+  for (const double least : {0.0, 0.1}) {
+    const auto solver = automatic_solver({.max_factor_bytes = 1, .least_tolerance = least});
+    solver->analyze(system.structure, {});
+    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
+    MatrixXd b = right_hand_sides(system, 1), x = b;
+    iterations[least > 0] = solver->solve(b.data(), 1, x.data(), {.relative_tolerance = 1e-12}).iterations;
+    const double residual = (system.dense() * x - b).norm() / b.norm();
+    EXPECT_LE(residual, std::max(least, 1e-11));
+    EXPECT_GE(residual, least / 100);
+  }
+  EXPECT_LT(iterations[1], iterations[0]);
 }
 
 TEST(TheOrdering, ChangesNothingInTheSolution) {
@@ -403,8 +437,9 @@ TEST(TheOrdering, ChangesNothingInTheSolution) {
   const AssembledSystem view(system.structure, system.values);
   MatrixXd x[2];
   for (const Ordering ordering : {Ordering::kMinimumDegree, Ordering::kNestedDissection}) {
-    const auto solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
-    solver->analyze(system.structure, {.ordering = ordering});
+    const auto solver =
+        make_linear_solver(LinearSolverKind::kBlockCholesky, {.block_cholesky = {.ordering = ordering}});
+    solver->analyze(system.structure, {});
     EXPECT_EQ(solver->statistics().ordering, ordering);
     MatrixXd& solution = x[ordering == Ordering::kNestedDissection];
     solution = MatrixXd::Ones(system.structure.scalars(), 1);
@@ -412,6 +447,17 @@ TEST(TheOrdering, ChangesNothingInTheSolution) {
     solver->solve(solution.data(), 1, solution.data());
   }
   EXPECT_LE((x[0] - x[1]).norm(), 1e-9 * x[0].norm());
+}
+
+TEST(TheTableOfLinearSolvers, GivesEachKindOneNameAndMakesIt) {
+  std::set<std::string_view> names, options;
+  for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
+    EXPECT_EQ(to_string(entry.kind), entry.name);
+    EXPECT_NE(make_linear_solver(entry.kind), nullptr);
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_TRUE(options.insert(entry.option).second) << entry.option;
+  }
+  EXPECT_THROW((void)make_linear_solver(static_cast<LinearSolverKind>(99)), InvalidArgument);
 }
 
 /// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.

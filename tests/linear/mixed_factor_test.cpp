@@ -30,8 +30,8 @@ struct Solution {
 };
 
 Solution solve(TestSystem& system, Precision precision, const SolveControl& control = {}) {
-  BlockCholesky solver;
-  solver.analyze(system.structure, {.precision = precision});
+  BlockCholesky solver({.precision = precision});
+  solver.analyze(system.structure, {});
   EXPECT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
   const VectorXd b = VectorXd::LinSpaced(system.structure.scalars(), -1, 2);
   VectorXd x(b.size());
@@ -101,8 +101,8 @@ TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
   system.block(0, 0) += identity;
   std::vector<FactorResult> results;
   for (const Precision precision : {Precision::kDouble, Precision::kMixed}) {
-    BlockCholesky solver;
-    solver.analyze(system.structure, {.precision = precision});
+    BlockCholesky solver({.precision = precision});
+    solver.analyze(system.structure, {});
     results.push_back(solver.factorize(system.view(), {}, {}));
     EXPECT_EQ(solver.statistics().left_mixed, precision == Precision::kMixed);
   }
@@ -113,11 +113,11 @@ TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
 
 TEST(AMixedFactor, IsTakenAgainAfterANewAnalysis) {
   TestSystem bad = loose_grid(1e-7), good = loose_grid(1);
-  BlockCholesky solver;
-  solver.analyze(bad.structure, {.precision = Precision::kMixed});
+  BlockCholesky solver({.precision = Precision::kMixed});
+  solver.analyze(bad.structure, {});
   ASSERT_EQ(solver.factorize(bad.view(), {}, {}).status, LinearStatus::kOk);
   EXPECT_TRUE(solver.statistics().left_mixed);
-  solver.analyze(good.structure, {.precision = Precision::kMixed});
+  solver.analyze(good.structure, {});
   ASSERT_EQ(solver.factorize(good.view(), {}, {}).status, LinearStatus::kOk);
   EXPECT_EQ(solver.statistics().precision, Precision::kMixed);
 }
@@ -147,8 +147,8 @@ TEST(AMixedFactor, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   const VectorXd b = VectorXd::Ones(system.structure.scalars());
   std::vector<VectorXd> solutions;
   for (const int threads : {1, 1, 2, 3}) {
-    BlockCholesky solver;
-    solver.analyze(system.structure, {.threads = threads, .precision = Precision::kMixed});
+    BlockCholesky solver({.precision = Precision::kMixed});
+    solver.analyze(system.structure, {.threads = threads});
     EXPECT_EQ(solver.symbolic().schedule.is_parallel(), threads > 1);
     ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
     solutions.emplace_back(b.size());

@@ -67,8 +67,7 @@ TEST_F(PcgTest, ObeysTheStopToken) {
   const AssembledSystem view = system.view();
   ASSERT_EQ(solver.factorize(view, {}, {}).status, LinearStatus::kOk);
   const std::atomic<bool> stop{true};
-  solver.set_stop(StopToken(&stop));
-  EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {}).status, LinearStatus::kStopped);
+  EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {.stop = StopToken(&stop)}).status, LinearStatus::kStopped);
 }
 
 TEST_F(PcgTest, NoticesNegativeCurvatureThatTheDiagonalBlocksHide) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "linear/test_system.h"
 
 namespace boxplus {

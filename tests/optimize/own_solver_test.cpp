@@ -12,14 +12,14 @@ class CountingSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "counting"; }
   Needs needs() const override { return dense_->needs(); }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override {
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) override {
     ++analyses;
-    dense_->analyze(structure, hints);
+    dense_->analyze(structure, hints, stop);
   }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override {
+                         const SolveControl& control) override {
     ++factorisations;
-    return dense_->factorize(system, damping, changed_columns);
+    return dense_->factorize(system, damping, control);
   }
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override {
     return dense_->solve(b, columns, x, control);
@@ -62,6 +62,85 @@ TEST(AnOwnLinearSolver, ServesSeveralGraphsInTurn) {
   EXPECT_EQ(solver->analyses, 3);
   EXPECT_NE(optimize(small).linear_solver, "counting") << "only where it is asked for";
 }
+
+/// Solves densely and spoils the solution by a relative residual that is as large as the control allows.
+/// Leaves every field of its result as it is, the number of iterations too.
+class RoughSolver final : public LinearSolver {
+ public:
+  std::string_view name() const override { return "rough"; }
+  Needs needs() const override { return dense_->needs(); }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) override {
+    dense_->analyze(structure, hints, stop);
+    structure_ = &structure;
+  }
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         const SolveControl& control) override {
+    factorize_tolerance = control.relative_tolerance;
+    return dense_->factorize(system, damping, control);
+  }
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override {
+    solve_tolerance = control.relative_tolerance;
+    dense_->solve(b, columns, x, control);
+    for (std::uint32_t i = 0; i < structure_->scalars(); ++i) x[i] *= 1 - control.relative_tolerance;
+    return {};
+  }
+
+  double factorize_tolerance = 0, solve_tolerance = 0;
+
+ private:
+  const BlockStructure* structure_ = nullptr;
+  std::unique_ptr<LinearSolver> dense_ = make_linear_solver(LinearSolverKind::kDense);
+};
+
+/// The linear model is exact, so that chi2 falls by what it predicts, to within rounding.
+Graph line_of_numbers() {
+  Graph graph;
+  auto last = graph.add_vertex(0.0);
+  graph.fix(last);
+  for (int k = 1; k < 30; ++k) {
+    const auto next = graph.add_vertex(0.0);
+    graph.add_edge([](double a, double b) { return b - a - 1.5; }, last, next);
+    graph.add_edge([k](double b) { return 0.1 * (b - k); }, next);
+    last = next;
+  }
+  return graph;
+}
+
+class AnInexactOwnSolver : public ::testing::TestWithParam<AlgorithmKind> {};
+
+TEST_P(AnInexactOwnSolver, HasThePredictedDecreaseOfItsStepsNotThatOfExactOnes) {
+  Graph graph = line_of_numbers();
+  const auto solver = std::make_shared<RoughSolver>();
+  Options options;
+  options.algorithm = GetParam();
+  options.own_linear_solver = solver;
+  options.linear_tolerance = 0.3;
+  options.noise_tolerance = 0;
+  const Report report = optimize(graph, options);
+  EXPECT_TRUE(report.converged()) << report;
+  ASSERT_GE(report.records.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(report.records[k].promise, report.records[k].chi2_decrease,
+                1e-6 * report.records[k].chi2_decrease)
+        << "iteration " << k;
+  }
+}
+
+TEST_P(AnInexactOwnSolver, IsGivenTheToleranceInBothCalls) {
+  Graph graph = line_of_numbers();
+  const auto solver = std::make_shared<RoughSolver>();
+  Options options;
+  options.algorithm = GetParam();
+  options.own_linear_solver = solver;
+  options.linear_tolerance = 0.01;
+  optimize(graph, options);
+  EXPECT_EQ(solver->factorize_tolerance, 0.01);
+  EXPECT_EQ(solver->solve_tolerance, 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, AnInexactOwnSolver,
+                         ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
+                                           AlgorithmKind::kDogleg));
 
 }  // namespace
 }  // namespace boxplus

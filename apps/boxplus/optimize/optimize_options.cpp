@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "boxplus/linear/linear_solver_table.h"
 #include "boxplus/optimize/algorithm_table.h"
 #include "boxplus/optimize/start_table.h"
 #include "command_line/option_kinds.h"
@@ -28,11 +29,13 @@ Choices<AlgorithmKind> algorithm_choices() {
   return choices;
 }
 
-const Choices<LinearSolverKind> kSolvers{{"automatic", LinearSolverKind::kAutomatic},
-                                         {"cholesky", LinearSolverKind::kBlockCholesky},
-                                         {"pcg", LinearSolverKind::kPcg},
-                                         {"dense", LinearSolverKind::kDense},
-                                         {"eigen", LinearSolverKind::kEigenSparse}};
+Choices<LinearSolverKind> solver_choices() {
+  Choices<LinearSolverKind> choices;
+  for (const detail::LinearSolverEntry& entry : detail::linear_solver_table())
+    choices.emplace_back(entry.option, entry.kind);
+  return choices;
+}
+
 const Choices<GaugePolicy> kGauges{
     {"fix-first", GaugePolicy::kFixFirst}, {"damp", GaugePolicy::kDamp}, {"error", GaugePolicy::kError}};
 const Choices<DampingScale> kDampings{{"identity", DampingScale::kIdentity},
@@ -70,7 +73,7 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
       ->group("Method");
   add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "The algorithm")
       ->group("Method");
-  add_choice(command, "--solver", options.linear_solver, kSolvers, "The solver of the linear systems")
+  add_choice(command, "--solver", options.linear_solver, solver_choices(), "The solver of the linear systems")
       ->group("Method");
   add_choice(
       command, "--precision", options.precision, kPrecisions,

@@ -6,7 +6,6 @@
 #include <iomanip>
 
 #include "boxplus/base/parallel.h"
-#include "boxplus/linear/linear_solver.h"
 #include "boxplus/linearize/schur.h"
 #include "core/edge_parts.h"
 #include "core/engine_solver.h"
@@ -189,14 +188,15 @@ void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
   ready = true;
   const EngineSolver kind = settings.solver;
   schur.reset();
-  solver = kind == EngineSolver::kNone ? nullptr : boxplus::make_linear_solver(engine_kind(kind));
+  solver = kind == EngineSolver::kNone ? nullptr : boxplus::make_linear_solver(
+                                                    engine_kind(kind), for_newton_steps(solver_options(settings)));
   if (eliminated > 0)
     make_schur(solver == nullptr || solver->needs() != boxplus::LinearSolver::Needs::kOperator);
   if (solver == nullptr) return;
   const internal::AddedTime time(G2OBatchStatistics::globalStats() == nullptr
                                      ? nullptr
                                      : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
-  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints(settings));
+  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints());
 }
 
 bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
@@ -285,9 +285,7 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
   s.to_engine(b, s.engine_b.data());
   boxplus::SolveResult result;
   const auto solve_for = [&](const std::vector<double>& right, std::vector<double>& solution) {
-    boxplus::SolveControl control = solve_control(settings, right.data(), right.size());
-    if (settings.solver == EngineSolver::kCholesky)
-      control.relative_tolerance = std::max(control.relative_tolerance, kStepTolerance);
+    const boxplus::SolveControl control = solve_control(settings, right.data(), right.size());
     const internal::AddedTime time = linear_solver_time();
     return s.solver->solve(right.data(), 1, solution.data(), control);
   };
@@ -328,10 +326,9 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
     wanted.push_back({std::max(a, b), std::min(a, b)});
     size += static_cast<size_t>(s.structure.dim(a)) * s.structure.dim(b);
   }
-  const auto solver = boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky);
-  EngineSettings exact = s.settings;
-  exact.exact = true;  // there is nothing to refine
-  solver->analyze(s.structure, analyze_hints(exact));
+  const auto solver =
+      boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky, {.block_cholesky = {.precision = boxplus::Precision::kDouble}});
+  solver->analyze(s.structure, analyze_hints());
   const boxplus::FactorResult factor = solver->factorize(*s.full, {});
   if (factor.status != LinearStatus::kOk) return s.complain(factor, 0);
   std::vector<double> out(size);

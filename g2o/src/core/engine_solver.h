@@ -3,7 +3,7 @@
 #pragma once
 
 #include "boxplus/base/parallel.h"
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "g2o/core/linear_engine.h"
 
 namespace g2o {
@@ -22,15 +22,15 @@ inline boxplus::LinearSolverKind engine_kind(EngineSolver solver) {
   }
 }
 
-inline boxplus::AnalyzeHints analyze_hints(const EngineSettings& settings) {
-  boxplus::AnalyzeHints hints;
-  if (settings.exact) hints.precision = boxplus::Precision::kDouble;
-  hints.threads = boxplus::hardware_threads();
-  return hints;
+inline boxplus::LinearSolverOptions solver_options(const EngineSettings& settings) {
+  boxplus::LinearSolverOptions options;
+  if (settings.exact) options.block_cholesky.precision = boxplus::Precision::kDouble;
+  return options;
 }
 
-/// Enough for a step of Newton's method.
-inline constexpr double kStepTolerance = 1e-6;
+inline boxplus::AnalyzeHints analyze_hints() {
+  return {.threads = boxplus::hardware_threads()};
+}
 
 /// How exactly to solve for the right-hand side b of n numbers.
 inline boxplus::SolveControl solve_control(const EngineSettings& settings, const double* b, std::size_t n) {
@@ -39,7 +39,7 @@ inline boxplus::SolveControl solve_control(const EngineSettings& settings, const
     const double norm = Eigen::Map<const VectorX>(b, static_cast<Eigen::Index>(n)).norm();
     if (norm > 0 && norm < 1) tolerance /= norm;
   }
-  return {tolerance, settings.maxIterations};
+  return {.relative_tolerance = tolerance, .max_iterations = settings.maxIterations};
 }
 
 }  // namespace internal

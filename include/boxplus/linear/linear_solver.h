@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string_view>
 
@@ -26,7 +25,7 @@ enum class LinearStatus {
   kNotPositiveDefinite,  ///< a pivot was ≤ 0 or lost all its digits; `failed_block` names the block
   kNotFinite,            ///< the matrix or the right-hand side holds NaN or Inf
   kNotConverged,         ///< an iterative solver stopped at its iteration limit
-  kStopped               ///< the stop token of the solver was raised
+  kStopped               ///< SolveControl::stop was raised
 };
 
 struct FactorResult {
@@ -37,46 +36,61 @@ struct FactorResult {
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
+/// How exactly to solve, and when to give up: an argument of both verbs, because a solver may also prepare
+/// less if less is asked for.
 struct SolveControl {
-  double relative_tolerance =
-      1e-10;  ///< iterative solvers, and refinement: stop at ‖b − A x‖ ≤ tolerance · ‖b‖ (the forcing term)
+  /// Iterative solvers, and refinement, stop at ‖b − (A + λD) x‖ ≤ relative_tolerance · ‖b‖: the forcing term
+  /// of an inexact Newton method. Direct solvers need not look at it.
+  double relative_tolerance = 1e-10;
   int max_iterations = 0;  ///< iterative solvers; 0 = twice the number of scalars, at least 100
+  StopToken stop = {};     ///< once raised, the call returns LinearStatus::kStopped as soon as it can
 };
 
 struct SolveResult {
   LinearStatus status = LinearStatus::kOk;
-  int iterations = 0;  ///< of an iterative solver, or steps of refinement
+  int iterations = 0;  ///< of an iterative solver, or steps of refinement; for reports alone
+  /// Whether x solves the system to within rounding, so that xᵀ(A + λD)x = bᵀx. Algorithms that need the
+  /// curvature along an inexact x multiply by A. A solver that leaves this false is never wrong, only slower.
+  bool exact = false;
+  /// kNotPositiveDefinite: as in FactorResult, if only solve() finds it.
+  std::uint32_t failed_block = BlockStructure::kAbsent;
+  std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
 /// How direct solvers order the blocks.
 enum class Ordering : std::uint8_t {
-  kAutomatic,      ///< minimum degree, or nested dissection where it is predicted to save more than it costs
+  kAutomatic,      ///< minimum degree, or nested dissection if it is predicted to save more than it costs
   kMinimumDegree,  ///< approximate minimum degree
   kNestedDissection,  ///< takes many times as long, and needs fewer operations for large fronts
 };
 
 /// The arithmetic of a direct solver.
 enum class Precision : std::uint8_t {
-  kAutomatic,  ///< double, or mixed where that is predicted to save time
+  kAutomatic,  ///< double, or mixed if that is predicted to save time
   kDouble,
   /// The factor in float, with half of the memory and the time; each solution is refined with A, in double,
-  /// to SolveControl::relative_tolerance. Where this does not succeed, the solver goes on in double.
+  /// to SolveControl::relative_tolerance. If this does not succeed, the solver goes on in double.
   kMixed
 };
 std::string_view to_string(Precision precision);
 
+/// Facts about the systems to come. What one solver alone can be told is in that solver's own options
+/// (boxplus/linear/make_linear_solver.h).
 struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
-  /// Blocks that must come last in the elimination order, in this order (for incremental use). May be empty.
+  /// No two of the first blocks, so many, are joined: they may be eliminated one by one
+  /// (make_schur_solver()). Other solvers may ignore it.
+  std::uint32_t eliminated_blocks = 0;
+  /// Blocks that must come last in the elimination order, in this order. May be empty. (optimize() and
+  /// covariance() name blocks of components that nothing anchors, so that pivots are lost there; an
+  /// incremental solver names the blocks that change next.)
   std::span<const std::uint32_t> last = {};
-  /// LinearSolverKind::kAutomatic: the most memory that a Cholesky factor may take; 0: half of the machine's.
-  std::uint64_t max_factor_bytes = 0;
-  Ordering ordering = Ordering::kAutomatic;
   /// An elimination order of all blocks to take rather than to look for one: that of another structure with
   /// the same or almost the same pattern. Empty: none. Read during analyze() alone; not used with `last`.
   std::span<const std::uint32_t> order = {};
-  Precision precision = Precision::kAutomatic;
+  /// A may be singular, and factorize() should name the pivot that is lost. (A factor in float cannot.)
+  bool may_be_singular = false;
 };
 
 /// How a structure has grown since it was analyzed: by blocks at its end, and by off-diagonal blocks.
@@ -112,10 +126,9 @@ struct LinearStatistics {
 /// for one in double, and kEigenSparse, whose library allocates some 25 times per factorization. A solver is
 /// used by one thread at a time. Results are the same bits in every run and for every AnalyzeHints::threads.
 ///
-/// Once the token of set_stop() is raised, factorize() and solve() return kStopped as soon as they can; a
-/// factorize() that was stopped must be called again before solve(). analyze() may throw Stopped then, and
-/// must be called again before factorize(). The values of a system must stay as they were from factorize() to
-/// the last solve() after it.
+/// A factorize() that was stopped must be called again before solve(). If analyze() or extend() throws
+/// Stopped, analyze() must be called before factorize(). The values of a system must stay as they were from
+/// factorize() to the last solve() after it.
 class LinearSolver {
  public:
   enum class Needs { kBlocks, kOperator };
@@ -123,44 +136,29 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
   virtual std::string_view name() const = 0;
   virtual Needs needs() const = 0;
-  /// Ordering, symbolic factorisation and memory. `structure` must outlive the solver's use of it.
-  virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints) = 0;
+  /// Ordering, symbolic factorization and memory. `structure` must outlive the solver's use of it. May throw
+  /// Stopped if `stop` is raised.
+  virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+                       const StopToken& stop = {}) = 0;
   /// Instead of analyze(), after additions to the analyzed structure, which is the same object: keeps the
   /// elimination order and appends the new blocks, in a small part of the time. False if the solver cannot do
-  /// so or predicts that a new order pays; then call analyze().
-  virtual bool extend(const StructureGrowth& /*growth*/) { return false; }
-  /// Factorises (direct) or prepares the preconditioner (iterative) of A + λ D. `changed_columns` names the
-  /// block columns of A whose values differ from the last call's; empty = all. A solver may treat every call
-  /// as "all".
+  /// so or predicts that a new order pays; then call analyze(). May throw Stopped if `stop` is raised.
+  virtual bool extend(const StructureGrowth& /*growth*/, const StopToken& /*stop*/ = {}) { return false; }
+  /// Factorizes (direct) or prepares the preconditioner (iterative) of A + λ D.
   virtual FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                                 std::span<const std::uint32_t> changed_columns = {}) = 0;
+                                 const SolveControl& control = {}) = 0;
   /// X = (A + λ D)⁻¹ B for `columns` right-hand sides, each contiguous (column-major); B and X may be the
   /// same.
   virtual SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) = 0;
   /// Blocks of (A + λ D)⁻¹: for each requested (row, column), row ≥ column, dim(row) × dim(column) values,
-  /// column-major, one after the other. Returns false where the solver cannot do it.
-  virtual bool selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/) {
+  /// column-major, one after the other. False if the solver cannot do it, or `stop` is raised.
+  virtual bool selected_inverse(std::span<const BlockCoordinate> /*blocks*/, double* /*out*/,
+                                const StopToken& /*stop*/ = {}) {
     return false;
   }
   virtual LinearStatistics statistics() const { return {}; }
-  /// The order in which the blocks are eliminated; empty where there is none. Valid until the next analyze().
+  /// The order in which the blocks are eliminated; empty if there is none. Valid until the next analyze().
   virtual std::span<const std::uint32_t> elimination_order() const { return {}; }
-
-  /// By default nothing stops the solver. Holds until the next call.
-  void set_stop(const StopToken& stop) { stop_ = stop; }
-
- protected:
-  const StopToken& stop() const { return stop_; }
-
- private:
-  StopToken stop_;
 };
-
-enum class LinearSolverKind { kAutomatic, kBlockCholesky, kPcg, kDense, kEigenSparse };
-
-/// kAutomatic gives the block Cholesky, or pcg where AnalyzeHints::max_factor_bytes is too little for its
-/// factor, or where a factorisation is predicted to take several times as long as a rough solution by pcg.
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind);
-std::string_view to_string(LinearSolverKind kind);
 
 }  // namespace boxplus

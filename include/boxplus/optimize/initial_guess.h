@@ -32,7 +32,7 @@ struct [[nodiscard]] GuessResult {
 /// Bounds of what a guess may take, and what helps it.
 struct GuessLimits {
   StopToken stop = {};                 ///< once raised, no guess is made
-  std::uint64_t max_factor_bytes = 0;  ///< as AnalyzeHints::max_factor_bytes
+  std::uint64_t max_factor_bytes = 0;  ///< as AutomaticSolverOptions::max_factor_bytes
   int threads = 1;                     ///< the result does not depend on it
   /// An order in which to eliminate the blocks of the plan, or some of them; empty: it looks for one.
   std::span<const std::uint32_t> order = {};

@@ -18,6 +18,7 @@ struct StepDamping {
 struct [[nodiscard]] StepResult {
   LinearStatus status = LinearStatus::kOk;
   int linear_iterations = 0;
+  bool exact = false;  ///< SolveResult::exact: then δᵀ(H + λD)δ = −gᵀδ for the step δ
 };
 
 /// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "linear/automatic/automatic_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -30,39 +31,44 @@ constexpr double kShort = 1;  // seconds that are not worth a thought
 
 }  // namespace
 
-void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
-  const std::uint64_t limit = hints.max_factor_bytes > 0 ? hints.max_factor_bytes : default_limit();
-  auto fresh = std::make_unique<BlockCholesky>();
+void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+                              const StopToken& stop) {
+  const std::uint64_t wanted = options_.automatic.max_factor_bytes;
+  const std::uint64_t limit = wanted > 0 ? wanted : default_limit();
+  auto fresh = std::make_unique<BlockCholesky>(options_.block_cholesky);
   BlockCholesky& cholesky = *fresh;
   chosen_ = std::move(fresh);  // gives back the memory of the last analysis first
-  cholesky.set_stop(stop());
   pcg_seconds_ = pcg_seconds(structure);
   bool accepted = false;
   const auto accepts = [&](const BlockCholesky::Forecast& forecast) {
     return accepted = forecast.bytes <= limit && forecast.seconds <= kWorth * pcg_seconds_ + kShort;
   };
-  factor_ = cholesky.analyze_if(accepts, structure, hints);
+  factor_ = cholesky.analyze_if(accepts, structure, hints, stop);
   refused_ = !accepted;
   if (accepted) return;
   chosen_ = std::make_unique<Pcg>();
-  chosen_->set_stop(stop());
-  chosen_->analyze(structure, hints);
+  chosen_->analyze(structure, hints, stop);
+}
+
+SolveControl AutomaticSolver::control_for_chosen(const SolveControl& control) const {
+  SolveControl result = control;
+  if (refused_)
+    result.relative_tolerance = std::max(control.relative_tolerance, options_.automatic.least_tolerance);
+  return result;
 }
 
 FactorResult AutomaticSolver::factorize(const BlockSystem& system, const Damping& damping,
-                                        std::span<const std::uint32_t> changed_columns) {
-  chosen_->set_stop(stop());
-  return chosen_->factorize(system, damping, changed_columns);
+                                        const SolveControl& control) {
+  return chosen_->factorize(system, damping, control_for_chosen(control));
 }
 
 SolveResult AutomaticSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
-  chosen_->set_stop(stop());
-  return chosen_->solve(b, columns, x, control);
+  return chosen_->solve(b, columns, x, control_for_chosen(control));
 }
 
-bool AutomaticSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
-  chosen_->set_stop(stop());
-  return chosen_->selected_inverse(blocks, out);
+bool AutomaticSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                                       const StopToken& stop) {
+  return chosen_->selected_inverse(blocks, out, stop);
 }
 
 LinearStatistics AutomaticSolver::statistics() const {

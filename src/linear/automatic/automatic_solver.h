@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The direct solver where its factor fits into memory and is made in good time, the iterative one where not.
+// The direct solver if its factor fits into memory and is made in good time, else the iterative one.
 #pragma once
 
 #include "linear/block_cholesky/block_cholesky.h"
@@ -11,19 +11,29 @@ namespace boxplus {
 /// From then on this is the chosen solver, by its name, and the statistics tell what decided.
 class AutomaticSolver final : public LinearSolver {
  public:
+  /// Reads the options of the block Cholesky, too.
+  explicit AutomaticSolver(const LinearSolverOptions& options = {}) : options_(options) {}
+
   std::string_view name() const override { return chosen_->name(); }
   /// Of either.
   Needs needs() const override { return Needs::kBlocks; }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
-  bool extend(const StructureGrowth& growth) override { return !refused_ && chosen_->extend(growth); }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
+  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override {
+    return !refused_ && chosen_->extend(growth, stop);
+  }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override;
-  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
-  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                        const StopToken& stop = {}) override;
   LinearStatistics statistics() const override;
   std::span<const std::uint32_t> elimination_order() const override { return chosen_->elimination_order(); }
 
  private:
+  SolveControl control_for_chosen(const SolveControl& control) const;
+
+  LinearSolverOptions options_;
   std::unique_ptr<LinearSolver> chosen_ = std::make_unique<BlockCholesky>();
   BlockCholesky::Forecast factor_;
   double pcg_seconds_ = 0;

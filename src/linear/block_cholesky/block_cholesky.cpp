@@ -19,8 +19,9 @@ constexpr double kClearly = 1.3;
 
 }  // namespace
 
-void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints) {
-  analyze_if([](const Forecast&) { return true; }, structure, hints);
+void BlockCholesky::analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+                            const StopToken& stop) {
+  analyze_if([](const Forecast&) { return true; }, structure, hints, stop);
 }
 
 BlockCholesky::Forecast BlockCholesky::forecast_of(const FactorOutline& outline) {
@@ -29,11 +30,11 @@ BlockCholesky::Forecast BlockCholesky::forecast_of(const FactorOutline& outline)
 }
 
 void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure& structure,
-                             const AnalyzeHints& hints) {
+                             const AnalyzeHints& hints, const StopToken& stop) {
   factorized_ = false;
   inverse_.clear();
   structure_ = nullptr;
-  symbolic_ = complete_factor(structure, outline, rule_, hints.threads, stop());
+  symbolic_ = complete_factor(structure, outline, rule_, hints.threads, stop);
   structure_ = &structure;
   ordering_ = outline.ordering;
   forecast_seconds_ = analyzed_seconds_ = forecast_of(outline).seconds;
@@ -43,19 +44,20 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   left_mixed_ = false;
   factor_.release();
   mixed_.release();
-  const double steps = hints.precision == Precision::kMixed
+  const Precision precision = hints.may_be_singular ? Precision::kDouble : options_.precision;
+  const double steps = precision == Precision::kMixed
                            ? std::numeric_limits<double>::infinity()
                            : steps_that_pay(forecast_seconds_, symbolic_.flops,
                                             static_cast<double>(symbolic_.panel_size), structure) /
                                  batch_;
-  if (hints.precision != Precision::kDouble && steps >= kClearly * kUsualSteps) {
+  if (precision != Precision::kDouble && steps >= kClearly * kUsualSteps) {
     mixed_.allocate(symbolic_, structure, steps);
   } else {
     factor_.allocate(symbolic_, structure.scalars(), batch_);
   }
 }
 
-bool BlockCholesky::extend(const StructureGrowth& growth) {
+bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*stop*/) {
   constexpr std::uint32_t kMostExtensions = 100;  // then an analysis costs little in each
   constexpr double kMostGrowth = 1.25;            // of the time that a factorization takes per block
   constexpr double kNegligible = 50e-6;           // seconds
@@ -82,33 +84,34 @@ void BlockCholesky::leave_mixed() {
 }
 
 /// leave_mixed(), and the last system once more.
-FactorResult BlockCholesky::factorize_again_in_double() {
+FactorResult BlockCholesky::factorize_again_in_double(const StopToken& stop) {
   leave_mixed();
-  return factorize_in_double(mixed_.values().data(), mixed_.damping());
+  return factorize_in_double(mixed_.values().data(), mixed_.damping(), stop);
 }
 
 FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& damping,
-                                      std::span<const std::uint32_t> /*changed_columns*/) {
+                                      const SolveControl& control) {
   factorized_ = false;
   inverse_.clear();
   if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
   }
-  if (stop().raised()) return {LinearStatus::kStopped};
+  if (control.stop.raised()) return {LinearStatus::kStopped};
   if (mixed_.allocated() && !mixed_.pays()) leave_mixed();
   if (mixed_.allocated()) {
-    const LinearStatus status = mixed_.factorize(system.values(), damping, stop());
+    const LinearStatus status = mixed_.factorize(system.values(), damping, control.stop);
     factorized_ = status == LinearStatus::kOk;
     if (factorized_ || status == LinearStatus::kStopped) return {status};
     leave_mixed();
   }
-  return factorize_in_double(system.values().data(), damping);
+  return factorize_in_double(system.values().data(), damping, control.stop);
 }
 
-FactorResult BlockCholesky::factorize_in_double(const double* values, const Damping& damping) {
+FactorResult BlockCholesky::factorize_in_double(const double* values, const Damping& damping,
+                                                const StopToken& stop) {
   factorized_ = false;
-  const FrontsResult fronts = factorize_fronts(symbolic_, *structure_, values, damping, stop(), factor_);
+  const FrontsResult fronts = factorize_fronts(symbolic_, *structure_, values, damping, stop, factor_);
   if (fronts.status == LinearStatus::kStopped) return {fronts.status};
   const std::uint32_t lost = fronts.status == LinearStatus::kOk
                                  ? find_lost_pivot(symbolic_, *structure_, factor_)
@@ -133,25 +136,29 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
   if (!factorized_) throw InvalidArgument("BlockCholesky::solve: expected a successful factorize() before");
   const std::size_t scalars = structure_->scalars();
   if (!all_finite(b, scalars * static_cast<std::size_t>(std::max(0, columns))))
-    return {LinearStatus::kNotFinite, 0};
-  int steps = 0;  // of refinement
+    return {LinearStatus::kNotFinite};
+  SolveControl refinement = control;
+  refinement.relative_tolerance = std::max(control.relative_tolerance, options_.least_tolerance);
+  SolveResult result{.exact = true};
   for (; mixed_.allocated() && columns > 0; --columns, b += scalars, x += scalars) {
-    const SolveResult refined = mixed_.solve(b, x, control, stop());
-    steps += refined.iterations;
-    if (refined.status == LinearStatus::kOk) continue;
-    if (refined.status == LinearStatus::kStopped) return {refined.status, steps};
-    const FactorResult factor = factorize_again_in_double();
-    if (factor.status != LinearStatus::kOk) return {factor.status, steps};
-    break;
+    const SolveResult refined = mixed_.solve(b, x, refinement);
+    result.iterations += refined.iterations;
+    if (refined.status == LinearStatus::kStopped) return {refined.status, result.iterations};
+    if (refined.status != LinearStatus::kOk) {
+      const FactorResult factor = factorize_again_in_double(control.stop);
+      if (factor.status == LinearStatus::kOk) break;
+      return {factor.status, result.iterations, false, factor.failed_block, factor.failed_scalar};
+    }
+    result.exact = false;
   }
   for (int done = 0; done < columns; done += batch_) {
     const int batch = std::min(batch_, columns - done);
-    if (stop().raised()) return {LinearStatus::kStopped, steps};
+    if (control.stop.raised()) return {LinearStatus::kStopped, result.iterations};
     const std::size_t first = static_cast<std::size_t>(done) * scalars;
-    if (!solve_with(symbolic_, *structure_, factor_, b + first, batch, x + first, stop()))
-      return {LinearStatus::kStopped, steps};
+    if (!solve_with(symbolic_, *structure_, factor_, b + first, batch, x + first, control.stop))
+      return {LinearStatus::kStopped, result.iterations};
   }
-  return {LinearStatus::kOk, steps};
+  return result;
 }
 
 /// Whether solving for the requested columns takes fewer operations than the inverse on the whole pattern.
@@ -169,20 +176,21 @@ bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks)
          kInverseOverFactor * symbolic_.flops;
 }
 
-bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
+bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                                     const StopToken& stop) {
   if (!factorized_)
     throw InvalidArgument("BlockCholesky::selected_inverse: expected a successful factorize() before");
-  if (mixed_.allocated() && factorize_again_in_double().status != LinearStatus::kOk) return false;
+  if (mixed_.allocated() && factorize_again_in_double(stop).status != LinearStatus::kOk) return false;
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
   if (!inverse_.computed()) {
-    if (columns_are_cheaper(blocks)) return solve_for_inverse(*this, *structure_, requests);
+    if (columns_are_cheaper(blocks)) return solve_for_inverse(*this, *structure_, requests, stop);
     inverse_.compute(symbolic_, factor_.arena());
   }
   std::erase_if(requests, [this](const InverseRequest& request) {
     return inverse_.read(symbolic_, symbolic_.position[request.block.row],
                          symbolic_.position[request.block.column], request.out);
   });
-  return solve_for_inverse(*this, *structure_, requests);
+  return solve_for_inverse(*this, *structure_, requests, stop);
 }
 
 LinearStatistics BlockCholesky::statistics() const {

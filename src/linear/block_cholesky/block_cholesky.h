@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "linear/block_cholesky/inverse_on_pattern.h"
 #include "linear/block_cholesky/mixed_factor.h"
 #include "linear/block_cholesky/numeric_factor.h"
@@ -17,30 +17,34 @@ namespace boxplus {
 /// independent.
 class BlockCholesky final : public LinearSolver {
  public:
-  explicit BlockCholesky(const AmalgamationRule& rule = {}) : rule_(rule) {}
+  explicit BlockCholesky(const BlockCholeskyOptions& options = {}, const AmalgamationRule& rule = {})
+      : options_(options), rule_(rule) {}
 
   std::string_view name() const override { return "block_cholesky"; }
   Needs needs() const override { return Needs::kBlocks; }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
-  bool extend(const StructureGrowth& growth) override;
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
+  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override;
-  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
   /// What the factor is predicted to take.
   struct Forecast {
     std::uint64_t bytes = 0;
     double seconds = 0;  // for one factorisation on one thread
   };
-  /// analyze(), where `accepts` does the prediction; else nothing but the prediction.
+  /// analyze(), if `accepts` does the prediction; else nothing but the prediction.
   template <class Accepts>
-  Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints) {
+  Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints,
+                      const StopToken& stop) {
     const FactorOutline outline =
-        outline_factor(structure, hints.last, rule_, hints.ordering, hints.threads, hints.order, stop());
+        outline_factor(structure, hints.last, rule_, options_.ordering, hints.threads, hints.order, stop);
     const Forecast forecast = forecast_of(outline);
-    if (accepts(forecast)) complete(outline, structure, hints);
+    if (accepts(forecast)) complete(outline, structure, hints, stop);
     return forecast;
   }
-  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                        const StopToken& stop = {}) override;
   LinearStatistics statistics() const override;
   std::span<const std::uint32_t> elimination_order() const override { return symbolic_.order; }
 
@@ -48,13 +52,15 @@ class BlockCholesky final : public LinearSolver {
 
  private:
   static Forecast forecast_of(const FactorOutline& outline);
-  void complete(const FactorOutline& outline, const BlockStructure& structure, const AnalyzeHints& hints);
+  void complete(const FactorOutline& outline, const BlockStructure& structure, const AnalyzeHints& hints,
+                const StopToken& stop);
   void leave_mixed();
-  FactorResult factorize_in_double(const double* values, const Damping& damping);
-  FactorResult factorize_again_in_double();
+  FactorResult factorize_in_double(const double* values, const Damping& damping, const StopToken& stop);
+  FactorResult factorize_again_in_double(const StopToken& stop);
   FactorResult failure(std::uint32_t permuted_scalar, const double* values, const Damping& damping) const;
   bool columns_are_cheaper(std::span<const BlockCoordinate> blocks) const;
 
+  BlockCholeskyOptions options_;
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
   double forecast_seconds_ = 0;
@@ -63,7 +69,7 @@ class BlockCholesky final : public LinearSolver {
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   NumericFactor<double> factor_;
-  MixedFactor mixed_;  // instead of factor_, where it has memory
+  MixedFactor mixed_;  // instead of factor_, if it has memory
   InverseOnPattern inverse_;
   int batch_ = 1;  // right-hand sides that factor_ has room for
   bool factorized_ = false, left_mixed_ = false;

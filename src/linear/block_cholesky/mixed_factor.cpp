@@ -41,17 +41,16 @@ LinearStatus MixedFactor::factorize(std::span<const double> values, const Dampin
   return lost ? LinearStatus::kNotPositiveDefinite : LinearStatus::kOk;
 }
 
-SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& control,
-                               const StopToken& stop) {
+SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& control) {
   const auto multiply = [this](const double* p, double* q) {
     system_->multiply(p, q);
     for (std::size_t i = 0; i < damping_.size(); ++i) q[i] += damping_[i] * p[i];
   };
-  const auto precondition = [this, &stop](const double* r, double* z) {
-    solve_with(*symbolic_, *structure_, factor_, r, 1, z, stop);
+  const auto precondition = [this, &control](const double* r, double* z) {
+    solve_with(*symbolic_, *structure_, factor_, r, 1, z, control.stop);
   };
   const SolveResult result = refinement_.solve(multiply, precondition, b, solution_.data(),
-                                               {control.relative_tolerance, kMostSteps}, stop);
+                                               {control.relative_tolerance, kMostSteps, control.stop});
   most_steps_ = std::max(most_steps_, result.iterations);
   if (result.status == LinearStatus::kOk) std::copy(solution_.begin(), solution_.end(), x);
   return result;

@@ -32,7 +32,7 @@ class MixedFactor {
   LinearStatus factorize(std::span<const double> values, const Damping& damping, const StopToken& stop);
   /// One right-hand side. Where the status is not kOk (the factor is too rough, as a rule), x stays as it
   /// was.
-  SolveResult solve(const double* b, double* x, const SolveControl& control, const StopToken& stop);
+  SolveResult solve(const double* b, double* x, const SolveControl& control);
   /// What was factorised last.
   std::span<const double> values() const { return system_->values(); }
   Damping damping() const { return {1, damping_.data()}; }

@@ -22,7 +22,8 @@ std::uint32_t block_of(const BlockStructure& structure, std::uint32_t scalar) {
 
 }  // namespace
 
-void DenseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) {
+void DenseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
+                           const StopToken& /*stop*/) {
   if (structure.scalars() > kMaxScalars) {
     throw InvalidArgument("DenseSolver: expected at most " + std::to_string(kMaxScalars) + " scalars, got " +
                           std::to_string(structure.scalars()));
@@ -69,13 +70,13 @@ bool DenseSolver::pivot_is_lost(std::uint32_t scalar) {
 }
 
 FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& damping,
-                                    std::span<const std::uint32_t> /*changed_columns*/) {
+                                    const SolveControl& control) {
   factorized_ = inverted_ = false;
   if (!structure_) throw InvalidArgument("DenseSolver::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("DenseSolver::factorize: expected the block values of the analysed structure");
   }
-  if (stop().raised()) return {LinearStatus::kStopped};
+  if (control.stop.raised()) return {LinearStatus::kStopped};
   load(system, damping);
   const auto size = structure_->scalars();
   const int signed_size = static_cast<int>(size);
@@ -93,19 +94,19 @@ FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& da
   return {LinearStatus::kNotPositiveDefinite, block_of(*structure_, failed), failed};
 }
 
-SolveResult DenseSolver::solve(const double* b, int columns, double* x, const SolveControl& /*control*/) {
+SolveResult DenseSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!factorized_) throw InvalidArgument("DenseSolver::solve: expected a successful factorize() before");
   const std::size_t size = structure_->scalars();
   const int n = static_cast<int>(size);
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
-    return {LinearStatus::kNotFinite, 0};
+    return {LinearStatus::kNotFinite};
   for (int c = 0; c < columns; ++c, b += size, x += size) {
-    if (stop().raised()) return {LinearStatus::kStopped};
+    if (control.stop.raised()) return {LinearStatus::kStopped};
     if (b != x) std::copy_n(b, size, x);
     dense::solve_forward(matrix_.data(), n, n, n, x);
     dense::solve_backward(matrix_.data(), n, n, n, x);
   }
-  return {};
+  return {.exact = true};
 }
 
 /// inverse_ = L⁻ᵀ L⁻¹.
@@ -120,9 +121,11 @@ void DenseSolver::form_inverse() {
   inverted_ = true;
 }
 
-bool DenseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
+bool DenseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                                   const StopToken& stop) {
   if (!factorized_)
     throw InvalidArgument("DenseSolver::selected_inverse: expected a successful factorize() before");
+  if (stop.raised()) return false;
   form_inverse();
   const BlockStructure& s = *structure_;
   for (const auto& [block, to] : list_requests(s, blocks, out)) {

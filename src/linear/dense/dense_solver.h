@@ -12,11 +12,13 @@ class DenseSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "dense"; }
   Needs needs() const override { return Needs::kBlocks; }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override;
-  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
-  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                        const StopToken& stop = {}) override;
   LinearStatistics statistics() const override;
 
  private:

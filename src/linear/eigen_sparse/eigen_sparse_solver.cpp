@@ -11,7 +11,8 @@
 
 namespace boxplus {
 
-void EigenSparseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) {
+void EigenSparseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
+                                 const StopToken& /*stop*/) {
   structure_ = &structure;
   factorized_ = false;
   const auto size = static_cast<Eigen::Index>(structure.scalars());
@@ -75,30 +76,30 @@ std::uint32_t EigenSparseSolver::find_lost_pivot() {
   return structure_->scalars();
 }
 
-FactorResult EigenSparseSolver::explain_failure(const BlockSystem& system, const Damping& damping) const {
+FactorResult EigenSparseSolver::explain_failure(const BlockSystem& system, const Damping& damping,
+                                                const SolveControl& control) const {
   BlockCholesky other;
-  other.set_stop(stop());
-  other.analyze(*structure_, {});
-  const FactorResult result = other.factorize(system, damping, {});
+  other.analyze(*structure_, {}, control.stop);
+  const FactorResult result = other.factorize(system, damping, control);
   if (result.status != LinearStatus::kOk) return result;
   return {LinearStatus::kNotPositiveDefinite, BlockStructure::kAbsent};
 }
 
 FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Damping& damping,
-                                          std::span<const std::uint32_t> /*changed_columns*/) {
+                                          const SolveControl& control) {
   factorized_ = false;
   if (!structure_) throw InvalidArgument("EigenSparseSolver::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument(
         "EigenSparseSolver::factorize: expected the block values of the analysed structure");
   }
-  if (stop().raised()) return {LinearStatus::kStopped};
+  if (control.stop.raised()) return {LinearStatus::kStopped};
   const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
   if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   if (structure_->scalars() > 0) {
     load(system, damping);
     factor_.factorize(matrix_);
-    if (factor_.info() != Eigen::Success) return explain_failure(system, damping);
+    if (factor_.info() != Eigen::Success) return explain_failure(system, damping, control);
     const std::uint32_t lost = find_lost_pivot();
     if (lost != structure_->scalars()) {
       const auto above = std::upper_bound(structure_->offset.begin(), structure_->offset.end(), lost);
@@ -111,25 +112,26 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
 }
 
 SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x,
-                                     const SolveControl& /*control*/) {
+                                     const SolveControl& control) {
   if (!factorized_)
     throw InvalidArgument("EigenSparseSolver::solve: expected a successful factorize() before");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
-    return {LinearStatus::kNotFinite, 0};
+    return {LinearStatus::kNotFinite};
   for (int c = 0; c < columns && size > 0; ++c, b += size, x += size) {
-    if (stop().raised()) return {LinearStatus::kStopped};
+    if (control.stop.raised()) return {LinearStatus::kStopped};
     solution_ = factor_.solve(Eigen::Map<const Eigen::VectorXd>(b, static_cast<Eigen::Index>(size)));
     std::copy_n(solution_.data(), size, x);
   }
-  return {};
+  return {.exact = true};
 }
 
-bool EigenSparseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out) {
+bool EigenSparseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                                         const StopToken& stop) {
   if (!factorized_)
     throw InvalidArgument("EigenSparseSolver::selected_inverse: expected a factorize() before");
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
-  return solve_for_inverse(*this, *structure_, requests);
+  return solve_for_inverse(*this, *structure_, requests, stop);
 }
 
 LinearStatistics EigenSparseSolver::statistics() const {

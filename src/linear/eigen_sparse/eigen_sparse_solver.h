@@ -18,11 +18,13 @@ class EigenSparseSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "eigen_sparse"; }
   Needs needs() const override { return Needs::kBlocks; }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override;
-  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
-  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out) override;
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                        const StopToken& stop = {}) override;
   LinearStatistics statistics() const override;
 
  private:
@@ -30,7 +32,8 @@ class EigenSparseSolver final : public LinearSolver {
 
   void load(const BlockSystem& system, const Damping& damping);
   std::uint32_t find_lost_pivot();
-  FactorResult explain_failure(const BlockSystem& system, const Damping& damping) const;
+  FactorResult explain_failure(const BlockSystem& system, const Damping& damping,
+                               const SolveControl& control) const;
 
   const BlockStructure* structure_ = nullptr;
   Sparse matrix_;  // lower triangle

@@ -10,7 +10,8 @@
 
 namespace boxplus {
 
-void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/) {
+void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
+                  const StopToken& /*stop*/) {
   structure_ = &structure;
   system_ = nullptr;
   std::size_t values = 0;
@@ -22,10 +23,10 @@ void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/
 }
 
 FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping,
-                            std::span<const std::uint32_t> /*changed_columns*/) {
+                            const SolveControl& control) {
   system_ = nullptr;
   if (!structure_) throw InvalidArgument("Pcg::factorize: expected a call of analyze() before");
-  if (stop().raised()) return {LinearStatus::kStopped};
+  if (control.stop.raised()) return {LinearStatus::kStopped};
   const BlockStructure& s = *structure_;
   for (std::uint32_t i = 0; i < s.scalars(); ++i) damping_[i] = damping(i);
   system.block_diagonal(preconditioner_.data());
@@ -73,12 +74,12 @@ SolveResult Pcg::solve(const double* b, int columns, double* x, const SolveContr
   if (!system_) throw InvalidArgument("Pcg::solve: expected a successful factorize() before");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
-    return {LinearStatus::kNotFinite, 0};
+    return {LinearStatus::kNotFinite};
   SolveResult total;
   for (int c = 0; c < columns; ++c, b += size, x += size) {
     const SolveResult result =
         iteration_.solve([this](const double* p, double* q) { multiply(p, q); },
-                         [this](const double* r, double* z) { precondition(r, z); }, b, x, control, stop());
+                         [this](const double* r, double* z) { precondition(r, z); }, b, x, control);
     total.iterations += result.iterations;
     if (result.status != LinearStatus::kOk) {
       total.status = result.status;

@@ -12,16 +12,17 @@ namespace boxplus {
 
 /// Needs multiply() and block_diagonal() only. factorize() keeps a reference to the system, which must
 /// outlive the solves; the damping is copied. A diagonal block that is not positive definite is named by
-/// factorize(); a direction of curvature ≤ 0 met in solve() gives kNotPositiveDefinite there. Where solve()
+/// factorize(); a direction of curvature ≤ 0 met in solve() gives kNotPositiveDefinite there. If solve()
 /// does not return kOk, x holds the last iterate.
 class Pcg final : public LinearSolver {
  public:
   std::string_view name() const override { return "pcg"; }
   Needs needs() const override { return Needs::kOperator; }
-  void analyze(const BlockStructure& structure, const AnalyzeHints& hints) override;
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
-                         std::span<const std::uint32_t> changed_columns) override;
-  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override;
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
   LinearStatistics statistics() const override;
 
  private:

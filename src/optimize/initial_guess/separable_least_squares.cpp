@@ -51,20 +51,20 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits, std::span<c
   constexpr double kTolerance = 1e-4;  // of an iterative solver: more brings no better start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
   if (limits.stop.raised()) return LinearStatus::kStopped;
-  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
+  LinearSolverOptions options;
+  options.block_cholesky.ordering = Ordering::kMinimumDegree;  // one factorization pays for no dissection
+  options.automatic.max_factor_bytes = limits.max_factor_bytes;
+  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic, options);
   AnalyzeHints hints;
   hints.right_hand_sides = columns_;
-  hints.max_factor_bytes = limits.max_factor_bytes;
   hints.threads = limits.threads;
-  hints.ordering = Ordering::kMinimumDegree;  // a single factorisation pays for no dissection
   hints.order = order;
-  solver->set_stop(limits.stop);
-  solver->analyze(structure_, hints);
+  solver->analyze(structure_, hints, limits.stop);
   const AssembledSystem system(structure_, values_);  // some solvers refer to it
-  const FactorResult factor = solver->factorize(system, Damping{});
+  const SolveControl control{.relative_tolerance = kTolerance, .stop = limits.stop};
+  const FactorResult factor = solver->factorize(system, Damping{}, control);
   if (factor.status != LinearStatus::kOk) return factor.status;
-  const LinearStatus status =
-      solver->solve(x_.data(), columns_, x_.data(), {.relative_tolerance = kTolerance}).status;
+  const LinearStatus status = solver->solve(x_.data(), columns_, x_.data(), control).status;
   const bool finite = std::all_of(x_.begin(), x_.end(), [](double value) { return std::isfinite(value); });
   return status == LinearStatus::kOk && !finite ? LinearStatus::kNotFinite : status;
 }

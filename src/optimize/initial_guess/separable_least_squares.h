@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/frame_math.h"
 

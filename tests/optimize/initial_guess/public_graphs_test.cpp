@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/make_linear_solver.h"
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/optimize/initial_guess.h"
 

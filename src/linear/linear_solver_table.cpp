@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows every linear solver: a new one is a line in this table.
+#include "boxplus/linear/linear_solver_table.h"
+
+#include <string>
+
+#include "boxplus/base/error.h"
+#include "linear/automatic/automatic_solver.h"
+#include "linear/block_cholesky/block_cholesky.h"
+#include "linear/dense/dense_solver.h"
+#include "linear/eigen_sparse/eigen_sparse_solver.h"
+#include "linear/pcg/pcg.h"
+
+namespace boxplus {
+namespace {
+
+template <class S>
+std::unique_ptr<LinearSolver> make(const LinearSolverOptions&) {
+  return std::make_unique<S>();
+}
+
+std::unique_ptr<LinearSolver> make_automatic(const LinearSolverOptions& options) {
+  return std::make_unique<AutomaticSolver>(options);
+}
+
+std::unique_ptr<LinearSolver> make_block_cholesky(const LinearSolverOptions& options) {
+  return std::make_unique<BlockCholesky>(options.block_cholesky);
+}
+
+constexpr detail::LinearSolverEntry kLinearSolvers[] = {
+    {LinearSolverKind::kAutomatic, "automatic", "automatic", make_automatic},
+    {LinearSolverKind::kBlockCholesky, "block_cholesky", "cholesky", make_block_cholesky},
+    {LinearSolverKind::kPcg, "pcg", "pcg", make<Pcg>},
+    {LinearSolverKind::kDense, "dense", "dense", make<DenseSolver>},
+    {LinearSolverKind::kEigenSparse, "eigen_sparse", "eigen", make<EigenSparseSolver>},
+};
+
+}  // namespace
+
+std::span<const detail::LinearSolverEntry> detail::linear_solver_table() {
+  return kLinearSolvers;
+}
+
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const LinearSolverOptions& options) {
+  for (const detail::LinearSolverEntry& entry : kLinearSolvers) {
+    if (entry.kind == kind) return entry.make(options);
+  }
+  throw InvalidArgument("make_linear_solver: expected one of the solvers of the library, got LinearSolverKind " +
+                        std::to_string(static_cast<int>(kind)));
+}
+
+std::string_view to_string(LinearSolverKind kind) {
+  for (const detail::LinearSolverEntry& entry : kLinearSolvers) {
+    if (entry.kind == kind) return entry.name;
+  }
+  return "unknown";
+}
+
+LinearSolverOptions for_newton_steps(LinearSolverOptions options) {
+  // As good as exact for Newton's method, whose own error is squared in each step, and half the refinement.
+  constexpr double kRefined = 1e-6;
+  // If the factor is out of reach: on large maps far fewer iterations than an exact step takes.
+  constexpr double kRough = 0.1;
+  options.block_cholesky.least_tolerance = kRefined;
+  options.automatic.least_tolerance = kRough;
+  return options;
+}
+
+}  // namespace boxplus
