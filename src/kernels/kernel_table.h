@@ -73,7 +73,7 @@ struct BlockProducts {
   double* values;
 };
 
-/// Steps of an elimination (linearize/schur.h) on a block W of rows × dim numbers, column-major.
+/// Steps of an elimination (linear/schur/schur.h) on a block W of rows × dim numbers, column-major.
 struct EliminationKernels {
   /// y = W L⁻ᵀ, L dim × dim with the reciprocals of its diagonal in place of the diagonal.
   void (*half_block)(int rows, int dim, const double* l, const double* w, double* y);

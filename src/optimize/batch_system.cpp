@@ -19,16 +19,6 @@ constexpr double kGaugeDamping = 1e-10;
 /// Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
 
-/// The blocks of the plan that come last in the elimination, as the linear solver numbers them.
-std::vector<std::uint32_t> last_blocks(const Plan& plan, bool reduced) {
-  std::vector<std::uint32_t> last;
-  const std::uint32_t first = reduced ? plan.eliminated_blocks : 0;
-  for (const std::uint32_t block : plan.loose_blocks) {
-    if (block >= first) last.push_back(block - first);
-  }
-  return last;
-}
-
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
@@ -38,33 +28,18 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
       before_step_(graph, *plan_),  // no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
-      solver_(std::move(solver)) {
+      solver_(make_schur_solver(std::move(solver), schur)) {
   threads_ = request.threads;
   gauge_ = request.gauge;
-  const bool reduces = plan_->eliminated_blocks > 0 && plan_->eliminated_blocks < plan_->structure.blocks();
-  last_blocks_ = last_blocks(*plan_, reduces);
-  if (reduces) {
-    const bool operator_suffices = solver_->needs() == LinearSolver::Needs::kOperator;
-    const bool make_values =
-        schur == SchurMode::kExplicit || !(operator_suffices || schur == SchurMode::kImplicit);
-    schur_ = std::make_unique<Schur>(plan_->structure, plan_->eliminated_blocks,
-                                     make_values || !operator_suffices, request.stop);
-    if (schur_->reduced_values().empty()) {
-      reduced_ = std::make_unique<ImplicitSchur>(*schur_);
-    } else {
-      reduced_ = std::make_unique<AssembledSystem>(schur_->reduced_structure(), schur_->reduced_values());
-    }
-    reduced_right_hand_side_.resize(schur_->reduced_structure().scalars());
-    reduced_step_.resize(reduced_right_hand_side_.size());
-    solver_->analyze(schur_->reduced_structure(), hints(), request.stop);
-  } else {
-    solver_->analyze(plan_->structure, hints(), request.stop);
-  }
+  solver_->analyze(plan_->structure, hints(), request.stop);
   resize_vectors();
 }
 
 AnalyzeHints BatchSystem::hints() const {
-  return {.threads = threads_, .last = last_blocks_, .may_be_singular = !last_blocks_.empty()};
+  return {.threads = threads_,
+          .eliminated_blocks = plan_->eliminated_blocks,
+          .last = plan_->loose_blocks,
+          .may_be_singular = !plan_->loose_blocks.empty()};
 }
 
 void BatchSystem::resize_vectors() {
@@ -169,7 +144,7 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
-  const StepResult result = schur_ ? solve_reduced(full, step) : solve_full(full, step);
+  const StepResult result = factorize_and_solve(full, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // whatever a user's own solver rounds
   return result;
 }
@@ -216,48 +191,29 @@ bool BatchSystem::is_free() {
   return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }
 
-StepResult BatchSystem::fail(const FactorResult& result, std::uint32_t first_block) {
-  failed_block_ =
-      result.failed_block == BlockStructure::kAbsent ? first_block : first_block + result.failed_block;
-  failed_scalar_ = result.failed_scalar == BlockStructure::kAbsent
-                       ? BlockStructure::kAbsent
-                       : plan_->structure.offset[first_block] + result.failed_scalar;
-  return {result.status};
+/// If the solver does not know the block, it is one of those that are not eliminated.
+void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
+  const bool reduces = plan_->eliminated_blocks < plan_->structure.blocks();
+  const std::uint32_t likely = reduces ? plan_->eliminated_blocks : 0;
+  failed_block_ = block == BlockStructure::kAbsent ? likely : block;
+  failed_scalar_ = scalar;
 }
 
-StepResult BatchSystem::finish(const SolveResult& result, std::uint32_t first_block) {
-  if (result.status == LinearStatus::kNotPositiveDefinite)
-    fail({result.status, result.failed_block, result.failed_scalar}, first_block);
-  const bool usable = result.status == LinearStatus::kNotConverged;  // an inexact step is a step
-  return {usable ? LinearStatus::kOk : result.status, result.iterations, result.exact};
-}
-
-StepResult BatchSystem::solve_full(const Damping& damping, std::span<double> step) {
+StepResult BatchSystem::factorize_and_solve(const Damping& damping, std::span<double> step) {
   {
     const TimeAdder adder(timings_->factorize_s);
     const FactorResult factor = solver_->factorize(assembled_, damping, control_);
-    if (factor.status != LinearStatus::kOk) return fail(factor, 0);
+    if (factor.status != LinearStatus::kOk) {
+      note_failure(factor.failed_block, factor.failed_scalar);
+      return {factor.status};
+    }
   }
   const TimeAdder adder(timings_->solve_s);
-  return finish(solver_->solve(right_hand_side_.data(), 1, step.data(), control_), 0);
-}
-
-StepResult BatchSystem::solve_reduced(const Damping& damping, std::span<double> step) {
-  {
-    const TimeAdder adder(timings_->factorize_s);
-    const FactorResult eliminated = schur_->eliminate(linearizer_.values(), damping, control_.stop);
-    if (eliminated.status != LinearStatus::kOk) return fail(eliminated, 0);
-    const FactorResult factor = solver_->factorize(*reduced_, schur_->reduced_damping(damping), control_);
-    if (factor.status != LinearStatus::kOk) return fail(factor, plan_->eliminated_blocks);
-  }
-  const TimeAdder adder(timings_->solve_s);
-  schur_->reduce(right_hand_side_.data(), reduced_right_hand_side_.data());
-  const SolveResult solved =
-      solver_->solve(reduced_right_hand_side_.data(), 1, reduced_step_.data(), control_);
-  const StepResult result = finish(solved, plan_->eliminated_blocks);
-  if (result.status == LinearStatus::kOk)
-    schur_->back_substitute(right_hand_side_.data(), reduced_step_.data(), step.data());
-  return result;
+  const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
+  if (solved.status == LinearStatus::kNotPositiveDefinite)
+    note_failure(solved.failed_block, solved.failed_scalar);
+  const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is a step
+  return {usable ? LinearStatus::kOk : solved.status, solved.iterations, solved.exact};
 }
 
 double BatchSystem::try_step(std::span<const double> step) {

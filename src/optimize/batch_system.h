@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a whole graph: linearised at once, solved directly, through the Schur complement, or
-// matrix-free.
+// The System of a whole graph: linearised at once, solved by a linear solver behind an elimination.
 #pragma once
 
 #include <memory>
@@ -8,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "boxplus/linear/make_linear_solver.h"
 #include "boxplus/linearize/linearizer.h"
-#include "boxplus/linearize/schur.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
 #include "optimize/estimates.h"
@@ -46,10 +45,8 @@ class BatchSystem final : public System {
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
   const LinearSolver& linear_solver() const { return *solver_; }
-  /// Of the plan's blocks; empty where the solver has none, or solves the Schur complement.
-  std::span<const std::uint32_t> elimination_order() const {
-    return schur_ ? std::span<const std::uint32_t>() : solver_->elimination_order();
-  }
+  /// Of the plan's blocks; empty if the solver has none, or blocks are eliminated before.
+  std::span<const std::uint32_t> elimination_order() const { return solver_->elimination_order(); }
   /// Whether a component can move without changing any error; to tell, it may factorise H at the current
   /// estimates.
   bool is_free();
@@ -66,10 +63,8 @@ class BatchSystem final : public System {
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
   bool hold_lost_pivot();
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
-  StepResult solve_full(const Damping& damping, std::span<double> step);
-  StepResult solve_reduced(const Damping& damping, std::span<double> step);
-  StepResult fail(const FactorResult& result, std::uint32_t first_block);
-  StepResult finish(const SolveResult& result, std::uint32_t first_block);
+  StepResult factorize_and_solve(const Damping& damping, std::span<double> step);
+  void note_failure(std::uint32_t block, std::uint32_t scalar);
   AnalyzeHints hints() const;
   void resize_vectors();
 
@@ -78,11 +73,8 @@ class BatchSystem final : public System {
   Estimates before_step_;
   Linearizer linearizer_;
   AssembledSystem assembled_;
-  std::unique_ptr<Schur> schur_;
-  std::unique_ptr<BlockSystem> reduced_;
   std::shared_ptr<LinearSolver> solver_;
-  std::vector<double> diagonal_, right_hand_side_, product_, damping_, reduced_right_hand_side_,
-      reduced_step_;
+  std::vector<double> diagonal_, right_hand_side_, product_, damping_;
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   std::vector<std::uint32_t> lost_scalars_;
@@ -92,7 +84,6 @@ class BatchSystem final : public System {
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;
-  std::vector<std::uint32_t> last_blocks_;  // in the elimination
   std::optional<bool> extensible_;  // once it was asked for
   Timings* timings_ = nullptr;
 };

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "base/all_finite.h"
 #include "boxplus/linearize/linearizer.h"
+#include "linear/inverse_blocks.h"
 #include "linearize/fixed_directions.h"
 #include "optimize/planned_system.h"
 
@@ -148,52 +148,45 @@ class CovarianceMaker {
     };
     std::vector<BlockCoordinate> wanted;
     std::vector<Target> targets;
-    std::size_t size = 0;
     for (std::size_t i = 0; i < blocks_.size(); ++i) {
       for (std::size_t j = result_.is_joint_ ? 0 : i; j <= i; ++j) {
         if (blocks_[i] == kNoBlock || blocks_[j] == kNoBlock) continue;
-        const auto [low, high] = std::minmax(blocks_[i], blocks_[j]);
-        wanted.push_back({high, low});
+        wanted.push_back({blocks_[i], blocks_[j]});
         targets.push_back({i, j});
-        size += std::size_t{plan_.structure.dim(low)} * plan_.structure.dim(high);
       }
     }
-    std::vector<double> values(size);
     if (wanted.empty()) return;
-    if (!solver_->selected_inverse(wanted, values.data()) || !all_finite(values)) {
-      fail(CovarianceStatus::kNotFinite, plan_.block_vertex[wanted[0].row], "the inverse of H overflows");
+    InverseBlocks inverse(plan_.structure, wanted);
+    if (!inverse.compute(*solver_)) {
+      fail(CovarianceStatus::kNotFinite, plan_.block_vertex[std::max(wanted[0].row, wanted[0].column)],
+           "the inverse of H overflows");
       return;
     }
-    const double* from = values.data();
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-      store(targets[k].i, targets[k].j, wanted[k], from);
-      from += std::size_t{plan_.structure.dim(wanted[k].row)} * plan_.structure.dim(wanted[k].column);
-    }
+    for (std::size_t k = 0; k < wanted.size(); ++k) store(targets[k].i, targets[k].j, inverse.block(k));
   }
 
-  /// Keeps a block of the inverse as that of vertices i and j, in this order; exactly symmetric if i is j.
-  void store(std::size_t i, std::size_t j, BlockCoordinate block, const double* values) {
-    Eigen::MatrixXd inverse = Eigen::Map<const Eigen::MatrixXd>(values, plan_.structure.dim(block.row),
-                                                                plan_.structure.dim(block.column));
+  /// Keeps a block of the inverse as that of vertices i and j; exactly symmetric if i is j.
+  void store(std::size_t i, std::size_t j, Eigen::MatrixXd inverse) {
+    for (Eigen::Index r = 0; r < inverse.rows(); ++r) {
+      if (is_held(blocks_[i], r)) inverse.row(r).setZero();
+    }
+    for (Eigen::Index c = 0; c < inverse.cols(); ++c) {
+      if (is_held(blocks_[j], c)) inverse.col(c).setZero();
+    }
     std::vector<double>& out = result_.blocks_[result_.block_index(i, j)];
     out.resize(static_cast<std::size_t>(inverse.size()));
-    Eigen::Map<Eigen::MatrixXd> kept(out.data(), plan_.structure.dim(blocks_[i]),
-                                     plan_.structure.dim(blocks_[j]));
-    for (std::uint32_t r = 0; r < plan_.structure.dim(block.row); ++r) {
-      if (stiffness_[plan_.structure.offset[block.row] + r] > 0) inverse.row(r).setZero();
-    }
-    for (std::uint32_t c = 0; c < plan_.structure.dim(block.column); ++c) {
-      if (stiffness_[plan_.structure.offset[block.column] + c] > 0) inverse.col(c).setZero();
-    }
+    Eigen::Map<Eigen::MatrixXd> kept(out.data(), inverse.rows(), inverse.cols());
     if (i == j) {
       kept = (inverse + inverse.transpose()) / 2;
-    } else if (block.row == blocks_[i]) {
-      kept = inverse;
     } else {
-      kept = inverse.transpose();
+      kept = inverse;
     }
     for_each_fixed(blocks_[i], [&](Eigen::Index direction) { kept.row(direction).setZero(); });
     for_each_fixed(blocks_[j], [&](Eigen::Index direction) { kept.col(direction).setZero(); });
+  }
+
+  bool is_held(std::uint32_t block, Eigen::Index direction) const {
+    return stiffness_[plan_.structure.offset[block] + static_cast<std::uint32_t>(direction)] > 0;
   }
 
   /// The directions in which the vertex of a block stays.
@@ -209,7 +202,7 @@ class CovarianceMaker {
   const Options& options_;
   Plan plan_;
   Linearizer linearizer_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::shared_ptr<LinearSolver> solver_;
   std::vector<double> stiffness_;      // added to the diagonal of H in directions that are held
   std::vector<std::uint32_t> blocks_;  // of H, per vertex
   Covariance result_;

@@ -7,8 +7,8 @@
 
 #include "kernels/every_isa.h"
 #include "kernels/kernel_table.h"
+#include "linear/schur/elimination_reference.h"
 #include "linear/test_system.h"
-#include "linearize/elimination_reference.h"
 
 namespace boxplus {
 namespace {

@@ -11,15 +11,17 @@ namespace {
 
 /// All but LinearSolverKind::kEigenSparse: Eigen allocates temporaries in every call (see
 /// eigen_sparse_solver.h).
-class LinearSolverAllocations : public ::testing::TestWithParam<LinearSolverKind> {};
+class LinearSolverAllocations : public ::testing::TestWithParam<std::tuple<LinearSolverKind, bool>> {};
 
 TEST_P(LinearSolverAllocations, StopAfterTheFirstFactorizationAndSolve) {
   if (!testing::allocations_are_counted()) GTEST_SKIP() << "a sanitizer has its own allocator";
   std::mt19937 random(1);
   TestSystem system = random_system(std::vector<std::uint32_t>(225, 6), grid_edges(15, 15), random);
   const AssembledSystem view = system.view();
-  const auto solver = make_linear_solver(GetParam());
-  solver->analyze(system.structure, {.right_hand_sides = 2, .threads = 2});
+  const auto& [kind, eliminates] = GetParam();
+  std::shared_ptr<LinearSolver> solver = make_linear_solver(kind);
+  if (eliminates) solver = make_schur_solver(std::move(solver));
+  solver->analyze(system.structure, {.right_hand_sides = 2, .threads = 2, .eliminated_blocks = 1});
   std::vector<double> b(2 * system.structure.scalars(), 1.0), x(b.size());
   bool good = true;
   const auto step = [&](double lambda, int columns) {
@@ -37,9 +39,14 @@ TEST_P(LinearSolverAllocations, StopAfterTheFirstFactorizationAndSolve) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LinearSolverAllocations,
-                         ::testing::Values(LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg,
-                                           LinearSolverKind::kDense),
-                         [](const auto& test) { return std::string(to_string(test.param)); });
+                         ::testing::Combine(::testing::Values(LinearSolverKind::kBlockCholesky,
+                                                              LinearSolverKind::kPcg,
+                                                              LinearSolverKind::kDense),
+                                            ::testing::Bool()),
+                         [](const auto& test) {
+                           const auto& [kind, eliminates] = test.param;
+                           return (eliminates ? "schur_" : "") + std::string(to_string(kind));
+                         });
 
 }  // namespace
 }  // namespace boxplus

@@ -24,15 +24,32 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Candidate {
   LinearSolverKind kind;
   Precision precision = Precision::kDouble;
+  bool eliminates = false;  ///< behind an elimination
 };
+
+std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
+  std::shared_ptr<LinearSolver> solver =
+      make_linear_solver(candidate.kind, {.block_cholesky = {.precision = candidate.precision}});
+  return candidate.eliminates ? make_schur_solver(std::move(solver)) : solver;
+}
+
+/// How many of the first blocks there are no two of which are joined.
+std::uint32_t independent_blocks(const BlockStructure& structure) {
+  std::uint32_t first_joined = structure.blocks();  // with a block before it
+  for (std::uint32_t j = 0; j < first_joined; ++j) {
+    for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k)
+      first_joined = std::min(first_joined, structure.row[k]);
+  }
+  return first_joined;
+}
 
 class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
  protected:
-  LinearSolverTest()
-      : solver(make_linear_solver(GetParam().kind, {.block_cholesky = {.precision = GetParam().precision}})) {}
+  LinearSolverTest() : solver(make(GetParam())) {}
 
   FactorResult factorize(const TestSystem& system, const Damping& damping = {}) {
-    solver->analyze(system.structure, {.right_hand_sides = 3});
+    solver->analyze(system.structure,
+                    {.right_hand_sides = 3, .eliminated_blocks = independent_blocks(system.structure)});
     view.emplace(system.view());
     return solver->factorize(*view, damping, control);
   }
@@ -46,7 +63,7 @@ class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
 
   bool is_iterative() const { return GetParam().kind == LinearSolverKind::kPcg; }
 
-  std::unique_ptr<LinearSolver> solver;
+  std::shared_ptr<LinearSolver> solver;
   std::optional<AssembledSystem> view;
   SolveControl control{.relative_tolerance = 1e-12};
 };
@@ -83,6 +100,64 @@ TEST_P(LinearSolverTest, SolvesSystemsOfOneBlockSize) {
     ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
     const MatrixXd b = right_hand_sides(system, 1);
     expect_solution(system.dense(), solve(b), b);
+  }
+}
+
+/// Points of mixed sizes first, no two of which are joined, and cameras that each see some of them.
+TestSystem points_and_cameras(std::uint32_t points, std::uint32_t cameras, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint32_t> dims;
+  for (std::uint32_t p = 0; p < points; ++p) dims.push_back(1 + random() % 4);
+  for (std::uint32_t c = 0; c < cameras; ++c) dims.push_back(c % 3 == 0 ? 9 : 6);
+  std::vector<BlockCoordinate> edges;
+  for (std::uint32_t c = points; c < points + cameras; ++c) {
+    for (std::uint32_t p = 0; p < points; ++p) {
+      if (random() % 3 != 0) edges.push_back({c, p});
+    }
+    if (c > points) edges.push_back({c, c - 1});
+  }
+  return random_system(dims, edges, random);
+}
+
+TEST_P(LinearSolverTest, SolvesSystemsOfPointsAndCameras) {
+  for (std::uint32_t seed = 0; seed < 5; ++seed) {
+    TestSystem system = points_and_cameras(30, 4 + seed, seed);
+    ASSERT_EQ(factorize(system, {.lambda = 0.5}).status, LinearStatus::kOk);
+    MatrixXd a = system.dense();
+    a.diagonal().array() += 0.5;
+    const MatrixXd b = right_hand_sides(system, 4);
+    expect_solution(a, solve(b), b);
+  }
+}
+
+TEST_P(LinearSolverTest, NamesThePointOrCameraThatIsNotPositiveDefinite) {
+  for (const std::uint32_t bad : {0u, 17u, 29u, 30u, 35u}) {
+    TestSystem system = points_and_cameras(30, 6, 1);
+    system.block(bad, bad)(0, 0) = -1;
+    const FactorResult result = factorize(system);
+    EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
+    EXPECT_EQ(result.failed_block, bad);
+  }
+}
+
+TEST_P(LinearSolverTest, GivesTheInverseOfPointsAndCameras) {
+  TestSystem system = points_and_cameras(12, 4, 2);
+  ASSERT_EQ(factorize(system, {.lambda = 0.5}).status, LinearStatus::kOk);
+  MatrixXd a = system.dense();
+  a.diagonal().array() += 0.5;
+  const MatrixXd inverse = a.inverse();
+  const BlockStructure& s = system.structure;
+  for (std::uint32_t i = 0; i < s.blocks(); ++i) {
+    for (std::uint32_t j = 0; j <= i; ++j) {
+      const std::vector<BlockCoordinate> wanted{{i, j}};
+      MatrixXd block = MatrixXd::Constant(s.dim(i), s.dim(j), kNan);
+      if (!solver->selected_inverse(wanted, block.data())) {
+        EXPECT_TRUE(is_iterative());
+        return;
+      }
+      const MatrixXd expected = inverse.block(s.offset[i], s.offset[j], s.dim(i), s.dim(j));
+      EXPECT_LT((block - expected).norm(), 1e-9 * inverse.norm()) << i << ", " << j;
+    }
   }
 }
 
@@ -344,16 +419,21 @@ TEST_P(LinearSolverTest, IsNotStoppedByADeadlineFarAway) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LinearSolverTest,
-                         ::testing::Values(Candidate{LinearSolverKind::kBlockCholesky},
-                                           Candidate{LinearSolverKind::kBlockCholesky, Precision::kMixed},
-                                           Candidate{LinearSolverKind::kPcg},
-                                           Candidate{LinearSolverKind::kDense},
-                                           Candidate{LinearSolverKind::kEigenSparse}),
-                         [](const auto& test) {
-                           return std::string(to_string(test.param.kind)) +
-                                  (test.param.precision == Precision::kMixed ? "_mixed" : "");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, LinearSolverTest,
+    ::testing::Values(Candidate{LinearSolverKind::kBlockCholesky},
+                      Candidate{LinearSolverKind::kBlockCholesky, Precision::kMixed},
+                      Candidate{LinearSolverKind::kPcg}, Candidate{LinearSolverKind::kDense},
+                      Candidate{LinearSolverKind::kEigenSparse},
+                      Candidate{.kind = LinearSolverKind::kBlockCholesky, .eliminates = true},
+                      Candidate{LinearSolverKind::kBlockCholesky, Precision::kMixed, true},
+                      Candidate{.kind = LinearSolverKind::kPcg, .eliminates = true},
+                      Candidate{.kind = LinearSolverKind::kDense, .eliminates = true},
+                      Candidate{.kind = LinearSolverKind::kEigenSparse, .eliminates = true}),
+    [](const auto& test) {
+      return std::string(test.param.eliminates ? "schur_" : "") + std::string(to_string(test.param.kind)) +
+             (test.param.precision == Precision::kMixed ? "_mixed" : "");
+    });
 
 std::unique_ptr<LinearSolver> automatic_solver(const AutomaticSolverOptions& options,
                                                const BlockCholeskyOptions& block_cholesky = {}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Elimination against the dense Schur complement of the dense H.
-#include "boxplus/linearize/schur.h"
+#include "linear/schur/schur.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

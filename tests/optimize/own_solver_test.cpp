@@ -99,8 +99,8 @@ Graph line_of_numbers() {
   graph.fix(last);
   for (int k = 1; k < 30; ++k) {
     const auto next = graph.add_vertex(0.0);
-    graph.add_edge([](double a, double b) { return b - a - 1.5; }, last, next);
-    graph.add_edge([k](double b) { return 0.1 * (b - k); }, next);
+    graph.add_edge([](const auto& a, const auto& b) { return b - a - 1.5; }, last, next);
+    graph.add_edge([k](const auto& b) { return 0.1 * (b - 1.0 * k); }, next);
     last = next;
   }
   return graph;

@@ -6,13 +6,15 @@
 #include <iomanip>
 
 #include "boxplus/base/parallel.h"
-#include "boxplus/linearize/schur.h"
+#include "core/client_solver.h"
 #include "core/edge_parts.h"
 #include "core/engine_solver.h"
+#include "core/measured_solver.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"
 #include "g2o/stuff/timeutil.h"
+#include "linear/inverse_blocks.h"
 
 namespace g2o {
 namespace internal {
@@ -28,15 +30,13 @@ struct BlockSolverEngine::State {
   std::uint32_t kept = 0, eliminated = 0;  // blocks
   BlockStructure structure;                // of H, the eliminated blocks first
   std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
-  std::unique_ptr<boxplus::Schur> schur;
-  std::unique_ptr<boxplus::BlockSystem> full, reduced;
-  std::unique_ptr<boxplus::LinearSolver> solver;
+  std::unique_ptr<boxplus::BlockSystem> full;
+  std::shared_ptr<boxplus::LinearSolver> solver;  // eliminates; behind it
+  std::shared_ptr<MeasuredSolver> measured;       // solves for the other blocks; and behind this,
+  ClientSolver* client = nullptr;                 // if the linear solver is the client's
   EngineSettings settings;
-  std::vector<double> engine_b, engine_x, reduced_b, reduced_x;
-  std::vector<int> reduced_dims;
-  std::vector<EngineBlock> reduced_blocks;
-  std::vector<double> damped_diagonal;
-  bool ready = false;   // schur and solver are made for the structure
+  std::vector<double> engine_b, engine_x;
+  bool ready = false;   // the solvers are made for the structure
   bool filled = false;  // H is that of a linearisation
 
   std::vector<double>& values() const { return *memory; }
@@ -69,10 +69,9 @@ struct BlockSolverEngine::State {
   void map_vertices(const SparseOptimizer& optimizer);
   void map_edges(const SparseOptimizer& optimizer);
   void map_pair(OptimizableGraph::Edge& edge, int i, int j);
-  void make_schur(bool explicit_values);
   void make_solver(const EngineSettings& new_settings);
   bool factorize(double lambda);
-  bool complain(const boxplus::FactorResult& result, std::uint32_t first_block) const;
+  bool complain(const boxplus::FactorResult& result) const;
 };
 
 BlockSolverEngine::BlockSolverEngine() = default;
@@ -82,12 +81,6 @@ namespace {
 
 const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, size_t i) {
   return static_cast<const OptimizableGraph::Vertex*>(edge.vertex(i));
-}
-
-/// Its life counts as the linear solver's work.
-internal::AddedTime linear_solver_time() {
-  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  return internal::AddedTime(statistics ? &statistics->timeLinearSolver : nullptr);
 }
 
 }  // namespace
@@ -169,34 +162,27 @@ void BlockSolverEngine::State::map_edges(const SparseOptimizer& optimizer) {
   }
 }
 
-void BlockSolverEngine::State::make_schur(bool explicit_values) {
-  schur = std::make_unique<boxplus::Schur>(structure, eliminated, explicit_values);
-  const BlockStructure& left = schur->reduced_structure();
-  reduced_b.resize(left.scalars());
-  reduced_x.resize(left.scalars());
-  if (explicit_values) {
-    reduced = std::make_unique<boxplus::AssembledSystem>(left, schur->reduced_values());
-  } else {
-    reduced = std::make_unique<boxplus::ImplicitSchur>(*schur);
-  }
-}
-
 void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
   const bool same_kind = new_settings.solver == settings.solver && new_settings.exact == settings.exact;
   settings = new_settings;
-  if (same_kind && ready) return;
+  if (same_kind && ready) {
+    measured->set_settings(settings);
+    return;
+  }
   ready = true;
-  const EngineSolver kind = settings.solver;
-  schur.reset();
-  solver = kind == EngineSolver::kNone ? nullptr : boxplus::make_linear_solver(
-                                                    engine_kind(kind), for_newton_steps(solver_options(settings)));
-  if (eliminated > 0)
-    make_schur(solver == nullptr || solver->needs() != boxplus::LinearSolver::Needs::kOperator);
-  if (solver == nullptr) return;
-  const internal::AddedTime time(G2OBatchStatistics::globalStats() == nullptr
-                                     ? nullptr
-                                     : &G2OBatchStatistics::globalStats()->timeSymbolicDecomposition);
-  solver->analyze(schur ? schur->reduced_structure() : structure, analyze_hints());
+  std::unique_ptr<boxplus::LinearSolver> inner;
+  client = nullptr;
+  if (settings.solver == EngineSolver::kNone) {
+    auto adapter = std::make_unique<ClientSolver>();
+    client = adapter.get();
+    inner = std::move(adapter);
+  } else {
+    inner =
+        boxplus::make_linear_solver(engine_kind(settings.solver), for_newton_steps(solver_options(settings)));
+  }
+  measured = std::make_shared<MeasuredSolver>(std::move(inner), settings);
+  solver = boxplus::make_schur_solver(measured);
+  solver->analyze(structure, analyze_hints(eliminated));
 }
 
 bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
@@ -247,55 +233,38 @@ bool BlockSolverEngine::isLinearised(const SparseOptimizer& optimizer) const {
 }
 
 /// Says which vertex H is not positive definite for.
-bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result,
-                                        std::uint32_t first_block) const {
+bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result) const {
   const char* what =
       result.status == LinearStatus::kNotPositiveDefinite ? "is not positive definite" : "is not finite";
   if (result.failed_block == BlockStructure::kAbsent) {
     G2O_WARN("the linear system {}", what);
     return false;
   }
-  const std::uint32_t block = first_block + result.failed_block;
+  const std::uint32_t block = result.failed_block;
   const std::uint32_t h = block < eliminated ? kept + block : block - eliminated;
   G2O_WARN("the linear system {} (at vertex {})", what, ids[h]);
   return false;
 }
 
 bool BlockSolverEngine::State::factorize(double lambda) {
-  const boxplus::Damping damping{lambda, nullptr};
-  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  if (schur) {
-    const internal::AddedTime time(statistics ? &statistics->timeSchurComplement : nullptr);
-    const boxplus::FactorResult result = schur->eliminate(values(), damping);
-    if (result.status != LinearStatus::kOk) return complain(result, 0);
+  const double begin = get_monotonic_time();
+  const boxplus::FactorResult result = solver->factorize(*full, {lambda, nullptr});
+  const double solver_seconds = measured->take_factorize_seconds();
+  if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats()) {
+    if (eliminated > 0) statistics->timeSchurComplement += get_monotonic_time() - begin - solver_seconds;
+    statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
   }
-  if (solver == nullptr) return true;
-  const internal::AddedTime time(statistics ? &statistics->timeNumericDecomposition : nullptr);
-  const internal::AddedTime solver_time = linear_solver_time();
-  const boxplus::FactorResult result = schur ? solver->factorize(*reduced, schur->reduced_damping(damping))
-                                             : solver->factorize(*full, damping);
-  if (statistics) statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
-  return result.status == LinearStatus::kOk || complain(result, eliminated);
+  return result.status == LinearStatus::kOk || complain(result);
 }
 
-bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const EngineSettings& settings) {
+bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const EngineSettings& settings,
+                              const ClientLinearSolver& client) {
   State& s = *state_;
   s.make_solver(settings);
+  if (s.client != nullptr) s.client->set_client(&client);
   if (!s.factorize(lambda)) return false;
   s.to_engine(b, s.engine_b.data());
-  boxplus::SolveResult result;
-  const auto solve_for = [&](const std::vector<double>& right, std::vector<double>& solution) {
-    const boxplus::SolveControl control = solve_control(settings, right.data(), right.size());
-    const internal::AddedTime time = linear_solver_time();
-    return s.solver->solve(right.data(), 1, solution.data(), control);
-  };
-  if (s.schur) {
-    s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
-    result = solve_for(s.reduced_b, s.reduced_x);
-    s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
-  } else {
-    result = solve_for(s.engine_b, s.engine_x);
-  }
+  const boxplus::SolveResult result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data());
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->iterationsLinearSolver = result.iterations;
   if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged) return false;
@@ -316,38 +285,26 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
   const State& s = *state_;
   const auto n = static_cast<int>(s.ids.size());
   std::vector<boxplus::BlockCoordinate> wanted;
-  size_t size = 0;
   for (const auto& [i, j] : blockIndices) {
     if (i < 0 || j < 0 || i >= n || j >= n) {
       G2O_ERROR("computeMarginals: expected Hessian indices from 0 to {}, got ({}, {})", n - 1, i, j);
       return false;
     }
-    const std::uint32_t a = s.block_of(i), b = s.block_of(j);
-    wanted.push_back({std::max(a, b), std::min(a, b)});
-    size += static_cast<size_t>(s.structure.dim(a)) * s.structure.dim(b);
+    wanted.push_back({s.block_of(i), s.block_of(j)});
   }
   const auto solver =
-      boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky, {.block_cholesky = {.precision = boxplus::Precision::kDouble}});
-  solver->analyze(s.structure, analyze_hints());
+      boxplus::make_schur_solver(boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky));
+  boxplus::AnalyzeHints hints = analyze_hints(s.eliminated);
+  hints.may_be_singular = true;
+  solver->analyze(s.structure, hints);
   const boxplus::FactorResult factor = solver->factorize(*s.full, {});
-  if (factor.status != LinearStatus::kOk) return s.complain(factor, 0);
-  std::vector<double> out(size);
-  if (!solver->selected_inverse(wanted, out.data())) return false;
+  if (factor.status != LinearStatus::kOk) return s.complain(factor);
+  boxplus::InverseBlocks blocks(s.structure, wanted);
+  if (!blocks.compute(*solver)) return false;
   const std::vector<int> ends = s.block_ends();
   spinv = SparseBlockMatrix<MatrixX>(ends.data(), ends.data(), n, n);
-  const double* values = out.data();
-  for (size_t k = 0; k < wanted.size(); ++k) {
-    const auto [i, j] = blockIndices[k];
-    const auto rows = s.structure.dim(wanted[k].row), cols = s.structure.dim(wanted[k].column);
-    const Eigen::Map<const MatrixX> block(values, rows, cols);
-    MatrixX& target = *spinv.block(i, j, true);
-    if (s.block_of(i) == wanted[k].row) {
-      target = block;
-    } else {
-      target = block.transpose();
-    }
-    values += block.size();
-  }
+  for (size_t k = 0; k < wanted.size(); ++k)
+    *spinv.block(blockIndices[k].first, blockIndices[k].second, true) = blocks.block(k);
   return true;
 }
 
@@ -386,74 +343,6 @@ void BlockSolverEngine::visitBlocks(const std::function<void(int, int, const Mat
       }
     }
   }
-}
-
-bool BlockSolverEngine::reduce(double lambda, const double* b) {
-  State& s = *state_;
-  s.make_solver({});
-  if (!s.factorize(lambda)) return false;
-  s.to_engine(b, s.engine_b.data());
-  const BlockStructure& left = s.schur ? s.schur->reduced_structure() : s.structure;
-  const double* values = s.schur ? s.schur->reduced_values().data() : s.values().data();
-  s.reduced_b.resize(left.scalars());
-  s.reduced_x.assign(left.scalars(), 0.0);
-  if (s.schur) {
-    s.schur->reduce(s.engine_b.data(), s.reduced_b.data());
-  } else {
-    s.reduced_b = s.engine_b;
-  }
-  s.reduced_dims.clear();
-  s.reduced_blocks.clear();
-  s.damped_diagonal.clear();
-  size_t diagonal = 0;
-  for (std::uint32_t c = 0; c < left.blocks(); ++c) {
-    s.reduced_dims.push_back(static_cast<int>(left.dim(c)));
-    diagonal += static_cast<size_t>(left.dim(c)) * left.dim(c);
-  }
-  s.damped_diagonal.resize(diagonal);
-  double* out = s.damped_diagonal.data();
-  for (std::uint32_t c = 0; c < left.blocks(); ++c) {
-    for (std::uint32_t k = left.column_start[c]; k < left.column_start[c + 1]; ++k) {
-      const double* block = values + left.value_start[k];
-      if (left.row[k] == c) {
-        const auto dim = static_cast<Eigen::Index>(left.dim(c));
-        Eigen::Map<MatrixX> damped(out, dim, dim);
-        damped = Eigen::Map<const MatrixX>(block, dim, dim);
-        damped.diagonal().array() += lambda;
-        block = out;
-        out += damped.size();
-      }
-      s.reduced_blocks.push_back({static_cast<int>(left.row[k]), static_cast<int>(c), block});
-    }
-  }
-  return true;
-}
-
-const std::vector<int>& BlockSolverEngine::reducedDims() const {
-  return state_->reduced_dims;
-}
-
-const std::vector<EngineBlock>& BlockSolverEngine::reducedBlocks() const {
-  return state_->reduced_blocks;
-}
-
-double* BlockSolverEngine::reducedRightHandSide() {
-  return state_->reduced_b.data();
-}
-
-double* BlockSolverEngine::reducedSolution() {
-  return state_->reduced_x.data();
-}
-
-void BlockSolverEngine::backSubstitute(const double* b, double* x) {
-  State& s = *state_;
-  s.to_engine(b, s.engine_b.data());
-  if (s.schur) {
-    s.schur->back_substitute(s.engine_b.data(), s.reduced_x.data(), s.engine_x.data());
-  } else {
-    s.engine_x = s.reduced_x;
-  }
-  s.from_engine(s.engine_x.data(), x);
 }
 
 }  // namespace internal

@@ -28,8 +28,8 @@ inline boxplus::LinearSolverOptions solver_options(const EngineSettings& setting
   return options;
 }
 
-inline boxplus::AnalyzeHints analyze_hints() {
-  return {.threads = boxplus::hardware_threads()};
+inline boxplus::AnalyzeHints analyze_hints(std::uint32_t eliminated_blocks = 0) {
+  return {.threads = boxplus::hardware_threads(), .eliminated_blocks = eliminated_blocks};
 }
 
 /// How exactly to solve for the right-hand side b of n numbers.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/engine_solver.h"
+#include "linear/inverse_blocks.h"
 
 namespace g2o {
 namespace internal {
@@ -67,21 +68,14 @@ bool LinearEngine::solve(const double* b, double* x) {
 }
 
 bool LinearEngine::inverse(const std::vector<std::pair<int, int>>& blocks,
-                           const std::function<void(size_t, const double*)>& take) {
+                           const std::function<void(size_t, const MatrixX&)>& take) {
   const State& s = *state_;
   std::vector<boxplus::BlockCoordinate> wanted;
-  size_t size = 0;
-  for (const auto& [row, column] : blocks) {
+  for (const auto& [row, column] : blocks)
     wanted.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)});
-    size += static_cast<size_t>(s.structure.dim(wanted.back().row)) * s.structure.dim(wanted.back().column);
-  }
-  std::vector<double> out(size);
-  if (!s.solver->selected_inverse(wanted, out.data())) return false;
-  const double* values = out.data();
-  for (size_t k = 0; k < wanted.size(); ++k) {
-    take(k, values);
-    values += static_cast<size_t>(s.structure.dim(wanted[k].row)) * s.structure.dim(wanted[k].column);
-  }
+  boxplus::InverseBlocks inverse(s.structure, wanted);
+  if (!inverse.compute(*s.solver)) return false;
+  for (size_t k = 0; k < wanted.size(); ++k) take(k, inverse.block(k));
   return true;
 }
 
@@ -112,21 +106,12 @@ bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
   std::vector<int> ends;
   int end = 0;
   for (int dim : dims) ends.push_back(end += dim);
-  std::vector<std::pair<int, int>> lower;
   for (const auto& [i, j] : blockIndices) {
     if (i < 0 || j < 0 || i >= n || j >= n) return false;
-    lower.emplace_back(std::max(i, j), std::min(i, j));
   }
   spinv = SparseBlockMatrix<MatrixX>(ends.data(), ends.data(), n, n);
-  return engine.inverse(lower, [&](size_t k, const double* values) {
-    const Eigen::Map<const MatrixX> block(values, dims[static_cast<size_t>(lower[k].first)],
-                                          dims[static_cast<size_t>(lower[k].second)]);
-    MatrixX& target = *spinv.block(blockIndices[k].first, blockIndices[k].second, true);
-    if (blockIndices[k] == lower[k]) {
-      target = block;
-    } else {
-      target = block.transpose();
-    }
+  return engine.inverse(blockIndices, [&](size_t k, const MatrixX& block) {
+    *spinv.block(blockIndices[k].first, blockIndices[k].second, true) = block;
   });
 }
 

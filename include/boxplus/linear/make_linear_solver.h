@@ -48,4 +48,17 @@ LinearSolverOptions for_newton_steps(LinearSolverOptions options);
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const LinearSolverOptions& options = {});
 
+/// How the Schur complement of eliminated blocks is used.
+enum class SchurMode : std::uint8_t {
+  kAutomatic,  ///< explicit for solvers that need blocks, implicit for those that need only products
+  kExplicit,
+  kImplicit
+};
+
+/// A solver that eliminates the blocks that AnalyzeHints::eliminated_blocks says by the Schur complement, and
+/// lets `inner`, by whose name it goes, solve for the others. If there are none, or no others, it is `inner`
+/// and no more.
+std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner,
+                                                SchurMode mode = SchurMode::kAutomatic);
+
 }  // namespace boxplus

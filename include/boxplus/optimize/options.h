@@ -42,13 +42,6 @@ std::string_view to_string(Start start);
 /// What λ multiplies in Levenberg-Marquardt.
 enum class DampingScale : std::uint8_t { kIdentity, kDiagonal };
 
-/// How the Schur complement of eliminated vertices is used.
-enum class SchurMode : std::uint8_t {
-  kAutomatic,  ///< explicit for solvers that need blocks, implicit for those that need only products
-  kExplicit,
-  kImplicit
-};
-
 struct IterationRecord {
   int iteration = 0;
   double chi2 = 0;  ///< after the iteration

@@ -136,8 +136,9 @@ class BlockSolver : public BlockSolverBase {
   void copyHessian();
   /// The linear solver's, and exact where steps must be.
   internal::EngineSettings engineSettings() const;
-  bool solveByLinearSolver();
-  bool layOutReducedMatrix();
+  using EngineBlocks = std::vector<internal::EngineBlock>;
+  bool solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks, double* x, double* b);
+  bool layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks);
 
   internal::BlockSolverEngine engine_;
   std::vector<PoseMatrixType*> reduced_blocks_;  ///< of _Hschur, in the order of the engine's blocks

@@ -82,16 +82,16 @@ void BlockSolver<Traits>::copyHessian() {
 template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
-  const internal::EngineSettings settings = engineSettings();
-  const bool has_schur_complement = isDerived() && _numLandmarks > 0;
-  if (settings.solver == internal::EngineSolver::kNone || has_schur_complement) return solveByLinearSolver();
-  return engine_.solve(lambda_, this->_b, this->_x, settings);
+  internal::EngineSettings settings = engineSettings();
+  if (isDerived() && _numLandmarks > 0) settings = {};  // has the Schur complement, so that it is made here
+  return engine_.solve(lambda_, this->_b, this->_x, settings,
+                       [this](const std::vector<int>& dims, const EngineBlocks& blocks, double* x,
+                              double* b) { return solveByLinearSolver(dims, blocks, x, b); });
 }
 
 /// Makes the matrix that the linear solver is given, once per structure.
 template <typename Traits>
-bool BlockSolver<Traits>::layOutReducedMatrix() {
-  const std::vector<int>& dims = engine_.reducedDims();
+bool BlockSolver<Traits>::layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks) {
   std::vector<int> ends;
   int end = 0;
   for (int dim : dims) {
@@ -105,29 +105,24 @@ bool BlockSolver<Traits>::layOutReducedMatrix() {
   const int n = static_cast<int>(ends.size());
   auto A = std::make_unique<PoseHessianType>(ends.data(), ends.data(), n, n);
   reduced_blocks_.clear();
-  for (const internal::EngineBlock& block : engine_.reducedBlocks())
+  for (const internal::EngineBlock& block : blocks)
     reduced_blocks_.push_back(A->block(block.column, block.row, true));
   _Hschur = std::move(A);
   return true;
 }
 
 template <typename Traits>
-bool BlockSolver<Traits>::solveByLinearSolver() {
-  if (!engine_.reduce(lambda_, this->_b)) return false;
-  if (_Hschur == nullptr && !layOutReducedMatrix()) return false;
+bool BlockSolver<Traits>::solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks,
+                                              double* x, double* b) {
+  if (_Hschur == nullptr && !layOutReducedMatrix(dims, blocks)) return false;
   PoseMatrixType* const* target = reduced_blocks_.data();
-  for (const internal::EngineBlock& block : engine_.reducedBlocks()) {
+  for (const internal::EngineBlock& block : blocks) {
     PoseMatrixType& to = **target++;
     to = Eigen::Map<const PoseMatrixType>(block.values, to.cols(), to.rows()).transpose();
   }
-  G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
-  const internal::AddedTime time(statistics ? &statistics->timeLinearSolver : nullptr);
-  if (!_linearSolver->solve(*_Hschur, engine_.reducedSolution(), engine_.reducedRightHandSide())) {
-    G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
-    return false;
-  }
-  engine_.backSubstitute(this->_b, this->_x);
-  return true;
+  if (_linearSolver->solve(*_Hschur, x, b)) return true;
+  G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
+  return false;
 }
 
 }  // namespace g2o

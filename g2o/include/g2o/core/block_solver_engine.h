@@ -18,6 +18,11 @@ class SparseOptimizer;
 
 namespace internal {
 
+/// Solves a system whose lower triangle of blocks is given, with blocks of `dims`; may change b. What a
+/// BlockSolver makes of the LinearSolver that its client gave it.
+using ClientLinearSolver = std::function<bool(const std::vector<int>& dims,
+                                              const std::vector<EngineBlock>& blocks, double* x, double* b)>;
+
 /// H of the engine: its blocks are mapped into vertices and edges (mapHessianMemory), so that
 /// constructQuadraticForm() adds to them where they lie. λ is an argument of solve() and never written into
 /// H.
@@ -40,8 +45,10 @@ class G2O_CORE_API BlockSolverEngine {
   size_t scalars() const;
   /// Linearises the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);
-  /// x ← (H + λI)⁻¹ b; false where that is not positive definite or not finite.
-  bool solve(double lambda, const double* b, double* x, const EngineSettings& settings);
+  /// x ← (H + λI)⁻¹ b; false if that is not positive definite or not finite. With EngineSolver::kNone
+  /// `client` solves what is left after the elimination.
+  bool solve(double lambda, const double* b, double* x, const EngineSettings& settings,
+             const ClientLinearSolver& client);
   /// dest ← H src.
   void multiply(double* dest, const double* src) const;
   /// Blocks of H⁻¹ by Hessian index.
@@ -53,15 +60,6 @@ class G2O_CORE_API BlockSolverEngine {
   int keptBlocks() const;
   /// Calls take(i, j, block) for every block (i, j) of H, i ≤ j, by Hessian index.
   void visitBlocks(const std::function<void(int, int, const MatrixX&)>& take) const;
-
-  /// For a linear solver that is not the engine's: the system that is left after the elimination, and back.
-  /// blocks(): the lower triangle.
-  bool reduce(double lambda, const double* b);
-  const std::vector<int>& reducedDims() const;
-  const std::vector<EngineBlock>& reducedBlocks() const;
-  double* reducedRightHandSide();
-  double* reducedSolution();
-  void backSubstitute(const double* b, double* x);
 
  private:
   struct State;

@@ -48,9 +48,9 @@ class G2O_CORE_API LinearEngine {
   bool factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks);
   /// May be called after factorize(); b and x may be the same.
   bool solve(const double* b, double* x);
-  /// Calls `take` with the blocks of the inverse, in the order asked for; row ≥ column.
+  /// Calls `take` with the blocks (row, column) of the inverse, in the order asked for.
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
-               const std::function<void(size_t, const double*)>& take);
+               const std::function<void(size_t, const MatrixX&)>& take);
   int iterations() const;
   /// Writes the matrix of the last factorize() for Octave; false where there was none.
   bool save(const std::string& fileName) const;
@@ -91,7 +91,7 @@ class G2O_CORE_API LinearEngine {
   std::vector<double> transposed_;
 };
 
-/// spinv ← the blocks (i, j) of the inverse of what `engine` factorised, mirrored where i < j.
+/// spinv ← the blocks (i, j) of the inverse of what `engine` factorised.
 G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
                               const std::vector<std::pair<int, int>>& blockIndices,
                               SparseBlockMatrix<MatrixX>& spinv);

@@ -40,9 +40,8 @@ class EngineLinearSolver : public LinearSolverCCS<MatrixType> {
     if (blocks == nullptr) this->allocateBlocks(A, blocks);
     std::vector<std::pair<int, int>> diagonal;
     for (int i = 0; i < static_cast<int>(A.rowBlockIndices().size()); ++i) diagonal.emplace_back(i, i);
-    return engine_.inverse(diagonal, [&](size_t i, const double* values) {
-      const auto dim = static_cast<size_t>(A.rowsOfBlock(static_cast<int>(i)));
-      std::copy(values, values + dim * dim, blocks[i]);
+    return engine_.inverse(diagonal, [&](size_t i, const MatrixX& block) {
+      std::copy(block.data(), block.data() + block.size(), blocks[i]);
     });
   }
   bool inversePattern(SparseBlockMatrix<MatrixX>& spinv, const std::vector<std::pair<int, int>>& blockIndices,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "boxplus/linearize/schur.h"
+#include "linear/schur/schur.h"
 
 #include <algorithm>
 
 #include "base/paced_stop.h"
-#include "linearize/elimination_reference.h"
-#include "linearize/small_cholesky.h"
+#include "linear/schur/elimination_reference.h"
+#include "linear/schur/small_cholesky.h"
 
 namespace boxplus {
 namespace {
@@ -31,17 +31,6 @@ void solve_small(const double* l, int dim, double* x) {
 }
 
 }  // namespace
-
-/// Calls f(kept block, values of W's block, its rows) for the rows below the diagonal of an eliminated
-/// column.
-template <class F>
-void Schur::for_each_row(std::uint32_t column, F&& f) const {
-  for (std::uint32_t k = structure_->column_start[column] + 1; k < structure_->column_start[column + 1];
-       ++k) {
-    f(structure_->row[k] - eliminated_, values_.data() + structure_->value_start[k],
-      static_cast<int>(structure_->dim(structure_->row[k])));
-  }
-}
 
 Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
              const StopToken& stop)
@@ -110,13 +99,24 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
     std::copy_n(v, n * n, l);
     for (int i = 0; i < n; ++i)
       l[i + i * n] += damping(structure_->offset[e] + static_cast<std::uint32_t>(i));
-    if (!with_small_size(n, [&](auto size) { return small_cholesky(l, size); })) {
-      const bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
-      return {finite ? LinearStatus::kNotPositiveDefinite : LinearStatus::kNotFinite, e};
-    }
+    const int good = with_small_size(n, [&](auto size) { return small_cholesky(l, size); });
+    if (good < n) return failure(e, static_cast<std::uint32_t>(good), damping);
   }
   if (!reduced_values_.empty() && !form_reduced_values(pace)) return {LinearStatus::kStopped};
   return {};
+}
+
+FactorResult Schur::failure(std::uint32_t block, std::uint32_t pivot, const Damping& damping) const {
+  const double* v = values_.data() + structure_->value_start[structure_->column_start[block]];
+  const std::uint32_t n = structure_->dim(block), first = structure_->offset[block];
+  bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
+  for (std::uint32_t i = 0; i < n; ++i) finite = finite && std::isfinite(damping(first + i));
+  if (!finite) return {LinearStatus::kNotFinite, block};
+  return {LinearStatus::kNotPositiveDefinite, block, first + pivot};
+}
+
+void Schur::solve_eliminated(std::uint32_t block, double* x) const {
+  solve_small(factors_.data() + factor_start_[block], static_cast<int>(structure_->dim(block)), x);
 }
 
 Damping Schur::reduced_damping(const Damping& damping) const {
@@ -129,7 +129,7 @@ std::uint32_t Schur::halve_column(std::uint32_t column) {
   const double* l = factors_.data() + factor_start_[column];
   double* half = half_column_.data();
   std::uint32_t blocks = 0;
-  for_each_row(column, [&](std::uint32_t, const double* w, int rows) {
+  for_each_joined(column, [&](std::uint32_t, const double* w, int rows) {
     elimination_kernels(rows, n).half_block(rows, n, l, w, half);
     half += rows * n;
     half_rows_[blocks++] = rows;
@@ -170,7 +170,7 @@ void Schur::reduce(const double* r, double* reduced_r) {
     const double* l = factors_.data() + factor_start_[e];
     std::copy_n(r + structure_->offset[e], n, small_.data());
     solve_small(l, n, small_.data());
-    for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
+    for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
       elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small_.data(),
                                                            reduced_r + reduced_.offset[row]);
     });
@@ -184,7 +184,7 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
     const double* l = factors_.data() + factor_start_[e];
     double* out = x + structure_->offset[e];
     std::copy_n(r + structure_->offset[e], n, out);
-    for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
+    for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
       elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_.offset[row],
                                                                 out);
     });
@@ -215,12 +215,12 @@ void Schur::multiply(const double* x, double* y) {
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     std::fill_n(small, n, 0.0);
-    for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
+    for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
       elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
     });
     solve_small(factors_.data() + factor_start_[e], n, small);
     for (int i = 0; i < n; ++i) small[i] = -small[i];
-    for_each_row(e, [&](std::uint32_t row, const double* w, int rows) {
+    for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
       elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small, y + reduced_.offset[row]);
     });
   }
@@ -236,7 +236,7 @@ void Schur::block_diagonal(double* out) {
     const int n = static_cast<int>(structure_->dim(e));
     halve_column(e);
     const double* half = half_column_.data();
-    for_each_row(e, [&](std::uint32_t row, const double*, int rows) {
+    for_each_joined(e, [&](std::uint32_t row, const double*, int rows) {
       elimination_kernels(rows, n).subtract_block_products(rows, n, half,
                                                            {half, &rows, 1, &diagonal_start_[row], out});
       half += rows * n;

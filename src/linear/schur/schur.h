@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "boxplus/linear/block_system.h"
@@ -27,18 +28,36 @@ class Schur {
 
   /// Structure of S: the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
+  const BlockStructure& structure() const { return *structure_; }
+  std::uint32_t eliminated_blocks() const { return eliminated_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
 
-  /// Factorises V + λD and, where asked for at construction, forms S without the λD of the kept blocks, which
-  /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H that is
-  /// not positive definite. Returns LinearStatus::kStopped soon after the token is raised.
+  /// Factorises V + λD and, if asked for at construction, forms S without the λD of the kept blocks, which
+  /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H,
+  /// and the scalar, that is not positive definite. Returns LinearStatus::kStopped soon after the token is
+  /// raised.
   FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {});
   /// The part of a damping that concerns the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
   /// r_kept − W V⁻¹ r_eliminated.
   void reduce(const double* r, double* reduced_r);
-  /// Fills the eliminated part of x, x_e = V⁻¹ (r_e − Wᵀ x_kept), and copies the kept part.
+  /// Fills the eliminated part of x, x_e = V⁻¹ (r_e − Wᵀ x_kept), and copies the kept part. x may be r.
   void back_substitute(const double* r, const double* reduced_x, double* x) const;
+
+  /// x ← (V + λD)⁻¹ x for one eliminated block.
+  void solve_eliminated(std::uint32_t block, double* x) const;
+  /// Calls f(kept block, values of W's block, its rows) for the kept blocks that an eliminated one is joined
+  /// with.
+  template <class F>
+  void for_each_joined(std::uint32_t eliminated, F&& f) const {
+    const auto [begin, end] =
+        std::pair(structure_->column_start[eliminated] + 1, structure_->column_start[eliminated + 1]);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t row = structure_->row[k];
+      f(row - eliminated_, values_.data() + structure_->value_start[k],
+        static_cast<int>(structure_->dim(row)));
+    }
+  }
 
   /// Values of S (explicit_values only).
   std::span<const double> reduced_values() const { return reduced_values_; }
@@ -48,8 +67,7 @@ class Schur {
   void block_diagonal(double* out);
 
  private:
-  template <class F>
-  void for_each_row(std::uint32_t column, F&& f) const;
+  FactorResult failure(std::uint32_t block, std::uint32_t pivot, const Damping& damping) const;
   bool form_reduced_values(PacedStop& pace);
   std::uint32_t halve_column(std::uint32_t column);
   void kept_multiply(const double* x, double* y) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "linearize/elimination_reference.h"
+#include "linear/schur/elimination_reference.h"
 
 namespace boxplus {
 namespace {

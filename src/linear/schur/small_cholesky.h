@@ -22,15 +22,15 @@ inline auto with_small_size(int n, F&& f) {
   }
 }
 
-/// A = LLᵀ in place (lower triangle), with the reciprocals of L's diagonal in place of the diagonal; false if
-/// A is not positive definite to working precision.
+/// A = LLᵀ in place (lower triangle), with the reciprocals of L's diagonal in place of the diagonal. Returns
+/// n, or the first pivot by which A is not positive definite to working precision.
 template <class Size>
-inline bool small_cholesky(double* a, Size n) {
+inline int small_cholesky(double* a, Size n) {
   for (int j = 0; j < n; ++j) {
     const double original = a[j + j * n];
     double pivot = original;
     for (int k = 0; k < j; ++k) pivot -= a[j + k * n] * a[j + k * n];
-    if (!(pivot > 1e-14 * original) || !std::isfinite(pivot)) return false;
+    if (!(pivot > 1e-14 * original) || !std::isfinite(pivot)) return j;
     const double reciprocal = 1 / std::sqrt(pivot);
     a[j + j * n] = reciprocal;
     for (int i = j + 1; i < n; ++i) {
@@ -39,7 +39,7 @@ inline bool small_cholesky(double* a, Size n) {
       a[i + j * n] = sum * reciprocal;
     }
   }
-  return true;
+  return n;
 }
 
 /// x ← (LLᵀ)⁻¹ x, L as small_cholesky() leaves it.

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linear/schur/schur_solver.h"
+
+#include <algorithm>
+
+#include "boxplus/base/error.h"
+#include "linear/column_inverse.h"
+#include "linear/finite_check.h"
+#include "linear/schur/schur_inverse.h"
+
+namespace boxplus {
+
+std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner, SchurMode mode) {
+  return std::make_shared<SchurSolver>(std::move(inner), mode);
+}
+
+void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& hints, const StopToken& stop) {
+  factorized_ = false;
+  reduced_.reset();
+  schur_.reset();
+  structure_ = &structure;
+  const std::uint32_t eliminated = hints.eliminated_blocks;
+  if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
+  const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
+  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, stop);
+  if (make_values) {
+    reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());
+  } else {
+    reduced_ = std::make_unique<ImplicitSchur>(*schur);
+  }
+  schur_ = std::move(schur);
+  batch_ = std::max(1, hints.right_hand_sides);
+  reduced_vectors_.resize(std::size_t{schur_->reduced_structure().scalars()} *
+                          static_cast<std::size_t>(batch_));
+  std::vector<std::uint32_t> last;
+  for (const std::uint32_t block : hints.last) {
+    if (block >= eliminated) last.push_back(block - eliminated);
+  }
+  inner_->analyze(schur_->reduced_structure(),
+                  {.right_hand_sides = batch_,
+                   .threads = hints.threads,
+                   .last = last,
+                   .may_be_singular = hints.may_be_singular},
+                  stop);
+}
+
+void SchurSolver::move_to_full_numbering(std::uint32_t& block, std::uint32_t& scalar) const {
+  if (block != BlockStructure::kAbsent) block += schur_->eliminated_blocks();
+  if (scalar != BlockStructure::kAbsent) scalar += schur_->eliminated_scalars();
+}
+
+FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& damping,
+                                    const SolveControl& control) {
+  if (!structure_) throw InvalidArgument("SchurSolver::factorize: expected a call of analyze() before");
+  if (!eliminates()) return inner_->factorize(system, damping, control);
+  factorized_ = false;
+  if (system.values().size() != structure_->nonzero_values())
+    throw InvalidArgument("SchurSolver::factorize: expected the block values of the analyzed structure");
+  if (control.stop.raised()) return {LinearStatus::kStopped};
+  FactorResult result = schur_->eliminate(system.values(), damping, control.stop);
+  if (result.status != LinearStatus::kOk) return result;
+  result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), control);
+  factorized_ = result.status == LinearStatus::kOk;
+  move_to_full_numbering(result.failed_block, result.failed_scalar);
+  if (result.status != LinearStatus::kNotFinite) return result;
+  const std::uint32_t cause = find_not_finite(*structure_, system.values().data(), damping);
+  return cause == BlockStructure::kAbsent ? result : FactorResult{result.status, cause};
+}
+
+SolveResult SchurSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
+  if (!eliminates()) return inner_->solve(b, columns, x, control);
+  if (!factorized_) throw InvalidArgument("SchurSolver::solve: expected a successful factorize() before");
+  const std::size_t size = structure_->scalars();
+  if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
+    return {LinearStatus::kNotFinite};
+  SolveResult total{.exact = true};
+  for (int done = 0; done < columns && total.status == LinearStatus::kOk; done += batch_) {
+    const std::size_t first = static_cast<std::size_t>(done) * size;
+    const SolveResult result = solve_batch(b + first, std::min(batch_, columns - done), x + first, control);
+    total = {result.status, total.iterations + result.iterations, total.exact && result.exact,
+             result.failed_block, result.failed_scalar};
+  }
+  return total;
+}
+
+/// At most batch_ columns.
+SolveResult SchurSolver::solve_batch(const double* b, int columns, double* x, const SolveControl& control) {
+  const std::size_t size = structure_->scalars(), kept = schur_->reduced_structure().scalars();
+  double* reduced = reduced_vectors_.data();
+  for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
+    schur_->reduce(b + c * size, reduced + c * kept);
+  SolveResult result = inner_->solve(reduced, columns, reduced, control);
+  move_to_full_numbering(result.failed_block, result.failed_scalar);
+  if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged) return result;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
+    schur_->back_substitute(b + c * size, reduced + c * kept, x + c * size);
+  return result;
+}
+
+bool SchurSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                                   const StopToken& stop) {
+  if (!eliminates()) return inner_->selected_inverse(blocks, out, stop);
+  if (!factorized_)
+    throw InvalidArgument("SchurSolver::selected_inverse: expected a successful factorize() before");
+  return invert_blocks(*schur_, *inner_, list_requests(*structure_, blocks, out), stop);
+}
+
+}  // namespace boxplus

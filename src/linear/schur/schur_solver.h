@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Elimination behind the seam of the linear solvers: the Schur complement, and another solver for what is
+// left.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "boxplus/linear/make_linear_solver.h"
+#include "linear/schur/schur.h"
+
+namespace boxplus {
+
+/// Eliminates the blocks that AnalyzeHints::eliminated_blocks says, and gives the rest to `inner`, by whose
+/// name and statistics it goes. If none or all blocks are to be eliminated, it is `inner` and no more.
+class SchurSolver final : public LinearSolver {
+ public:
+  /// `inner` is not null.
+  SchurSolver(std::shared_ptr<LinearSolver> inner, SchurMode mode) : inner_(std::move(inner)), mode_(mode) {}
+
+  std::string_view name() const override { return inner_->name(); }
+  Needs needs() const override { return Needs::kBlocks; }
+  void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
+               const StopToken& stop = {}) override;
+  bool extend(const StructureGrowth& growth, const StopToken& stop = {}) override {
+    return !eliminates() && inner_->extend(growth, stop);
+  }
+  FactorResult factorize(const BlockSystem& system, const Damping& damping,
+                         const SolveControl& control = {}) override;
+  SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
+  /// Also of eliminated blocks, if the inner solver gives those of the inverse of the Schur complement.
+  bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
+                        const StopToken& stop = {}) override;
+  LinearStatistics statistics() const override { return inner_->statistics(); }
+  /// Not that of a solver that eliminates.
+  std::span<const std::uint32_t> elimination_order() const override {
+    return eliminates() ? std::span<const std::uint32_t>() : inner_->elimination_order();
+  }
+
+ private:
+  bool eliminates() const { return schur_ != nullptr; }
+  SolveResult solve_batch(const double* b, int columns, double* x, const SolveControl& control);
+  void move_to_full_numbering(std::uint32_t& block, std::uint32_t& scalar) const;
+
+  std::shared_ptr<LinearSolver> inner_;
+  SchurMode mode_;
+  const BlockStructure* structure_ = nullptr;
+  std::unique_ptr<Schur> schur_;
+  std::unique_ptr<BlockSystem> reduced_;
+  std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, then their solutions
+  int batch_ = 1;                        // for how many there is room
+  bool factorized_ = false;
+};
+
+}  // namespace boxplus
