@@ -7,7 +7,7 @@
 #include <iostream>
 #include <set>
 
-#include "core/edge_parts.h"
+#include "engine/edge_parts.h"
 #include "g2o/core/estimate_propagator.h"
 #include "g2o/core/optimization_algorithm.h"
 #include "g2o/core/robust_kernel.h"

@@ -6,10 +6,10 @@
 #include <iomanip>
 
 #include "boxplus/base/parallel.h"
-#include "core/client_solver.h"
-#include "core/edge_parts.h"
-#include "core/engine_solver.h"
-#include "core/measured_solver.h"
+#include "engine/client_solver.h"
+#include "engine/edge_parts.h"
+#include "engine/engine_solver.h"
+#include "engine/measured_solver.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/core/sparse_optimizer.h"
 #include "g2o/stuff/logger.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/edge_parts.h"
+#include "engine/edge_parts.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/measured_solver.h"
+#include "engine/measured_solver.h"
 
-#include "core/engine_solver.h"
+#include "engine/engine_solver.h"
 #include "g2o/core/batch_stats.h"
 #include "g2o/stuff/timeutil.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/engine_solver.h"
+#include "engine/engine_solver.h"
 #include "linear/inverse_blocks.h"
 
 namespace g2o {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/client_solver.h"
+#include "engine/client_solver.h"
 
 #include <algorithm>
 
