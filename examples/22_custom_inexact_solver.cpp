@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An inexact linear solver of your own: conjugate gradients that stop at the tolerance they are given.
 //
-// Such a solver needs no blocks of A, only its diagonal and products with it. It stops at the tolerance of its
-// control (the forcing term of Newton's method) or when its stop token is raised, and does not call its
+// Such a solver needs no blocks of A, only its diagonal and products with it. It stops at the tolerance of
+// its control (the forcing term of Newton's method) or when its stop token is raised, and does not call its
 // solution exact: the algorithm then asks A what decrease of chi2 the model predicts.
 #include <boxplus/boxplus.h>
 
@@ -96,7 +96,9 @@ Graph circle() {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.02);
   const SE2 step(1, 0, 2 * kPi / kLap);
-  const auto noisy = [&](const SE2& motion) { return motion * SE2(noise(random), noise(random), noise(random)); };
+  const auto noisy = [&](const SE2& motion) {
+    return motion * SE2(noise(random), noise(random), noise(random));
+  };
   Graph graph;
   std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2())};
   graph.fix(poses[0]);

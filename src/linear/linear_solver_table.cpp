@@ -45,8 +45,9 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Li
   for (const detail::LinearSolverEntry& entry : kLinearSolvers) {
     if (entry.kind == kind) return entry.make(options);
   }
-  throw InvalidArgument("make_linear_solver: expected one of the solvers of the library, got LinearSolverKind " +
-                        std::to_string(static_cast<int>(kind)));
+  throw InvalidArgument(
+      "make_linear_solver: expected one of the solvers of the library, got LinearSolverKind " +
+      std::to_string(static_cast<int>(kind)));
 }
 
 std::string_view to_string(LinearSolverKind kind) {

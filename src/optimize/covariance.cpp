@@ -99,9 +99,9 @@ class CovarianceMaker {
   void factorize() {
     linearizer_.linearize({options_.numeric_jacobians, options_.triggs_correction});
     solver_ = make_linear_solver(LinearSolverKind::kBlockCholesky);
-    solver_->analyze(plan_.structure, {.threads = resolved_threads(options_),
-                                       .last = plan_.loose_blocks,
-                                       .may_be_singular = true});
+    solver_->analyze(
+        plan_.structure,
+        {.threads = resolved_threads(options_), .last = plan_.loose_blocks, .may_be_singular = true});
     const AssembledSystem system(plan_.structure, linearizer_.values());
     stiffness_.assign(plan_.scalars(), 0.0);
     for (const std::uint32_t scalar : plan_.held_scalars) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every implementation of LinearSolver must do.
-#include "boxplus/linear/linear_solver_table.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <set>
 
 #include "boxplus/base/error.h"
+#include "boxplus/linear/linear_solver_table.h"
 #include "linear/block_cholesky/symbolic_factor.h"
 #include "linear/test_system.h"
 
@@ -467,8 +466,8 @@ TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
 
 TEST(TheAutomaticSolver, IsPcgWhereAFactorisationIsPredictedToTakeFarLonger) {
   const BlockStructure structure = cube(30, 6);
-  const auto solver = automatic_solver({.max_factor_bytes = std::uint64_t{1} << 60},
-                                       {.ordering = Ordering::kMinimumDegree});
+  const auto solver =
+      automatic_solver({.max_factor_bytes = std::uint64_t{1} << 60}, {.ordering = Ordering::kMinimumDegree});
   solver->analyze(structure, {});
   EXPECT_EQ(solver->name(), "pcg");
   const LinearStatistics statistics = solver->statistics();

@@ -120,7 +120,7 @@ TEST_P(AnInexactOwnSolver, HasThePredictedDecreaseOfItsStepsNotThatOfExactOnes) 
   EXPECT_TRUE(report.converged()) << report;
   ASSERT_GE(report.records.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(report.records[k].promise, report.records[k].chi2_decrease,
+    EXPECT_NEAR(report.records[k].predicted_decrease, report.records[k].chi2_decrease,
                 1e-6 * report.records[k].chi2_decrease)
         << "iteration " << k;
   }

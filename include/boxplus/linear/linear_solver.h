@@ -59,8 +59,8 @@ struct SolveResult {
 
 /// How direct solvers order the blocks.
 enum class Ordering : std::uint8_t {
-  kAutomatic,      ///< minimum degree, or nested dissection if it is predicted to save more than it costs
-  kMinimumDegree,  ///< approximate minimum degree
+  kAutomatic,         ///< minimum degree, or nested dissection if it is predicted to save more than it costs
+  kMinimumDegree,     ///< approximate minimum degree
   kNestedDissection,  ///< takes many times as long, and needs fewer operations for large fronts
 };
 
@@ -74,13 +74,13 @@ enum class Precision : std::uint8_t {
 };
 std::string_view to_string(Precision precision);
 
-/// Facts about the systems to come. What one solver alone can be told is in that solver's own options
+/// Facts about the systems to come. Choices that concern one solver alone are in the options of that solver
 /// (boxplus/linear/make_linear_solver.h).
 struct AnalyzeHints {
   int right_hand_sides = 1;  ///< the most that one solve() will be given
   int threads = 1;
-  /// No two of the first blocks, so many, are joined: they may be eliminated one by one
-  /// (make_schur_solver()). Other solvers may ignore it.
+  /// How many of the first blocks a solver may eliminate one by one, because no two of them are joined
+  /// (make_schur_solver()). Others may ignore it.
   std::uint32_t eliminated_blocks = 0;
   /// Blocks that must come last in the elimination order, in this order. May be empty. (optimize() and
   /// covariance() name blocks of components that nothing anchors, so that pivots are lost there; an

@@ -62,8 +62,8 @@ struct Options {
   /// Of the block Cholesky's factor. kAutomatic: double for kGaussNewton, which takes every step as it comes;
   /// the other algorithms judge a step by what it gains, and bear one that is refined from float.
   Precision precision = Precision::kAutomatic;
-  /// A custom solver, instead; it may be inexact. An Optimizer has it analyze each structure once. As long as that Optimizer
-  /// lives, nothing else may use the solver.
+  /// A custom solver, instead; it may be inexact. An Optimizer has it analyze each structure once. As long as
+  /// that Optimizer lives, nothing else may use the solver.
   std::shared_ptr<LinearSolver> own_linear_solver = {};
   Start start = Start::kCurrent;
   GaugePolicy gauge = GaugePolicy::kFixFirst;

@@ -23,7 +23,7 @@ std::uint32_t block_of(const BlockStructure& structure, std::uint32_t scalar) {
 }  // namespace
 
 void DenseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
-                           const StopToken& /*stop*/) {
+                          const StopToken& /*stop*/) {
   if (structure.scalars() > kMaxScalars) {
     throw InvalidArgument("DenseSolver: expected at most " + std::to_string(kMaxScalars) + " scalars, got " +
                           std::to_string(structure.scalars()));

@@ -12,7 +12,7 @@
 namespace boxplus {
 
 void EigenSparseSolver::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
-                                 const StopToken& /*stop*/) {
+                                const StopToken& /*stop*/) {
   structure_ = &structure;
   factorized_ = false;
   const auto size = static_cast<Eigen::Index>(structure.scalars());
@@ -111,8 +111,7 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
   return {};
 }
 
-SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x,
-                                     const SolveControl& control) {
+SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!factorized_)
     throw InvalidArgument("EigenSparseSolver::solve: expected a successful factorize() before");
   const std::size_t size = structure_->scalars();

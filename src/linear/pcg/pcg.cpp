@@ -10,8 +10,7 @@
 
 namespace boxplus {
 
-void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
-                  const StopToken& /*stop*/) {
+void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/, const StopToken& /*stop*/) {
   structure_ = &structure;
   system_ = nullptr;
   std::size_t values = 0;
@@ -22,8 +21,7 @@ void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/
   iteration_.resize(structure.scalars());
 }
 
-FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping,
-                            const SolveControl& control) {
+FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping, const SolveControl& control) {
   system_ = nullptr;
   if (!structure_) throw InvalidArgument("Pcg::factorize: expected a call of analyze() before");
   if (control.stop.raised()) return {LinearStatus::kStopped};

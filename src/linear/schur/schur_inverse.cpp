@@ -21,14 +21,13 @@ class ReducedInverse {
  public:
   explicit ReducedInverse(const BlockStructure& structure) : structure_(structure) {}
 
-  void want(std::uint32_t i, std::uint32_t j) { blocks_.push_back({std::max(i, j), std::min(i, j)}); }
+  void want(std::uint32_t i, std::uint32_t j) {
+    if (blocks_.size() >= room_) drop_duplicates();
+    blocks_.push_back({std::max(i, j), std::min(i, j)});
+  }
 
   bool compute(LinearSolver& inner, const StopToken& stop) {
-    std::sort(blocks_.begin(), blocks_.end(), precedes);
-    const auto same = [](const BlockCoordinate& a, const BlockCoordinate& b) {
-      return a.row == b.row && a.column == b.column;
-    };
-    blocks_.erase(std::unique(blocks_.begin(), blocks_.end(), same), blocks_.end());
+    drop_duplicates();
     std::size_t size = 0;
     for (const BlockCoordinate& block : blocks_) {
       start_.push_back(size);
@@ -38,23 +37,37 @@ class ReducedInverse {
     return blocks_.empty() || inner.selected_inverse(blocks_, values_.data(), stop);
   }
 
-  /// Block (i, j), which was wanted.
-  MatrixXd block(std::uint32_t i, std::uint32_t j) const {
+  /// Copies block (i, j), which was wanted.
+  void read(std::uint32_t i, std::uint32_t j, Eigen::Ref<MatrixXd> out) const {
     const BlockCoordinate lower{std::max(i, j), std::min(i, j)};
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), lower, precedes);
     const double* values = values_.data() + start_[static_cast<std::size_t>(found - blocks_.begin())];
     const Eigen::Map<const MatrixXd> stored(values, structure_.dim(lower.row), structure_.dim(lower.column));
-    return i >= j ? MatrixXd(stored) : MatrixXd(stored.transpose());
+    if (i >= j) {
+      out = stored;
+    } else {
+      out = stored.transpose();
+    }
   }
 
  private:
+  void drop_duplicates() {
+    std::sort(blocks_.begin(), blocks_.end(), precedes);
+    const auto same = [](const BlockCoordinate& a, const BlockCoordinate& b) {
+      return a.row == b.row && a.column == b.column;
+    };
+    blocks_.erase(std::unique(blocks_.begin(), blocks_.end(), same), blocks_.end());
+    room_ = std::max(room_, 2 * blocks_.size());
+  }
+
   const BlockStructure& structure_;
   std::vector<BlockCoordinate> blocks_;
+  std::size_t room_ = std::size_t{1} << 20;  // of blocks_, duplicates included
   std::vector<std::size_t> start_;
   std::vector<double> values_;
 };
 
-/// The columns of Y, and what follows from them.
+/// With M = [−Y, I], H⁻¹ = Mᵀ S⁻¹ M, plus (V + λD)⁻¹ on the eliminated diagonal.
 class Inverter {
  public:
   Inverter(const Schur& schur, const StopToken& stop)
@@ -96,41 +109,53 @@ class Inverter {
     });
   }
 
-  /// A block Mᵀ of the column of M that belongs to a block of H; M = [−Y, I], so that H⁻¹ = Mᵀ S⁻¹ M, plus
-  /// (V + λD)⁻¹ on the eliminated diagonal.
-  struct Factor {
-    std::uint32_t row;
-    MatrixXd transposed;  // empty: the identity
+  /// The rows of a block column of M that are not zero, and their values, transposed.
+  struct Column {
+    std::vector<std::uint32_t> rows;
+    MatrixXd transposed;
   };
 
-  std::vector<Factor> factors_of(std::uint32_t block) const {
-    if (!eliminated(block)) return {{kept(block), MatrixXd()}};
-    std::vector<Factor> factors;
-    schur_.for_each_joined(block, [&](std::uint32_t row, const double* w, int rows) {
-      factors.push_back({row, -Eigen::Map<const MatrixXd>(w, rows, dim(block)).transpose()});
-      MatrixXd& transposed = factors.back().transposed;
-      for (int r = 0; r < rows; ++r) schur_.solve_eliminated(block, transposed.col(r).data());
+  Column column_of(std::uint32_t block) const {
+    Column column;
+    Eigen::Index size = 0;
+    for_each_reached(block, [&](std::uint32_t row) {
+      column.rows.push_back(row);
+      size += reduced_dim(row);
     });
-    return factors;
+    if (!eliminated(block)) {
+      column.transposed = MatrixXd::Identity(size, size);
+      return column;
+    }
+    column.transposed.resize(dim(block), size);
+    Eigen::Index at = 0;
+    schur_.for_each_joined(block, [&](std::uint32_t, const double* w, int rows) {
+      column.transposed.middleCols(at, rows) = -Eigen::Map<const MatrixXd>(w, rows, dim(block)).transpose();
+      for (int r = 0; r < rows; ++r) schur_.solve_eliminated(block, column.transposed.col(at++).data());
+    });
+    return column;
   }
 
   MatrixXd block_of_inverse(const BlockCoordinate& block) const {
-    MatrixXd sum = MatrixXd::Zero(dim(block.row), dim(block.column));
-    const std::vector<Factor> left = factors_of(block.row), right = factors_of(block.column);
-    for (const Factor& l : left) {
-      for (const Factor& r : right) {
-        MatrixXd product = reduced_.block(l.row, r.row);
-        if (l.transposed.size() > 0) product = l.transposed * product;
-        if (r.transposed.size() > 0) product = product * r.transposed.transpose();
-        sum += product;
+    const Column left = column_of(block.row), right = column_of(block.column);
+    MatrixXd inverse(left.transposed.cols(), right.transposed.cols());  // of S
+    Eigen::Index r = 0;
+    for (const std::uint32_t i : left.rows) {
+      Eigen::Index c = 0;
+      for (const std::uint32_t j : right.rows) {
+        reduced_.read(i, j, inverse.block(r, c, reduced_dim(i), reduced_dim(j)));
+        c += reduced_dim(j);
       }
+      r += reduced_dim(i);
     }
-    if (block.row != block.column || !eliminated(block.row)) return sum;
-    MatrixXd own = MatrixXd::Identity(sum.rows(), sum.cols());
+    if (!eliminated(block.row) && !eliminated(block.column)) return inverse;
+    MatrixXd result = left.transposed * inverse * right.transposed.transpose();
+    if (block.row != block.column) return result;
+    MatrixXd own = MatrixXd::Identity(result.rows(), result.cols());
     for (Eigen::Index c = 0; c < own.cols(); ++c) schur_.solve_eliminated(block.row, own.col(c).data());
-    return sum + own;
+    return result + own;
   }
 
+  Eigen::Index reduced_dim(std::uint32_t row) const { return schur_.reduced_structure().dim(row); }
   Eigen::Index dim(std::uint32_t block) const { return schur_.structure().dim(block); }
 
   const Schur& schur_;

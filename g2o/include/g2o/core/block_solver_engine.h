@@ -18,8 +18,8 @@ class SparseOptimizer;
 
 namespace internal {
 
-/// Solves a system whose lower triangle of blocks is given, with blocks of `dims`; may change b. What a
-/// BlockSolver makes of the LinearSolver that its client gave it.
+/// Solves a system whose lower triangle of blocks is given, with blocks of `dims`; may change b. A
+/// BlockSolver makes it of the LinearSolver that its client gave it.
 using ClientLinearSolver = std::function<bool(const std::vector<int>& dims,
                                               const std::vector<EngineBlock>& blocks, double* x, double* b)>;
 
