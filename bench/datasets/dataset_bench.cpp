@@ -92,9 +92,9 @@ Results measure_all(const Arguments& arguments) {
 void print(const Results& results) {
   fmt::print(
       "# Results of the benchmarks\n\n"
-      "Written by `make bench`; the latest run. All figures are from that one run: contestants took turns,\n"
-      "and the figures are medians of at least five repetitions, with one thread unless another number is "
-      "given.\n"
+      "Written by `make bench`; the latest run. All figures are from that one run: contestants took\n"
+      "turns, and the figures are medians of at least five repetitions, with one thread unless\n"
+      "another number is given.\n"
       "× is the factor by which boxplus is faster (or smaller).\n\n| | |\n|---|---|\n");
   for (const auto& [what, value] : results.machine) fmt::print("| {} | {} |\n", what, value);
   fmt::print("\n{}{}", goals_of(results), tables_of(results));

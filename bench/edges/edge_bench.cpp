@@ -163,11 +163,10 @@ int main(int count, char** words) try {
   }
   require_open_blas_with_one_thread();
   fmt::print(
-      "\n## Edges of a user\n\nPoint-to-plane ICP: one pose, one edge of one row per point. CPU ms per "
-      "iteration on "
-      "one thread. Ceres uses\nthe faster of DENSE_QR and DENSE_NORMAL_CHOLESKY. By hand: a loop that adds "
-      "up JᵀJ and "
-      "Jᵀe, and a 6 × 6 solution.\n\n"
+      "\n## Edges of a user\n\n"
+      "Point-to-plane ICP: one pose, one edge of one row per point. CPU ms per iteration on one\n"
+      "thread. Ceres uses the faster of DENSE_QR and DENSE_NORMAL_CHOLESKY. By hand: a loop that\n"
+      "adds up JᵀJ and Jᵀe, and a 6 × 6 solution.\n\n"
       "| points | dual numbers | Ceres, autodiff | × | with Jacobians | × | by hand | of it |\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const std::size_t points : {2'000u, 20'000u, 200'000u}) print_comparison(points);
