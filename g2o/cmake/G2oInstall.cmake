@@ -1,4 +1,4 @@
-# What `cmake --install` puts where, and the package that find_package(g2o) finds.
+# The files that `cmake --install` installs, and the package that find_package(g2o) finds.
 include(CMakePackageConfigHelpers)
 set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
 get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
@@ -6,7 +6,7 @@ get_property(G2O_FOREIGN_NAMES GLOBAL PROPERTY G2O_FOREIGN_NAMES)
 set(G2O_IS_SHARED_BUILD ${BUILD_SHARED_LIBS})
 
 # g2oTargets.cmake has the shared libraries. A static build installs both kinds, and g2oStaticTargets.cmake has the
-# static ones.
+# static libraries.
 install(TARGETS g2o_headers EXPORT g2o)
 install(TARGETS g2o_headers EXPORT g2o_static)
 foreach(name IN LISTS G2O_LIBRARY_NAMES)
@@ -24,7 +24,7 @@ if(NOT BUILD_SHARED_LIBS)
 endif()
 configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_DESTINATION ${g2o_package_dir}
                               PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
-# The version that clients ask for is that of the interface.
+# Clients ask for the version of the interface.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake VERSION 1.0.0
                                  COMPATIBILITY AnyNewerVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/g2oConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In libg2o_stuff and in libg2o_core, which clients may link alone; weak, because some link all members of
-// both.
+// Part of both libg2o_stuff and libg2o_core, because a client may link either one alone. The symbol is weak,
+// because some clients link all members of both.
 #include "g2o/config.h"
 
 extern "C" __attribute__((weak)) const char G2O_ABI_SYMBOL = 1;

@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The source of libraries that exist for their names.
+// The only source of libraries that exist for compatibility with g2o's names.

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every header of the g2o face includes first.
+// Every header of the g2o API includes this one first.
 //
-// Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit, so that the
-// classes that clients derive from could have two layouts in one program; so could other macros of Eigen's,
-// and the debug mode of the standard library. Every header therefore references the symbol
-// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>. If a setting differs from the library's, the name also says which flag
-// to add or to remove. The libraries define g2o_abi_1_16 alone, so that a mismatch is a link error which
-// names the remedy. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
+// Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit. The classes
+// from which clients derive could therefore have two layouts in one program. Other macros of Eigen and the
+// debug mode of the standard library have the same effect. Every header therefore references the symbol
+// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. A mismatch is a link error.
+// If a setting differs from the library's, the name of the symbol also says which flag to add or remove. The
+// CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
 #pragma once
 #ifndef G2O_CONFIG_H
 #define G2O_CONFIG_H
 
 #include <Eigen/Core>
-#include <iostream>  // g2o's headers bring it, and clients rely on that
+#include <iostream>  // clients rely on g2o's headers to include it
 #include <iterator>
 
 #if defined(_MSC_VER)
@@ -21,7 +21,7 @@
 #define G2O_API_EXPORT __attribute__((visibility("default")))
 #endif
 
-// LinearSolverCholmod and LinearSolverCSparse are always there.
+// LinearSolverCholmod and LinearSolverCSparse are always available.
 #define G2O_HAVE_CHOLMOD 1
 #define G2O_HAVE_CSPARSE 1
 
@@ -32,7 +32,7 @@
 #endif
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == EIGEN_MAX_ALIGN_BYTES
 #define G2O_ABI_STATIC
-#else  // fixed-size types align otherwise than what Eigen allocates
+#else  // fixed-size types have another alignment than Eigen's allocations
 #define G2O_ABI_STATIC _remove_EIGEN_MAX_STATIC_ALIGN_BYTES
 #endif
 #if defined(EIGEN_DEFAULT_TO_ROW_MAJOR)

@@ -7,7 +7,7 @@
 namespace g2o {
 namespace internal {
 
-/// In place of a solver that was not given: it cannot be initialised.
+/// Stands in for a solver that was not given. It cannot be initialized.
 class AbsentSolver : public BlockSolverBase {
  public:
   bool init(SparseOptimizer*, bool) override {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What takes part in an optimisation: the active vertices and edges of a SparseOptimizer, and their numbers.
+// The active vertices and edges of a SparseOptimizer, and their numbering.
 #include <algorithm>
 
 #include "g2o/core/optimization_algorithm.h"
@@ -41,7 +41,7 @@ void SparseOptimizer::clearIndexMapping() {
   _ivMap.clear();
 }
 
-/// The next structure may lay H out elsewhere; a vertex that takes no part in it then has no block.
+/// Unmaps the active vertices, because the next structure may place H elsewhere and leave some of them out.
 void SparseOptimizer::forgetInitialization() {
   clearIndexMapping();
   for (OptimizableGraph::Vertex* v : _activeVertices) v->mapHessianMemory(nullptr);
@@ -49,13 +49,12 @@ void SparseOptimizer::forgetInitialization() {
   _activeEdges.clear();
 }
 
-/// Edges whose vertices are taken away by setVertex() or vertices(), which tell nobody, take no part any
-/// more.
+/// Deactivates edges that lost a vertex through setVertex() or vertices(), which do not notify the optimizer.
 void SparseOptimizer::dropIncompleteEdges() {
   const auto is_incomplete = [](const Edge* e) { return e->numUndefinedVertices() > 0; };
   const auto incomplete = std::find_if(_activeEdges.begin(), _activeEdges.end(), is_incomplete);
   if (incomplete == _activeEdges.end()) return;
-  G2O_WARN("edges that have lost a vertex take no part any more: {}",
+  G2O_WARN("edges that lost a vertex no longer take part: {}",
            std::count_if(incomplete, _activeEdges.end(), is_incomplete));
   _activeEdges.erase(std::remove_if(incomplete, _activeEdges.end(), is_incomplete), _activeEdges.end());
   ++structure_revision_;
@@ -66,13 +65,13 @@ void SparseOptimizer::sortVectorContainers() {
   std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
 }
 
-/// An edge may have been given larger vertices by setVertex() since it was added.
+/// setVertex() may have given an edge larger vertices after the edge was added.
 void SparseOptimizer::sizeWorkspace() {
   for (const OptimizableGraph::Edge* e : _activeEdges) _jacobianWorkspace.updateSize(e);
   _jacobianWorkspace.allocate();
 }
 
-/// What is left once the active vertices and edges are known.
+/// The common end of all initializeOptimization(), once the active vertices and edges are known.
 bool SparseOptimizer::startOptimization() {
   sortVectorContainers();
   sizeWorkspace();
@@ -113,7 +112,7 @@ bool SparseOptimizer::initializeOptimization(HyperGraph::VertexSet& vset, int le
   return startOptimization();
 }
 
-/// As for the set of all vertices, without looking each of them up.
+/// The same as for the set of all vertices, without looking up each of them.
 bool SparseOptimizer::initializeOptimization(int level) {
   if (edges().empty()) {
     G2O_WARN("initializeOptimization: the graph has no edges");
@@ -140,7 +139,8 @@ bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGra
     const OptimizableGraph::Vertex* v = as_vertex(u);
     if (findActiveVertex(v) != _activeVertices.end()) continue;
     if (!v->fixed() && v->marginalized()) {
-      G2O_ERROR("updateInitialization: vertex {} is marginalised; initialise anew instead", v->id());
+      G2O_ERROR("updateInitialization: vertex {} is marginalized; call initializeOptimization() instead",
+                v->id());
       return false;
     }
     added.push_back(u);
@@ -153,7 +153,7 @@ bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGra
   _activeEdges.erase(std::unique(_activeEdges.begin(), _activeEdges.end()), _activeEdges.end());
   std::sort(added.begin(), added.end(),
             [](HyperGraph::Vertex* a, HyperGraph::Vertex* b) { return a->id() < b->id(); });
-  const bool renumber = !_ivMap.empty() && _ivMap.back()->marginalized();  // marginalised ones stay last
+  const bool renumber = !_ivMap.empty() && _ivMap.back()->marginalized();  // keeps marginalized ones last
   for (HyperGraph::Vertex* u : added) {
     OptimizableGraph::Vertex* v = as_vertex(u);
     _activeVertices.push_back(v);
@@ -191,7 +191,7 @@ bool SparseOptimizer::changeId(HyperGraph::Vertex* v, int newId) {
   return true;
 }
 
-// An active edge that lost a vertex takes no part any more; one with another vertex has another block of H.
+// Deactivates an active edge that lost a vertex. With another vertex, the edge has another block of H.
 bool SparseOptimizer::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
   if (!OptimizableGraph::setEdgeVertex(e, pos, v)) return false;
   const auto active = findActiveEdge(static_cast<OptimizableGraph::Edge*>(e));

@@ -93,7 +93,7 @@ Cache* CacheContainer::createCache(const Cache::CacheKey& key) {
   std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(key.type()));
   auto* cache = dynamic_cast<Cache*>(element.get());
   if (cache == nullptr) {
-    G2O_ERROR("expected {} to be the registered word of a cache", key.type());
+    G2O_ERROR("expected {} to be the registered tag of a cache", key.type());
     return nullptr;
   }
   cache->_container = this;

@@ -19,7 +19,7 @@ DrawAction::DrawAction(const std::string& typeName_) : HyperGraphElementAction(t
 }
 DrawAction::~DrawAction() = default;
 
-// Parameters may come and go at the same address, so what was found for the last ones proves nothing.
+// Always looks up the properties, because new parameters may lie at the address of the previous ones.
 bool DrawAction::refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_) {
   _previousParams = dynamic_cast<Parameters*>(params_);
   if (_previousParams == nullptr || _previousParams->drawing == nullptr) return false;

@@ -11,7 +11,7 @@ AbstractHyperGraphElementCreator::~AbstractHyperGraphElementCreator() = default;
 
 namespace {
 
-// Never destroyed before exit: static objects of plug-ins unregister themselves late.
+// Never destroyed before exit, because static objects of plug-ins unregister themselves late.
 Factory*& factory_slot() {
   static Factory* slot = nullptr;
   return slot;
@@ -39,12 +39,12 @@ void Factory::registerType(const std::string& tag,
     if (taken->second->creator->name() == c->name()) {
       if (taken->second->creator != c) shadowed_.hide(tag, c);
     } else {
-      G2O_ERROR("registerType: the word {} is taken", tag);
+      G2O_ERROR("registerType: the tag {} is taken", tag);
     }
     return;
   }
   if (_tagLookup.count(c->name()) > 0) {
-    G2O_ERROR("registerType: the type of {} is registered as {}", tag, _tagLookup.at(c->name()));
+    G2O_ERROR("registerType: the type of {} is already registered as {}", tag, _tagLookup.at(c->name()));
     return;
   }
   const std::unique_ptr<HyperGraph::HyperGraphElement> sample(c->construct());
@@ -80,7 +80,7 @@ void Factory::unregisterType(const std::string& tag,
 HyperGraph::HyperGraphElement* Factory::construct(const std::string& tag) const {
   const auto found = _creator.find(tag);
   if (found != _creator.end()) return found->second->creator->construct();
-  G2O_WARN("no type is registered under the word {}", tag);
+  G2O_WARN("no type is registered under the tag {}", tag);
   return nullptr;
 }
 

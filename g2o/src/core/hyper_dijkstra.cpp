@@ -43,7 +43,8 @@ void HyperDijkstra::shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunc
 void HyperDijkstra::shortestPaths(HyperGraph::VertexSet& vset, HyperDijkstra::CostFunction* cost,
                                   double maxDistance, double comparisonConditioner, bool directed,
                                   double maxEdgeCost) {
-  using Entry = std::tuple<double, int, HyperGraph::Vertex*>;  // distance, then id: the same in each run
+  using Entry =
+      std::tuple<double, int, HyperGraph::Vertex*>;  // distance, then id, so that every run is the same
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
   reset();
   HyperGraph::VertexSet done;

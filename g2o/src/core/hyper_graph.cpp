@@ -11,7 +11,7 @@
 namespace g2o {
 namespace {
 
-/// Whether the edge lists a vertex twice; positions without a vertex do not count.
+/// Whether the edge has the same vertex twice. Empty positions do not count.
 bool has_repetition(const HyperGraph::VertexContainer& vertices) {
   if (vertices.size() == 2) return vertices[0] != nullptr && vertices[0] == vertices[1];
   HyperGraph::VertexContainer sorted(vertices);
@@ -73,16 +73,16 @@ bool HyperGraph::addVertex(Vertex* v) {
 bool HyperGraph::addEdge(Edge* e) {
   if (e == nullptr) return false;
   if (e->numUndefinedVertices() > 0) {
-    G2O_ERROR("addEdge: expected a vertex in every place of the edge, {} of {} have none",
+    G2O_ERROR("addEdge: expected a vertex at every position of the edge, but {} of {} are empty",
               e->numUndefinedVertices(), e->vertices().size());
     return false;
   }
   if (has_repetition(e->vertices())) {
-    G2O_ERROR("addEdge: expected distinct vertices, one appears twice");
+    G2O_ERROR("addEdge: expected distinct vertices, but one appears twice");
     return false;
   }
   if (!_edges.insert(e).second) {
-    G2O_ERROR("addEdge: the edge is in the graph already");
+    G2O_ERROR("addEdge: the edge is already in the graph");
     return false;
   }
   for (Vertex* v : e->vertices()) v->edges().insert(e);
@@ -93,7 +93,7 @@ void HyperGraph::Edge::setVertex(size_t i, Vertex* v) {
   if (i < _vertices.size()) {
     _vertices[i] = v;
   } else {
-    G2O_ERROR("setVertex: the edge has {} vertices, got the position {}", _vertices.size(), i);
+    G2O_ERROR("setVertex: the edge has {} vertices, got position {}", _vertices.size(), i);
   }
 }
 
@@ -127,7 +127,7 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
   return true;
 }
 
-// What an edge cannot be given is known before any edge is removed.
+// Checks all edges before it removes any, so that a refusal changes nothing.
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
   if (!has(big, "mergeVertices") || !has(small, "mergeVertices")) return false;
   if (big == small) {
@@ -188,8 +188,8 @@ bool HyperGraph::removeEdge(Edge* e) {
   return true;
 }
 
-// Edges go first, so that their destructors still find their vertices. Only the vertices that are still
-// listed are looked into: a client may own its vertices, and have emptied vertices() before.
+// Deletes edges first, so that their destructors still find their vertices. Accesses only vertices that are
+// still listed, because a client may own its vertices and have emptied vertices() before.
 void HyperGraph::clear() {
   for (Edge* e : _edges) release(e);
   _edges.clear();

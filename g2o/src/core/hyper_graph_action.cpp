@@ -108,8 +108,8 @@ bool HyperGraphActionLibrary::unregisterAction(const HyperGraphElementActionPtr&
          std::static_pointer_cast<HyperGraphElementActionCollection>(found->second)->unregisterAction(action);
 }
 
-// In the order of ids, and in that in which edges were added, so that what is written does not depend on
-// addresses.
+// Visits vertices in the order of ids and edges in the order in which they were added, so that the output
+// does not depend on addresses.
 void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                  HyperGraphElementAction::Parameters* parameters, const std::string& typeName) {
   if (graph == nullptr || action == nullptr) return;

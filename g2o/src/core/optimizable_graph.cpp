@@ -87,8 +87,8 @@ const OptimizableGraph* OptimizableGraph::Edge::graph() const {
 
 bool OptimizableGraph::Edge::setParameterId(int argNum, int paramId) {
   if (argNum < 0 || static_cast<size_t>(argNum) >= _parameters.size() || paramId < 0) {
-    G2O_ERROR("setParameterId: expected one of {} parameters and an id, got {} and {}", _parameters.size(),
-              argNum, paramId);
+    G2O_ERROR("setParameterId: expected the index of one of {} parameters and an id, got {} and {}",
+              _parameters.size(), argNum, paramId);
     return false;
   }
   _parameterIds[static_cast<size_t>(argNum)] = paramId;
@@ -106,11 +106,11 @@ bool OptimizableGraph::Edge::resolveParameters() {
   for (size_t i = 0; i < _parameters.size(); ++i) {
     Parameter* p = graph() == nullptr ? nullptr : graph()->parameter(_parameterIds[i]);
     if (p == nullptr || _parameterSetters[i] == nullptr) {
-      G2O_ERROR("addEdge: there is no parameter {}, which the edge needs", _parameterIds[i]);
+      G2O_ERROR("addEdge: the edge needs parameter {}, which does not exist", _parameterIds[i]);
       return false;
     }
     if (!_parameterSetters[i](_parameters[i], p)) {
-      G2O_ERROR("addEdge: the parameter {} is not of the type that the edge needs", _parameterIds[i]);
+      G2O_ERROR("addEdge: parameter {} does not have the type that the edge needs", _parameterIds[i]);
       return false;
     }
   }
@@ -147,7 +147,7 @@ OptimizableGraph::OptimizableGraph() {
   _graphActions.resize(AT_NUM_ELEMENTS);
 }
 
-// The elements go before the parameters that they use.
+// Deletes the vertices and edges before the parameters that they use.
 OptimizableGraph::~OptimizableGraph() {
   HyperGraph::clear();
   _parameters.clear();
@@ -159,14 +159,14 @@ bool OptimizableGraph::addVertex(OptimizableGraph::Vertex* v, Data* userData) {
     return false;
   }
   if (v->graph() != nullptr && v->graph() != this) {
-    G2O_ERROR("addVertex: vertex {} is in another graph", v->id());
+    G2O_ERROR("addVertex: vertex {} is already in another graph", v->id());
     return false;
   }
   if (v->graph() == this && vertex(v->addedAs_) == v) {
-    G2O_ERROR("addVertex: vertex {} is in the graph, as {}", v->id(), v->addedAs_);
+    G2O_ERROR("addVertex: vertex {} is already in the graph, with id {}", v->id(), v->addedAs_);
     return false;
   }
-  if (v->id() < 0) G2O_WARN("addVertex: a vertex has the id {}; files cannot hold negative ones", v->id());
+  if (v->id() < 0) G2O_WARN("addVertex: a vertex has id {}; files cannot hold negative ids", v->id());
   if (!HyperGraph::addVertex(v)) {
     G2O_WARN("addVertex: the id {} is taken", v->id());
     return false;
@@ -207,12 +207,12 @@ bool OptimizableGraph::addEdge(OptimizableGraph::Edge* e) {
     return false;
   }
   if (!e->verticesFit()) {
-    G2O_ERROR("addEdge: the edge was made for vertices of other types");
+    G2O_ERROR("addEdge: the vertices do not have the types that the edge expects");
     return false;
   }
   if (!e->resolveParameters() || !HyperGraph::addEdge(e)) return false;
   if (!e->resolveCaches()) {
-    G2O_ERROR("addEdge: the caches of the edge cannot be made");
+    G2O_ERROR("addEdge: the caches of the edge cannot be created");
     _edges.erase(e);
     for (HyperGraph::Vertex* v : e->vertices()) v->edges().erase(e);
     return false;
@@ -230,11 +230,11 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
   }
   for (const OptimizableGraph::Vertex* v : assigned) {
     if (vertex(v->id()) == v && std::count(assigned.begin(), assigned.end(), v) == 1) continue;
-    G2O_ERROR("addUnassignedEdge: expected distinct vertices of the graph, {} is not", v->id());
+    G2O_ERROR("addUnassignedEdge: expected distinct vertices of the graph, but {} is not one", v->id());
     return false;
   }
   if (!e->verticesFit()) {
-    G2O_ERROR("addUnassignedEdge: the edge was made for vertices of other types");
+    G2O_ERROR("addUnassignedEdge: the vertices do not have the types that the edge expects");
     return false;
   }
   if (!_edges.insert(e).second) return false;
@@ -246,7 +246,7 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
 bool OptimizableGraph::changeId(HyperGraph::Vertex* v, int newId) {
   if (!HyperGraph::changeId(v, newId)) return false;
   as_vertex(v)->addedAs_ = newId;
-  if (newId < 0) G2O_WARN("changeId: a vertex has the id {}; files cannot hold negative ones", newId);
+  if (newId < 0) G2O_WARN("changeId: a vertex has id {}; files cannot hold negative ids", newId);
   return true;
 }
 
@@ -263,7 +263,7 @@ bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::V
   if (!HyperGraph::setEdgeVertex(e, pos, v)) return false;
   auto* edge = static_cast<OptimizableGraph::Edge*>(e);
   const bool fits = edge->verticesFit();
-  if (!fits) G2O_ERROR("setEdgeVertex: the edge was made for vertices of other types");
+  if (!fits) G2O_ERROR("setEdgeVertex: the vertices do not have the types that the edge expects");
   if (fits && edge->numUndefinedVertices() > 0) return true;
   if (fits && edge->resolveParameters() && edge->resolveCaches()) {
     _jacobianWorkspace.updateSize(edge);
@@ -391,7 +391,7 @@ bool OptimizableGraph::initMultiThreading() {
   return true;
 }
 
-// Two dimensions: poses and landmarks; one: poses.
+// An algorithm with two dimensions is for poses and landmarks, and one with one dimension for poses.
 bool OptimizableGraph::isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
                                         const std::set<int>& vertDims_) const {
   const std::set<int> dims = vertDims_.empty() ? dimensions() : vertDims_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// .g2o files with the types of the Factory.
+// Reads and writes .g2o files with the types of the Factory.
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -22,7 +22,8 @@
 namespace g2o {
 namespace {
 
-/// Reads one file into a graph, line by line. Lines that stand before what they refer to wait until the end.
+/// Reads one file into a graph, line by line. Lines that refer to a vertex that has not been read yet wait
+/// until the end.
 class Loader {
  public:
   Loader(OptimizableGraph& graph, const std::map<std::string, std::string>& renames)
@@ -43,15 +44,16 @@ class Loader {
       number_ = number;
       read_line(line, false);
     }
-    report_unknown_words();
-    if (complaints_ > kComplaints) G2O_ERROR("{} more lines cannot be read", complaints_ - kComplaints);
+    report_unknown_tags();
+    if (complaints_ > kShownComplaints)
+      G2O_ERROR("{} more lines cannot be read", complaints_ - kShownComplaints);
     return complaints_ == 0;
   }
 
  private:
   template <class... Arguments>
   void complain(const char* format, const Arguments&... arguments) {
-    if (++complaints_ > kComplaints) return;
+    if (++complaints_ > kShownComplaints) return;
     std::ostringstream text;
     logging::internal::append(text, format, arguments...);
     G2O_ERROR("line {}: {}", number_, text.str());
@@ -59,56 +61,56 @@ class Loader {
 
   void read_line(const std::string& line, bool may_wait) {
     internal::LineStream fields(line);
-    std::string word;
-    if (!(fields >> word) || word[0] == '#') return;
-    if (word == "FIX") return fix(fields, may_wait ? &line : nullptr);
-    if (const auto renamed = renames_.find(word); renamed != renames_.end()) word = renamed->second;
-    const bool known = Factory::instance()->knowsTag(word);
-    std::unique_ptr<HyperGraph::HyperGraphElement> element(known ? Factory::instance()->construct(word)
+    std::string tag;
+    if (!(fields >> tag) || tag[0] == '#') return;
+    if (tag == "FIX") return fix(fields, may_wait ? &line : nullptr);
+    if (const auto renamed = renames_.find(tag); renamed != renames_.end()) tag = renamed->second;
+    const bool known = Factory::instance()->knowsTag(tag);
+    std::unique_ptr<HyperGraph::HyperGraphElement> element(known ? Factory::instance()->construct(tag)
                                                                  : nullptr);
     if (element == nullptr) {
-      Unknown& unknown = unknown_[word];
+      Unknown& unknown = unknown_[tag];
       if (unknown.count++ == 0) unknown.first_line = number_;
       return;
     }
     switch (element->elementType()) {
       case HyperGraph::HGET_PARAMETER:
-        return read_parameter(std::move(element), word, fields);
+        return read_parameter(std::move(element), tag, fields);
       case HyperGraph::HGET_VERTEX:
-        return read_vertex(std::move(element), word, fields);
+        return read_vertex(std::move(element), tag, fields);
       case HyperGraph::HGET_EDGE:
-        return read_edge(std::move(element), word, fields, may_wait ? &line : nullptr);
+        return read_edge(std::move(element), tag, fields, may_wait ? &line : nullptr);
       case HyperGraph::HGET_DATA:
-        return read_data(std::move(element), word, fields);
+        return read_data(std::move(element), tag, fields);
       default:
-        complain("expected the word of a parameter, vertex, edge or data, got {}", word);
+        complain("expected the tag of a parameter, vertex, edge or data, got {}", tag);
     }
   }
 
-  /// The words that come first are shown, and the others counted: a file of another kind is full of them.
-  void report_unknown_words() const {
+  /// Shows the first unknown tags and counts the others, because a file of another format is full of them.
+  void report_unknown_tags() const {
     constexpr size_t kShown = 5;
-    std::vector<std::pair<std::string, Unknown>> words(unknown_.begin(), unknown_.end());
-    std::sort(words.begin(), words.end(),
+    std::vector<std::pair<std::string, Unknown>> tags(unknown_.begin(), unknown_.end());
+    std::sort(tags.begin(), tags.end(),
               [](const auto& a, const auto& b) { return a.second.first_line < b.second.first_line; });
     int others = 0;
-    for (size_t i = 0; i < words.size(); ++i) {
-      const auto& [word, unknown] = words[i];
+    for (size_t i = 0; i < tags.size(); ++i) {
+      const auto& [tag, unknown] = tags[i];
       if (i >= kShown) {
         others += unknown.count;
       } else if (unknown.count == 1) {
-        G2O_WARN("line {}: unknown word {}, skipped", unknown.first_line, boxplus::quoted(word));
+        G2O_WARN("line {}: unknown tag {}, skipped", unknown.first_line, boxplus::quoted(tag));
       } else {
-        G2O_WARN("line {}: unknown word {}, skipped with {} more of its lines", unknown.first_line,
-                 boxplus::quoted(word), unknown.count - 1);
+        G2O_WARN("line {}: unknown tag {}, skipped with {} more of its lines", unknown.first_line,
+                 boxplus::quoted(tag), unknown.count - 1);
       }
     }
     if (others > 0)
-      G2O_WARN("{} more lines with {} other unknown words, skipped", others, words.size() - kShown);
+      G2O_WARN("{} more lines with {} other unknown tags, skipped", others, tags.size() - kShown);
   }
 
-  /// Whether read() takes the fields. One that ends in `return is.good()` takes none that end their line: it
-  /// is asked again with a blank behind them.
+  /// Whether read() accepts the fields. A read() that ends in `return is.good()` refuses fields at the end of
+  /// a line. It is called again with a blank after them.
   template <class Element>
   static bool accepts(Element& element, internal::LineStream& fields) {
     const std::istream::pos_type begin = fields.tellg();
@@ -120,7 +122,7 @@ class Loader {
     return element.read(fields) && !fields.fail();
   }
 
-  /// What is wrong with a line whose fields could not be read.
+  /// Describes the problem of a line whose fields could not be read.
   static std::string problem_of(internal::LineStream& fields) {
     if (!fields.problem.empty()) return fields.problem;
     if (!fields.fail()) return "its fields are not accepted";
@@ -130,11 +132,11 @@ class Loader {
     return "expected a number, got " + boxplus::quoted(next);
   }
 
-  /// Whether nothing, or a comment, is left of the line.
-  bool at_end(const std::string& word, internal::LineStream& fields) {
+  /// Whether the rest of the line is empty or a comment.
+  bool at_end(const std::string& tag, internal::LineStream& fields) {
     std::string rest;
     if (!(fields >> rest) || rest[0] == '#') return true;
-    complain("{}: expected the end of the line, got {}", word, boxplus::quoted(rest));
+    complain("{}: expected the end of the line, got {}", tag, boxplus::quoted(rest));
     return false;
   }
 
@@ -154,98 +156,99 @@ class Loader {
     at_end("FIX", fields);
   }
 
-  void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+  void read_parameter(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& tag,
                       internal::LineStream& fields) {
     auto* p = static_cast<Parameter*>(element.get());
     int id = -1;
-    if (!read_id(word, "the id of a parameter", 0, fields, id)) return;
+    if (!read_id(tag, "the id of a parameter", 0, fields, id)) return;
     p->setId(id);
-    if (!accepts(*p, fields)) return complain("{} {}: {}", word, id, problem_of(fields));
-    if (!at_end(word, fields)) return;
-    if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", word, id);
+    if (!accepts(*p, fields)) return complain("{} {}: {}", tag, id, problem_of(fields));
+    if (!at_end(tag, fields)) return;
+    if (!graph_.addParameter(p)) return complain("{} {}: the id is taken", tag, id);
     static_cast<void>(element.release());
   }
 
-  void read_vertex(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+  void read_vertex(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& tag,
                    internal::LineStream& fields) {
     auto* v = static_cast<OptimizableGraph::Vertex*>(element.get());
     int id = -1;
-    if (!read_id(word, "the id of a vertex", 0, fields, id)) return;
-    if (!accepts(*v, fields)) return complain("{} {}: {}", word, id, problem_of(fields));
-    if (!at_end(word, fields)) return;
+    if (!read_id(tag, "the id of a vertex", 0, fields, id)) return;
+    if (!accepts(*v, fields)) return complain("{} {}: {}", tag, id, problem_of(fields));
+    if (!at_end(tag, fields)) return;
     v->setId(id);
-    if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", word, id);
+    if (!graph_.addVertex(v)) return complain("{} {}: the id is taken", tag, id);
     static_cast<void>(element.release());
     last_ = v;
     last_data_ = nullptr;
   }
 
-  bool read_id(const std::string& word, const char* what, int lowest, std::istream& fields, int& id) {
+  bool read_id(const std::string& tag, const char* what, int lowest, std::istream& fields, int& id) {
     std::string text;
     fields >> text;
-    return read_id(word, what, lowest, text, id);
+    return read_id(tag, what, lowest, text, id);
   }
-  bool read_id(const std::string& word, const char* what, int lowest, const std::string& text, int& id) {
+  bool read_id(const std::string& tag, const char* what, int lowest, const std::string& text, int& id) {
     const char* const end = text.data() + text.size();
     const auto [read_to, error] = std::from_chars(text.data(), end, id);
     if (error == std::errc() && read_to == end && id >= lowest) return true;
-    complain("{}: expected {}, got {}", word, what, boxplus::quoted(text));
+    complain("{}: expected {}, got {}", tag, what, boxplus::quoted(text));
     return false;
   }
 
-  /// The ids of the edge's vertices: as many as its type has, or up to "||". False where there are too few.
-  bool read_ids(const std::string& word, internal::LineStream& fields, size_t count, std::vector<int>& ids) {
+  /// Reads the ids of the edge's vertices: as many as its type has, or up to "||". Returns false if there are
+  /// too few.
+  bool read_ids(const std::string& tag, internal::LineStream& fields, size_t count, std::vector<int>& ids) {
     constexpr const char* kWhat = "the id of a vertex";
     ids.resize(count);
     for (int& id : ids) {
-      if (!read_id(word, kWhat, HyperGraph::UnassignedId, fields, id)) return false;
+      if (!read_id(tag, kWhat, HyperGraph::UnassignedId, fields, id)) return false;
     }
     if (count > 0) return true;
     std::string field;
     while (fields >> field && field != "||") {
-      if (!read_id(word, kWhat, HyperGraph::UnassignedId, field, ids.emplace_back())) return false;
+      if (!read_id(tag, kWhat, HyperGraph::UnassignedId, field, ids.emplace_back())) return false;
     }
     if (!fields.fail() && !ids.empty()) return true;
-    complain("{}: expected the ids of vertices, then ||", word);
+    complain("{}: expected the ids of vertices, then ||", tag);
     return false;
   }
 
-  void read_edge(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+  void read_edge(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& tag,
                  internal::LineStream& fields, const std::string* line_to_wait) {
     auto* e = static_cast<OptimizableGraph::Edge*>(element.get());
     std::vector<int> ids;
     const size_t arity = e->vertices().size();
-    if (!read_ids(word, fields, arity, ids)) return;
+    if (!read_ids(tag, fields, arity, ids)) return;
     if (arity == 0) e->resize(ids.size());
     for (size_t i = 0; i < ids.size(); ++i) {
       if (ids[i] == HyperGraph::UnassignedId) continue;
       OptimizableGraph::Vertex* v = graph_.vertex(ids[i]);
       if (v == nullptr) {
-        if (line_to_wait == nullptr) return complain("{}: there is no vertex {}", word, ids[i]);
+        if (line_to_wait == nullptr) return complain("{}: there is no vertex {}", tag, ids[i]);
         pending_.emplace_back(number_, *line_to_wait);
         return;
       }
       e->setVertex(i, v);
     }
-    if (!accepts(*e, fields)) return complain("{}: {}", word, problem_of(fields));
-    if (!at_end(word, fields)) return;
+    if (!accepts(*e, fields)) return complain("{}: {}", tag, problem_of(fields));
+    if (!at_end(tag, fields)) return;
     const auto is_missing = [this](int parameter) { return graph_.parameter(parameter) == nullptr; };
     const std::vector<int>& parameters = e->parameterIds();
     if (line_to_wait != nullptr && std::any_of(parameters.begin(), parameters.end(), is_missing)) {
       pending_.emplace_back(number_, *line_to_wait);
       return;
     }
-    if (!graph_.addUnassignedEdge(e)) return complain("{}: the edge does not fit the graph", word);
+    if (!graph_.addUnassignedEdge(e)) return complain("{}: the edge does not fit the graph", tag);
     static_cast<void>(element.release());
     last_ = e;
     last_data_ = nullptr;
   }
 
-  void read_data(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& word,
+  void read_data(std::unique_ptr<HyperGraph::HyperGraphElement> element, const std::string& tag,
                  internal::LineStream& fields) {
     auto* d = static_cast<HyperGraph::Data*>(element.get());
-    if (!d->read(fields)) return complain("{}: {}", word, problem_of(fields));
-    if (last_ == nullptr) return complain("{}: there is no vertex or edge before it", word);
+    if (!d->read(fields)) return complain("{}: {}", tag, problem_of(fields));
+    if (last_ == nullptr) return complain("{}: there is no vertex or edge before it", tag);
     static_cast<void>(element.release());
     if (last_data_ == nullptr) {
       last_->addUserData(d);
@@ -266,18 +269,18 @@ class Loader {
   HyperGraph::DataContainer* last_ = nullptr;
   HyperGraph::Data* last_data_ = nullptr;
   int number_ = 0;
-  static constexpr int kComplaints = 20;  // that are shown
+  static constexpr int kShownComplaints = 20;
   int complaints_ = 0;
 };
 
-/// The word of an element; empty, with a message, where its type is not registered.
+/// The tag of an element. Returns an empty string, with a message, if its type is not registered.
 const std::string& tag_of(const HyperGraph::HyperGraphElement* element) {
   const std::string& tag = Factory::instance()->tag(element);
-  if (tag.empty()) G2O_ERROR("save: no word is registered for the type {}", typeid(*element).name());
+  if (tag.empty()) G2O_ERROR("save: no tag is registered for the type {}", typeid(*element).name());
   return tag;
 }
 
-/// Saves until nothing more can be written; false where something was not.
+/// Saves elements until the stream fails. Returns false if any of them was not written.
 template <class Elements, class Save>
 bool save_all(const std::ostream& os, const Elements& elements, Save save) {
   bool ok = true;
@@ -288,9 +291,9 @@ bool save_all(const std::ostream& os, const Elements& elements, Save save) {
   return ok;
 }
 
-/// What an element's write() said; a message where that was false.
+/// Returns the result of an element's write(). Prints a message if it is false.
 bool written(bool ok, const std::string& tag) {
-  if (!ok) G2O_ERROR("save: write() of {} is false", tag);
+  if (!ok) G2O_ERROR("save: write() of {} returned false", tag);
   return ok;
 }
 
@@ -306,7 +309,7 @@ bool OptimizableGraph::load(const char* filename) {
     return false;
   }
   std::ifstream file(filename);
-  if (!file || (file.peek(), file.bad())) {  // a folder can be opened, but not read
+  if (!file || (file.peek(), file.bad())) {  // a folder can be opened but not read
     G2O_ERROR("{} cannot be opened", filename);
     return false;
   }
@@ -440,7 +443,7 @@ void OptimizableGraph::setRenamedTypesFromString(const std::string& types) {
     }
     const std::string from = trim(pair.substr(0, sign)), to = trim(pair.substr(sign + 1));
     if (!Factory::instance()->knowsTag(to)) {
-      G2O_ERROR("expected a known word after =, got {}", to);
+      G2O_ERROR("expected a known tag after =, got {}", to);
       continue;
     }
     _renamedTypesLookup[from] = to;

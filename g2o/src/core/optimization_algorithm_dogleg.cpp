@@ -37,7 +37,7 @@ bool OptimizationAlgorithmDogleg::init(bool online) {
   return false;
 }
 
-/// The Gauss-Newton step; where H is not positive definite, that of H + λI with a λ that makes it so.
+/// Computes the Gauss-Newton step. If H is not positive definite, uses H + λI with a λ that makes it so.
 bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   constexpr double kLargestLambda = 1e3;
   bool solved = false;
@@ -53,7 +53,7 @@ bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   return solved;
 }
 
-/// The minimum of the model along b.
+/// Computes the minimum of the model along b.
 void OptimizationAlgorithmDogleg::findSteepestDescent() {
   const auto n = static_cast<Eigen::Index>(_solver.vectorSize());
   const Eigen::Map<const VectorX> b(_solver.b(), n);
@@ -64,7 +64,7 @@ void OptimizationAlgorithmDogleg::findSteepestDescent() {
   _hsd = alpha * b;
 }
 
-/// The dogleg path at distance delta.
+/// Computes the point on the dogleg path at distance delta.
 void OptimizationAlgorithmDogleg::blend(const VectorX& gaussNewton) {
   const double steepest = _hsd.norm();
   if (gaussNewton.norm() < _delta) {
@@ -94,7 +94,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     _wasPDInAllIterations = true;
   }
   const double chi2 = _optimizer->activeRobustChi2();
-  if (!blameUnless(std::isfinite(chi2))) return Fail;
+  if (!reportUnlessFinite(std::isfinite(chi2))) return Fail;
   findSteepestDescent();
   if (!solveGaussNewton()) return Fail;
   const VectorX gaussNewton = Eigen::Map<const VectorX>(_solver.x(), n);
@@ -124,7 +124,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmDogleg::solve(int itera
     if (good) return OK;
     if (_optimizer->terminate()) break;
   }
-  _optimizer->computeActiveErrors();  // those of the rejected step stand in the edges
+  _optimizer->computeActiveErrors();  // the edges still have the errors of the rejected step
   return Terminate;
 }
 

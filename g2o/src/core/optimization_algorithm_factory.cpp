@@ -10,14 +10,14 @@
 namespace g2o {
 namespace {
 
-// Never destroyed before exit: static objects of plug-ins unregister themselves late.
+// Never destroyed before exit, because static objects of plug-ins unregister themselves late.
 OptimizationAlgorithmFactory*& factory_slot() {
   static OptimizationAlgorithmFactory* slot = nullptr;
   return slot;
 }
 
-/// The name of an algorithm of CHOLMOD or CSparse without that library's name: "lm_var" for "lm_var_cholmod".
-/// Empty for other names.
+/// The name of a CHOLMOD or CSparse algorithm without the name of that library: "lm_var" for
+/// "lm_var_cholmod". Returns an empty string for other names.
 std::string without_foreign_library(const std::string& tag) {
   for (const char* library : {"_cholmod", "_csparse"}) {
     const std::string suffix = library;
@@ -77,7 +77,8 @@ OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
   if (found == _creator.end()) {
     found = findSolver(without_foreign_library(tag));
     if (found != _creator.end())
-      G2O_WARN("{} is {} here: no library that has it is linked or loaded", tag, (*found)->property().name);
+      G2O_WARN("{} falls back to {}: no library that provides it is linked or loaded", tag,
+               (*found)->property().name);
   }
   if (found == _creator.end()) {
     G2O_WARN("no algorithm is registered under the name {}", tag);

@@ -13,8 +13,8 @@
 namespace g2o {
 namespace {
 
-/// The largest decrease of chi2 that the model of H and b predicts along a step x of H + λI: 2αbᵀx − α²xᵀHx
-/// at its best α.
+/// The largest decrease of chi2 that the model of H and b predicts along the direction of a step x that
+/// solves (H + λI) x = b. It is the maximum of 2αbᵀx − α²xᵀHx over α.
 double largest_decrease_along(const Solver& solver, double lambda) {
   const auto n = static_cast<Eigen::Index>(solver.vectorSize());
   const Eigen::Map<const VectorX> x(solver.x(), n), b(solver.b(), n);
@@ -22,8 +22,8 @@ double largest_decrease_along(const Solver& solver, double lambda) {
   return curvature > 0 ? slope * slope / curvature : std::numeric_limits<double>::infinity();
 }
 
-/// Whether neither the prediction nor the errors show a change of chi2 above its rounding errors, and the
-/// prediction does so not only because a large λ makes the step short.
+/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest decrease
+/// along the step must also be small, so that a short step from a large λ does not count.
 bool is_below_rounding(double chi2, double predicted, double largest_predicted, double decrease) {
   constexpr double kRounding = 1e-13, kMostShortening = 1000;
   return predicted <= kRounding * chi2 && std::abs(decrease) <= kRounding * chi2 &&
@@ -45,12 +45,12 @@ OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(Solver* solver)
 
 OptimizationAlgorithmLevenberg::~OptimizationAlgorithmLevenberg() = default;
 
-/// Nielsen, "Damping parameter in Marquardt's method", 1999: λ shrinks by how well the model foretold chi2,
-/// and grows by ν, which doubles with each failure.
+/// Nielsen, "Damping parameter in Marquardt's method", 1999: λ shrinks if the model predicted chi2 well. It
+/// grows by ν if the step failed, and ν doubles with each failure.
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int iteration, bool online) {
   if (!linearize(iteration, online)) return Fail;
   const double chi2 = _optimizer->activeRobustChi2();
-  if (!blameUnless(std::isfinite(chi2))) return Fail;
+  if (!reportUnlessFinite(std::isfinite(chi2))) return Fail;
   if (iteration == 0) {
     _currentLambda = computeLambdaInit();
     _ni = 2;
@@ -88,7 +88,7 @@ OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int it
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->levenbergIterations = _levenbergIterations;
   if (gain > 0) return finished ? Terminate : OK;
-  _optimizer->computeActiveErrors();  // those of the rejected step stand in the edges
+  _optimizer->computeActiveErrors();  // the edges still have the errors of the rejected step
   return Terminate;
 }
 

@@ -15,8 +15,8 @@
 namespace g2o {
 namespace {
 
-/// Says which edge's error is not finite.
-void blame_edge(const SparseOptimizer& optimizer) {
+/// Reports the edge whose error is not finite.
+void report_edge(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (std::isfinite(e->chi2())) continue;
     std::string name = Factory::instance()->tag(e);
@@ -86,11 +86,11 @@ bool OptimizationAlgorithmWithHessian::linearize(int iteration, bool online) {
   _solver.buildSystem();
   if (_solver.b() == nullptr) return true;
   const Eigen::Map<const VectorX> b(_solver.b(), static_cast<Eigen::Index>(_solver.vectorSize()));
-  return blameUnless(b.allFinite());
+  return reportUnlessFinite(b.allFinite());
 }
 
-bool OptimizationAlgorithmWithHessian::blameUnless(bool finite) const {
-  if (!finite) blame_edge(*_optimizer);
+bool OptimizationAlgorithmWithHessian::reportUnlessFinite(bool finite) const {
+  if (!finite) report_edge(*_optimizer);
   return finite;
 }
 

@@ -31,7 +31,7 @@ void ParameterContainer::clear() {
 
 bool ParameterContainer::addParameter(Parameter* p) {
   if (p == nullptr || p->id() < 0) {
-    G2O_ERROR("addParameter: expected a parameter with an id from 0 on, got {}",
+    G2O_ERROR("addParameter: expected a parameter with an id of at least 0, got {}",
               p == nullptr ? "nullptr" : std::to_string(p->id()));
     return false;
   }
@@ -60,17 +60,17 @@ bool ParameterContainer::read(std::istream& is, const std::map<std::string, std:
   for (std::string line; std::getline(is, line);) {
     std::istringstream fields(line);
     fields.imbue(std::locale::classic());
-    std::string word;
-    if (!(fields >> word) || word[0] == '#') continue;
-    if (renameMap != nullptr && renameMap->count(word) > 0) word = renameMap->at(word);
-    std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(word, parameters));
+    std::string tag;
+    if (!(fields >> tag) || tag[0] == '#') continue;
+    if (renameMap != nullptr && renameMap->count(tag) > 0) tag = renameMap->at(tag);
+    std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(tag, parameters));
     auto* p = dynamic_cast<Parameter*>(element.get());
     if (p == nullptr) continue;
     int id = -1;
     fields >> id;
     p->setId(id);
     if (!p->read(fields) || !addParameter(p)) {
-      G2O_ERROR("{} {}: the parameter cannot be read, or its id is taken", word, id);
+      G2O_ERROR("{} {}: the parameter cannot be read, or its id is taken", tag, id);
       ok = false;
       continue;
     }
@@ -85,7 +85,7 @@ bool ParameterContainer::write(std::ostream& os) const {
   for (const auto& [id, p] : *this) {
     const std::string& tag = Factory::instance()->tag(p);
     if (tag.empty()) {
-      G2O_ERROR("save: no word is registered for the type {}", typeid(*p).name());
+      G2O_ERROR("save: no tag is registered for the type {}", typeid(*p).name());
       ok = false;
       continue;
     }

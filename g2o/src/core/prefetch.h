@@ -8,7 +8,7 @@
 namespace g2o {
 namespace internal {
 
-/// Asks the memory for the first `bytes` of an object.
+/// Prefetches the first `bytes` of an object.
 inline void prefetch(const void* object, std::size_t bytes) {
 #if defined(__GNUC__)
   constexpr std::size_t kLine = 64;
@@ -19,8 +19,8 @@ inline void prefetch(const void* object, std::size_t bytes) {
 #endif
 }
 
-/// Calls f for each of the edges. They and their vertices are objects of their own, anywhere in memory: those
-/// of the edges to come are asked for ahead.
+/// Calls f for each edge. Prefetches the next edges and their vertices, because each is a separate heap
+/// object.
 template <class F>
 void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
   constexpr std::size_t kEdgesAhead = 6, kVerticesAhead = 3;

@@ -4,8 +4,9 @@
 namespace g2o {
 namespace internal {
 
-/// Saves estimates for a step that may be refused: those of a vertex, or of the active vertices of an
-/// optimiser. Whatever leaves the scope without keep(), an exception of client code too, restores them.
+/// Saves the estimates of a vertex, or of the active vertices of an optimizer, before a step that may be
+/// rejected. The destructor restores them unless keep() was called, so an exception of client code restores
+/// them, too.
 template <class Stack>
 class PushedEstimates {
  public:
@@ -16,12 +17,12 @@ class PushedEstimates {
     if (stack_ == nullptr) return;
     try {
       stack_->pop();
-    } catch (...) {  // client code that throws once more: the first exception is the one to report
+    } catch (...) {  // client code threw again; the first exception is the one to report
     }
   }
-  /// The estimates as they are now stay.
+  /// Keeps the current estimates.
   void keep() { take().discardTop(); }
-  /// The saved estimates come back.
+  /// Restores the saved estimates.
   void restore() { take().pop(); }
 
  private:

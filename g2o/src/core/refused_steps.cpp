@@ -8,7 +8,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-/// Of the update() that this thread is in.
+/// Whether a vertex refused its step in the current update() of this thread.
 bool& is_refused() {
   thread_local bool refused = false;
   return refused;

@@ -6,7 +6,7 @@
 namespace g2o {
 namespace internal {
 
-/// Moves the vertices by ⊞; false if one of them refused its step.
+/// Moves the vertices by ⊞. Returns false if a vertex refused its step.
 bool update(SparseOptimizer& optimizer, const double* step);
 
 }  // namespace internal

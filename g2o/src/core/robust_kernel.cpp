@@ -8,13 +8,13 @@
 #include "boxplus/robust/redescending.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "g2o/stuff/logger.h"
 
 namespace g2o {
 namespace {
 
-/// ρ, ρ′, ρ″ of a kernel of the engine. A kernel without width lets nothing count.
+/// ρ, ρ′, ρ″ of a kernel of the engine. A kernel without a width ignores every error.
 template <class Kernel>
 void robustify_by(double delta, double e2, Vector3& rho) {
   if (!(delta > 0)) {
@@ -26,11 +26,11 @@ void robustify_by(double delta, double e2, Vector3& rho) {
 }
 
 template <class... Kernels>
-using AllSideBySide = std::tuple<SideBySide<Kernels>...>;
-const AllSideBySide<RobustKernelHuber, RobustKernelPseudoHuber, RobustKernelCauchy, RobustKernelGemanMcClure,
+using AllThreadSafe = std::tuple<ThreadSafe<Kernels>...>;
+const AllThreadSafe<RobustKernelHuber, RobustKernelPseudoHuber, RobustKernelCauchy, RobustKernelGemanMcClure,
                     RobustKernelWelsch, RobustKernelFair, RobustKernelTukey, RobustKernelSaturated,
                     RobustKernelDCS>
-    kSideBySide;
+    kThreadSafe;
 
 }  // namespace
 
@@ -111,7 +111,7 @@ AbstractRobustKernelCreator::Ptr creator_of() {
 
 }  // namespace
 
-// The kernels of the library are known from the start, also where nothing else links them.
+// Registers the kernels of the library even if nothing else links them.
 RobustKernelFactory::RobustKernelFactory()
     : _creator{{"Huber", creator_of<RobustKernelHuber>()},
                {"PseudoHuber", creator_of<RobustKernelPseudoHuber>()},
@@ -178,7 +178,8 @@ void RobustKernelFactory::fillKnownKernels(std::vector<std::string>& types) cons
 
 }  // namespace g2o
 
-// What G2O_USE_ROBUST_KERNEL(classname) asks for; a client may register a class of the same name.
+// The symbol that G2O_USE_ROBUST_KERNEL(classname) needs. It is weak, because a client may register a class
+// of the same name.
 #define DEFINE_FOR_USE(classname) \
   G2O_API_EXPORT __attribute__((weak)) void g2o_robust_kernel_##classname(void) {}
 extern "C" {

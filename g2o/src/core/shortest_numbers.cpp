@@ -20,8 +20,8 @@ class Facet final : public std::num_put<char> {
 
 }  // namespace
 
-// The locale comes first: a stream hands it on to its buffer, which would be flushed, and be of no use any
-// more where that fails.
+// The locale is set before the buffer. A stream passes its locale to its buffer, which flushes, and the
+// stream becomes unusable if that fails.
 ShortestNumbers::ShortestNumbers(std::ostream& os) : to_(os), stream_(nullptr) {
   stream_.imbue(std::locale(std::locale::classic(), new Facet));
   stream_.rdbuf(os.rdbuf());
@@ -31,7 +31,7 @@ ShortestNumbers::~ShortestNumbers() {
   if (!stream_.bad()) return;
   try {
     to_.setstate(std::ios::badbit);
-  } catch (const std::ios::failure&) {  // where the caller wants exceptions: it is bad all the same
+  } catch (const std::ios::failure&) {  // if exceptions are enabled; badbit is set either way
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace g2o {
 
-/// A stream into the buffer of another that writes every double as the shortest text that reads back to the
-/// same double, whatever the locale. In the end the other knows where the buffer took no more.
+/// Writes into the buffer of another stream, with every double as the shortest text that reads back as the
+/// same double, in any locale. The destructor sets badbit of the other stream if the buffer failed.
 class ShortestNumbers {
  public:
   explicit ShortestNumbers(std::ostream& os);
@@ -14,7 +14,7 @@ class ShortestNumbers {
   ShortestNumbers& operator=(const ShortestNumbers&) = delete;
   ~ShortestNumbers();
   std::ostream& stream() { return stream_; }
-  /// Whether all has been written so far.
+  /// Whether everything so far was written.
   bool good() const { return stream_.good() && to_.good(); }
 
  private:

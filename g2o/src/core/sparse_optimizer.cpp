@@ -21,7 +21,7 @@ OptimizableGraph::Vertex* as_vertex(HyperGraph::Vertex* v) {
   return static_cast<OptimizableGraph::Vertex*>(v);
 }
 
-/// Where this thread collects statistics stays as it was, however optimize() ends.
+/// Restores the thread's statistics pointer, however optimize() ends.
 class StatisticsScope {
  public:
   StatisticsScope() : before_(G2OBatchStatistics::globalStats()) {
@@ -35,7 +35,7 @@ class StatisticsScope {
   G2OBatchStatistics* before_;
 };
 
-/// Saves estimates, and brings them back in the end.
+/// Saves estimates and restores them at the end.
 class Restored {
  public:
   Restored() = default;
@@ -45,7 +45,7 @@ class Restored {
     for (OptimizableGraph::Vertex* v : vertices_) {
       try {
         v->pop();
-      } catch (...) {  // client code; the others come back all the same
+      } catch (...) {  // client code; the other vertices are restored anyway
       }
     }
   }
@@ -109,7 +109,7 @@ void SparseOptimizer::setToOrigin() {
   for (const auto& [id, v] : vertices()) as_vertex(v)->setToOrigin();
 }
 
-/// While one lives, no algorithm is deleted.
+/// Keeps replaced algorithms alive while an optimize() runs.
 class SparseOptimizer::OptimizeScope {
  public:
   explicit OptimizeScope(SparseOptimizer& optimizer) : optimizer_(optimizer) { ++optimizer_.optimize_depth_; }
@@ -125,7 +125,7 @@ class SparseOptimizer::OptimizeScope {
 
 int SparseOptimizer::optimize(int iterations, bool online) {
   if (_ivMap.empty()) {
-    G2O_WARN("optimize: no vertices to optimise; was initializeOptimization() called?");
+    G2O_WARN("optimize: no vertices to optimize; was initializeOptimization() called?");
     return -1;
   }
   if (_algorithm == nullptr) {
@@ -133,7 +133,7 @@ int SparseOptimizer::optimize(int iterations, bool online) {
     return -1;
   }
   if (!_algorithm->init(online)) {
-    G2O_ERROR("optimize: the algorithm could not be initialised");
+    G2O_ERROR("optimize: the algorithm could not be initialized");
     return -1;
   }
   own_stop_flag_ = false;
@@ -151,12 +151,12 @@ int SparseOptimizer::optimize(int iterations, bool online) {
   int done = 0, first_of_algorithm = 0;
   for (; done < iterations && !terminate() && result == OptimizationAlgorithm::OK; ++done) {
     preIteration(done);
-    if (_algorithm == nullptr) break;  // an action took it away
+    if (_algorithm == nullptr) break;  // an action removed it
     if (_algorithm != algorithm) {
       algorithm = _algorithm;
       first_of_algorithm = done;
       if (!algorithm->init(online)) {
-        G2O_ERROR("optimize: the algorithm that an action set could not be initialised");
+        G2O_ERROR("optimize: the algorithm that an action set could not be initialized");
         return 0;
       }
     }
@@ -199,7 +199,7 @@ void SparseOptimizer::writeVerboseLine(const OptimizationAlgorithm& algorithm, i
 bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                        const std::vector<std::pair<int, int>>& blockIndices) {
   if (_algorithm == nullptr || _ivMap.empty()) {
-    G2O_ERROR("computeMarginals: expected an optimiser with an algorithm that has optimised");
+    G2O_ERROR("computeMarginals: expected an optimizer whose algorithm has run");
     return false;
   }
   const internal::AddedTime time(_batchStatistics.empty() ? nullptr : &_batchStatistics.back().timeMarginals);
@@ -208,7 +208,7 @@ bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
 
 bool SparseOptimizer::computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex) {
   if (vertex == nullptr || vertex->hessianIndex() < 0) {
-    G2O_ERROR("computeMarginals: expected a vertex that was optimised");
+    G2O_ERROR("computeMarginals: expected a vertex that takes part in the optimization");
     return false;
   }
   return computeMarginals(spinv,

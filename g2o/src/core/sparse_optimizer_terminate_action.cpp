@@ -36,7 +36,7 @@ void SparseOptimizerTerminateAction::setMaxIterations(int maxit) {
   _maxIterations = maxit;
 }
 
-/// Raises the flag that the user gave the optimiser, or the optimiser's own where there is none.
+/// Raises the client's stop flag, or the optimizer's internal one if the client set none.
 void SparseOptimizerTerminateAction::setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop) {
   auto* stopped = const_cast<SparseOptimizer*>(optimizer);
   if (stopped->forceStopFlag() == nullptr) stopped->setForceStopFlag(&stopped->own_stop_flag_);

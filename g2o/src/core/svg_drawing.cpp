@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMargin = 12;  // pixels
 
-/// From the south-east and above, without perspective.
+/// A parallel projection from the south-east and above.
 Matrix3 oblique_view() {
   const AngleAxis turn(-0.6, Vector3::UnitZ()), tilt(-1.0, Vector3::UnitX());
   return (tilt * turn).toRotationMatrix();
@@ -46,14 +46,14 @@ std::string escaped(const std::string& words) {
   return result;
 }
 
-/// About how wide words are, in units of their height.
+/// The approximate width of text, in units of its height.
 double width_of(const std::string& words) {
   return 0.6 * static_cast<double>(words.size());
 }
 
 }  // namespace
 
-/// From the world to the picture.
+/// Projects the world onto the picture.
 class SvgDrawing::Page {
  public:
   Page(const SvgDrawing& drawing, const Matrix3& view) : view_(view) {
@@ -92,7 +92,8 @@ class SvgDrawing::Page {
     return d;
   }
 
-  /// The end of an element: how a run of shapes that differ only in their corners is painted.
+  /// The paint attributes at the end of an element. Consecutive shapes that differ only in their corners share
+  /// one element.
   std::string style(const Shape& shape) const {
     const std::string color = hex(shape.color);
     if (shape.kind == Kind::kFilled) return fmt::format("fill=\"{}\"{}", color, opacity("fill", shape.color));

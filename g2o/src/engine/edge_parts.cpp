@@ -6,8 +6,8 @@
 #include <typeinfo>
 
 #include "boxplus/base/parallel.h"
-#include "core/bearing_types.h"
 #include "core/prefetch.h"
+#include "core/thread_safe_types.h"
 #include "g2o/core/robust_kernel.h"
 
 namespace g2o {
@@ -17,12 +17,12 @@ namespace {
 /// With fewer edges, the threads cost more than they save.
 constexpr size_t kFewestEdges = 1000;
 
-/// bears_threads(), remembered for the last type: most edges are of the same.
+/// is_thread_safe(), remembered for the last type: most edges are of the same.
 class LastType {
  public:
   bool allowed(const std::type_info& type) {
     if (last_ != &type) {
-      allowed_ = bears_threads(type);
+      allowed_ = is_thread_safe(type);
       last_ = &type;
     }
     return allowed_;
@@ -84,12 +84,12 @@ void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
 }  // namespace
 
 bool EdgeParts::is_of(const Edges& edges) const {
-  return known_types_ == bearing_types_revision() && edges_ == edges;
+  return known_types_ == thread_safe_types_revision() && edges_ == edges;
 }
 
 void EdgeParts::part(const Edges& edges, int vertices) {
   edges_ = edges;
-  known_types_ = bearing_types_revision();
+  known_types_ = thread_safe_types_revision();
   left_.clear();
   for (Edges& part : parts_) part.clear();
   if (edges.size() < kFewestEdges) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The algorithms over one linear solver, under the names of the factory.
+// Registers the algorithms with one linear solver under the names of the factory.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ class SolverCreator : public AbstractOptimizationAlgorithmCreator {
   Make make_;
 };
 
-/// The creator of Algorithm over blocks of p × p and l × l; −1: of any size.
+/// Creates Algorithm over blocks of p × p and l × l; −1 means any size.
 template <class Algorithm, template <class> class LinearSolver, int p, int l>
 AbstractOptimizationAlgorithmCreator* solver_creator(const std::string& name, const std::string& method,
                                                      const std::string& type) {
@@ -45,8 +45,8 @@ AbstractOptimizationAlgorithmCreator* solver_creator(const std::string& name, co
 }  // namespace internal
 }  // namespace g2o
 
-/// Eight names: gn_ and lm_ with each of the suffixes, which are for blocks of any size and for 3 2, 6 3,
-/// 7 3.
+/// Registers eight algorithms: gn_ and lm_, each with four suffixes, for blocks of any size, 3 2, 6 3, and 7
+/// 3.
 #define G2O_REGISTER_ALGORITHMS_(prefix, Algorithm, method, Linear, type, any, s32, s63, s73)         \
   G2O_REGISTER_OPTIMIZATION_ALGORITHM(                                                                \
       prefix##any, (internal::solver_creator<Algorithm, Linear, -1, -1>(#prefix #any, method, type))) \

@@ -2,8 +2,8 @@
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 #include "solvers/register_solvers.h"
 
-// G2O_USE_OPTIMIZATION_LIBRARY(cholmod) and (csparse) link without solver_cholmod and solver_csparse, too:
-// the factory then falls back to the algorithms of this library.
+// G2O_USE_OPTIMIZATION_LIBRARY(cholmod) and (csparse) also link without solver_cholmod and solver_csparse.
+// The factory then falls back to the algorithms of this library.
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_cholmod(void) {}
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_csparse(void) {}
 

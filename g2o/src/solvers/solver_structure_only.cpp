@@ -9,7 +9,7 @@ template <int PointDoF>
 class Creator : public AbstractOptimizationAlgorithmCreator {
  public:
   explicit Creator(const char* name)
-      : AbstractOptimizationAlgorithmCreator({name, "moves the marginalised points alone, each by itself",
+      : AbstractOptimizationAlgorithmCreator({name, "optimizes only the marginalized points, each separately",
                                               "structure only", true, -1, PointDoF}) {}
   OptimizationAlgorithm* construct() override { return new StructureOnlySolver<PointDoF>; }
 };

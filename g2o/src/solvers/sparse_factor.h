@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse Cholesky of another library as a LinearSolver.
+// A LinearSolver over the sparse Cholesky of another library.
 #pragma once
 
 #include <amd.h>
@@ -16,15 +16,15 @@
 namespace g2o {
 namespace internal {
 
-/// The upper triangle of a symmetric matrix in compressed columns, rows ascending.
+/// The upper triangle of a symmetric matrix in compressed columns, with ascending rows.
 struct UpperTriangle {
   int n = 0;
   std::vector<int> p, i;
   std::vector<double> x;
 };
 
-/// L in compressed columns, the diagonal first; `place`: where each scalar of the matrix stands in it, or
-/// null.
+/// L in compressed columns, each with the diagonal first. `place` is the row of each scalar of the matrix in
+/// L, or null for the same order.
 struct LowerFactor {
   int *p = nullptr, *i = nullptr;
   double* x = nullptr;
@@ -32,10 +32,10 @@ struct LowerFactor {
 };
 
 /// Factor has:
-///   bool analyze(UpperTriangle&, const std::vector<int>& order)   empty: an order of its own choice
-///   bool factorize(UpperTriangle&)                                false: not positive definite
+///   bool analyze(UpperTriangle&, const std::vector<int>& order)   chooses an order if `order` is empty
+///   bool factorize(UpperTriangle&)                                false if not positive definite
 ///   bool solve(const double* b, double* x)
-///   LowerFactor lower()                                                 until the next factorize()
+///   LowerFactor lower()                                           valid until the next factorize()
 ///   size_t nonZeros() const
 template <class MatrixType, class Factor>
 class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
@@ -77,7 +77,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return ok;
   }
 
-  /// Whether the pattern is another one than before.
+  /// Loads a matrix. Returns true if its pattern has changed.
   bool load(const SparseBlockMatrix<MatrixType>& A) {
     std::vector<int> pattern = pattern_of(A);
     const bool changed = pattern != pattern_;
@@ -97,7 +97,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return changed;
   }
 
-  /// The ends of the blocks, then the rows of the blocks of each column, each time after their number.
+  /// The ends of the block columns, then for each column the number of its blocks and their rows.
   static std::vector<int> pattern_of(const SparseBlockMatrix<MatrixType>& A) {
     std::vector<int> pattern = A.colBlockIndices();
     for (const auto& column : A.blockCols()) {
@@ -107,7 +107,8 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return pattern;
   }
 
-  /// The values of a matrix whose pattern is loaded, each block after those above it in its columns.
+  /// Loads the values of a matrix whose pattern is loaded. A block follows the blocks above it in its
+  /// columns.
   void load_values(const SparseBlockMatrix<MatrixType>& A) {
     const int* begin = upper_.p.data();
     for (size_t c = 0; c < A.blockCols().size(); ++c) {
@@ -124,7 +125,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     }
   }
 
-  /// Minimum degree of the blocks, as an order of scalars.
+  /// A minimum-degree order of the blocks, expanded to scalars.
   std::vector<int> blockOrder(const SparseBlockMatrix<MatrixType>& A) const {
     const auto blocks = static_cast<int>(A.colBlockIndices().size());
     std::vector<int> p(static_cast<size_t>(blocks) + 1), i(A.nonZeroBlocks());

@@ -11,7 +11,7 @@ namespace {
 
 struct Destination {
   Sink sink;
-  bool is_set = false;  // by the program
+  bool is_set = false;  // true once the program has set a sink
 };
 
 Destination& destination() {

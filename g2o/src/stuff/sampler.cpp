@@ -13,8 +13,8 @@ std::mt19937& shared_generator() {
 
 }  // namespace
 
-// A distribution of its own for each number: one that were kept would hold back every second one of them,
-// so that a seed would not begin anew.
+// Uses a new distribution for each value. A kept one would cache every second value, so that seeding would
+// not restart the sequence.
 double sampleGaussian(std::mt19937* generator) {
   std::normal_distribution<double> gaussian;
   return gaussian(generator != nullptr ? *generator : shared_generator());

@@ -9,7 +9,7 @@
 namespace g2o {
 namespace {
 
-/// The stem of a path, which is the name of the variable in Octave.
+/// The stem of a path. It is the name of the variable in Octave.
 std::string variable_name(const std::string& filename) {
   const std::string name = filename.substr(filename.rfind('/') + 1);
   return name.substr(0, name.rfind('.'));

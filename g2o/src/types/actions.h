@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The actions "writeGnuplot" and "draw" of the ready-made types. A library of types tells what there is to
-// see:
+// The actions "writeGnuplot" and "draw" of the ready-made types. A library of types describes how they look:
 //
 //     struct Library {
-//       static constexpr int kDimension = 2;                            // of the places in files for gnuplot
-//       static Sketch sketch(const Element&);                           // for each type of element
-//       static bool write(const Element&, std::ostream&);               // true where that is the element's
-//       text
+//       static constexpr int kDimension = 2;                // of the coordinates in gnuplot files
+//       static Sketch sketch(const Element&);               // for each type of element
+//       static bool write(const Element&, std::ostream&);   // returns true if it wrote the element
 //     };
 //     G2O_REGISTER_TYPE_GROUP(…_actions)
 //     const internal::RegisterActions<Library, Element, …> registered;
@@ -28,15 +26,15 @@ inline bool is_complete(const HyperGraph::HyperGraphElement& element) {
   return e == nullptr || e->numUndefinedVertices() == 0;
 }
 
-/// A line of numbers.
+/// Writes the values on one line.
 template <class Vector>
 void write_line(std::ostream& os, const Vector& numbers) {
   for (Eigen::Index i = 0; i < numbers.size(); ++i) os << (i > 0 ? " " : "") << numbers[i];
   os << '\n';
 }
 
-/// A vertex is a line of numbers. An edge is, for each line to be seen, two lines of numbers and an empty
-/// one; an edge that misses a vertex is not written.
+/// Writes the lines of an element's sketch for gnuplot, each as two lines of coordinates and an empty line,
+/// unless Library::write() writes the element. Skips an edge that lacks a vertex.
 template <class Library, class T>
 class GnuplotAction : public WriteGnuplotAction {
  public:
@@ -110,7 +108,7 @@ class DrawElementAction : public DrawAction {
     for (const Vector3& point : sketch.points) drawing.point(point, sketch.color, property("POINT_SIZE", 4));
   }
 
-  /// A pyramid from the centre of projection to the image.
+  /// Draws a pyramid from the center of projection to the image.
   void draw_camera(const Isometry3& pose, const Color& color, double depth, double side) {
     const double half = side / 2;
     const std::vector<Vector3> image{pose * Vector3(-half, -half, depth), pose * Vector3(half, -half, depth),
@@ -121,7 +119,7 @@ class DrawElementAction : public DrawAction {
       drawing.line(pose.translation(), corner, color, property("LINE_WIDTH", 1));
   }
 
-  /// A rectangle and its normal.
+  /// Draws a rectangle and its normal.
   void draw_plane(const Isometry3& plane, const Color& color, double width, double height) {
     const double x = width / 2, y = height / 2;
     Drawing& drawing = *_previousParams->drawing;
@@ -133,7 +131,7 @@ class DrawElementAction : public DrawAction {
   }
 };
 
-/// Both actions for each of the types, as long as it lives.
+/// Registers both actions for each of the types, as long as this object lives.
 template <class Library, class... T>
 class RegisterActions {
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives by δ of what exp(δ) moves from the left, δ = (ω, υ) or (ω, υ, σ).
+// Derivatives with respect to δ of exp(δ) x at δ = 0, with δ = (ω, υ) or (ω, υ, σ).
 #pragma once
 
 #include "boxplus/autodiff/dual.h"
@@ -14,7 +14,7 @@ inline boxplus::Sim3 similarity(const Quaternion& r, const Vector3& t, double s)
   return boxplus::Sim3::from_unit({r.x(), r.y(), r.z(), r.w()}, t, s);
 }
 
-/// ∂(exp(δ) p)/∂δ of a point p.
+/// ∂(exp(δ) p)/∂δ for a point p.
 inline Eigen::Matrix<double, 3, 6> motion_of_point(const Vector3& p) {
   Eigen::Matrix<double, 3, 6> J;
   J << -skew(p), Matrix3::Identity();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of points in cameras: the first two rows of K p over its third, and their derivatives by p.
+// Images of points in cameras, and their derivatives with respect to the point p. An image is the first two
+// rows of K p divided by the third.
 //
-// For cameras without skew also in closed form, and by the motion of p: the points of visual SLAM are
-// projected and differentiated in every iteration.
+// Cameras without skew have closed forms, also with respect to a motion of p, because visual SLAM projects
+// and differentiates its points in every iteration.
 #pragma once
 
 #include "g2o/core/eigen_types.h"
@@ -25,7 +26,7 @@ inline Eigen::Matrix<double, 2, 3> image_jacobian(const Matrix3& K, const Vector
   return (K.topRows<2>() - image(K, p) * K.row(2)) / K.row(2).dot(p);
 }
 
-/// u, v, and u in a second camera at the right, u − bf/depth.
+/// u, v, and u − bf/depth, which is u in a second camera on the right.
 inline Vector3 stereo_image(const Matrix3& K, double bf, const Vector3& p) {
   const Vector2 left = image(K, p);
   return {left[0], left[1], left[0] - bf / p[2]};
@@ -38,8 +39,9 @@ inline Matrix3 stereo_image_jacobian(const Matrix3& K, double bf, const Vector3&
   return J;
 }
 
-/// Derivatives of a camera's rotation R from the world by the vector part q_v of a quaternion that turns its
-/// pose: (q_v, 1) turns by 2 q_v, and R is the rotation of the inverse pose.
+/// Derivatives of the rotation R from the world to a camera with respect to q_v, the vector part of a
+/// quaternion that turns the pose of the camera. (q_v, 1) turns by 2 q_v, and R is the rotation of the
+/// inverse pose.
 inline void rotation_derivatives(const Matrix3& R, Matrix3& dRdx, Matrix3& dRdy, Matrix3& dRdz) {
   dRdx = -2 * skew(Vector3::UnitX()) * R;
   dRdy = -2 * skew(Vector3::UnitY()) * R;
@@ -74,7 +76,7 @@ inline Matrix3 stereo_image_jacobian(const Pinhole& camera, double bf, const Vec
   return J;
 }
 
-/// The derivatives of the images of exp(δ) p by δ = (ω, υ), at δ = 0: D [−[p]×, I] with D of
+/// The derivatives of the image of exp(δ) p with respect to δ = (ω, υ) at δ = 0: D [−[p]×, I], with D from
 /// image_jacobian().
 inline Eigen::Matrix<double, 2, 6> image_by_motion(const Pinhole& camera, const Vector3& p) {
   const double inverse = 1 / p[2], x = p[0] * inverse, y = p[1] * inverse;
@@ -86,7 +88,7 @@ inline Eigen::Matrix<double, 2, 6> image_by_motion(const Pinhole& camera, const 
 }
 inline Eigen::Matrix<double, 3, 6> stereo_image_by_motion(const Pinhole& camera, double bf,
                                                           const Vector3& p) {
-  const double disparity_rate = bf / (p[2] * p[2]);  // by the depth, of u − bf/depth
+  const double disparity_rate = bf / (p[2] * p[2]);  // derivative of u − bf/depth with respect to the depth
   Eigen::Matrix<double, 3, 6> J;
   J.topRows<2>() = image_by_motion(camera, p);
   J.row(2) = J.row(0);

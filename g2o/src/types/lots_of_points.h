@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges from one pose to any number of points, whose blocks are those of the edge to one point.
+// The edges from one pose to any number of points. Their blocks are those of an edge to one point.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace g2o {
 namespace native {
 
-/// `Types` has the engine's edges to One point and to Many of them and its Pose; PoseVertex and PointVertex
-/// of the face, and pose() and point(), which convert their estimates.
+/// `Types` has the engine's edges to One point and to Many points and its Pose. It also has PoseVertex and
+/// PointVertex of the g2o API, and pose() and point(), which convert their estimates.
 template <class Types>
 struct LotsOfPoints {
   using One = typename Types::One;
@@ -50,7 +50,7 @@ struct LotsOfPoints {
     }
   }
 
-  /// The ids have been read, up to "||". False where the line has another number of points.
+  /// Reads the fields after the ids and "||". Returns false if the line has another number of points.
   template <class Omega>
   static bool read(std::istream& is, Omega& information, VectorX& z) {
     const int fields = 1 + static_cast<int>(z.size());
@@ -58,7 +58,7 @@ struct LotsOfPoints {
       const boxplus::FieldPlace place = in.place();
       const Many edge = boxplus::EdgeFields<Many>::read(in);
       if (edge.measurement.size() != z.size())
-        in.fail(place, "expected as many points as the edge has vertices for");
+        in.fail(place, "expected as many points as the edge has point vertices");
       read_omega(in, information);
       z = edge.measurement;
     });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the ready-made types of the face call those of the engine: errors, Jacobians, and fields of files.
+// Adapters from the ready-made types of the g2o API to those of the engine: errors, Jacobians, and file
+// fields.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@
 namespace g2o {
 namespace native {
 
-/// What an error of the engine says after its place.
+/// The message of an error of the engine, without its position.
 inline std::string without_place(const std::string& file, const boxplus::InputError& error) {
   const std::string place =
       file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": ";
@@ -27,8 +28,8 @@ inline std::string without_place(const std::string& file, const boxplus::InputEr
   return text.compare(0, place.size(), place) == 0 ? text.substr(place.size()) : text;
 }
 
-/// Takes the next `count` words of a stream and has `read` read them as fields. False where they are too few,
-/// or, with a complaint, not what they should be.
+/// Takes the next `count` fields of a stream and lets `read` read them. Returns false if there are too few,
+/// or, with a complaint, if they are invalid.
 template <class Read>
 bool read_fields(std::istream& is, int count, Read&& read) {
   std::string text, word;
@@ -49,7 +50,7 @@ bool read_fields(std::istream& is, int count, Read&& read) {
   return false;
 }
 
-/// Has `write` write fields.
+/// Lets `write` write fields.
 template <class Write>
 bool write_fields(std::ostream& os, Write&& write) {
   std::string text;
@@ -69,7 +70,7 @@ bool write_value(std::ostream& os, const T& value) {
   return write_fields(os, [&](boxplus::FieldWriter& out) { boxplus::FileFields<T>::write(value, out); });
 }
 
-/// Whether the next `count` fields are zeros.
+/// Whether the next `count` fields are zero.
 inline bool are_zeros(boxplus::FieldReader in, int count) {
   for (int i = 0; i < count; ++i) {
     if (in.number("an entry of the information matrix") != 0) return false;
@@ -77,7 +78,7 @@ inline bool are_zeros(boxplus::FieldReader in, int count) {
   return true;
 }
 
-/// Zeros only, which the engine refuses, are an edge without weight.
+/// Reads Ω. If all fields are zero, which the engine refuses, the edge has no weight.
 template <class Omega>
 void read_omega(boxplus::FieldReader& in, Omega& information) {
   const auto rows = static_cast<int>(information.rows());
@@ -99,7 +100,7 @@ void write_omega(const Omega& information, boxplus::FieldWriter& out) {
   }
 }
 
-/// Reads the measurement of a native edge, of `count` fields, then Ω.
+/// Reads the measurement of an engine edge, which has `count` fields, and then Ω.
 template <class E, class Omega, class Take>
 bool read_edge(std::istream& is, int count, Omega& information, Take&& take) {
   return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
@@ -117,7 +118,7 @@ bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
   });
 }
 
-/// The same for an edge that the engine does not have, whose measurement stands in files as a T does.
+/// The same for an edge that the engine does not have. Files store its measurement like a T.
 template <class T, class Omega, class Take>
 bool read_measurement(std::istream& is, int count, Omega& information, Take&& take) {
   return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
@@ -135,8 +136,8 @@ bool write_measurement(std::ostream& os, const T& measurement, const Omega& info
   });
 }
 
-/// Numbers at the end of a line, which may lack them all: then they stay. False where the line has some of
-/// them, or something else.
+/// Reads values at the end of a line. If the line has none, the values stay. Returns false if the line has
+/// only some of them, or something else.
 inline bool read_rest(std::istream& is, std::initializer_list<double*> numbers) {
   const std::istream::int_type next = is.eof() ? std::istream::traits_type::eof() : (is >> std::ws).peek();
   if (next == std::istream::traits_type::eof()) {
@@ -157,24 +158,24 @@ inline bool write_rest(std::ostream& os, std::initializer_list<double> numbers) 
   });
 }
 
-/// An argument of a native edge, and where its Jacobian goes; nowhere for parameters.
+/// An argument of an engine edge, and the memory of its Jacobian, which is nullptr for parameters.
 template <class V>
 struct Argument {
   V value;
   double* jacobian = nullptr;
 };
 
-/// From the tangent of the engine to that of the face: theirs differ for poses of the plane, whose
-/// translation the face adds in the world frame, δ_body = R(θ)ᵀ δ_world.
+/// Converts a Jacobian from the engine's tangent space to g2o's. They differ for poses in the plane, whose
+/// translation g2o adds in the world frame: δ_body = R(θ)ᵀ δ_world.
 template <int Rows>
-void to_face_tangent(const boxplus::SE2& x, double* jacobian) {
+void to_g2o_tangent(const boxplus::SE2& x, double* jacobian) {
   Eigen::Map<Eigen::Matrix<double, Rows, 2>> J(jacobian);
   J = (J * x.rotation().transpose()).eval();
 }
 template <int Rows, class V>
-void to_face_tangent(const V&, double*) {}
+void to_g2o_tangent(const V&, double*) {}
 
-/// Fills the Jacobians of a native edge: its own, where it has them, else by dual numbers.
+/// Fills the Jacobians of an engine edge: analytic ones if it has them, else by dual numbers.
 template <class E, class... V>
 void linearize(const E& edge, const Argument<V>&... arguments) {
   constexpr int kRows = boxplus::edge::kRows<boxplus::edge::Result<E, V...>>;
@@ -195,7 +196,7 @@ void linearize(const E& edge, const Argument<V>&... arguments) {
   const auto deliver = [&](const auto& argument, int dim) {
     double* from = next(dim);
     if (argument.jacobian == nullptr) return;
-    to_face_tangent<kRows>(argument.value, from);
+    to_g2o_tangent<kRows>(argument.value, from);
     std::copy_n(from, kRows * dim, argument.jacobian);
   };
   (deliver(arguments, boxplus::Manifold<V>::kDim), ...);

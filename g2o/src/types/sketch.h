@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What there is to see of an element, whoever shows it.
+// The visible shapes of an element, independent of the action that shows them.
 #pragma once
 
 #include <array>
@@ -17,17 +17,17 @@ constexpr Color kPoseColor{0.11, 0.30, 0.65, 1}, kPointColor{0.80, 0.22, 0.14, 1
 constexpr Color kMotionColor{0.25, 0.47, 0.80, 0.8}, kObservationColor{0.45, 0.47, 0.52, 0.45};
 constexpr Color kPriorColor{0.16, 0.60, 0.30, 0.9}, kSensorColor{0.90, 0.58, 0.10, 1};
 
-/// In world coordinates; what lies in a plane has z = 0.
+/// The shapes of an element in world coordinates. Planar elements have z = 0.
 struct Sketch {
   std::vector<Isometry3> poses;
-  /// Where a measurement sees a pose that the edge does not have.
+  /// Poses that the measurement predicts for a vertex that the edge lacks.
   std::vector<Isometry3> ghosts;
   std::vector<Isometry3> sensors;
-  /// They look along their z.
+  /// Cameras look along their z-axis.
   std::vector<Isometry3> cameras;
-  /// Pieces of planes, whose normals are z.
+  /// Pieces of planes. Their normal is the z-axis.
   std::vector<Isometry3> planes;
-  /// How long the sides of these are (metres), unless a property tells.
+  /// The default length of the sides of these pieces (meters). A property can change it.
   float plane_side = 3;
   std::vector<Vector3> points;
   std::vector<std::array<Vector3, 2>> lines;
@@ -65,8 +65,8 @@ struct Sketch {
   }
 };
 
-/// An edge as lines from its first vertex to each of the others. `Library::place()` tells where a vertex is;
-/// one that is missing, or at no place, has no line.
+/// An edge as lines from its first vertex to each of the others. `Library::place()` returns the position of a
+/// vertex. A vertex that is missing or has no position gets no line.
 template <class Library>
 Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
   Sketch sketch;
@@ -78,14 +78,14 @@ Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
   return sketch;
 }
 
-/// An edge over one vertex as a line from there to where it should be.
+/// An edge over one vertex as a line from the vertex to its measured position.
 template <class Library>
 Sketch sketch_of_prior(const HyperGraph::Edge& e, const Vector3& measured) {
   const std::optional<Vector3> from = Library::place(e.vertex(0));
   return from ? Sketch::of_line(*from, measured, kPriorColor) : Sketch();
 }
 
-/// A point that is seen from a pose; where the point is missing, it is where `see(pose)` sees it.
+/// A point that is observed from a pose. If the edge lacks the point, `see(pose)` predicts it.
 template <class Library, class Edge, class See>
 Sketch sketch_of_observation(const Edge& e, See&& see) {
   const auto* pose = e.template vertexXn<0>();
@@ -96,7 +96,7 @@ Sketch sketch_of_observation(const Edge& e, See&& see) {
   return sketch;
 }
 
-/// A motion from pose to pose; where one of them is missing, the other is where the measurement sees it.
+/// A motion between two poses. If the edge lacks one of them, the measurement predicts it.
 template <class Edge, class Lift>
 Sketch sketch_of_motion(const Edge& e, Lift&& lift) {
   const auto *from = e.template vertexXn<0>(), *to = e.template vertexXn<1>();

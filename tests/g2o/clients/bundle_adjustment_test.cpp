@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that adjusts bundles as visual SLAM does: own vertex and edge types, raw pointers, two rounds with
-// outliers taken out in between, a stop flag, marginalised points, poses read back.
+// A client that runs bundle adjustment as visual SLAM does: custom vertex and edge types, raw pointers, two
+// rounds with outlier removal in between, a stop flag, marginalized points, and poses that are read back.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// T_camera_world; ⊞ on the left.
+/// T_camera_world. ⊞ multiplies on the left.
 class VertexPose : public g2o::BaseVertex<6, Eigen::Isometry3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -114,14 +114,14 @@ class BundleAdjustment : public testing::Test {
     optimizer.setForceStopFlag(&stop);
   }
 
-  /// Noisy pixels; every 20th observation is of another place.
+  /// Adds noisy pixels. Every 20th observation is an outlier.
   void add(const Scene& scene, bool marginalize) {
     std::mt19937 random(5);
-    std::normal_distribution<double> pixel(0, 0.5), metre(0, 0.05);
+    std::normal_distribution<double> pixel(0, 0.5), meter(0, 0.05);
     for (size_t i = 0; i < scene.poses.size(); ++i) {
       auto* v = new VertexPose();
       Eigen::Isometry3d estimate = scene.poses[i];
-      if (i > 1) estimate.translation() += Eigen::Vector3d(metre(random), metre(random), metre(random));
+      if (i > 1) estimate.translation() += Eigen::Vector3d(meter(random), meter(random), meter(random));
       v->setEstimate(estimate);
       v->setId(static_cast<int>(i));
       v->setFixed(i < 2);
@@ -131,7 +131,7 @@ class BundleAdjustment : public testing::Test {
     int count = 0;
     for (size_t j = 0; j < scene.points.size(); ++j) {
       auto* point = new VertexPoint();
-      point->setEstimate(scene.points[j] + Eigen::Vector3d(metre(random), metre(random), metre(random)));
+      point->setEstimate(scene.points[j] + Eigen::Vector3d(meter(random), meter(random), meter(random)));
       const int id = static_cast<int>(scene.poses.size() + j);
       point->setId(id);
       point->setMarginalized(marginalize);
@@ -181,7 +181,7 @@ class BundleAdjustment : public testing::Test {
   std::vector<EdgeProject*> edges;
 };
 
-TEST_F(BundleAdjustment, TwoRoundsFindTheCamerasInSpiteOfOutliers) {
+TEST_F(BundleAdjustment, TwoRoundsFindTheCamerasDespiteOutliers) {
   const Scene scene = make_scene();
   add(scene, true);
   ASSERT_TRUE(optimizer.initializeOptimization());
@@ -195,7 +195,7 @@ TEST_F(BundleAdjustment, TwoRoundsFindTheCamerasInSpiteOfOutliers) {
   EXPECT_LT(worst_position(scene), 0.01);
 }
 
-TEST_F(BundleAdjustment, WithoutMarginalisationTheSameIsFound) {
+TEST_F(BundleAdjustment, TheResultIsTheSameWithoutMarginalization) {
   const Scene scene = make_scene();
   add(scene, false);
   optimizer.initializeOptimization();
@@ -206,7 +206,7 @@ TEST_F(BundleAdjustment, WithoutMarginalisationTheSameIsFound) {
   EXPECT_LT(worst_position(scene), 0.01);
 }
 
-TEST_F(BundleAdjustment, PointsAloneAreMovedWhileTheCamerasStay) {
+TEST_F(BundleAdjustment, StructureOnlyMovesPointsButNotCameras) {
   const Scene scene = make_scene();
   add(scene, true);
   const Eigen::Isometry3d camera = static_cast<VertexPose*>(optimizer.vertex(4))->estimate();
@@ -226,14 +226,14 @@ TEST_F(BundleAdjustment, PointsAloneAreMovedWhileTheCamerasStay) {
   EXPECT_EQ(optimizer.optimize(3), 3);
 }
 
-TEST_F(BundleAdjustment, TheStopFlagOfAnotherThreadEndsIt) {
+TEST_F(BundleAdjustment, AStopFlagSetByAnotherThreadStopsIt) {
   add(make_scene(), true);
   optimizer.initializeOptimization();
   stop = true;
   EXPECT_EQ(optimizer.optimize(5), 0);
 }
 
-TEST_F(BundleAdjustment, MarginalsWithEliminatedPointsAreThoseOfTheWholeProblem) {
+TEST_F(BundleAdjustment, MarginalsAreTheSameIfPointsAreEliminated) {
   Eigen::MatrixXd covariance[2];
   for (const bool marginalize : {false, true}) {
     optimizer.clear();

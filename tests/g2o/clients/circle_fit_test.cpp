@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fits a circle, as it is written today and as it was written before 2017.
+// A client that fits a circle, written for current g2o and for g2o before 2017.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -140,11 +140,11 @@ Eigen::Vector3d fit() {
 
 }  // namespace before_2017
 
-TEST(CircleFit, FindsTheCircleInTheStyleOfToday) {
+TEST(CircleFit, FindsTheCircleWithTheCurrentApi) {
   EXPECT_LT((today::fit() - kTruth).norm(), 0.01);
 }
 
-TEST(CircleFit, FindsTheSameCircleInTheStyleOfOld) {
+TEST(CircleFit, FindsTheSameCircleWithTheOldApi) {
   EXPECT_LT((before_2017::fit() - today::fit()).norm(), 1e-7);
 }
 

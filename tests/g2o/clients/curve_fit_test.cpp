@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fits a curve: its own vertex, its own unary edge, in the style of today and of old.
+// A client that fits a curve with a custom vertex and a custom unary edge, written for current g2o and for
+// old g2o.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -107,7 +108,7 @@ TEST(CurveFit, NumericJacobiansLeadToTheSameCurve) {
       fitted_by_gauss_newton<NumericCurveEdge, g2o::LinearSolverDense<BlockSolverType::PoseMatrixType>>());
 }
 
-TEST(CurveFit, LevenbergMarquardtOfAClientWithRawPointersFindsTheCurve) {
+TEST(CurveFit, LevenbergMarquardtWithRawPointersFindsTheCurve) {
   using Solver = g2o::BlockSolver<g2o::BlockSolverTraits<3, 1>>;
   Solver::LinearSolverType* linearSolver = new g2o::LinearSolverDense<Solver::PoseMatrixType>();
   Solver* solver_ptr = new Solver(linearSolver);
@@ -133,7 +134,7 @@ TEST(CurveFit, DoglegFindsTheCurve) {
   expect_truth(v->estimate(), 1e-7);
 }
 
-TEST(CurveFit, NothingInitialisedIsMinusOne) {
+TEST(CurveFit, OptimizeReturnsMinusOneIfNothingIsInitialized) {
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
       new BlockSolverType(new g2o::LinearSolverDense<BlockSolverType::PoseMatrixType>())));
@@ -142,7 +143,7 @@ TEST(CurveFit, NothingInitialisedIsMinusOne) {
   EXPECT_EQ(optimizer.optimize(10), -1);
 }
 
-TEST(CurveFit, ASingularSystemIsReportedAsZeroIterationsAndMovesNothing) {
+TEST(CurveFit, OptimizeReturnsZeroAndMovesNothingIfTheSystemIsSingular) {
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
       new BlockSolverType(new g2o::LinearSolverDense<BlockSolverType::PoseMatrixType>())));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that aligns keyframes directly and keeps them in a graph of similarities of its own: estimates and
-// measurements as arrays, an initial guess along its edges, own words in files, old names and raw pointers.
+// A client that aligns keyframes directly and keeps them in a graph of custom similarities: estimates and
+// measurements as arrays, an initial guess along its edges, custom file tags, old names and raw pointers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@
 
 namespace {
 
-/// p ↦ s R p + t, of a library of its own.
+/// p ↦ s R p + t, a client's type.
 struct Similarity {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   Eigen::Vector3d t = Eigen::Vector3d::Zero();
@@ -156,7 +156,7 @@ class EdgeFrames : public g2o::BaseBinaryEdge<7, Similarity, VertexFrame, Vertex
 G2O_REGISTER_TYPE(VERTEX_FRAME, VertexFrame)
 G2O_REGISTER_TYPE(EDGE_FRAMES, EdgeFrames)
 
-/// Keyframes on a ring, as a client keeps them that never owns an optimiser for long.
+/// Keyframes on a ring, in a client that keeps its optimizer as a member.
 class KeyFrameGraph {
  public:
   KeyFrameGraph() {
@@ -238,7 +238,7 @@ class DirectSlam : public testing::Test {
   KeyFrameGraph frames;
 };
 
-TEST_F(DirectSlam, AGuessAlongItsEdgesIsTheTruthWhereTheyAgree) {
+TEST_F(DirectSlam, AnInitialGuessIsExactIfTheEdgesAreConsistent) {
   EXPECT_GT(worst(), 1);
   ASSERT_TRUE(frames.graph.initializeOptimization());
   frames.graph.computeInitialGuess();
@@ -250,7 +250,7 @@ TEST_F(DirectSlam, AGuessAlongItsEdgesIsTheTruthWhereTheyAgree) {
   EXPECT_LT(worst(), 1e-9);
 }
 
-TEST_F(DirectSlam, OptimisesFromEstimatesThatAreSetAsArrays) {
+TEST_F(DirectSlam, OptimizesFromEstimatesThatAreSetAsArrays) {
   for (int i = 0; i < kFrames; ++i) {
     std::vector<double> data;
     static_cast<g2o::OptimizableGraph::Vertex*>(frame(i))->setEstimateData(
@@ -266,13 +266,13 @@ TEST_F(DirectSlam, OptimisesFromEstimatesThatAreSetAsArrays) {
   EXPECT_LT(frames.graph.chi2(), 1e-6);
 }
 
-TEST_F(DirectSlam, AScaleThatIsFixedStaysWhereTheSolverSteps) {
+TEST_F(DirectSlam, AFixedScaleIsKeptByTheSolver) {
   for (int i = 0; i < kFrames; ++i) frame(i)->_fix_scale = true;
   EXPECT_GT(frames.optimize(10), 0);
   for (int i = 0; i < kFrames; ++i) EXPECT_EQ(frame(i)->estimate().s, 1);
 }
 
-TEST_F(DirectSlam, ConstraintsAreMeasuredAnewAndTheMapIsSaved) {
+TEST_F(DirectSlam, MeasurementsAreSetFromTheStateAndTheMapIsSaved) {
   ASSERT_TRUE(frames.graph.initializeOptimization());
   frames.graph.computeInitialGuess();
   for (g2o::HyperGraph::EdgeSet::iterator it = frames.graph.edges().begin(); it != frames.graph.edges().end();
@@ -292,7 +292,7 @@ TEST_F(DirectSlam, ConstraintsAreMeasuredAnewAndTheMapIsSaved) {
   EXPECT_LT(loaded.graph.activeChi2(), 1e-15);
 }
 
-TEST_F(DirectSlam, KeyframesAreDroppedWithTheirConstraints) {
+TEST_F(DirectSlam, KeyframesAreRemovedWithTheirConstraints) {
   frames.insertConstraint(3, 5, between(3, 5), 1);
   g2o::OptimizableGraph::Vertex* dropped = frames.graph.vertex(4);
   const std::vector<g2o::HyperGraph::Edge*> its(dropped->edges().begin(), dropped->edges().end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A client that plans paths as a timed elastic band does: multi-edges over poses and time differences, one
-// optimiser for its lifetime, cleared and built anew again and again, vertices that the client owns.
+// optimizer that is cleared and rebuilt repeatedly, and vertices that the client owns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ double beyond(double value, double bound) {
   return std::max(0.0, std::abs(value) - bound);
 }
 
-/// Speed over two poses and a time difference.
+/// The velocity from two poses and a time difference.
 class EdgeVelocity : public g2o::BaseMultiEdge<2, double> {
  public:
   EdgeVelocity() { this->resize(3); }
@@ -70,7 +70,7 @@ class EdgeVelocity : public g2o::BaseMultiEdge<2, double> {
   bool write(std::ostream&) const override { return true; }
 };
 
-/// Acceleration over three poses and two time differences.
+/// The acceleration from three poses and two time differences.
 class EdgeAcceleration : public g2o::BaseMultiEdge<1, double> {
  public:
   EdgeAcceleration() { this->resize(5); }
@@ -88,7 +88,8 @@ class EdgeAcceleration : public g2o::BaseMultiEdge<1, double> {
   bool write(std::ostream&) const override { return true; }
 };
 
-/// A wheeled robot moves along arcs, with its own Jacobian for one of two rows.
+/// The constraint that a wheeled robot moves along arcs. The Jacobian with respect to one of the two poses is
+/// analytic.
 class EdgeKinematics : public g2o::BaseBinaryEdge<1, double, VertexPose, VertexPose> {
  public:
   void computeError() override {
@@ -142,7 +143,7 @@ class Planner {
   }
   ~Planner() { clear(); }
 
-  /// One cycle: five times built, optimised and cleared, with more and more weight.
+  /// One planning cycle: builds, optimizes and clears the graph five times with increasing weights.
   bool plan() {
     double weight = 1;
     for (int outer = 0; outer < 5; ++outer, weight *= 2) {
@@ -156,7 +157,7 @@ class Planner {
     return true;
   }
 
-  /// The robot has moved on to the second pose: the band loses the first one.
+  /// Removes the first pose of the band, because the robot has moved on to the second one.
   void advance() {
     poses_.erase(poses_.begin());
     times_.erase(times_.begin());
@@ -208,7 +209,7 @@ class Planner {
     }
   }
 
-  /// The vertices are ours: the optimiser forgets them, and deletes the edges only.
+  /// The client owns the vertices: removes them from the optimizer, so that it deletes only the edges.
   void clear() {
     for (auto& entry : optimizer_->vertices()) entry.second->edges().clear();
     optimizer_->vertices().clear();
@@ -222,7 +223,7 @@ class Planner {
   double chi2_ = 0;
 };
 
-TEST(ElasticBand, EvadesTheObstacleAndKeepsToItsSpeed) {
+TEST(ElasticBand, AvoidsTheObstacleAndKeepsItsSpeed) {
   Planner planner;
   EXPECT_LT(planner.nearest(), 0.2);
   for (int cycle = 0; cycle < 10; ++cycle) ASSERT_TRUE(planner.plan());
@@ -231,7 +232,7 @@ TEST(ElasticBand, EvadesTheObstacleAndKeepsToItsSpeed) {
   EXPECT_LT(planner.duration(), 4 / 0.2);
 }
 
-TEST(ElasticBand, AMovingRobotPlansAnewWithOneOptimizer) {
+TEST(ElasticBand, AMovingRobotReplansWithOneOptimizer) {
   Planner planner;
   auto next = std::chrono::steady_clock::now();
   while (planner.poses() > 4) {
@@ -239,13 +240,13 @@ TEST(ElasticBand, AMovingRobotPlansAnewWithOneOptimizer) {
     const double before = planner.duration();
     planner.advance();
     EXPECT_LT(planner.duration(), before);
-    next += std::chrono::milliseconds(50);  // at 20 Hz, where the machine is fast enough
+    next += std::chrono::milliseconds(50);  // at 20 Hz if the machine is fast enough
     std::this_thread::sleep_until(next);
   }
   EXPECT_LT(planner.duration(), 3 * 0.2 / 0.2);
 }
 
-TEST(ElasticBand, MoreCyclesSettle) {
+TEST(ElasticBand, ThePlanConvergesOverSeveralCycles) {
   Planner planner;
   for (int cycle = 0; cycle < 10; ++cycle) ASSERT_TRUE(planner.plan());
   const double before = planner.chi2();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that maps by lidar: an interface with forward declarations, a graph that grows while it is
-// optimised, kernels by name, saving and loading, covariances.
+// A client that maps by lidar: an interface with forward declarations, a graph that grows between
+// optimizations, kernels by name, saving and loading, covariances.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-// What the client's header says: real class types of that namespace.
+// Forward declarations as in a client's header: they must match the class types of namespace g2o.
 namespace g2o {
 class HyperGraph;
 class SparseOptimizer;
@@ -166,7 +166,7 @@ Eigen::Isometry3d motion(double forward, double yaw) {
   return m;
 }
 
-TEST(LidarSlam, AGrowingMapClosesItsLoopInSpiteOfAWrongOne) {
+TEST(LidarSlam, AGrowingMapClosesItsLoopDespiteAWrongLoopClosure) {
   GraphSlam slam("lm_var");
   const Eigen::MatrixXd information = Eigen::MatrixXd::Identity(6, 6) * 100;
   Eigen::Isometry3d truth = Eigen::Isometry3d::Identity(), odometry = truth;
@@ -176,7 +176,7 @@ TEST(LidarSlam, AGrowingMapClosesItsLoopInSpiteOfAWrongOne) {
   slam.add_se3_point_edge(nodes[0], point, pole, Eigen::MatrixXd::Identity(3, 3) * 100);
   for (int i = 1; i <= 40; ++i) {
     const Eigen::Isometry3d step = motion(1, i % 10 == 0 ? M_PI / 2 : 0);
-    const Eigen::Isometry3d measured = step * motion(0.01, 0.004);  // it drifts
+    const Eigen::Isometry3d measured = step * motion(0.01, 0.004);  // with drift
     truth = truth * step;
     odometry = nodes.back()->estimate() * measured;
     nodes.push_back(slam.add_se3_node(odometry));
@@ -198,7 +198,7 @@ TEST(LidarSlam, AGrowingMapClosesItsLoopInSpiteOfAWrongOne) {
   EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-12);
 }
 
-TEST(LidarSlam, AMapIsLoadedAsItWasSaved) {
+TEST(LidarSlam, ALoadedMapEqualsTheSavedOne) {
   GraphSlam slam("gn_var"), loaded("gn_var");
   auto* a = slam.add_se3_node(motion(0, 0));
   auto* b = slam.add_se3_node(motion(1.1, 0.3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A planner whose edges derive from base templates of its own: they leave their vertices when they go, are
-// asked for their errors outside of any run, and resize as they like. It registers its types by pointers,
-// and sums up what its path costs by kinds of edges. Unique pointers.
+// A planner whose edges derive from the planner's base templates. The edges leave their vertices in their
+// destructors, compute errors outside of a run, and resize themselves. The planner registers its types by
+// pointers and sums up the cost of its path by kind of edge. Uses unique pointers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -168,7 +168,7 @@ class EdgeSmooth : public BasePlannerMultiEdge<2, double> {
 
 using PlannerBlockSolver = g2o::BlockSolver<g2o::BlockSolverTraits<-1, -1>>;
 
-/// `Linear`: what the client happens to have installed.
+/// `Linear` is any linear solver that the client has installed.
 template <class Linear>
 class BandPlanner {
  public:
@@ -206,7 +206,7 @@ class BandPlanner {
     return ok;
   }
 
-  /// Whether or not there is a graph at the moment.
+  /// Works whether or not the graph is built at the moment.
   std::vector<double> costs() {
     bool graph_exist_flag = !(optimizer_->edges().empty() && optimizer_->vertices().empty());
     if (!graph_exist_flag) {
@@ -254,7 +254,7 @@ class BandPlanner {
     ASSERT_TRUE(optimizer_->addEdge(via));
   }
 
-  /// The points are ours; edges take themselves out of them as they go.
+  /// The client owns the points, and edges remove themselves from them in their destructors.
   void clearGraph() {
     optimizer_->vertices().clear();
     optimizer_->clear();
@@ -270,7 +270,7 @@ template <class Linear>
 class PlannerBases : public testing::Test {};
 using Solvers = testing::Types<g2o::LinearSolverCSparse<PlannerBlockSolver::PoseMatrixType>,
                                g2o::LinearSolverCholmod<PlannerBlockSolver::PoseMatrixType>>;
-TYPED_TEST_SUITE(PlannerBases, Solvers, );  // the empty argument: clang++ asks for one
+TYPED_TEST_SUITE(PlannerBases, Solvers, );  // clang++ requires the empty argument
 
 TYPED_TEST(PlannerBases, ThePathPassesTheViaPoint) {
   BandPlanner<TypeParam> planner;
@@ -282,7 +282,7 @@ TYPED_TEST(PlannerBases, ThePathPassesTheViaPoint) {
   EXPECT_LT(after[1], before[1]);
 }
 
-TYPED_TEST(PlannerBases, AGraphThatExistsIsNotTouchedByItsCosts) {
+TYPED_TEST(PlannerBases, ComputingCostsKeepsAGraphThatIsAlreadyBuilt) {
   BandPlanner<TypeParam> planner;
   planner.buildGraph();
   planner.optimizer_->initializeOptimization();
@@ -291,7 +291,7 @@ TYPED_TEST(PlannerBases, AGraphThatExistsIsNotTouchedByItsCosts) {
   EXPECT_GT(planner.optimizer_->optimize(3), 0);
 }
 
-TYPED_TEST(PlannerBases, AnOptimizerThatOwnsThePathTakesItAlong) {
+TYPED_TEST(PlannerBases, AnOptimizerThatOwnsThePathDeletesIt) {
   g2o::SparseOptimizer optimizer;
   Config cfg;
   for (int i = 0; i < 2; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that loads a pose graph from a file, optimises it and saves it, in both eras.
+// A client that loads a pose graph from a file, optimizes it and saves it, with the current and the old API.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ G2O_USE_OPTIMIZATION_LIBRARY(eigen)
 
 namespace {
 
-/// A ring of poses whose odometry turns a little too far, and one loop closure.
+/// A ring of poses whose odometry overestimates the rotation slightly, and one loop closure.
 class PoseGraph : public testing::Test {
  protected:
   static constexpr int kPoses = 24;
@@ -75,7 +75,7 @@ class PoseGraph : public testing::Test {
   std::string path_, result_;
 };
 
-TEST_F(PoseGraph, IsOptimisedAndSavedInTheStyleOfToday) {
+TEST_F(PoseGraph, IsOptimizedAndSavedWithTheCurrentApi) {
   auto linear = std::make_unique<g2o::LinearSolverEigen<g2o::BlockSolver_6_3::PoseMatrixType>>();
   auto optimizer = std::make_unique<g2o::SparseOptimizer>();
   optimizer->setAlgorithm(std::make_unique<g2o::OptimizationAlgorithmGaussNewton>(
@@ -87,10 +87,10 @@ TEST_F(PoseGraph, IsOptimisedAndSavedInTheStyleOfToday) {
   ASSERT_TRUE(optimizer->save(result_.c_str()));
   optimizer->computeActiveErrors();
   EXPECT_LT(optimizer->chi2(), 0.2 * chi2_of_file(path_));
-  EXPECT_EQ(chi2_of_file(result_), optimizer->chi2()) << "every digit is in the file";
+  EXPECT_EQ(chi2_of_file(result_), optimizer->chi2()) << "the file has all digits";
 }
 
-TEST_F(PoseGraph, EndsAtTheSameChi2InTheStyleOfOld) {
+TEST_F(PoseGraph, EndsAtTheSameChi2WithTheOldApi) {
   typedef g2o::BlockSolver<g2o::BlockSolverTraits<6, 3>> Block;
   Block::LinearSolverType* linearSolver = new g2o::LinearSolverCSparse<Block::PoseMatrixType>();
   Block* solver_ptr = new Block(linearSolver);

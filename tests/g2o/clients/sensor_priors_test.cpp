@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that extends 3-D SLAM with sensors of its own, within namespace g2o and in files: gravity at the
-// offset of an IMU, which takes a parameter and a cache; the direction of a compass; walls. Kernels are
-// written down beside the file and found again. Unique pointers.
+// A client that extends 3-D SLAM with custom sensors, inside namespace g2o and with files: gravity at the
+// offset of an IMU, which uses a parameter and a cache; the direction of a compass; walls. Kernels are saved
+// in a second file and restored. Uses unique pointers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -31,7 +31,7 @@
 
 namespace g2o {
 
-/// The direction "up" and its measurement in the frame of a sensor at an offset.
+/// The direction "up", measured in the frame of a sensor with an offset.
 class G2O_TYPES_SLAM3D_API EdgeSE3Gravity : public BaseUnaryEdge<3, Eigen::Matrix<double, 6, 1>, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -89,7 +89,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Gravity : public BaseUnaryEdge<3, Eigen::Matri
   CacheSE3Offset* _cache = nullptr;
 };
 
-/// The heading of a compass: a measurement that is a quaternion.
+/// The heading of a compass. The measurement is a quaternion.
 class EdgeSE3PriorQuat : public BaseUnaryEdge<3, Eigen::Quaterniond, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -124,7 +124,7 @@ class EdgeSE3PriorQuat : public BaseUnaryEdge<3, Eigen::Quaterniond, VertexSE3> 
   }
 };
 
-/// A plane as a pose sees it.
+/// A plane in the frame of a pose.
 class EdgeSE3Plane : public BaseBinaryEdge<3, Plane3D, VertexSE3, VertexPlane> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -160,7 +160,7 @@ G2O_USE_TYPE_GROUP(slam3d_addons)
 
 namespace {
 
-/// A pose that stays in its plane: its base moves it by a step that was changed.
+/// A pose that stays in its plane. It passes a modified step to its base class.
 class VertexPlanar : public g2o::VertexSE3 {
  public:
   void oplusImpl(const double* update) override {
@@ -175,7 +175,7 @@ std::string kernel_type(g2o::RobustKernel* kernel) {
   return "";
 }
 
-/// A line per kernel: its name, delta, and the word and vertices of its edge.
+/// Writes one line per kernel: its name, delta, and the tag and vertices of its edge.
 std::string save_robust_kernels(const g2o::SparseOptimizer& graph) {
   std::ostringstream out;
   for (const auto& edge_ : graph.edges()) {
@@ -293,14 +293,14 @@ class SensorPriors : public testing::Test {
   std::unique_ptr<g2o::SparseOptimizer> graph = make();
 };
 
-TEST_F(SensorPriors, HoldPosesUprightAndAtTheirDistanceFromTheWall) {
+TEST_F(SensorPriors, KeepPosesUprightAndAtTheirDistanceFromTheWall) {
   EXPECT_GT(worst(*graph), 0.09);
   ASSERT_TRUE(graph->initializeOptimization());
   EXPECT_GT(graph->optimize(50), 0);
   EXPECT_LT(worst(*graph), 0.01);
 }
 
-TEST_F(SensorPriors, ComeBackFromAFileWithTheirKernels) {
+TEST_F(SensorPriors, AreRestoredFromAFileWithTheirKernels) {
   std::stringstream file;
   ASSERT_TRUE(graph->save(file));
   EXPECT_NE(file.str().find("EDGE_SE3_GRAVITY 0 3 "), std::string::npos);
@@ -319,7 +319,7 @@ TEST_F(SensorPriors, ComeBackFromAFileWithTheirKernels) {
   EXPECT_LT(worst(*loaded), 0.01);
 }
 
-TEST_F(SensorPriors, TakeTheMeasurementThatTheStateGives) {
+TEST_F(SensorPriors, SetTheirMeasurementFromTheState) {
   for (auto* u : graph->edges()) {
     auto* e = static_cast<g2o::OptimizableGraph::Edge*>(u);
     if (!e->setMeasurementFromState()) continue;
@@ -343,14 +343,14 @@ TEST_F(SensorPriors, AreRefusedWithoutTheirParameter) {
   EXPECT_TRUE(graph->addEdge(gravity.get()));
   EXPECT_EQ(gravity->parameter(0), graph->parameter(3));
   ASSERT_TRUE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(2))) << "with the cache of that vertex";
-  EXPECT_FALSE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(9))) << "a plane is no pose";
+  EXPECT_FALSE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(9))) << "a plane is not a pose";
   EXPECT_EQ(gravity->vertex(0), graph->vertex(2));
   gravity->computeError();
   EXPECT_TRUE(std::isfinite(gravity->chi2()));
   static_cast<void>(gravity.release());
 }
 
-TEST_F(SensorPriors, SteerAPoseThatIsHeldInItsPlane) {
+TEST_F(SensorPriors, MoveAPoseThatStaysInItsPlane) {
   auto* planar = new VertexPlanar;
   planar->setId(20);
   planar->setEstimate(pose(1, 0.3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fuses images with inertial measurements: estimates that are classes of its own, multi-edges
-// that write the columns of their Jacobians, Hessians taken out of edges after the run and kept as a prior,
-// a scale that moves by the exponential. Raw pointers.
+// A client that fuses images with inertial measurements: estimates that are classes of the client,
+// multi-edges with partly analytic Jacobians, Hessians that are read from edges after the run and kept as a
+// prior, and a scale that is updated by the exponential map. Uses raw pointers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +36,7 @@ Eigen::Vector3d logSO3(const Eigen::Matrix3d& R) {
   return turn.angle() * turn.axis();
 }
 
-/// The pose of a body in the world, and where its camera sits.
+/// The pose of a body in the world, and of its camera on the body.
 class ImuCamPose {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -101,7 +101,7 @@ struct Preintegrated {
 };
 const Eigen::Vector3d g(0, 0, -9.81);
 
-/// Rotation, velocity and position over two states whose positions are up to scale.
+/// Rotation, velocity and position between two states whose positions are known up to scale.
 class EdgeInertial : public g2o::BaseMultiEdge<9, Vector9d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -127,7 +127,7 @@ class EdgeInertial : public g2o::BaseMultiEdge<9, Vector9d> {
         mpInt->dP;
     _error << er, ev, ep;
   }
-  /// Velocities and scale are written; the poses are numeric, and come from a copy of the edge.
+  /// Analytic for velocities and scale. The numeric base class fills the Jacobians of the poses.
   virtual void linearizeOplus() {
     g2o::BaseMultiEdge<9, Vector9d>::linearizeOplus();
     const VertexPose* VP1 = static_cast<const VertexPose*>(_vertices[0]);
@@ -183,7 +183,7 @@ class EdgeMonoOnlyPose : public g2o::BaseUnaryEdge<2, Eigen::Vector2d, VertexPos
   const Eigen::Vector3d Xw;
 };
 
-/// What an earlier run knew of a state.
+/// The prior of a state from an earlier run.
 class EdgePriorPoseVelocity : public g2o::BaseMultiEdge<9, Vector9d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -301,7 +301,7 @@ TEST_F(VisualInertial, FindsTheScaleOfItsMap) {
   }
 }
 
-TEST_F(VisualInertial, WhatARunKnowsOfAStateIsThePriorOfTheNext) {
+TEST_F(VisualInertial, TheMarginalOfARunIsThePriorOfTheNext) {
   Matrix9d H = Matrix9d::Zero();
   ImuCamPose pose;
   Eigen::Vector3d velocity;
@@ -350,7 +350,7 @@ TEST_F(VisualInertial, WhatARunKnowsOfAStateIsThePriorOfTheNext) {
     EXPECT_LT((VP[1]->estimate().twb - poses[k + 1].twb).norm(), 1e-6);
     EXPECT_LT((VV[1]->estimate() - velocities[k + 1]).norm(), 1e-5);
 
-    // The same Hessian by hand, from edges that are asked after the run.
+    // The same Hessian computed by hand, from edges whose Jacobians are read after the run.
     H.setZero();
     H += ei->GetHessian2();
     for (EdgeMonoOnlyPose* e : monos) H.block<6, 6>(0, 0) += e->GetHessian();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that tracks, maps and closes loops as visual SLAM does, with the ready-made types and the header
-// paths of old: poses alone, bundles, similarities between keyframes, and a loop with drift of scale.
+// A client that tracks, maps and closes loops as visual SLAM does, with the ready-made types and old header
+// paths: pose-only optimization, bundle adjustment, similarities between keyframes, and a loop with scale
+// drift.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +30,7 @@ struct KeyFrame {
   g2o::SE3Quat Tcw;
 };
 
-/// Cameras along an arc that look at points in front of them; every other observation is stereo.
+/// Cameras along an arc that observe points in front of them. Every other observation is stereo.
 struct World {
   std::mt19937 random{7};
   std::vector<KeyFrame> frames;
@@ -59,14 +60,14 @@ struct World {
     const double x = normal(random), y = normal(random);
     return {x, y, normal(random)};
   }
-  g2o::SE3Quat disturbed(const g2o::SE3Quat& T, double metres, double radians) {
+  g2o::SE3Quat disturbed(const g2o::SE3Quat& T, double meters, double radians) {
     g2o::Vector6 step;
-    step << noise(radians), noise(metres);
+    step << noise(radians), noise(meters);
     return g2o::SE3Quat::exp(step) * T;
   }
 };
 
-double distance_of_centres(const g2o::SE3Quat& a, const g2o::SE3Quat& b) {
+double distance_of_centers(const g2o::SE3Quat& a, const g2o::SE3Quat& b) {
   return (a.inverse().translation() - b.inverse().translation()).norm();
 }
 
@@ -134,7 +135,7 @@ TEST(VisualSlam, TracksAPoseAmongOutliersInFourRounds) {
   size_t bad = 0;
   const auto classify = [&bad](auto& edges, float threshold, bool last_with_kernel) {
     for (auto* e : edges) {
-      if (e->level() == 1) e->computeError();  // errors of edges out of the game are not kept up to date
+      if (e->level() == 1) e->computeError();  // errors of inactive edges are not updated
       const bool outlier = e->chi2() > threshold;
       e->setLevel(outlier ? 1 : 0);
       bad += outlier;
@@ -152,7 +153,7 @@ TEST(VisualSlam, TracksAPoseAmongOutliersInFourRounds) {
   EXPECT_GE(bad, world.points.size() / 10);
   EXPECT_LT(bad, world.points.size() / 6);
   g2o::VertexSE3Expmap* recovered = static_cast<g2o::VertexSE3Expmap*>(optimizer.vertex(0));
-  EXPECT_LT(distance_of_centres(recovered->estimate(), frame.Tcw), 0.01);
+  EXPECT_LT(distance_of_centers(recovered->estimate(), frame.Tcw), 0.01);
   EXPECT_LT((recovered->estimate().to_homogeneous_matrix() - frame.Tcw.to_homogeneous_matrix()).norm(), 0.02);
 }
 
@@ -232,7 +233,7 @@ class LocalMap : public testing::Test {
     double largest = 0;
     for (size_t i = 0; i < world.frames.size(); ++i) {
       const auto* v = static_cast<g2o::VertexSE3Expmap*>(optimizer.vertex(static_cast<int>(i)));
-      largest = std::max(largest, distance_of_centres(v->estimate(), world.frames[i].Tcw));
+      largest = std::max(largest, distance_of_centers(v->estimate(), world.frames[i].Tcw));
     }
     return largest;
   }
@@ -260,7 +261,7 @@ TEST_F(LocalMap, IsAdjustedInTwoRounds) {
   EXPECT_LT(optimizer.activeChi2() / static_cast<double>(optimizer.activeEdges().size()), 3);
 }
 
-TEST_F(LocalMap, ComesBackFromAFileWithItsCameras) {
+TEST_F(LocalMap, IsRestoredFromAFileWithItsCameras) {
   add();
   optimizer.computeActiveErrors();
   std::stringstream file;
@@ -276,7 +277,7 @@ TEST_F(LocalMap, ComesBackFromAFileWithItsCameras) {
   EXPECT_NEAR(chi2(other), expected, 1e-9 * expected);
 }
 
-// A map point seen from two keyframes, each with a frame and a scale of its own.
+// A map point in two keyframes, each with its frame and scale.
 TEST(VisualSlam, FindsTheSimilarityBetweenTwoKeyframes) {
   World world;
   g2o::SparseOptimizer optimizer;
@@ -356,7 +357,7 @@ TEST(VisualSlam, FindsTheSimilarityBetweenTwoKeyframes) {
   EXPECT_LT((S * truth.inverse()).log().norm(), 0.02);
 }
 
-/// Keyframes on a ring, mapped by one camera whose unit of length shrinks by a factor from one to the next.
+/// Keyframes on a ring. Their unit of length shrinks by a constant factor from one keyframe to the next.
 class EssentialGraph : public testing::Test {
  protected:
   static constexpr int kFrames = 60;
@@ -407,7 +408,7 @@ class EssentialGraph : public testing::Test {
     };
     for (size_t i = 1; i < mapped.size(); ++i) addEdge(i - 1, i, vertex(i) * vertex(i - 1).inverse());
     for (size_t i = 2; i < mapped.size(); ++i) addEdge(i - 2, i, vertex(i) * vertex(i - 2).inverse());
-    // The loop: the last keyframe sees what the first one saw, and how much smaller it has become.
+    // The loop closure: the last keyframe observes the first one, and how much the scale has shrunk.
     const g2o::SE3Quat back = truth.front() * truth.back().inverse();
     const double scale = bFixScale ? 1 : std::pow(kShrinks, 1 - kFrames);
     addEdge(mapped.size() - 1, 0, g2o::Sim3(back.rotation(), back.translation(), scale));
@@ -415,14 +416,15 @@ class EssentialGraph : public testing::Test {
     EXPECT_GT(optimizer.optimize(20), 0);
   }
 
-  /// Distance of a keyframe's centre from where it was, as SLAM corrects it: R, t/s.
+  /// The largest distance of a keyframe's center from its true position. The center follows from R and t/s,
+  /// as in SLAM.
   double worst() {
     double largest = 0;
     for (size_t i = 0; i < truth.size(); ++i) {
       const g2o::Sim3 S =
           static_cast<g2o::VertexSim3Expmap*>(optimizer.vertex(static_cast<int>(i)))->estimate();
       const g2o::SE3Quat Tiw(S.rotation().toRotationMatrix(), S.translation() * (1. / S.scale()));
-      largest = std::max(largest, distance_of_centres(Tiw, truth[i]));
+      largest = std::max(largest, distance_of_centers(Tiw, truth[i]));
     }
     return largest;
   }
@@ -431,10 +433,10 @@ class EssentialGraph : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(EssentialGraph, RemovesTheDriftOfScale) {
+TEST_F(EssentialGraph, RemovesTheScaleDrift) {
   double before = 0;
   for (size_t i = 0; i < truth.size(); ++i)
-    before = std::max(before, distance_of_centres(mapped[i], truth[i]));
+    before = std::max(before, distance_of_centers(mapped[i], truth[i]));
   EXPECT_GT(before, 0.3 * kRadius);
   closeLoop(false);
   EXPECT_LT(worst(), 0.1 * kRadius);
@@ -442,7 +444,7 @@ TEST_F(EssentialGraph, RemovesTheDriftOfScale) {
   EXPECT_NEAR(last->estimate().scale(), std::pow(kShrinks, kFrames - 1), 0.05);
 }
 
-TEST_F(EssentialGraph, KeepsTheScaleWhereThatIsFixed) {
+TEST_F(EssentialGraph, KeepsAFixedScale) {
   closeLoop(true);
   for (int i = 0; i < kFrames; ++i)
     EXPECT_EQ(static_cast<g2o::VertexSim3Expmap*>(optimizer.vertex(i))->estimate().scale(), 1);

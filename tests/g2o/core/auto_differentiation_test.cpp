@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clients that have their Jacobians from one function template, with the macros of g2o.
+// Client edges whose Jacobians come from one function template, by the macros of g2o.
 #include "g2o/core/auto_differentiation.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ class EdgeCurve : public g2o::BaseUnaryEdge<1, Eigen::Vector2d, VertexNumbers<3>
   G2O_MAKE_AUTO_AD_FUNCTIONS  // use autodiff
 };
 
-TEST(AutoDifferentiation, ACurveIsFitted) {
+TEST(AutoDifferentiation, FitsACurve) {
   using std::exp;
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(std::make_unique<g2o::BlockSolverX>(
@@ -67,8 +67,8 @@ TEST(AutoDifferentiation, ACurveIsFitted) {
   edge_checks::expect_exact_jacobians(**optimizer.activeEdges().begin());
 }
 
-/// A camera of nine numbers (rotation vector, translation, focal length, two of distortion), as in bundle
-/// adjustment in the large; vectors of Jets are mapped.
+/// A camera with nine parameters (rotation vector, translation, focal length, two for distortion), as in the
+/// BAL data sets. Vectors of Jets are mapped by Eigen.
 class EdgeObservationBAL
     : public g2o::BaseBinaryEdge<2, Eigen::Vector2d, VertexNumbers<9>, VertexNumbers<3>> {
  public:
@@ -153,7 +153,7 @@ TEST_F(Bundle, MapsOfJetsGiveExactJacobians) {
   }
 }
 
-TEST_F(Bundle, ConvergesToItsTruth) {
+TEST_F(Bundle, ConvergesToTheGroundTruth) {
   add();
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(
       std::make_unique<g2o::BlockSolver<g2o::BlockSolverTraits<9, 3>>>(
@@ -164,7 +164,7 @@ TEST_F(Bundle, ConvergesToItsTruth) {
   EXPECT_LT(optimizer.activeChi2(), 1e-9);
 }
 
-/// Its estimate has no data(), but an array of its own.
+/// Has no data(), but an array as a member.
 struct Interval {
   double from = 0, to = 1;
 };
@@ -225,7 +225,7 @@ class EdgeNumber : public g2o::BaseUnaryEdge<1, double, VertexNumber> {
   G2O_MAKE_AUTO_AD_FUNCTIONS
 };
 
-TEST(AutoDifferentiation, EstimatesMayBeCopiesOrNumbers) {
+TEST(AutoDifferentiation, EstimatesMayBeScalarsOrHaveNoData) {
   g2o::SparseOptimizer optimizer;
   auto* interval = new VertexInterval;
   interval->setId(0);
@@ -250,7 +250,7 @@ TEST(AutoDifferentiation, EstimatesMayBeCopiesOrNumbers) {
   edge_checks::expect_exact_jacobians(*unary);
 }
 
-TEST(AutoDifferentiation, WhereTheTemplateIsFalseTheJacobianIsZero) {
+TEST(AutoDifferentiation, JacobiansAreZeroIfTheTemplateReturnsFalse) {
   VertexNumber number;
   number.setEstimate(1.2);
   EdgeNumber e;
@@ -265,7 +265,7 @@ TEST(AutoDifferentiation, WhereTheTemplateIsFalseTheJacobianIsZero) {
   EXPECT_EQ(*workspace.workspaceForVertex(0), 0);
 }
 
-/// f over Jets has the value and the slope of f over doubles.
+/// Checks that f over Jets has the value of f over doubles and its numeric slope.
 template <class F>
 void expect_slope(const char* name, double x, F f) {
   SCOPED_TRACE(name);

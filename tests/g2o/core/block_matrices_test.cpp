@@ -13,7 +13,8 @@ using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
 
 const std::vector<int> kEnds = {2, 3, 6};
 
-/// Blocks of 2, 1 and 3 scalars: symmetric positive definite, all there but (0, 2).
+/// Blocks of 2, 1 and 3 scalars. The matrix is symmetric positive definite, and every block but (0, 2)
+/// exists.
 Matrix sample() {
   Matrix m(kEnds.data(), kEnds.data(), 3, 3);
   *m.block(0, 0, true) = Eigen::Matrix2d{{4, 1}, {1, 5}};
@@ -64,7 +65,7 @@ TEST(BlockMatrices, TransposedCompressedColumnsListTheBlocksByRow) {
   m.blockCols()[0].erase(1);
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());
   m.fillSparseBlockMatrixCCSTransposed(ccs);
-  EXPECT_EQ(ccs.blockCols()[1].size(), 2u) << "row 1 has lost a block";
+  EXPECT_EQ(ccs.blockCols()[1].size(), 2u) << "row 1 lost a block";
   EXPECT_EQ(ccs.blockCols()[0].size(), 2u);
   EXPECT_EQ(ccs.blockCols()[0][1].block, m.block(0, 1));
 }
@@ -104,7 +105,7 @@ TEST(BlockMatrices, ABlockDiagonalMultipliesAVector) {
   delete[] y;
 }
 
-TEST(BlockMatrices, APatternThatWasHashedIsTaken) {
+TEST(BlockMatrices, AMatrixTakesThePatternOfAHashMap) {
   Matrix m = sample();
   g2o::SparseBlockMatrixHashMap<g2o::MatrixX> hashed(m.rowBlockIndices(), m.colBlockIndices());
   g2o::MatrixX* block = hashed.addBlock(2, 0, true);
@@ -137,7 +138,7 @@ class MarginalCovariances : public testing::Test {
   g2o::MarginalCovarianceCholesky marginals;
 };
 
-TEST_F(MarginalCovariances, DiagonalBlocksAreThoseOfTheInverse) {
+TEST_F(MarginalCovariances, DiagonalBlocksEqualThoseOfTheInverse) {
   std::vector<std::vector<double>> memory = {std::vector<double>(4), std::vector<double>(1),
                                              std::vector<double>(9)};
   std::vector<double*> blocks = {memory[0].data(), memory[1].data(), memory[2].data()};
@@ -149,7 +150,7 @@ TEST_F(MarginalCovariances, DiagonalBlocksAreThoseOfTheInverse) {
   }
 }
 
-TEST_F(MarginalCovariances, AnyBlockIsThatOfTheInverse) {
+TEST_F(MarginalCovariances, EveryBlockEqualsThatOfTheInverse) {
   Matrix spinv;
   const std::vector<std::pair<int, int>> wanted = {{0, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 2}};
   marginals.computeCovariance(spinv, kEnds, wanted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client's code throws reaches the client, and leaves the estimates as they were.
+// Exceptions of client code reach the client, and the estimates stay as they were.
 #include <gmock/gmock.h>
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ namespace {
 using small_graph::add_square;
 using small_graph::make_solver;
 
-/// Holds a pose at the origin, and throws at one of its evaluations.
+/// A prior at the origin that throws at one of its evaluations.
 class FragileEdge : public g2o::BaseUnaryEdge<3, g2o::SE2, g2o::VertexSE2> {
  public:
   explicit FragileEdge(int evaluations) : left(evaluations) {}
@@ -28,7 +28,7 @@ class FragileEdge : public g2o::BaseUnaryEdge<3, g2o::SE2, g2o::VertexSE2> {
   int left;
 };
 
-/// A pose that cannot be saved.
+/// A pose whose push() throws.
 class FragileVertex : public g2o::VertexSE2 {
  public:
   void push() override { throw std::runtime_error("fragile"); }
@@ -58,7 +58,7 @@ class ClientExceptions : public testing::Test {
 };
 
 // The edge is evaluated once for chi2, six times for its numeric Jacobian, and once for each step.
-TEST_F(ClientExceptions, AStepThatThrowsIsTakenBack) {
+TEST_F(ClientExceptions, AStepThatThrowsIsUndone) {
   for (const bool dogleg : {false, true}) {
     SCOPED_TRACE(dogleg ? "dogleg" : "levenberg");
     optimizer.clear();
@@ -72,12 +72,12 @@ TEST_F(ClientExceptions, AStepThatThrowsIsTakenBack) {
     EXPECT_EQ(edge->left, 0);
     EXPECT_EQ(poses(), before);
     expect_empty_stacks();
-    EXPECT_GT(optimizer.optimize(3), 0) << "the optimiser works on";
+    EXPECT_GT(optimizer.optimize(3), 0) << "the optimizer still works";
     EXPECT_NE(poses(), before);
   }
 }
 
-TEST_F(ClientExceptions, ANumericJacobianThatThrowsLeavesItsVertex) {
+TEST_F(ClientExceptions, ANumericJacobianThatThrowsDoesNotMoveItsVertex) {
   add_square(optimizer);
   FragileEdge* edge = add_fragile(4);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
@@ -89,7 +89,7 @@ TEST_F(ClientExceptions, ANumericJacobianThatThrowsLeavesItsVertex) {
   expect_empty_stacks();
 }
 
-TEST_F(ClientExceptions, APushThatThrowsHalfwayIsTakenBack) {
+TEST_F(ClientExceptions, APushThatThrowsHalfwayIsUndone) {
   add_square(optimizer);
   auto* v = new FragileVertex;
   v->setId(4);
@@ -112,7 +112,7 @@ class FragileAction : public g2o::HyperGraphAction {
   int left;
 };
 
-TEST_F(ClientExceptions, AnActionThatThrowsEndsOptimizeAndLeavesTheOptimizerUsable) {
+TEST_F(ClientExceptions, AnActionThatThrowsStopsOptimizeAndTheOptimizerStaysUsable) {
   using Add = bool (g2o::SparseOptimizer::*)(g2o::HyperGraphAction*);
   const std::pair<Add, Add> kinds[] = {
       {&g2o::SparseOptimizer::addPreIterationAction, &g2o::SparseOptimizer::removePreIterationAction},

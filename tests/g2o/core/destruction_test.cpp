@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is left when parts of a problem go in the midst of its use. Meant for AddressSanitizer.
+// Parts of a problem are destroyed while it is in use. Meant for AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -41,7 +41,7 @@ class Destruction : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(Destruction, AfterClearTheSolverKnowsNoVertexAnyMore) {
+TEST_F(Destruction, TheSolverHasNoVerticesAfterClear) {
   optimizer.optimize(2);
   optimizer.clear();
   g2o::SparseBlockMatrix<g2o::MatrixX> spinv;
@@ -53,7 +53,7 @@ TEST_F(Destruction, AfterClearTheSolverKnowsNoVertexAnyMore) {
   EXPECT_EQ(optimizer.optimize(1), -1);
 }
 
-TEST_F(Destruction, AfterClearAnOnlineRunLaysTheNewProblemOut) {
+TEST_F(Destruction, AnOnlineRunAfterClearBuildsTheNewStructure) {
   optimizer.optimize(2);
   optimizer.clear();
   add_square(optimizer);
@@ -63,13 +63,13 @@ TEST_F(Destruction, AfterClearAnOnlineRunLaysTheNewProblemOut) {
   EXPECT_NEAR(optimizer.activeChi2(), optimum(), 1e-12);
 }
 
-TEST_F(Destruction, AnOnlineRunMayBeTheFirst) {
+TEST_F(Destruction, TheFirstRunMayBeOnline) {
   EXPECT_EQ(optimizer.optimize(10, true), 10);
   optimizer.computeActiveErrors();
   EXPECT_NEAR(optimizer.activeChi2(), optimum(), 1e-12);
 }
 
-TEST_F(Destruction, TheProblemMayGrowBeforeItsFirstRun) {
+TEST_F(Destruction, TheProblemMayGrowBeforeTheFirstRun) {
   g2o::HyperGraph::VertexSet vertices{add_pose(optimizer, 9, 2, 1, 0)};
   g2o::HyperGraph::EdgeSet edges{add_motion(optimizer, 2, 9, g2o::SE2(-1, 0, 3))};
   EXPECT_TRUE(optimizer.updateInitialization(vertices, edges));
@@ -77,7 +77,7 @@ TEST_F(Destruction, TheProblemMayGrowBeforeItsFirstRun) {
   EXPECT_EQ(optimizer.indexMapping().size(), 4u);
 }
 
-TEST_F(Destruction, AProblemWithMarginalisedVerticesMayGrowByOthers) {
+TEST_F(Destruction, AProblemWithMarginalizedVerticesMayGrowByOtherVertices) {
   optimizer.vertex(2)->setMarginalized(true);
   ASSERT_TRUE(optimizer.initializeOptimization());
   optimizer.optimize(1);
@@ -86,7 +86,7 @@ TEST_F(Destruction, AProblemWithMarginalisedVerticesMayGrowByOthers) {
   g2o::HyperGraph::EdgeSet edges{add_motion(optimizer, 3, -7, g2o::SE2(1, 0, 0)),
                                  add_motion(optimizer, 1, -7, g2o::SE2(1, 1, 0))};
   ASSERT_TRUE(optimizer.updateInitialization(vertices, edges));
-  EXPECT_EQ(optimizer.vertex(2)->hessianIndex(), 3) << "marginalised vertices are the last";
+  EXPECT_EQ(optimizer.vertex(2)->hessianIndex(), 3) << "marginalized vertices come last";
   EXPECT_EQ(*optimizer.findActiveVertex(added), added);
   EXPECT_EQ(optimizer.optimize(10, true), 10);
   optimizer.computeActiveErrors();
@@ -97,7 +97,7 @@ TEST_F(Destruction, AProblemWithMarginalisedVerticesMayGrowByOthers) {
   EXPECT_NEAR(optimizer.activeChi2(), grown, 1e-9);
 }
 
-TEST_F(Destruction, EdgesOfADetachedVertexTakeNoPartAnyMore) {
+TEST_F(Destruction, EdgesOfADetachedVertexNoLongerTakePart) {
   optimizer.optimize(1);
   EXPECT_TRUE(optimizer.detachVertex(optimizer.vertex(1)));
   EXPECT_EQ(optimizer.activeEdges().size(), 2u);
@@ -110,7 +110,7 @@ TEST_F(Destruction, EdgesOfADetachedVertexTakeNoPartAnyMore) {
   EXPECT_EQ(optimizer.optimize(1), -1);
 }
 
-TEST_F(Destruction, AnActiveEdgeThatIsGivenAnotherVertexIsLaidOutAnew) {
+TEST_F(Destruction, AnActiveEdgeWithAnotherVertexGetsAnotherBlock) {
   optimizer.optimize(1);
   g2o::EdgeSE2* diagonal = add_motion(optimizer, 0, 2, g2o::SE2(1, 1, 3.1));
   ASSERT_TRUE(optimizer.initializeOptimization());
@@ -126,7 +126,7 @@ TEST_F(Destruction, AnActiveEdgeThatIsGivenAnotherVertexIsLaidOutAnew) {
   EXPECT_NEAR(optimizer.activeChi2(), online, 1e-12);
 }
 
-TEST_F(Destruction, AnEdgeIsNotGivenAVertexOfAnotherGraph) {
+TEST_F(Destruction, AnEdgeRefusesAVertexOfAnotherGraph) {
   g2o::SparseOptimizer other;
   g2o::VertexSE2* foreign = add_pose(other, 77, 0, 0, 0);
   auto* e = static_cast<g2o::EdgeSE2*>(*optimizer.edges().begin());
@@ -136,7 +136,7 @@ TEST_F(Destruction, AnEdgeIsNotGivenAVertexOfAnotherGraph) {
   EXPECT_TRUE(foreign->edges().empty());
 }
 
-TEST_F(Destruction, AnActionThatEndedARunMayGoAndTheNextRunIsItsOwn) {
+TEST_F(Destruction, AnActionThatStoppedARunDoesNotStopTheNextRun) {
   auto action = std::make_unique<g2o::SparseOptimizerTerminateAction>();
   optimizer.addPostIterationAction(action.get());
   EXPECT_LT(optimizer.optimize(50), 50);
@@ -175,7 +175,7 @@ TEST_F(Destruction, ActionsMayRemoveAndDeleteThemselves) {
   EXPECT_EQ(calls, 9);
 }
 
-/// Leaves the optimiser without an algorithm.
+/// Removes the algorithm of the optimizer.
 class Thief : public g2o::HyperGraphAction {
  public:
   explicit Thief(g2o::SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -188,13 +188,13 @@ class Thief : public g2o::HyperGraphAction {
   g2o::SparseOptimizer& optimizer_;
 };
 
-TEST_F(Destruction, ARunWhoseAlgorithmAnActionTakesEndsThere) {
+TEST_F(Destruction, ARunEndsWhenAnActionRemovesItsAlgorithm) {
   Thief thief(optimizer);
   optimizer.addPostIterationAction(&thief);
   EXPECT_EQ(optimizer.optimize(3), 1);
 }
 
-/// Takes another action out of the optimiser, and deletes it.
+/// Removes another action from the optimizer and deletes it.
 class Remover : public g2o::HyperGraphAction {
  public:
   explicit Remover(g2o::SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -211,7 +211,7 @@ class Remover : public g2o::HyperGraphAction {
   g2o::SparseOptimizer& optimizer_;
 };
 
-TEST_F(Destruction, AnActionThatAnotherOneDeletedIsNotCalled) {
+TEST_F(Destruction, AnActionThatAnotherActionDeletedIsNotCalled) {
   auto *a = new Remover(optimizer), *b = new Remover(optimizer);
   a->other = b;
   b->other = a;
@@ -220,11 +220,11 @@ TEST_F(Destruction, AnActionThatAnotherOneDeletedIsNotCalled) {
   optimizer.addPostIterationAction(a);
   optimizer.addPostIterationAction(b);
   EXPECT_EQ(optimizer.optimize(2), 2);
-  EXPECT_TRUE(optimizer.removePostIterationAction(first)) << "the other one is gone";
+  EXPECT_TRUE(optimizer.removePostIterationAction(first)) << "the other one is removed";
   delete first;
 }
 
-/// Takes itself out of its vertices when it goes.
+/// Removes itself from its vertices in its destructor.
 class Leaving : public g2o::EdgeSE2 {
  public:
   ~Leaving() override {
@@ -234,7 +234,7 @@ class Leaving : public g2o::EdgeSE2 {
   }
 };
 
-TEST(DestructionOfEdges, FindsTheirVerticesHoweverTheyGo) {
+TEST(DestructionOfEdges, FindsTheirVerticesHoweverTheyAreDeleted) {
   for (const std::string how : {"clear", "destructor", "removeEdge", "removeVertex", "refused"}) {
     SCOPED_TRACE(how);
     g2o::SparseOptimizer optimizer;
@@ -254,7 +254,7 @@ TEST(DestructionOfEdges, FindsTheirVerticesHoweverTheyGo) {
   }
 }
 
-TEST(DestructionOfData, GoesWithItsElementAndIsReplacedByTheClient) {
+TEST(DestructionOfData, HappensWithTheElementAndReplacedDataBelongsToTheClient) {
   struct Note : g2o::HyperGraph::Data {
     explicit Note(int& living) : count(living) { ++count; }
     ~Note() override { --count; }
@@ -273,7 +273,7 @@ TEST(DestructionOfData, GoesWithItsElementAndIsReplacedByTheClient) {
     auto refused = std::make_unique<g2o::VertexSE2>();
     refused->setId(4);
     auto kept = std::make_unique<Note>(living);
-    EXPECT_FALSE(optimizer.addVertex(refused.get(), kept.get())) << "the data stays the caller's, too";
+    EXPECT_FALSE(optimizer.addVertex(refused.get(), kept.get())) << "the caller keeps the data, too";
     EXPECT_EQ(kept->dataContainer(), nullptr);
     auto* in_front = new Note(living);
     in_front->setNext(v->userData());
@@ -284,7 +284,7 @@ TEST(DestructionOfData, GoesWithItsElementAndIsReplacedByTheClient) {
   EXPECT_EQ(living, 0);
 }
 
-TEST(DestructionOfParameters, WhatIsDetachedIsTheCallers) {
+TEST(DestructionOfParameters, LeavesDetachedParametersToTheCaller) {
   g2o::SparseOptimizer optimizer;
   for (int id : {1, 2}) {
     auto* offset = new g2o::ParameterSE2Offset;
@@ -303,13 +303,13 @@ TEST(DestructionOfParameters, WhatIsDetachedIsTheCallers) {
   EXPECT_EQ(optimizer.parameter(2), nullptr);
 }
 
-TEST(DestructionOfParameters, AnEdgeWithoutItsParameterHasNone) {
+TEST(DestructionOfParameters, AnEdgeWithoutItsParameterReturnsNull) {
   g2o::EdgeSE2PointXYOffset e;
   EXPECT_EQ(e.parameter(0), nullptr);
   EXPECT_EQ(e.parameter(5), nullptr);
 }
 
-TEST(DestructionOfAlgorithms, NothingIsRegisteredAndNothingSolvesInSilence) {
+TEST(DestructionOfAlgorithms, RegisteringOrSolvingNullIsReported) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   g2o::OptimizationAlgorithmFactory::instance()->registerSolver(
@@ -325,7 +325,7 @@ TEST(DestructionOfAlgorithms, NothingIsRegisteredAndNothingSolvesInSilence) {
   g2o::logging::setSink({});
 }
 
-TEST(DestructionOfPoints, StructureAloneLeavesEdgesWithoutAssociationAlone) {
+TEST(DestructionOfPoints, TheStructureOnlySolverIgnoresUnassignedEdges) {
   g2o::SparseOptimizer optimizer;
   add_pose(optimizer, 0, 0, 0, 0);
   auto* l = new g2o::VertexPointXY;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What .g2o files may hold beside complete lines in order.
+// .g2o files with incomplete lines, lines in any order, comments and errors.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -26,7 +26,7 @@ const char* const kUnassigned =
     "EDGE_SE2_XY 0 -1 0.5 0.5 20 0 20\n"
     "EDGE_SE2_POINTXY_OFFSET 1 -1 3 1 0 1 0 1\n";
 
-TEST(Files, EdgesWithUnassignedVerticesAreKeptAndSavedAndTakeNoPart) {
+TEST(Files, EdgesWithUnassignedVerticesAreSavedButNotOptimized) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(kUnassigned);
   ASSERT_TRUE(optimizer.load(in));
@@ -42,7 +42,7 @@ TEST(Files, EdgesWithUnassignedVerticesAreKeptAndSavedAndTakeNoPart) {
   EXPECT_EQ(out.str(), kUnassigned);
 }
 
-TEST(Files, AnUnassignedEdgeTakesPartOnceItIsGivenItsVertex) {
+TEST(Files, AnUnassignedEdgeTakesPartOnceItsVertexIsSet) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(kUnassigned);
   ASSERT_TRUE(optimizer.load(in));
@@ -53,7 +53,7 @@ TEST(Files, AnUnassignedEdgeTakesPartOnceItIsGivenItsVertex) {
   ASSERT_EQ(unassigned.size(), 2u);
   for (auto* e : unassigned) {
     EXPECT_FALSE(optimizer.setEdgeVertex(e, 1, optimizer.vertex(e->vertex(0)->id() == 0 ? 1 : 0)))
-        << "a pose is no point";
+        << "a pose is not a point";
     EXPECT_EQ(e->vertex(1), nullptr);
     EXPECT_TRUE(optimizer.setEdgeVertex(e, 1, optimizer.vertex(2)));
   }
@@ -63,7 +63,7 @@ TEST(Files, AnUnassignedEdgeTakesPartOnceItIsGivenItsVertex) {
   EXPECT_EQ(optimizer.optimize(2), 2);
 }
 
-TEST(Files, AnUnassignedEdgeIsRefusedWhereItsOtherVerticesDoNotFit) {
+TEST(Files, AnUnassignedEdgeIsRefusedIfItsOtherVerticesHaveWrongTypes) {
   g2o::SparseOptimizer optimizer;
   small_graph::add_pose(optimizer, 0, 0, 0, 0);
   auto e = std::make_unique<g2o::EdgeSE2PointXY>();
@@ -97,12 +97,12 @@ TEST(Files, ALineWithMoreFieldsThanItsTypeHasIsRefused) {
 
 TEST(Files, ALineMayEndWithACommentOrACarriageReturn) {
   g2o::SparseOptimizer optimizer;
-  std::istringstream file("VERTEX_SE2 0 0 0 0 # the start\nVERTEX_XY 6 1 0\r\nFIX 0 # it stays\n");
+  std::istringstream file("VERTEX_SE2 0 0 0 0 # the start\nVERTEX_XY 6 1 0\r\nFIX 0 # fixed\n");
   EXPECT_TRUE(optimizer.load(file));
   EXPECT_EQ(optimizer.vertices().size(), 2u);
 }
 
-/// What load() says of a text, and whether it took it.
+/// Loads a text and checks that load() returns `expected`. Returns the messages.
 std::vector<std::string> messages_of(const std::string& text, bool expected) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });
@@ -113,7 +113,7 @@ std::vector<std::string> messages_of(const std::string& text, bool expected) {
   return messages;
 }
 
-TEST(Files, AMessageNamesTheLineWhatWasExpectedAndWhatCame) {
+TEST(Files, AMessageNamesTheLineTheExpectedFieldAndTheActualText) {
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("VERTEX_SE2 1 0 nan 0\n", false),
               ElementsAre("line 1: VERTEX_SE2 1: expected y (a finite number), got 'nan'"));
@@ -132,7 +132,7 @@ TEST(Files, AMessageNamesTheLineWhatWasExpectedAndWhatCame) {
               ElementsAre("line 1: VERTEX_SE2: expected the end of the line, got '\\x01'"));
 }
 
-/// A type that reads as clients' do.
+/// A type with a read() as clients write it.
 class VertexLevel : public g2o::BaseVertex<1, double> {
  public:
   void setToOriginImpl() override { _estimate = 0; }
@@ -141,7 +141,7 @@ class VertexLevel : public g2o::BaseVertex<1, double> {
   bool write(std::ostream& os) const override { return static_cast<bool>(os << _estimate); }
 };
 
-TEST(Files, SoDoesTheMessageWhereATypeOfAClientFails) {
+TEST(Files, AMessageNamesTheLineIfReadOfAClientTypeFails) {
   using testing::ElementsAre;
   const g2o::RegisterTypeProxy<VertexLevel> registered("VERTEX_LEVEL");
   EXPECT_THAT(messages_of("VERTEX_LEVEL 0 high\n", false),
@@ -152,7 +152,7 @@ TEST(Files, SoDoesTheMessageWhereATypeOfAClientFails) {
               ElementsAre("line 1: VERTEX_LEVEL 0: its fields are not accepted"));
 }
 
-/// As many clients read: what ends the line is not good.
+/// Ends read() as many clients do, with `return is.good()`, which is false at the end of a line.
 class VertexGood : public VertexLevel {
  public:
   bool read(std::istream& is) override {
@@ -161,7 +161,7 @@ class VertexGood : public VertexLevel {
   }
 };
 
-TEST(Files, AReadThatAsksWhetherTheStreamIsGoodMayEndItsLine) {
+TEST(Files, AReadThatReturnsGoodMayReachTheEndOfTheLine) {
   const g2o::RegisterTypeProxy<VertexGood> registered("VERTEX_GOOD");
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("VERTEX_GOOD 0 1.5\nVERTEX_GOOD 1 -2.5\r\nVERTEX_GOOD 2 3 \n", true),
@@ -188,21 +188,21 @@ TEST(Files, AnElementThatCannotBeWrittenIsNamed) {
   std::ostringstream out;
   EXPECT_FALSE(optimizer.save(out));
   g2o::logging::setSink({});
-  EXPECT_THAT(messages, testing::ElementsAre("save: write() of VERTEX_UNWRITTEN is false"));
+  EXPECT_THAT(messages, testing::ElementsAre("save: write() of VERTEX_UNWRITTEN returned false"));
 }
 
-TEST(Files, UnknownWordsAreQuotedCountedAndSummedUp) {
+TEST(Files, UnknownTagsAreQuotedAndCounted) {
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("A 1\nB\x7f 1\nA 2\nA 3\n", true),
-              ElementsAre("line 1: unknown word 'A', skipped with 2 more of its lines",
-                          "line 2: unknown word 'B\\x7f', skipped"));
+              ElementsAre("line 1: unknown tag 'A', skipped with 2 more of its lines",
+                          "line 2: unknown tag 'B\\x7f', skipped"));
   EXPECT_THAT(messages_of("A\nB\nC\nD\nE\nF\nG\nF\n", true),
               ElementsAre(testing::HasSubstr("'A'"), testing::HasSubstr("'B'"), testing::HasSubstr("'C'"),
                           testing::HasSubstr("'D'"), testing::HasSubstr("'E'"),
-                          "3 more lines with 2 other unknown words, skipped"));
+                          "3 more lines with 2 other unknown tags, skipped"));
 }
 
-TEST(Files, AnInformationOfZerosIsAnEdgeWithoutWeight) {
+TEST(Files, AZeroInformationMatrixGivesAnEdgeWithoutWeight) {
   const std::string text = "VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 0 0 0 0 0 0\n";
   g2o::SparseOptimizer optimizer;
   std::istringstream in(text);
@@ -215,12 +215,12 @@ TEST(Files, AnInformationOfZerosIsAnEdgeWithoutWeight) {
   EXPECT_EQ(out.str(), text);
 }
 
-TEST(Files, AnIndefiniteInformationIsRefused) {
+TEST(Files, AnIndefiniteInformationMatrixIsRefused) {
   EXPECT_THAT(messages_of("VERTEX_XY 0 0 0\nVERTEX_XY 1 1 0\nEDGE_POINTXY 0 1 1 0 1 2 1\n", false),
               testing::ElementsAre(testing::HasSubstr("line 3: EDGE_POINTXY: ")));
 }
 
-TEST(Files, AFolderCannotBeOpened) {
+TEST(Files, AFolderCannotBeLoaded) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });
   g2o::SparseOptimizer optimizer;
@@ -231,7 +231,7 @@ TEST(Files, AFolderCannotBeOpened) {
   EXPECT_THAT(messages, testing::ElementsAre("/ cannot be opened", "line 1: it cannot be read"));
 }
 
-TEST(Files, AFullDiskIsAFailureAndNoCrash) {
+TEST(Files, AFullDiskIsReportedAsAFailure) {
   if (!std::ifstream("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
   std::string message;
   int messages = 0;
@@ -243,7 +243,7 @@ TEST(Files, AFullDiskIsAFailureAndNoCrash) {
   small_graph::add_square(optimizer);
   EXPECT_FALSE(optimizer.save("/dev/full"));
   EXPECT_EQ(message, "/dev/full cannot be written");
-  for (int id = 4; id < 5000; ++id) small_graph::add_pose(optimizer, id, id, 0, 0);  // more than a buffer
+  for (int id = 4; id < 5000; ++id) small_graph::add_pose(optimizer, id, id, 0, 0);  // more than one buffer
   messages = 0;
   EXPECT_FALSE(optimizer.save("/dev/full"));
   EXPECT_EQ(message, "/dev/full cannot be written");

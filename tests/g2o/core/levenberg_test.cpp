@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When Levenberg-Marquardt ends.
+// When Levenberg-Marquardt stops.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,15 +23,15 @@ class Chi2Record : public g2o::HyperGraphAction {
   const g2o::SparseOptimizer* optimizer_;
 };
 
-constexpr double kMinimum = 2.26455873132957;  // of chi2 of the contradiction
+constexpr double kMinimum = 2.26455873132957;  // of chi2 of add_contradiction()
 
-/// A square whose diagonals contradict it, so that chi2 at the minimum is far from zero.
+/// Adds a square whose diagonals contradict its sides, so that chi2 at the minimum is far from zero.
 void add_contradiction(g2o::SparseOptimizer& optimizer) {
   small_graph::add_square(optimizer);
   for (int k = 1; k <= 3; ++k) small_graph::add_motion(optimizer, 0, 2, g2o::SE2(1 + 0.5 * k, 0.2, 2.5));
 }
 
-TEST(Levenberg, StopsWhenChi2ChangesByItsRoundingErrorsAlone) {
+TEST(Levenberg, StopsWhenChi2ChangesOnlyByRoundingErrors) {
   g2o::SparseOptimizer optimizer;
   add_contradiction(optimizer);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver()));
@@ -48,7 +48,7 @@ TEST(Levenberg, StopsWhenChi2ChangesByItsRoundingErrorsAlone) {
   EXPECT_LT(record.chi2.back(), kMinimum * (1 + 1e-12));
 }
 
-TEST(Levenberg, GoesOnWhenStepsAreShortBecauseLambdaIsLarge) {
+TEST(Levenberg, ContinuesWhenStepsAreShortBecauseLambdaIsLarge) {
   g2o::SparseOptimizer optimizer;
   add_contradiction(optimizer);
   auto* algorithm = new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linear solvers of the library, alone and below a BlockSolver.
+// The linear solvers of the library, alone and inside a BlockSolver.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -15,7 +15,7 @@ using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
 using Pcg = g2o::LinearSolverPCG<g2o::MatrixX>;
 using Eigens = g2o::LinearSolverEigen<g2o::MatrixX>;
 
-/// A chain of `n` blocks of 2 × 2, upper triangle.
+/// A chain of `n` blocks of 2 × 2, given by its upper triangle.
 Matrix chain(int n) {
   std::vector<int> ends;
   for (int i = 1; i <= n; ++i) ends.push_back(2 * i);
@@ -42,7 +42,7 @@ Eigen::VectorXd solved(Solver& solver, const Matrix& A, const Eigen::VectorXd& b
   return x;
 }
 
-TEST(LinearSolvers, APcgWithAbsoluteToleranceIsContentWithAResidualOfThatSize) {
+TEST(LinearSolvers, PcgWithAbsoluteToleranceStopsAtAResidualOfThatSize) {
   const Matrix A = chain(50);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(100, 1, 2) * 1e-4;
   Pcg pcg;
@@ -56,7 +56,7 @@ TEST(LinearSolvers, APcgWithAbsoluteToleranceIsContentWithAResidualOfThatSize) {
   EXPECT_GT(absolute, 10 * relative);
 }
 
-TEST(LinearSolvers, APcgOfARunStopsEarlierWithAnAbsoluteTolerance) {
+TEST(LinearSolvers, PcgStopsEarlierInARunWithAnAbsoluteTolerance) {
   std::vector<int> iterations;
   for (const bool absolute : {true, false}) {
     g2o::SparseOptimizer optimizer;
@@ -76,7 +76,7 @@ TEST(LinearSolvers, APcgOfARunStopsEarlierWithAnAbsoluteTolerance) {
   EXPECT_LT(iterations[0], iterations[1]);
 }
 
-TEST(LinearSolvers, BlocksOrScalarsAreOrderedWithTheSameResult) {
+TEST(LinearSolvers, BlockAndScalarOrderingsGiveTheSameResult) {
   const Matrix A = chain(50);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(100, 1, 2);
   Eigens solver;

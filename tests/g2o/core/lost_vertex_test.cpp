@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clients may take a vertex from an edge that takes part, by functions that tell the optimizer nothing.
+// Clients may remove a vertex from an active edge by functions that do not notify the optimizer.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 
 using small_graph::make_solver;
 
-/// Takes the first vertex of an edge the n-th time that it is called.
+/// Removes the first vertex of an edge at its n-th call.
 class TakeVertex : public g2o::HyperGraphAction {
  public:
   TakeVertex(g2o::HyperGraph::Edge& edge, int n, bool by_container)
@@ -53,18 +53,18 @@ class LostVertex : public testing::Test {
   std::string messages;
 };
 
-TEST_F(LostVertex, TakesAnEdgeOutOfTheErrors) {
+TEST_F(LostVertex, DropsTheEdgeFromTheErrors) {
   const double with_edge = chi2();
   closure->setVertex(0, nullptr);
   const double without_edge = chi2();
   EXPECT_LT(without_edge, with_edge);
   EXPECT_EQ(optimizer.activeEdges().size(), 4U);
-  EXPECT_NE(messages.find("edges that have lost a vertex take no part any more: 1"), std::string::npos);
+  EXPECT_NE(messages.find("edges that lost a vertex no longer take part: 1"), std::string::npos);
   EXPECT_GT(optimizer.optimize(10), 0);
   EXPECT_LT(chi2(), without_edge);
 }
 
-TEST_F(LostVertex, BetweenTwoRunsIsRefusedWithAMessage) {
+TEST_F(LostVertex, BeforeARunIsRefusedWithAMessage) {
   EXPECT_GT(optimizer.optimize(2), 0);
   closure->vertices()[0] = nullptr;
   EXPECT_EQ(optimizer.optimize(2), -1);
@@ -73,7 +73,7 @@ TEST_F(LostVertex, BetweenTwoRunsIsRefusedWithAMessage) {
   EXPECT_GT(optimizer.optimize(2), 0);
 }
 
-TEST_F(LostVertex, DuringAnIterationTakesTheEdgeOutOfTheRestOfTheRun) {
+TEST_F(LostVertex, DuringAnIterationDropsTheEdgeForTheRestOfTheRun) {
   using Add = bool (g2o::SparseOptimizer::*)(g2o::HyperGraphAction*);
   const Add kinds[] = {&g2o::SparseOptimizer::addPreIterationAction,
                        &g2o::SparseOptimizer::addPostIterationAction,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that optimises for days must not grow.
+// A process that optimizes for days must not grow.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -20,9 +20,9 @@ void optimize_square(g2o::SparseOptimizer& optimizer) {
   ASSERT_GT(optimizer.optimize(3), 0);
 }
 
-TEST(Memory, StaysTheSameOverManyCyclesOfOptimizeAndClear) {
+TEST(Memory, DoesNotGrowOverManyCyclesOfOptimizeAndClear) {
 #ifndef HAS_HEAP_STATISTICS
-  GTEST_SKIP() << "the heap tells nothing about itself here";
+  GTEST_SKIP() << "the size of the heap is not available here";
 #else
   constexpr int kWarmUp = 100, kCycles = 10000;
   g2o::SparseOptimizer kept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who deletes what, and what misuse answers. Meant for AddressSanitizer.
+// Ownership of graph elements, and the messages for misuse. Meant for AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <initializer_list>
@@ -25,7 +25,7 @@ using small_graph::add_pose;
 using small_graph::add_square;
 using small_graph::make_solver;
 
-/// Catches what the library says.
+/// Collects the messages of the library.
 class Misuse : public testing::Test {
  protected:
   void SetUp() override {
@@ -40,7 +40,7 @@ class Misuse : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(Misuse, AVertexWhoseIdIsTakenStaysTheCallers) {
+TEST_F(Misuse, TheCallerKeepsAVertexWhoseIdIsTaken) {
   add_pose(optimizer, 1, 0, 0, 0);
   auto second = std::make_unique<g2o::VertexSE2>();
   second->setId(1);
@@ -52,41 +52,41 @@ TEST_F(Misuse, AVertexOfAnotherGraphIsRefused) {
   g2o::SparseOptimizer other;
   auto* v = add_pose(other, 7, 0, 0, 0);
   EXPECT_FALSE(optimizer.addVertex(v));
-  expect_message("in another graph");
+  expect_message("already in another graph");
 }
 
-TEST_F(Misuse, AVertexIsNotAddedTwiceUnderTwoIds) {
+TEST_F(Misuse, AVertexIsNotAddedAgainUnderAnotherId) {
   auto* v = add_pose(optimizer, 7, 0, 0, 0);
   v->setId(8);
   EXPECT_FALSE(optimizer.addVertex(v));
-  expect_message("vertex 8 is in the graph, as 7");
+  expect_message("vertex 8 is already in the graph, with id 7");
   v->setId(7);
 }
 
-TEST_F(Misuse, AVertexWithoutAnIdIsNamed) {
+TEST_F(Misuse, AVertexWithoutAnIdIsReported) {
   EXPECT_TRUE(optimizer.addVertex(new g2o::VertexSE2));
-  expect_message("a vertex has the id -2");
+  expect_message("a vertex has id -2");
 }
 
-TEST_F(Misuse, AnEdgeThatIsRefusedStaysTheCallers) {
+TEST_F(Misuse, TheCallerKeepsAnEdgeThatIsRefused) {
   add_pose(optimizer, 0, 0, 0, 0);
   auto e = std::make_unique<g2o::EdgeSE2>();
   EXPECT_FALSE(optimizer.addEdge(e.get()));
-  expect_message("expected a vertex in every place");
+  expect_message("expected a vertex at every position");
   e->setVertex(0, optimizer.vertex(0));
   e->setVertex(1, optimizer.vertex(0));
   EXPECT_FALSE(optimizer.addEdge(e.get()));
   expect_message("distinct");
 }
 
-TEST_F(Misuse, AnEdgeOfTheWrongVertexTypeIsRefused) {
+TEST_F(Misuse, AnEdgeWithAVertexOfTheWrongTypeIsRefused) {
   add_pose(optimizer, 0, 0, 0, 0);
   add_pose(optimizer, 1, 0, 0, 0);
   auto e = std::make_unique<g2o::EdgeSE2PointXY>();
   e->setVertex(0, optimizer.vertex(0));
   e->setVertex(1, optimizer.vertex(1));
   EXPECT_FALSE(optimizer.addEdge(e.get()));
-  expect_message("vertices of other types");
+  expect_message("do not have the types that the edge expects");
   EXPECT_TRUE(optimizer.vertex(0)->edges().empty());
 }
 
@@ -100,7 +100,7 @@ TEST_F(Misuse, AnEdgeWithoutItsParameterIsRefused) {
   e->setVertex(1, optimizer.vertex(1));
   e->setParameterId(0, 5);
   EXPECT_FALSE(optimizer.addEdge(e.get()));
-  expect_message("no parameter 5");
+  expect_message("needs parameter 5");
   auto* offset = new g2o::ParameterSE2Offset;
   offset->setId(5);
   ASSERT_TRUE(optimizer.addParameter(offset));
@@ -108,7 +108,7 @@ TEST_F(Misuse, AnEdgeWithoutItsParameterIsRefused) {
   e.release();
 }
 
-TEST_F(Misuse, AMarginalisedVertexOfTheWrongDimensionIsRefused) {
+TEST_F(Misuse, AMarginalizedVertexOfTheWrongDimensionIsRefused) {
   add_square(optimizer);
   optimizer.vertex(2)->setMarginalized(true);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
@@ -118,7 +118,7 @@ TEST_F(Misuse, AMarginalisedVertexOfTheWrongDimensionIsRefused) {
   expect_message("expected a marginalised vertex of 2 dimensions");
 }
 
-TEST_F(Misuse, TwoMarginalisedVerticesOfOneEdgeAreRefused) {
+TEST_F(Misuse, TwoMarginalizedVerticesOfOneEdgeAreRefused) {
   add_square(optimizer);
   optimizer.vertex(2)->setMarginalized(true);
   optimizer.vertex(3)->setMarginalized(true);
@@ -128,9 +128,9 @@ TEST_F(Misuse, TwoMarginalisedVerticesOfOneEdgeAreRefused) {
   expect_message("both marginalised");
 }
 
-TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
+TEST_F(Misuse, UnknownTagsAndNamesReturnNull) {
   EXPECT_EQ(g2o::Factory::instance()->construct("NO_SUCH_WORD"), nullptr);
-  expect_message("word NO_SUCH_WORD");
+  expect_message("tag NO_SUCH_WORD");
   EXPECT_EQ(g2o::RobustKernelFactory::instance()->construct("NoSuchKernel"), nullptr);
   expect_message("name NoSuchKernel");
   g2o::OptimizationAlgorithmProperty property;
@@ -138,13 +138,13 @@ TEST_F(Misuse, UnknownWordsAndNamesGiveNothing) {
   expect_message("name lm_nonsense");
   std::istringstream file("NO_SUCH_WORD 1 2 3\nVERTEX_SE2 0 1 2 3\n");
   EXPECT_TRUE(optimizer.load(file));
-  expect_message("unknown word 'NO_SUCH_WORD'");
+  expect_message("unknown tag 'NO_SUCH_WORD'");
   EXPECT_NE(optimizer.vertex(0), nullptr);
   EXPECT_FALSE(optimizer.load("/no/such/file.g2o"));
   expect_message("cannot be opened");
 }
 
-TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
+TEST_F(Misuse, NullPointersAndForeignElementsAreRefused) {
   add_square(optimizer);
   g2o::VertexSE2 stranger;
   EXPECT_FALSE(optimizer.addVertex(static_cast<g2o::OptimizableGraph::Vertex*>(nullptr)));
@@ -159,7 +159,7 @@ TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
   EXPECT_FALSE(optimizer.setEdgeVertex(nullptr, 0, optimizer.vertex(0)));
   EXPECT_FALSE(optimizer.changeId(nullptr, 3));
   EXPECT_FALSE(optimizer.addParameter(nullptr));
-  expect_message("addParameter: expected a parameter with an id from 0 on, got nullptr");
+  expect_message("addParameter: expected a parameter with an id of at least 0, got nullptr");
   EXPECT_FALSE(optimizer.addPreIterationAction(nullptr));
   EXPECT_FALSE(optimizer.addPostIterationAction(nullptr));
   EXPECT_FALSE(optimizer.addComputeErrorAction(nullptr));
@@ -177,7 +177,7 @@ TEST_F(Misuse, NothingIsNeitherAddedNorRemovedNorChanged) {
   EXPECT_EQ(optimizer.parameter(99), nullptr);
 }
 
-TEST_F(Misuse, WithoutInitialisationAlgorithmOrLinearSolverNothingIsOptimised) {
+TEST_F(Misuse, OptimizingWithoutInitializationAlgorithmOrLinearSolverFails) {
   EXPECT_FALSE(optimizer.initializeOptimization());
   EXPECT_EQ(optimizer.optimize(1), -1);
   expect_message("was initializeOptimization() called?");
@@ -193,7 +193,7 @@ TEST_F(Misuse, WithoutInitialisationAlgorithmOrLinearSolverNothingIsOptimised) {
   expect_message("the block solver has no linear solver");
 }
 
-TEST_F(Misuse, WhatIsNotInTheGraphOrNotInTheEdgeIsNamed) {
+TEST_F(Misuse, ElementsThatAreNotInTheGraphAndPositionsThatAreNotInTheEdgeAreReported) {
   add_square(optimizer);
   g2o::VertexSE2 v;
   g2o::EdgeSE2 e;
@@ -204,9 +204,9 @@ TEST_F(Misuse, WhatIsNotInTheGraphOrNotInTheEdgeIsNamed) {
   EXPECT_FALSE(optimizer.changeId(optimizer.vertex(1), 2));
   expect_message("changeId: the id 2 is taken");
   e.setVertex(5, &v);
-  expect_message("setVertex: the edge has 2 vertices, got the position 5");
+  expect_message("setVertex: the edge has 2 vertices, got position 5");
   EXPECT_FALSE(e.setParameterId(7, 3));
-  expect_message("setParameterId: expected one of 0 parameters");
+  expect_message("setParameterId: expected the index of one of 0 parameters");
   optimizer.update(nullptr);
   expect_message("update: expected a step");
   EXPECT_EQ((*g2o::HyperGraphActionLibrary::instance()->actionByName("draw"))(
@@ -214,7 +214,7 @@ TEST_F(Misuse, WhatIsNotInTheGraphOrNotInTheEdgeIsNamed) {
             nullptr);
 }
 
-TEST_F(Misuse, AnErrorThatIsNoNumberIsNamedByItsEdge) {
+TEST_F(Misuse, AnErrorThatIsNotFiniteIsReportedWithItsEdge) {
   for (g2o::OptimizationAlgorithm* algorithm : std::initializer_list<g2o::OptimizationAlgorithm*>{
            new g2o::OptimizationAlgorithmGaussNewton(make_solver()),
            new g2o::OptimizationAlgorithmLevenberg(make_solver()),
@@ -232,7 +232,7 @@ TEST_F(Misuse, AnErrorThatIsNoNumberIsNamedByItsEdge) {
   }
 }
 
-TEST_F(Misuse, PropertiesThatMakeNoSenseAreRefusedByDogleg) {
+TEST_F(Misuse, DoglegRefusesInvalidProperties) {
   add_square(optimizer);
   for (const char* text : {"initialDelta=0", "initialLambda=-1", "lambdaFactor=0"}) {
     auto* dogleg = new g2o::OptimizationAlgorithmDogleg(make_solver());
@@ -250,13 +250,13 @@ TEST_F(Misuse, VerticesOfDifferentTypesAreNotMerged) {
   point->setId(50);
   ASSERT_TRUE(optimizer.addVertex(point));
   EXPECT_FALSE(optimizer.mergeVertices(point, optimizer.vertex(2), true));
-  expect_message("the edge was made for vertices of other types");
+  expect_message("the vertices do not have the types that the edge expects");
   EXPECT_EQ(optimizer.edges().size(), 4u);
   EXPECT_EQ(optimizer.vertex(2)->edges().size(), 2u);
   EXPECT_TRUE(point->edges().empty());
 }
 
-TEST_F(Misuse, AnAlgorithmWithoutASolverCannotBeInitialised) {
+TEST_F(Misuse, AnAlgorithmWithoutASolverCannotBeInitialized) {
   add_square(optimizer);
   ASSERT_TRUE(optimizer.initializeOptimization());
   using Solvers = std::unique_ptr<g2o::Solver>;
@@ -273,7 +273,7 @@ TEST_F(Misuse, AnAlgorithmWithoutASolverCannotBeInitialised) {
   }
 }
 
-TEST_F(Misuse, MarginalsAreThoseOfVerticesThatWereOptimised) {
+TEST_F(Misuse, MarginalsAreOnlyAvailableForOptimizedVertices) {
   using Blocks = std::vector<std::pair<int, int>>;
   add_square(optimizer);
   g2o::SparseBlockMatrix<g2o::MatrixX> covariance;
@@ -284,10 +284,10 @@ TEST_F(Misuse, MarginalsAreThoseOfVerticesThatWereOptimised) {
   ASSERT_TRUE(optimizer.initializeOptimization());
   ASSERT_EQ(optimizer.optimize(1), 1);
   EXPECT_FALSE(optimizer.computeMarginals(covariance, optimizer.vertex(0)));
-  expect_message("expected a vertex that was optimised");
+  expect_message("expected a vertex that takes part in the optimization");
   EXPECT_FALSE(
       optimizer.computeMarginals(covariance, static_cast<const g2o::OptimizableGraph::Vertex*>(nullptr)));
-  expect_message("expected a vertex that was optimised");
+  expect_message("expected a vertex that takes part in the optimization");
   EXPECT_FALSE(optimizer.computeMarginals(covariance, Blocks{{0, 99}}));
   expect_message("expected Hessian indices");
   EXPECT_FALSE(
@@ -296,29 +296,29 @@ TEST_F(Misuse, MarginalsAreThoseOfVerticesThatWereOptimised) {
   EXPECT_TRUE(optimizer.computeMarginals(covariance, optimizer.vertex(1)));
 }
 
-TEST_F(Misuse, ParametersAndDataWithoutAWordAreNotSavedInSilence) {
+TEST_F(Misuse, SavingParametersAndDataWithoutATagIsReported) {
   struct Unregistered : g2o::ParameterSE2Offset {};
   auto* p = new Unregistered;
   p->setId(3);
   ASSERT_TRUE(optimizer.addParameter(p));
   std::ostringstream out;
   EXPECT_FALSE(optimizer.save(out));
-  expect_message("no word is registered");
+  expect_message("no tag is registered");
   EXPECT_EQ(out.str(), "");
 }
 
-TEST_F(Misuse, ATypeWithoutAWordIsNotSavedInSilence) {
+TEST_F(Misuse, SavingATypeWithoutATagIsReported) {
   struct Unregistered : g2o::VertexSE2 {};
   auto* v = new Unregistered;
   v->setId(3);
   ASSERT_TRUE(optimizer.addVertex(v));
   std::ostringstream out;
   EXPECT_FALSE(optimizer.save(out));
-  expect_message("no word is registered");
+  expect_message("no tag is registered");
   EXPECT_EQ(out.str(), "");
 }
 
-TEST_F(Misuse, LinesThatCannotBeReadAreNamedAndTheOthersRead) {
+TEST_F(Misuse, LinesThatCannotBeReadAreReportedAndTheOthersAreRead) {
   const std::vector<std::string> lines = {
       "VERTEX_SE2 1 1 2",
       "VERTEX_SE2 1 nan 2 3",
@@ -343,7 +343,7 @@ TEST_F(Misuse, LinesThatCannotBeReadAreNamedAndTheOthersRead) {
   }
 }
 
-TEST(Files, LinesMayStandBeforeWhatTheyReferTo) {
+TEST(Files, LinesMayReferToLaterLines) {
   g2o::SparseOptimizer optimizer;
   std::istringstream file(
       "FIX 0\nEDGE_SE2_POINTXY_OFFSET 0 6 3 1 0 1 0 1\nVERTEX_XY 6 1 0\nVERTEX_SE2 0 0 0 0\n"
@@ -353,7 +353,7 @@ TEST(Files, LinesMayStandBeforeWhatTheyReferTo) {
   EXPECT_TRUE(optimizer.vertex(0)->fixed());
 }
 
-TEST(Ownership, RemovedElementsAreDeletedAndTheRestGoesOn) {
+TEST(Ownership, RemovedElementsAreDeletedAndTheRestIsOptimized) {
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
   add_square(optimizer);
@@ -364,7 +364,7 @@ TEST(Ownership, RemovedElementsAreDeletedAndTheRestGoesOn) {
   EXPECT_EQ(optimizer.activeEdges().size(), 4u);
   EXPECT_TRUE(optimizer.removeVertex(optimizer.vertex(3)));
   EXPECT_EQ(optimizer.edges().size(), 2u);
-  EXPECT_EQ(optimizer.optimize(1), -1) << "removing a vertex asks for a new initialisation";
+  EXPECT_EQ(optimizer.optimize(1), -1) << "removing a vertex requires a new initialization";
   ASSERT_TRUE(optimizer.initializeOptimization());
   EXPECT_GT(optimizer.optimize(3), 0);
 }
@@ -416,7 +416,7 @@ TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases
   optimizer->optimize(1);
 }
 
-/// As clients read and cast the algorithm of their base class.
+/// Reads and casts the algorithm of the base class, as clients do.
 class OwnOptimizer : public g2o::SparseOptimizer {
  public:
   double lambda() const {
@@ -425,7 +425,7 @@ class OwnOptimizer : public g2o::SparseOptimizer {
   }
 };
 
-TEST(Ownership, ADerivedOptimizerCastsItsAlgorithm) {
+TEST(Ownership, ADerivedOptimizerMayCastItsAlgorithm) {
   OwnOptimizer optimizer;
   EXPECT_EQ(optimizer.lambda(), -1);
   add_square(optimizer);
@@ -435,7 +435,7 @@ TEST(Ownership, ADerivedOptimizerCastsItsAlgorithm) {
   EXPECT_GT(optimizer.lambda(), 0);
 }
 
-TEST(Ownership, AnActionMayGoBeforeTheOptimizer) {
+TEST(Ownership, AnActionMayBeDestroyedBeforeTheOptimizer) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   {
@@ -445,7 +445,7 @@ TEST(Ownership, AnActionMayGoBeforeTheOptimizer) {
   optimizer.clear();
 }
 
-TEST(Ownership, AnEdgeKernelAndDataOutsideOfAnyGraphAreTheCallers) {
+TEST(Ownership, TheCallerOwnsAnEdgeAKernelAndDataOutsideOfAGraph) {
   struct Note : g2o::HyperGraph::Data {
     bool read(std::istream&) override { return true; }
     bool write(std::ostream&) const override { return true; }

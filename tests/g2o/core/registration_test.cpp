@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is registered twice, as by two copies of a library, and taken back once.
+// Types that are registered twice, as by two copies of a library, and unregistered once.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/robust_kernel_factory.h"
 #include "g2o/core/robust_kernel_impl.h"
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "g2o/types/slam2d/types_slam2d.h"
 
 G2O_USE_TYPE_GROUP(slam2d);
@@ -18,7 +18,7 @@ G2O_USE_ROBUST_KERNEL(RobustKernelDCS)
 
 namespace {
 
-TEST(ACopyThatGoes, LeavesTheTypeOfTheOther) {
+TEST(UnloadingACopy, KeepsTheTypeOfTheOtherCopy) {
   {
     const g2o::RegisterTypeProxy<g2o::VertexSE2> copy("VERTEX_SE2");
     EXPECT_TRUE(g2o::Factory::instance()->knowsTag("VERTEX_SE2"));
@@ -28,36 +28,37 @@ TEST(ACopyThatGoes, LeavesTheTypeOfTheOther) {
   EXPECT_EQ(g2o::Factory::instance()->tag(&v), "VERTEX_SE2");
 }
 
-class OwnVertex : public g2o::VertexSE2 {};
+class CustomVertex : public g2o::VertexSE2 {};
 
-TEST(ACopyThatGoes, LeavesTheTypeToTheOneThatCameLater) {
-  auto first = std::make_unique<g2o::RegisterTypeProxy<OwnVertex>>("OWN");
-  auto second = std::make_unique<g2o::RegisterTypeProxy<OwnVertex>>("OWN");
+TEST(UnloadingACopy, KeepsTheTypeOfACopyThatCameLater) {
+  auto first = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
+  auto second = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
   first.reset();
-  const std::unique_ptr<g2o::HyperGraph::HyperGraphElement> made(g2o::Factory::instance()->construct("OWN"));
-  EXPECT_NE(dynamic_cast<OwnVertex*>(made.get()), nullptr);
+  const std::unique_ptr<g2o::HyperGraph::HyperGraphElement> made(
+      g2o::Factory::instance()->construct("CUSTOM"));
+  EXPECT_NE(dynamic_cast<CustomVertex*>(made.get()), nullptr);
   second.reset();
-  EXPECT_FALSE(g2o::Factory::instance()->knowsTag("OWN"));
+  EXPECT_FALSE(g2o::Factory::instance()->knowsTag("CUSTOM"));
 }
 
-class OwnAlgorithm : public g2o::AbstractOptimizationAlgorithmCreator {
+class CustomAlgorithm : public g2o::AbstractOptimizationAlgorithmCreator {
  public:
-  OwnAlgorithm()
+  CustomAlgorithm()
       : AbstractOptimizationAlgorithmCreator(
-            g2o::OptimizationAlgorithmProperty("own_algorithm", "", "", false, 3, 2)) {}
+            g2o::OptimizationAlgorithmProperty("custom_algorithm", "", "", false, 3, 2)) {}
   g2o::OptimizationAlgorithm* construct() override { return nullptr; }
 };
 
-TEST(ACopyThatGoes, LeavesTheAlgorithmOfTheOther) {
+TEST(UnloadingACopy, KeepsTheAlgorithmOfTheOtherCopy) {
   const auto is_there = [] {
     int count = 0;
     for (const auto& creator : g2o::OptimizationAlgorithmFactory::instance()->creatorList())
-      count += creator->property().name == "own_algorithm";
+      count += creator->property().name == "custom_algorithm";
     return count;
   };
-  auto first = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new OwnAlgorithm);
-  auto second = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new OwnAlgorithm);
-  auto third = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new OwnAlgorithm);
+  auto first = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new CustomAlgorithm);
+  auto second = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new CustomAlgorithm);
+  auto third = std::make_unique<g2o::RegisterOptimizationAlgorithmProxy>(new CustomAlgorithm);
   EXPECT_EQ(is_there(), 1);
   third.reset();
   EXPECT_EQ(is_there(), 1);
@@ -67,29 +68,30 @@ TEST(ACopyThatGoes, LeavesTheAlgorithmOfTheOther) {
   EXPECT_EQ(is_there(), 0);
 }
 
-class OwnAction : public g2o::HyperGraphElementAction {
+class CustomAction : public g2o::HyperGraphElementAction {
  public:
-  OwnAction() : HyperGraphElementAction(typeid(g2o::VertexSE2).name()) { _name = "own action"; }
+  CustomAction() : HyperGraphElementAction(typeid(g2o::VertexSE2).name()) { _name = "custom action"; }
   g2o::HyperGraphElementAction* operator()(g2o::HyperGraph::HyperGraphElement*, Parameters*) override {
     return this;
   }
 };
 
-TEST(ACopyThatGoes, LeavesTheActionOfTheOther) {
+TEST(UnloadingACopy, KeepsTheActionOfTheOtherCopy) {
   g2o::VertexSE2 v;
   const auto is_there = [&] {
-    g2o::HyperGraphElementAction* own = g2o::HyperGraphActionLibrary::instance()->actionByName("own action");
-    return own != nullptr && (*own)(&v, nullptr) != nullptr;
+    g2o::HyperGraphElementAction* custom =
+        g2o::HyperGraphActionLibrary::instance()->actionByName("custom action");
+    return custom != nullptr && (*custom)(&v, nullptr) != nullptr;
   };
-  auto first = std::make_unique<g2o::RegisterActionProxy<OwnAction>>();
-  auto second = std::make_unique<g2o::RegisterActionProxy<OwnAction>>();
+  auto first = std::make_unique<g2o::RegisterActionProxy<CustomAction>>();
+  auto second = std::make_unique<g2o::RegisterActionProxy<CustomAction>>();
   second.reset();
   EXPECT_TRUE(is_there());
   first.reset();
   EXPECT_FALSE(is_there());
 }
 
-TEST(ARegistration, ThatIsRepeatedIsTakenBackOnce) {
+TEST(Registration, RepeatedOneIsWithdrawnOnce) {
   auto* factory = g2o::RobustKernelFactory::instance();
   using Creator = g2o::RobustKernelCreator<g2o::RobustKernelHuber>;
   const auto a = std::make_shared<Creator>(), b = std::make_shared<Creator>();
@@ -98,26 +100,26 @@ TEST(ARegistration, ThatIsRepeatedIsTakenBackOnce) {
   EXPECT_EQ(factory->creator("repeated"), b);
   factory->unregisterType("repeated", b);
   EXPECT_EQ(factory->creator("repeated"), nullptr);
-  const auto own = std::make_shared<OwnAlgorithm>();
+  const auto custom = std::make_shared<CustomAlgorithm>();
   auto* algorithms = g2o::OptimizationAlgorithmFactory::instance();
-  algorithms->registerSolver(own);
-  algorithms->registerSolver(own);
-  algorithms->unregisterSolver(own);
-  EXPECT_EQ(own.use_count(), 1);
+  algorithms->registerSolver(custom);
+  algorithms->registerSolver(custom);
+  algorithms->unregisterSolver(custom);
+  EXPECT_EQ(custom.use_count(), 1);
 }
 
-// A class of a client's that is called as one of ours.
+// A client's class with the name of a class of the library.
 class RobustKernelTukey : public g2o::RobustKernel {
  public:
   void robustify(double e2, g2o::Vector3& rho) const override { rho << e2, 1, 0; }
 };
-G2O_REGISTER_ROBUST_KERNEL(OwnTukey, RobustKernelTukey)
+G2O_REGISTER_ROBUST_KERNEL(CustomTukey, RobustKernelTukey)
 
-TEST(ARegistration, OfAClientsClassMayHaveTheNameOfOneOfOurs) {
-  EXPECT_NE(g2o::RobustKernelFactory::instance()->creator("OwnTukey"), nullptr);
+TEST(Registration, OfAClientClassMayUseTheNameOfALibraryClass) {
+  EXPECT_NE(g2o::RobustKernelFactory::instance()->creator("CustomTukey"), nullptr);
 }
 
-TEST(ACopyThatGoes, LeavesTheKernelOfTheOther) {
+TEST(UnloadingACopy, KeepsTheKernelOfTheOtherCopy) {
   auto* factory = g2o::RobustKernelFactory::instance();
   { const g2o::RegisterRobustKernelProxy<g2o::RobustKernelHuber> copy("Huber"); }
   EXPECT_NE(factory->creator("Huber"), nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An action may give the optimizer another algorithm while one runs. Meant for AddressSanitizer.
+// An action may replace the algorithm of the optimizer during a run. Meant for AddressSanitizer.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace {
 
 using small_graph::make_solver;
 
-/// Calls a function the n-th time that it is called.
+/// Calls a function at its own n-th call.
 class OnCall : public g2o::HyperGraphAction {
  public:
   OnCall(int n, std::function<void()> f) : left_(n), f_(std::move(f)) {}
@@ -37,7 +37,7 @@ class ReplacedAlgorithm : public testing::Test {
     optimizer.computeActiveErrors();
     return optimizer.activeChi2();
   }
-  /// chi2 of the square at its minimum.
+  /// chi2 of add_square() at its minimum.
   double best_chi2() {
     g2o::SparseOptimizer other;
     small_graph::add_square(other);
@@ -50,7 +50,7 @@ class ReplacedAlgorithm : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(ReplacedAlgorithm, FinishesItsIterationBeforeTheNewOneGoesOn) {
+TEST_F(ReplacedAlgorithm, FinishesItsIterationBeforeTheNewOneStarts) {
   for (int call = 1; call <= 4; ++call) {
     SCOPED_TRACE(call);
     OnCall replace(call,
@@ -75,7 +75,7 @@ TEST_F(ReplacedAlgorithm, StopsIfThereIsNoNewOne) {
   EXPECT_EQ(optimizer.optimize(1), -1);
 }
 
-TEST_F(ReplacedAlgorithm, MayComeBackWithinTheSameRun) {
+TEST_F(ReplacedAlgorithm, MayBeSetAgainDuringTheSameRun) {
   g2o::OptimizationAlgorithm* first = optimizer.solver();
   OnCall swap(2, [&] {
     optimizer.setAlgorithm(new g2o::OptimizationAlgorithmDogleg(make_solver()));

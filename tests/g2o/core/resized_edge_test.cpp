@@ -18,7 +18,7 @@ class Number : public g2o::BaseVertex<1, double> {
   bool write(std::ostream&) const override { return false; }
 };
 
-/// Every row of the error is the sum of the numbers less 1.
+/// Every row of the error is the sum of the estimates minus 1.
 class Sum : public g2o::BaseMultiEdge<Eigen::Dynamic, double> {
  public:
   explicit Sum(int rows) {
@@ -61,7 +61,7 @@ class AResizedEdge : public testing::Test {
   Sum* sum = nullptr;
 };
 
-TEST_F(AResizedEdge, OfTheSameSizeStaysAsItWas) {
+TEST_F(AResizedEdge, OfTheSameSizeIsUnchanged) {
   sum->resize(3);
   static_cast<Number*>(optimizer.vertex(0))->setEstimate(5);
   EXPECT_GT(optimizer.optimize(5), 0);
@@ -69,13 +69,13 @@ TEST_F(AResizedEdge, OfTheSameSizeStaysAsItWas) {
   EXPECT_LT(optimizer.activeChi2(), 1e-8);
 }
 
-TEST_F(AResizedEdge, OfFewerVerticesIsOptimisedAgain) {
+TEST_F(AResizedEdge, WithFewerVerticesIsOptimizedAgain) {
   optimizer.vertex(2)->edges().erase(sum);
   sum->resize(2);
   expect_a_fit();
 }
 
-TEST_F(AResizedEdge, OfMoreVerticesIsOptimisedAgain) {
+TEST_F(AResizedEdge, WithMoreVerticesIsOptimizedAgain) {
   auto* v = new Number;
   v->setToOrigin();
   v->setId(3);
@@ -85,14 +85,14 @@ TEST_F(AResizedEdge, OfMoreVerticesIsOptimisedAgain) {
   expect_a_fit();
 }
 
-TEST_F(AResizedEdge, WithAPlaceThatHasNoVertexIsNotOptimised) {
+TEST_F(AResizedEdge, WithAnEmptyPositionIsNotOptimized) {
   sum->resize(4);
   for (int id = 0; id < 3; ++id) sum->setVertex(static_cast<size_t>(id), optimizer.vertex(id));
   EXPECT_EQ(optimizer.optimize(5), -1);
   EXPECT_FALSE(optimizer.initializeOptimization());
 }
 
-TEST_F(AResizedEdge, OfMoreRowsInTheMiddleOfARunHasRoomForItsDerivatives) {
+TEST_F(AResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
   struct Grow : g2o::HyperGraphAction {
     Sum* sum = nullptr;
     g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
@@ -106,7 +106,7 @@ TEST_F(AResizedEdge, OfMoreRowsInTheMiddleOfARunHasRoomForItsDerivatives) {
   EXPECT_GT(sum->dimension(), 4);
 }
 
-TEST_F(AResizedEdge, OfMoreRowsHasRoomForItsDerivatives) {
+TEST_F(AResizedEdge, WithMoreRowsHasMemoryForItsJacobians) {
   sum->setDimension(2000);
   sum->setInformation(g2o::MatrixX::Identity(2000, 2000));
   expect_a_fit();

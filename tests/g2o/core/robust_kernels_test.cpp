@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the g2o API under the checker of the engine's.
+// The robust kernels of the g2o API pass the checker of the engine's kernels.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// A kernel of the g2o API in the place of one of the engine.
+/// Adapts a kernel of the g2o API to the engine's interface.
 class Adapter final : public boxplus::RobustKernel {
  public:
   Adapter(const std::string& name, double delta)

@@ -32,7 +32,7 @@ class Optimizer : public testing::Test {
     return optimizer.activeChi2();
   }
   const g2o::SE2& pose(int id) { return static_cast<g2o::VertexSE2*>(optimizer.vertex(id))->estimate(); }
-  /// H as a dense matrix, column by column.
+  /// H as a dense matrix, stored by columns.
   Eigen::MatrixXd dense_hessian(g2o::BlockSolverBase& solver) {
     const auto n = static_cast<Eigen::Index>(solver.vectorSize());
     Eigen::MatrixXd H(n, n);
@@ -91,7 +91,7 @@ TEST_F(Optimizer, OnlyTheEdgesOfALevelTakePart) {
   EXPECT_EQ(optimizer.activeEdges().size(), 5u);
 }
 
-TEST_F(Optimizer, OfASetOfVerticesTheEdgesBetweenThemTakePart) {
+TEST_F(Optimizer, InitializedBySomeVerticesUsesTheEdgesBetweenThem) {
   add_square(optimizer);
   use_gauss_newton();
   g2o::HyperGraph::VertexSet vertices{optimizer.vertex(0), optimizer.vertex(1), optimizer.vertex(2)};
@@ -102,7 +102,7 @@ TEST_F(Optimizer, OfASetOfVerticesTheEdgesBetweenThemTakePart) {
   EXPECT_EQ(pose(3).toVector(), before);
 }
 
-TEST_F(Optimizer, OfASetOfEdgesTheirVerticesTakePart) {
+TEST_F(Optimizer, InitializedBySomeEdgesUsesTheirVertices) {
   add_square(optimizer);
   use_gauss_newton();
   g2o::HyperGraph::EdgeSet edges;
@@ -114,7 +114,7 @@ TEST_F(Optimizer, OfASetOfEdgesTheirVerticesTakePart) {
   EXPECT_LT(optimum(), 1e-12);
 }
 
-TEST_F(Optimizer, KernelsLetOutliersCountLess) {
+TEST_F(Optimizer, KernelsReduceTheInfluenceOfOutliers) {
   add_square(optimizer);
   auto* wrong = add_motion(optimizer, 0, 2, g2o::SE2(5, 5, 0), 10);
   auto* kernel = new g2o::RobustKernelHuber;
@@ -129,7 +129,7 @@ TEST_F(Optimizer, KernelsLetOutliersCountLess) {
   EXPECT_EQ(optimizer.activeRobustChi2(), optimizer.activeChi2());
 }
 
-TEST_F(Optimizer, AStopFlagEndsTheRun) {
+TEST_F(Optimizer, AStopFlagStopsTheRun) {
   add_square(optimizer);
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -140,7 +140,7 @@ TEST_F(Optimizer, AStopFlagEndsTheRun) {
   EXPECT_EQ(optimizer.optimize(10), 10);
 }
 
-TEST_F(Optimizer, ActionsAreCalledBeforeAndAfterEveryIterationAndAtTheInitialisation) {
+TEST_F(Optimizer, ActionsAreCalledBeforeAndAfterEveryIterationAndAtTheInitialization) {
   struct Recorder : g2o::HyperGraphAction {
     std::vector<int> iterations;
     g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters* parameters) override {
@@ -163,7 +163,7 @@ TEST_F(Optimizer, ActionsAreCalledBeforeAndAfterEveryIterationAndAtTheInitialisa
   EXPECT_EQ(before.iterations.size(), 3u);
 }
 
-TEST_F(Optimizer, PushedEstimatesComeBack) {
+TEST_F(Optimizer, PushedEstimatesAreRestored) {
   add_square(optimizer);
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -180,7 +180,7 @@ TEST_F(Optimizer, PushedEstimatesComeBack) {
   EXPECT_EQ(optimizer.vertex(2)->stackSize(), 0);
 }
 
-TEST_F(Optimizer, StatisticsTellOfEveryIteration) {
+TEST_F(Optimizer, StatisticsDescribeEveryIteration) {
   add_square(optimizer);
   use_levenberg();
   optimizer.setComputeBatchStatistics(true);
@@ -203,7 +203,7 @@ TEST_F(Optimizer, StatisticsTellOfEveryIteration) {
   EXPECT_NEAR(optimizer.batchStatistics().back().chi2, optimizer.activeChi2(), 1e-12);
 }
 
-TEST_F(Optimizer, AStopInTheFirstIterationEndsTheRunBesideATerminateAction) {
+TEST_F(Optimizer, AStopInTheFirstIterationStopsTheRunDespiteATerminateAction) {
   add_square(optimizer);
   use_gauss_newton();
   bool stop = false;
@@ -225,7 +225,7 @@ TEST_F(Optimizer, AStopInTheFirstIterationEndsTheRunBesideATerminateAction) {
   EXPECT_EQ(optimizer.optimize(20), 1);
 }
 
-TEST_F(Optimizer, MarginalsAreNotThoseOfAnotherStructure) {
+TEST_F(Optimizer, MarginalsAreRefusedAfterTheStructureChanged) {
   add_square(optimizer);
   auto* algorithm = new g2o::OptimizationAlgorithmGaussNewton(make_solver());
   optimizer.setAlgorithm(algorithm);
@@ -237,12 +237,12 @@ TEST_F(Optimizer, MarginalsAreNotThoseOfAnotherStructure) {
   ASSERT_TRUE(optimizer.initializeOptimization());
   EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
   ASSERT_TRUE(algorithm->buildLinearStructure());
-  EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3))) << "nothing is linearised";
+  EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3))) << "nothing is linearized";
   optimizer.optimize(1);
   EXPECT_TRUE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
 }
 
-TEST_F(Optimizer, AnActiveVertexIsFoundByItsNewId) {
+TEST_F(Optimizer, AnActiveVertexIsFoundAfterItsIdChanged) {
   add_square(optimizer);
   use_gauss_newton();
   ASSERT_TRUE(optimizer.initializeOptimization());
@@ -301,7 +301,7 @@ TEST_F(Optimizer, MarginalsAreTheInverseOfTheHessianWithoutDamping) {
   }
 }
 
-TEST_F(Optimizer, TheHessianOfAVertexIsMappedAndItsGradientVanishesAtTheMinimum) {
+TEST_F(Optimizer, VerticesHaveTheirHessianBlockAndAZeroGradientAtTheMinimum) {
   add_square(optimizer);
   auto solver = make_solver();
   g2o::BlockSolverX& blocks = *solver;
@@ -318,7 +318,7 @@ TEST_F(Optimizer, TheHessianOfAVertexIsMappedAndItsGradientVanishesAtTheMinimum)
 
 TEST_F(Optimizer, TheHessianOfAVertexStaysReadableWhenTheSolverIsReplaced) {
   add_square(optimizer);
-  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0))) << "nothing was optimised";
+  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0))) << "nothing was optimized";
   EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessianDeterminant()));
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -334,7 +334,7 @@ TEST_F(Optimizer, TheHessianOfAVertexStaysReadableWhenTheSolverIsReplaced) {
   EXPECT_GT(optimizer.vertex(2)->hessian(0, 0), 0);
 }
 
-TEST_F(Optimizer, AVertexThatTakesNoPartAnyMoreHasNoHessian) {
+TEST_F(Optimizer, AVertexThatNoLongerTakesPartHasNoHessian) {
   add_square(optimizer);
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -360,7 +360,7 @@ TEST_F(Optimizer, AnInitialGuessFollowsTheEdgesFromTheFixedVertices) {
   EXPECT_LT((pose(3).translation() - Eigen::Vector2d(0, 1)).norm(), 0.1);
 }
 
-TEST_F(Optimizer, TheGaugeIsFoundUnlessSomethingHoldsIt) {
+TEST_F(Optimizer, GaugeFreedomIsFoundUnlessAFixedVertexOrAPriorRemovesIt) {
   EXPECT_EQ(optimizer.findGauge(), nullptr);
   add_square(optimizer);
   EXPECT_FALSE(optimizer.gaugeFreedom());
@@ -374,7 +374,7 @@ TEST_F(Optimizer, TheGaugeIsFoundUnlessSomethingHoldsIt) {
   EXPECT_FALSE(optimizer.gaugeFreedom());
 }
 
-TEST_F(Optimizer, AGrowingGraphGoesOnWithoutANewInitialisation) {
+TEST_F(Optimizer, AGrowingGraphIsUpdatedWithoutANewInitialization) {
   add_square(optimizer);
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -390,7 +390,7 @@ TEST_F(Optimizer, AGrowingGraphGoesOnWithoutANewInitialisation) {
   EXPECT_NEAR(optimum(), online, 1e-9 * online);
 }
 
-TEST_F(Optimizer, AClearedOptimizerIsUsedAgain) {
+TEST_F(Optimizer, AClearedOptimizerCanBeUsedAgain) {
   use_levenberg();
   double first = 0;
   for (int cycle = 0; cycle < 5; ++cycle) {

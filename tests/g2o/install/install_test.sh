@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: installs the build, moves it, and builds clients of find_package(g2o),
-# and clients that know include folders and libraries alone. IS_STATIC: the build has static libraries, too.
+# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: installs the build, moves it, and builds clients of
+# find_package(g2o), and clients that know only include folders and libraries. IS_STATIC: the build also has static
+# libraries.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
@@ -10,7 +11,7 @@ rm -rf "$work"
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/moved"
 if grep -rn "#include.*boxplus/" "$work/moved/include/g2o"; then
-  echo "a header of the g2o API includes one of the engine" >&2
+  echo "a header of the g2o API includes a header of the engine" >&2
   exit 1
 fi
 launcher=$(command -v ccache || true)
@@ -51,10 +52,10 @@ for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d
   "$compiler" "$work/plain.o" -L "$library" $libraries -Wl,-rpath,"$library" -o "$work/plain" 2>"$work/err.txt" ||
     { cat "$work/err.txt" >&2; exit 1; }
   "$work/plain" >/dev/null 2>"$work/err.txt"
-  grep -q "g2o: .*parameter" "$work/err.txt" || { echo "a refused edge is not named on stderr" >&2; exit 1; }
+  grep -q "g2o: .*parameter" "$work/err.txt" || { echo "no message about a refused edge on stderr" >&2; exit 1; }
 done
 
-# A client whose flags align Eigen's types otherwise does not link, and the symbol says what to do.
+# If a client's flags give Eigen's types another alignment, it does not link, and the symbol names the remedy.
 compile -std=c++17 -DEIGEN_MAX_ALIGN_BYTES=64 -c "$here/ways/plain.cpp" -o "$work/plain.o"
 if "$compiler" "$work/plain.o" -L "$library" -lg2o_core -lg2o_stuff -lg2o_types_slam3d -o "$work/plain" 2>"$work/err.txt"; then exit 1; fi
 grep -q "g2o_abi_1_64_add_EIGEN_MAX_ALIGN_BYTES_16" "$work/err.txt"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: types and algorithms that are only named, and the words of types
-# that are only used, are there in spite of link-time optimisation and --gc-sections; two copies of the face in one process do no harm.
+# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: types and algorithms that are only named are linked, and
+# so are the tags of types that are only used, despite link-time optimization and --gc-sections. Two copies of the g2o
+# API in one process do not interfere.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"
@@ -19,6 +20,6 @@ if [[ $is_static == 1 ]]; then "$work/build/beside_another"; fi
 exported=$(objdump -T "$(find "$work/installed" -name libg2o_core.so)" | grep -v UND)
 grep -q "BOXPLUS_G2O_1.*SparseOptimizer8optimize" <<<"$exported"
 if grep "_ZN[0-9K]*7boxplus" <<<"$exported"; then
-  echo "the g2o API exports what is the engine's" >&2
+  echo "the g2o API exports symbols of the engine" >&2
   exit 1
 fi

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A reader types in the listings of the g2o document and gets a 2-D SLAM that works.
+// The listings of the g2o document, typed in by a reader, give a working 2-D SLAM.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 #include "g2o/manual/types.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 
-// Both libraries are static, and nothing else names what is in them.
+// Both libraries are static, and nothing else refers to their contents.
 G2O_USE_TYPE_GROUP(slam2d);
 G2O_USE_OPTIMIZATION_LIBRARY(manual);
 
@@ -30,7 +30,7 @@ using manual::SE2;
 using manual::VertexPointXY;
 using manual::VertexSE2;
 
-/// A robot that drives twice around a square, and sees the landmarks near it.
+/// A robot that drives twice around a square and observes the landmarks near it.
 struct World {
   std::vector<SE2> poses;
   std::vector<Eigen::Vector2d> landmarks;
@@ -50,7 +50,7 @@ World make_world() {
 constexpr int kFirstLandmark = 1000;
 constexpr double kRange = 4;
 
-/// Adds the world with noisy measurements and the estimates that odometry alone gives.
+/// Adds the world with noisy measurements and with estimates from odometry.
 void add_graph(const World& world, double noise, g2o::SparseOptimizer& optimizer) {
   std::mt19937 random(7);
   std::normal_distribution<double> standard(0, 1);
@@ -121,7 +121,7 @@ TEST(Listings, ASimulatedRobotFindsItsPathAndItsLandmarks) {
   EXPECT_LT(largest_distance(world, optimizer), 0.2);
 }
 
-TEST(Listings, WithoutNoiseTheTruthIsFoundExactly) {
+TEST(Listings, WithoutNoiseTheGroundTruthIsFoundExactly) {
   const World world = make_world();
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));
@@ -135,7 +135,7 @@ TEST(Listings, WithoutNoiseTheTruthIsFoundExactly) {
   EXPECT_LT(largest_distance(world, optimizer), 1e-6);
 }
 
-TEST(Listings, EliminatedLandmarksChangeNothing) {
+TEST(Listings, EliminatingLandmarksDoesNotChangeTheResult) {
   const World world = make_world();
   double chi2[2];
   for (const bool marginalize : {false, true}) {
@@ -153,7 +153,7 @@ TEST(Listings, EliminatedLandmarksChangeNothing) {
   EXPECT_NEAR(chi2[0], chi2[1], 1e-9 * chi2[0]);
 }
 
-TEST(Listings, RegisteredTypesAreConstructedByTheirWords) {
+TEST(Listings, RegisteredTypesAreConstructedByTheirTags) {
   g2o::Factory* factory = g2o::Factory::instance();
   const auto make = [&](const char* tag) {
     return std::unique_ptr<g2o::HyperGraph::HyperGraphElement>(factory->construct(tag));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library of algorithms that registers them as the document's listing 2 does.
+// A library that registers algorithms as listing 2 of the g2o document does.
 #include <memory>
 
 #include "g2o/core/block_solver.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of examples/tutorial_slam2d: laws, Jacobians, files.
+// The types of examples/tutorial_slam2d: group laws, Jacobians, files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ void expect_equal(const SE2& a, const SE2& b) {
   EXPECT_LT((a.toVector() - b.toVector()).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(TutorialTypes, MotionsAreAGroup) {
+TEST(TutorialTypes, MotionsFormAGroup) {
   const SE2 a(1, -2, 3), b(0.5, 0.25, 0.5), c(-3, 1, -2);
   expect_equal(a * (b * c), (a * b) * c);
   expect_equal(a * a.inverse(), SE2());
@@ -54,7 +54,7 @@ TEST(TutorialTypes, MotionsAreAGroup) {
   expect_equal(copy, a);
 }
 
-TEST(TutorialTypes, AStepOfAPoseIsAMotionInItsOwnFrame) {
+TEST(TutorialTypes, AStepOfAPoseIsAMotionInItsBodyFrame) {
   VertexSE2 v;
   v.setEstimate(SE2(1, 2, M_PI / 2));
   const double nothing[] = {0, 0, 0}, ahead[] = {1, 0, 0}, turn[] = {0, 0, M_PI};
@@ -62,13 +62,13 @@ TEST(TutorialTypes, AStepOfAPoseIsAMotionInItsOwnFrame) {
   expect_equal(v.estimate(), SE2(1, 2, M_PI / 2));
   v.oplus(ahead);
   expect_equal(v.estimate(), SE2(1, 3, M_PI / 2));
-  v.oplus(turn);  // beyond π, and wrapped
+  v.oplus(turn);  // beyond π, so it is wrapped
   expect_equal(v.estimate(), SE2(1, 3, -M_PI / 2));
   v.setToOrigin();
   expect_equal(v.estimate(), SE2());
 }
 
-TEST(TutorialTypes, AFileComesBackAsItWas) {
+TEST(TutorialTypes, AFileIsWrittenAsItWasRead) {
   OptimizableGraph graph;
   ASSERT_TRUE(load(graph, kGraph));
   std::ostringstream out;
@@ -76,7 +76,7 @@ TEST(TutorialTypes, AFileComesBackAsItWas) {
   EXPECT_EQ(out.str(), kGraph);
 }
 
-TEST(TutorialTypes, EachTagStandsForItsType) {
+TEST(TutorialTypes, EachTagConstructsItsType) {
   for (const char* tag : {"TUTORIAL_VERTEX_SE2", "TUTORIAL_VERTEX_POINT_XY", "TUTORIAL_PARAMS_SE2_OFFSET",
                           "TUTORIAL_CACHE_SE2_OFFSET", "TUTORIAL_EDGE_SE2", "TUTORIAL_EDGE_SE2_POINT_XY"}) {
     const std::unique_ptr<HyperGraph::HyperGraphElement> element(Factory::instance()->construct(tag));
@@ -95,7 +95,7 @@ TEST(TutorialTypes, LinesThatEndEarlyAreRefused) {
   }
 }
 
-TEST(TutorialTypes, TheSensorSeesFromWhereItIsMounted) {
+TEST(TutorialTypes, TheSensorMeasuresFromItsMountingPose) {
   OptimizableGraph graph;
   ASSERT_TRUE(load(graph, kGraph));
   EdgeSE2PointXY* e = landmark_edge(graph);
@@ -106,7 +106,7 @@ TEST(TutorialTypes, TheSensorSeesFromWhereItIsMounted) {
   };
   e->computeError();
   EXPECT_LT((e->error() - error(SE2(1.1, 0.25, 3))).norm(), 1e-12);
-  // The cache follows the estimate, however it changes.
+  // The cache follows every change of the estimate.
   auto* robot = static_cast<VertexSE2*>(graph.vertex(1));
   robot->push();
   robot->setEstimate(SE2(2, 1, 0));
@@ -119,7 +119,7 @@ TEST(TutorialTypes, TheSensorSeesFromWhereItIsMounted) {
   EXPECT_LT((e->error() - error(SE2(1.1, 0.25, 3) * SE2(0.1, 0.2, 0.3))).norm(), 1e-12);
 }
 
-TEST(TutorialTypes, TheJacobianOfALandmarkIsThatOfItsError) {
+TEST(TutorialTypes, TheJacobianOfALandmarkMatchesItsError) {
   OptimizableGraph graph;
   ASSERT_TRUE(load(graph, kGraph));
   EdgeSE2PointXY* e = landmark_edge(graph);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library of types that registers them as the document's listing 1 does: same macros, same words.
+// A library that registers types as listing 1 of the g2o document does: same macros, same tags.
 #include "g2o/manual/types.h"
 
 #include "g2o/core/factory.h"

@@ -19,14 +19,14 @@ PROLOGUE = """// Made by tests/g2o/members/generate.py.
 #include <vector>
 
 """
-OWN_TYPES = """
-struct OwnVertex : g2o::BaseVertex<3, Eigen::Vector3d> {
+CUSTOM_TYPES = """
+struct CustomVertex : g2o::BaseVertex<3, Eigen::Vector3d> {
   void setToOriginImpl() override {}
   void oplusImpl(const double*) override {}
   bool read(std::istream&) override { return true; }
   bool write(std::ostream&) const override { return true; }
 };
-struct OtherVertex : OwnVertex {};
+struct OtherVertex : CustomVertex {};
 
 """
 
@@ -54,7 +54,7 @@ def main():
             elif line and not line.startswith("#"):
                 statements += [f'#line {number} "{table}"', statement(number, line)]
     with open(source, "w", encoding="utf-8") as out:
-        out.write(PROLOGUE + "\n".join(includes) + "\n" + OWN_TYPES + "\n".join(statements))
+        out.write(PROLOGUE + "\n".join(includes) + "\n" + CUSTOM_TYPES + "\n".join(statements))
         out.write("\n")
 
 

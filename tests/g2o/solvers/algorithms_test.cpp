@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every algorithm of the factory, on a small graph.
+// Runs every algorithm of the factory on a small graph.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -31,7 +31,7 @@ std::unique_ptr<g2o::OptimizationAlgorithm> construct(const std::string& name) {
       g2o::OptimizationAlgorithmFactory::instance()->construct(name, property));
 }
 
-/// A square that sees a point in its middle.
+/// A square of poses that observe a point in the middle.
 void add_square_with_point(g2o::SparseOptimizer& optimizer) {
   add_square(optimizer);
   auto* point = new g2o::VertexPointXY;
@@ -48,7 +48,7 @@ void add_square_with_point(g2o::SparseOptimizer& optimizer) {
   }
 }
 
-/// chi2 where an algorithm ends, from the same start.
+/// The final chi2 of an algorithm. The start is always the same.
 double final_chi2(const std::string& name, bool marginalize) {
   g2o::SparseOptimizer optimizer;
   add_square_with_point(optimizer);
@@ -68,7 +68,7 @@ std::vector<std::string> names_with(const std::string& suffix) {
           "lm_fix6_3" + suffix, "lm_fix7_3" + suffix, "dl_var" + suffix};
 }
 
-TEST(Algorithms, AllNamesOfTheLibrariesAreThere) {
+TEST(Algorithms, AllAlgorithmsOfTheLibrariesAreRegistered) {
   std::vector<std::string> wanted = {"2dlinear", "structure_only_2", "structure_only_3"};
   for (const char* linear : {"dense", "pcg"}) {
     for (const char* method : {"gn_", "lm_"}) {
@@ -94,13 +94,13 @@ TEST(Algorithms, AllNamesOfTheLibrariesAreThere) {
   EXPECT_THAT(found, testing::UnorderedElementsAreArray(wanted));
 }
 
-TEST(Algorithms, AnUnknownNameGivesNothing) {
+TEST(Algorithms, AnUnknownNameReturnsNull) {
   EXPECT_EQ(construct("lm_nonsense"), nullptr);
 }
 
 class ForeignSolver : public testing::TestWithParam<const char*> {};
 
-TEST_P(ForeignSolver, FindsTheMinimumThatTheEngineFinds) {
+TEST_P(ForeignSolver, FindsTheSameMinimumAsTheEngine) {
   const std::string suffix = GetParam();
   for (const std::string& name : {"gn_var" + suffix, "lm_var" + suffix, "dl_var" + suffix}) {
     SCOPED_TRACE(name);
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(CSparse, ForeignSolver, testing::Values("_csparse"));
 #endif
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ForeignSolver);
 
-TEST(LinearStart, FindsTheMinimumFromEstimatesThatSayNothing) {
+TEST(LinearStart, FindsTheMinimumFromUninformativeEstimates) {
   double expected = 0;
   for (const std::string name : {"gn_var", "2dlinear"}) {
     SCOPED_TRACE(name);
@@ -171,7 +171,7 @@ TEST(LinearStart, FindsTheMinimumFromEstimatesThatSayNothing) {
   }
 }
 
-TEST(LinearStart, RefusesWhatItIsNotForWithAMessage) {
+TEST(LinearStart, RefusesUnsupportedGraphsWithAMessage) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   for (const bool point : {false, true}) {

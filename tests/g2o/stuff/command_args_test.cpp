@@ -32,7 +32,7 @@ TEST(CommandArgs, AreReadAndSetAsTextBySubclasses) {
   EXPECT_EQ(args.text(0), "an integer: 7");
 }
 
-TEST(CommandArgs, ReadFlagsValuesAndWhatIsLeftOver) {
+TEST(CommandArgs, ReadFlagsValuesAndPositionalArguments) {
   g2o::CommandArgs args;
   bool verbose = false;
   int iterations = 0;

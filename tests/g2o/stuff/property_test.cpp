@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Counts how often one is deleted.
+/// Counts how often a property is deleted.
 class CountedProperty : public g2o::IntProperty {
  public:
   CountedProperty(const std::string& name, int value) : g2o::IntProperty(name, value) {}
@@ -40,7 +40,7 @@ TEST(PropertyMap, OwnsAddedPropertiesUnlessTheirNameIsTaken) {
     EXPECT_FALSE(map.eraseProperty("width"));
     EXPECT_TRUE(map.addProperty(new CountedProperty("height", 3)));
   }
-  EXPECT_EQ(CountedProperty::deleted, 3);  // the refused one by its scope, the height by the map
+  EXPECT_EQ(CountedProperty::deleted, 3);  // the refused one by its scope, the others by the map
 }
 
 TEST(PropertyMap, WritesCommaSeparatedLinesWithoutACommaAtTheirEnds) {

@@ -13,7 +13,7 @@ namespace {
 
 const Eigen::Matrix2d kCovariance{{2, 0.6}, {0.6, 0.5}};
 
-TEST(Sampler, DrawsFromTheGaussianThatItIsGiven) {
+TEST(Sampler, DrawsFromTheGivenGaussian) {
   g2o::GaussianSampler<Eigen::Vector2d, Eigen::Matrix2d> sampler;
   sampler.setDistribution(kCovariance);
   sampler.seed(1);
@@ -29,7 +29,7 @@ TEST(Sampler, DrawsFromTheGaussianThatItIsGiven) {
   EXPECT_LT((moments - kCovariance).norm(), 0.1);
 }
 
-TEST(Sampler, ASeedBeginsAnew) {
+TEST(Sampler, ASeedRestartsTheSequence) {
   g2o::GaussianSampler<Eigen::VectorXd, Eigen::MatrixXd> sampler;
   sampler.setDistribution(kCovariance);
   sampler.seed(7);
@@ -47,13 +47,13 @@ TEST(Sampler, ASeedBeginsAnew) {
   }
 }
 
-TEST(Time, ACommandRunsAgainByTheClockOfTheCaller) {
+TEST(Time, ACommandRepeatsByTheClockOfTheCaller) {
   int runs = 0;
   for (double now : {10.0, 10.5, 11.0, 11.5, 3.0, 3.5}) DO_EVERY_TS(1, now, ++runs);
   EXPECT_EQ(runs, 3);  // at 10, at 11, and when the clock was set back
 }
 
-TEST(Unscented, SigmaPointsHaveTheMomentsOfTheirGaussian) {
+TEST(Unscented, SigmaPointsHaveTheMomentsOfTheGaussian) {
   const Eigen::Vector2d mean(3, -4);
   std::vector<g2o::SigmaPoint<Eigen::Vector2d>> points;
   ASSERT_TRUE(g2o::sampleUnscented(points, mean, kCovariance));
@@ -66,7 +66,7 @@ TEST(Unscented, SigmaPointsHaveTheMomentsOfTheirGaussian) {
   EXPECT_FALSE(g2o::sampleUnscented(points, mean, Eigen::Matrix2d(-kCovariance)));
 }
 
-TEST(TicToc, MeasuresNamedPartsWhereTheVariableIsSet) {
+TEST(TicToc, MeasuresNamedPartsIfTheVariableIsSet) {
   setenv("G2O_ENABLE_TICTOC", "1", 1);
   EXPECT_EQ(g2o::tictoc("sleep"), -1);
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -80,7 +80,7 @@ void a_measured_function() {
   MEASURE_FUNCTION_TIME;
 }
 
-TEST(TimeUtil, SpeaksOfTheTimeThatAFunctionTook) {
+TEST(TimeUtil, PrintsTheTimeOfAFunction) {
   testing::internal::CaptureStderr();
   { const g2o::ScopeTime time("scope"); }
   MEASURE_TIME("code", EXPECT_TRUE(true));
@@ -90,7 +90,7 @@ TEST(TimeUtil, SpeaksOfTheTimeThatAFunctionTook) {
                              testing::HasSubstr("a_measured_function")));
 }
 
-TEST(TimeUtil, DoesEveryOnceInAWhile) {
+TEST(TimeUtil, RepeatsACommandAfterItsInterval) {
   int often = 0, seldom = 0;
   for (int k = 0; k < 3; ++k) {
     DO_EVERY(0, ++often);
@@ -100,7 +100,7 @@ TEST(TimeUtil, DoesEveryOnceInAWhile) {
   EXPECT_EQ(seldom, 1);
 }
 
-TEST(TimeUtil, NamesAMoment) {
+TEST(TimeUtil, FormatsATime) {
   std::tm noon{};
   noon.tm_year = 112;
   noon.tm_mon = 0;

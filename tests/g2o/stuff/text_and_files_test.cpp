@@ -21,13 +21,13 @@ TEST(Text, BlanksAreTrimmedAtEitherEnd) {
   EXPECT_EQ(g2o::trim(" \n"), "");
 }
 
-TEST(Text, PartsStandBetweenDelimiters) {
+TEST(Text, IsSplitAtDelimiters) {
   EXPECT_THAT(g2o::strSplit("a,b;c", ",;"), ElementsAre("a", "b", "c"));
   EXPECT_THAT(g2o::strSplit("a,,b,", ","), ElementsAre("a", "", "b"));
   EXPECT_THAT(g2o::strSplit("", ","), ElementsAre());
 }
 
-TEST(Text, HasCaseBeginningAndEnd) {
+TEST(Text, CaseIsConvertedAndPrefixAndSuffixAreFound) {
   EXPECT_EQ(g2o::strToUpper("vertex_Se2 ä"), "VERTEX_SE2 ä");
   EXPECT_EQ(g2o::strToLower("EDGE"), "edge");
   EXPECT_TRUE(g2o::strStartsWith("edge_se2", "edge"));
@@ -43,7 +43,7 @@ TEST(Text, IsFormattedAsByPrintf) {
   EXPECT_EQ(text, "002.5");
 }
 
-TEST(Text, NumbersAreConvertedWithoutLeftovers) {
+TEST(Text, NumbersAreParsedWithoutTrailingText) {
   int i = 7;
   EXPECT_FALSE(g2o::convertString("12x", i));
   EXPECT_EQ(i, 7);
@@ -67,7 +67,7 @@ TEST(Text, LinesAreReadOneByOne) {
   EXPECT_EQ(g2o::readLine(in, line), -1);
 }
 
-TEST(Text, NamesOfFilesAreExpanded) {
+TEST(Text, FileNamesAreExpanded) {
   setenv("HOME", "/home/me", 1);
   setenv("G2O_TEST_FOLDER", "maps", 1);
   unsetenv("G2O_TEST_NOTHING");
@@ -78,7 +78,7 @@ TEST(Text, NamesOfFilesAreExpanded) {
   EXPECT_EQ(g2o::strExpandFilename("${G2O_TEST_FOLDER"), "${G2O_TEST_FOLDER");
 }
 
-TEST(FileNames, ComeApartAndTogether) {
+TEST(FileNames, AreSplitAndJoined) {
   EXPECT_EQ(g2o::getFileExtension("/a.b/c.tar.gz"), "gz");
   EXPECT_EQ(g2o::getFileExtension("/a.b/c"), "");
   EXPECT_EQ(g2o::getPureFilename("/a.b/c.tar.gz"), "/a.b/c.tar");
@@ -109,7 +109,7 @@ TEST(FileNames, FilesAreFoundByPattern) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Text, ColorsOfATerminalAreEscapeSequences) {
+TEST(Text, TerminalColorsAreEscapeSequences) {
   std::ostringstream out;
   out << CL_RED("stop" << 1) << CL_LIGHTBLUE(2) << CL_BLACK(3) << FG_GREEN << FT_BOLD << FG_NORM;
   EXPECT_EQ(out.str(), "\033[31mstop1\033[0m\033[34m2\033[0m\033[30m3\033[0m\033[32m\033[1m\033[0m");
@@ -122,7 +122,7 @@ TEST(Text, IsJoinedByADelimiter) {
   EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.begin(), ", "), "");
 }
 
-TEST(Text, MayComeAsStringViews) {
+TEST(Text, FunctionsAcceptStringViews) {
   const std::string_view view = std::string_view(" Edge.g2o,2 |").substr(0, 11);
   EXPECT_EQ(g2o::trim(view), "Edge.g2o,2");
   EXPECT_EQ(g2o::strToLower(view), " edge.g2o,2");
@@ -143,7 +143,7 @@ TEST(Text, MacrosWriteNamesValuesAndFixedNotation) {
   EXPECT_EQ(out.str(), "2 * 3 = 6; half_turn = 180deg; 0.500000; 0.5");
 }
 
-TEST(Tuples, AnElementIsReachedByAPositionOfRunTime) {
+TEST(Tuples, AnElementIsAccessedByARunTimeIndex) {
   std::tuple<int, double> pair(1, 2.5);
   for (int i = 0; i < 3; ++i) g2o::tuple_apply_i([](auto& x) { x *= 2; }, pair, i);
   EXPECT_EQ(pair, std::make_tuple(2, 5.0));

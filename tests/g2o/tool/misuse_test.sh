@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# misuse_test.sh TOOL WORK_DIR: what the tool g2o says of bad arguments, files and plug-ins, and how it ends.
+# misuse_test.sh TOOL WORK_DIR: the messages and exit codes of the tool g2o for bad arguments, files and plug-ins.
 source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 
 # arguments
@@ -19,25 +19,25 @@ expect 1 "parameter -ig: expected 0 or more" -ig -1 square.g2o
 expect 1 "parameter -update: expected 1 or more" -update 0 square.g2o
 is_not "chi2" err.txt
 
-# files that are none
+# files that are not graphs
 expect 1 "no_such_file.g2o cannot be opened" no_such_file.g2o
 expect 1 ". cannot be opened" .
 : > empty.g2o
 expect 2 "empty.g2o has no vertices" empty.g2o
 head -c 100000 "$tool" > binary.g2o
 expect 2 "binary.g2o has no vertices" binary.g2o
-is "unknown word '\x7fELF" err.txt
-is "other unknown words, skipped" err.txt
+is "unknown tag '\x7fELF" err.txt
+is "other unknown tags, skipped" err.txt
 lines 7 err.txt
 if LC_ALL=C grep -q "$(printf '[\001-\010]')" err.txt; then complain "expected no control characters" err.txt; fi
 
-# words that are not UTF-8, and names that would control a terminal
+# tags that are not UTF-8, and names that would control a terminal
 (cat square.g2o; printf 'W\377\302\233 1\n') > bytes.g2o
-expect 0 "unknown word 'W\\xff\\xc2\\x9b', skipped" bytes.g2o
+expect 0 "unknown tag 'W\\xff\\xc2\\x9b', skipped" bytes.g2o
 expect 1 "g2o: no\\xff\\x1b[31m.g2o cannot be opened" "$(printf 'no\377\033[31m.g2o')"
 
 # lines
-# broken TEXT LINE: square.g2o with this line more is refused, and TEXT is said of it.
+# broken TEXT LINE: checks that square.g2o with an additional LINE is refused with the message TEXT.
 broken() {
   (cat square.g2o; echo "$2") > broken.g2o
   expect 2 "line 12: $1" broken.g2o
@@ -51,18 +51,18 @@ broken "VERTEX_SE2: expected the id of a vertex, got 'a'" "VERTEX_SE2 a 0 0 0"
 broken "EDGE_SE2: there is no vertex 99" "EDGE_SE2 0 99 1 0 0 1 0 0 1 0 1"
 broken "EDGE_SE2: expected more fields" "EDGE_SE2 0 2 1 0 0 1 0 0"
 broken "EDGE_SE2_XY: the edge does not fit the graph" "EDGE_SE2_XY 0 1 1 0 1 0 1"
-is "the edge was made for vertices of other types" err.txt
+is "the vertices do not have the types that the edge expects" err.txt
 broken "EDGE_SE2_POINTXY_OFFSET: the edge does not fit the graph" "EDGE_SE2_POINTXY_OFFSET 0 7 5 1 0 1 0 1"
-is "there is no parameter 5" err.txt
+is "the edge needs parameter 5" err.txt
 broken "EDGE_SE2_XY: information" "EDGE_SE2_XY 0 7 1 0 1 2 1"
 broken "FIX: there is no vertex 99" "FIX 99"
 (cat square.g2o; echo "NONSENSE 1 2 3") > unknown.g2o
-expect 0 "line 12: unknown word 'NONSENSE', skipped" unknown.g2o
+expect 0 "line 12: unknown tag 'NONSENSE', skipped" unknown.g2o
 is "final chi2 = 0.00189884" err.txt
 (echo "PARAMS_SE3OFFSET 5 0 0 0 0 0 0 1"; cat square.g2o; echo "EDGE_SE2_POINTXY_OFFSET 0 7 5 1 0 1 0 1") > parameter.g2o
-expect 2 "the parameter 5 is not of the type" parameter.g2o
+expect 2 "parameter 5 does not have the type" parameter.g2o
 
-# graphs that cannot be optimised are written as they are
+# graphs that cannot be optimized are written unchanged
 (cat square.g2o; echo "FIX 0 1 2 3 7") > fixed.g2o
 expect 0 "nothing to optimise" -o written.g2o -gnudump fixed -summary fixed.csv -stats fixed.txt -computeMarginals fixed.g2o
 "$tool" -i 0 -o - written.g2o 2> /dev/null | diff -q written.g2o - > /dev/null || complain "expected the same graph" written.g2o
@@ -73,13 +73,13 @@ is "fixed.g2o, 5, 6, 4, 1, EDGE_SE2 EDGE_SE2_XY, 4.6827, 4.6827, 4.6827" fixed.c
 lines 0 fixed.txt
 grep VERTEX square.g2o > vertices.g2o
 expect 0 "nothing to optimise" -o - vertices.g2o
-lines 6 out.txt  # and that one of them was fixed
+lines 6 out.txt  # including a FIX line
 
 # systems that cannot be solved
 sed -E 's/ 10 0 0 10 0 40$/ 0 0 0 0 0 0/; s/ 20 0 20$/ 0 0 0/' square.g2o > weightless.g2o
 (cat poses.g2o; printf 'VERTEX_XY 7 0.4 0.4\nEDGE_BEARING_SE2_XY 0 7 0.5 1\n') > singular.g2o
 for solver in gn_var gn_dense gn_pcg gn_var_cholmod gn_var_csparse; do
-  if ! "$tool" -listSolvers 2>&1 | grep -q "^$solver "; then continue; fi  # of a plug-in that was not built
+  if ! "$tool" -listSolvers 2>&1 | grep -q "^$solver "; then continue; fi  # its plug-in was not built
   for graph in weightless.g2o singular.g2o; do
     expect 0 "positive definite" -solver $solver -o unsolved.g2o $graph
     is "the algorithm failed" err.txt
@@ -94,7 +94,7 @@ is "the algorithm failed" err.txt
 (cat square.g2o; printf 'PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\nVERTEX_TRACKXYZ 8 1 1 1\n') > mixed.g2o
 expect 0 "final chi2 = 0.00189884" mixed.g2o
 
-# files that cannot be written: each is said, and the others are
+# files that cannot be written: each is reported, and the other files are written
 expect 1 "/no/such/folder/x cannot be written" -o /no/such/folder/x -stats written.txt square.g2o
 lines 5 written.txt
 for switch in -stats -gnudump -summary; do
@@ -109,7 +109,7 @@ if [[ -e /dev/full ]]; then
 fi
 [[ ! -e debug.txt ]] || complain "expected no such file" debug.txt
 
-# plug-ins that are none: a message, and the program goes on
+# files that are not plug-ins: they are reported, and the program continues
 expect 0 "no_such_types_x.so cannot be loaded" -typeslib no_such_types_x.so square.g2o
 expect 0 "no_such_solver_x.so cannot be loaded" -solverlib no_such_solver_x.so square.g2o
 mkdir plugins
@@ -120,5 +120,5 @@ is "plugins/libtext_solver_x.so cannot be loaded" err.txt
 is_not "x.txt" err.txt
 is "final chi2 = 0.00189884" err.txt
 is "G2O_TYPES_DIR: there is no folder $PWD/no_such_folder" err.txt
-G2O_SOLVER_DIR="$PWD" expect 0 "final chi2" square.g2o  # the document's name of it, too
+G2O_SOLVER_DIR="$PWD" expect 0 "final chi2" square.g2o  # the document's name of the variable
 is "libtext_solver_x.so" err.txt

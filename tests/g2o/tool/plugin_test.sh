@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: plug-ins that are built outside of the tree work in the installed
-# tool; one of another ABI is refused.
+# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: plug-ins that are built outside of the tree work in the
+# installed tool, and a plug-in with another ABI is refused.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" plugins="$5"
 rm -rf "$work"
@@ -34,7 +34,7 @@ expected="3.000 4.000"
 cp "$types" "$work/installed/lib"
 [[ $(run) == "$expected" ]]
 rm "$work/installed/lib/$(basename "$types")"
-[[ -z $(run) ]] && grep -q "unknown word .VERTEX_BEACON" "$work/err.txt"
+[[ -z $(run) ]] && grep -q "unknown tag .VERTEX_BEACON" "$work/err.txt"
 
 [[ $(G2O_TYPES_DIR="$work/build" G2O_SOLVER_DIR="$work" G2O_SOLVERS_DIR="$work/build" run -solver lm_ldlt) == "$expected" ]]
 G2O_TYPES_DIR="$work/nowhere" run > /dev/null
@@ -45,7 +45,7 @@ refuses() { # SYMBOL FLAGS...
     "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
   run -typeslib "$work/other_types_abi.so" > /dev/null || true
   grep -q "cannot be loaded.*$1" "$work/err.txt"
-  grep -q "unknown word .VERTEX_BEACON" "$work/err.txt" # and it goes on
+  grep -q "unknown tag .VERTEX_BEACON" "$work/err.txt" # and the tool continues
 }
 refuses g2o_abi_1_32_add_EIGEN_MAX_ALIGN_BYTES_16 -DEIGEN_MAX_ALIGN_BYTES=32
 refuses g2o_abi_1_16_remove_EIGEN_MAX_STATIC_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=0

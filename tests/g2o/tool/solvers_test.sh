@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# solvers_test.sh TOOL WORK_DIR DATA: every algorithm, on graphs of the plane and of space, with landmarks and without; and, where
-# they are there, on measured ones.
+# solvers_test.sh TOOL WORK_DIR DATA: runs every algorithm on planar and spatial graphs, with and without landmarks, and
+# on measured graphs if DATA has them.
 source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 data="$3"
 
@@ -21,10 +21,10 @@ END
 
 names=$("$tool" -listSolvers 2>&1 | awk '!/^#/ && !/^g2o:/ { print $1 }')
 count=$(wc -w <<< "$names")
-# 46, or 9 less for each of the foreign libraries that is missing
+# 46 algorithms, minus 9 for each of the foreign libraries that is missing
 ((count == 46 || count == 37 || count == 28)) || complain "expected 46 algorithms, got $count:" <(echo "$names")
 
-# same_end GRAPH SUITABLE: algorithms whose names match SUITABLE end at one chi2, all others end with 3.
+# same_end GRAPH SUITABLE: algorithms whose names match SUITABLE end at the same chi2, and all others exit with 3.
 same_end() {
   local graph="$1" suitable="$2" expected="" found=0
   for name in $names; do
@@ -52,7 +52,7 @@ same_end space.g2o "$any|$(sizes 6_3)|structure_only_3"
 same_end loop.g2o "$any|$(sizes 6_3)"
 same_end scales.g2o "$any|$(sizes 7_3)|structure_only_3"
 
-# best FILE CHI2 SOLVER...: comes to that chi2, from an initial guess.
+# best FILE CHI2 SOLVER...: each solver reaches this chi2 from an initial guess.
 best() {
   local file="$data/$1" chi2="$2"
   shift 2

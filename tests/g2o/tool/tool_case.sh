@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What the tests of the tool g2o share: to be sourced with TOOL WORK_DIR. Enters WORK_DIR, which is empty but for square.g2o,
-# poses.g2o (the same without its landmark) and space.g2o.
+# Common functions for the tests of the tool g2o. To be sourced with TOOL WORK_DIR. Enters WORK_DIR, which contains only
+# square.g2o, poses.g2o (the same without its landmark) and space.g2o.
 set -uo pipefail
 tool="$1" work="$2"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
@@ -37,13 +37,13 @@ EDGE_SE3_TRACKXYZ 0 12 0 0 -1 1 20 0 0 20 0 20
 EDGE_SE3_TRACKXYZ 2 12 0 -2 -1.01 1 20 0 0 20 0 20
 END
 
-# complain EXPECTED FILE: ends the test.
+# complain MESSAGE FILE: prints the message and the file, and ends the test.
 complain() {
   echo "$(basename "$0"): $1" >&2
   cat -v "$2" >&2
   exit 1
 }
-# expect CODE TEXT ARGUMENT...: the tool ends with CODE, and says TEXT on standard error.
+# expect CODE TEXT ARGUMENT...: checks that the tool exits with CODE and prints TEXT to standard error.
 expect() {
   local code="$1" text="$2"
   shift 2
@@ -53,12 +53,12 @@ expect() {
     complain "g2o $*: expected to end with $code and to say '$text'; it ended with $ended and said:" err.txt
   fi
 }
-# is TEXT FILE: the file has TEXT; is_not TEXT FILE: it has not; lines COUNT FILE: it has so many lines.
+# is TEXT FILE: the file contains TEXT. is_not TEXT FILE: it does not. lines COUNT FILE: it has COUNT lines.
 is() { grep -qF -e "$1" "$2" || complain "expected '$1' in $2:" "$2"; }
 is_not() { if grep -qF -e "$1" "$2"; then complain "expected no '$1' in $2:" "$2"; fi; }
 lines() { (($(wc -l < "$2") == $1)) || complain "expected $1 lines in $2:" "$2"; }
-# holds CONDITION: of awk, on numbers that it names itself.
+# holds CONDITION: checks an awk condition over numbers.
 holds() { awk "BEGIN { exit !($1) }" || complain "expected $1, after" err.txt; }
-# initial, final: chi2 at the begin and at the end of the last run.
+# initial, final: chi2 at the beginning and at the end of the last run.
 initial() { sed -n 's/^# initial chi2 = //p' err.txt; }
 final() { sed -n 's/^# final chi2 = //p' err.txt; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tool_test.sh TOOL WORK_DIR: each switch of the tool g2o.
+# tool_test.sh TOOL WORK_DIR: tests each switch of the tool g2o.
 source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 
 # -h, -help, and no input
@@ -15,14 +15,14 @@ for switch in -h -help --help; do
   done
 done
 
-# -i: five iterations, so many, or none
+# -i: five iterations, any number, or none
 expect 0 "iteration= 4" -v square.g2o
 is_not "iteration= 5" err.txt
 expect 0 "iteration= 9" -v -i 10 square.g2o
 expect 0 "final chi2 = 4.6827" -i 0 square.g2o
 is_not "failed" err.txt
 
-# -i < 0 with -gain and -ig: until the gain is small, or chi2 falls no more
+# -i < 0 with -gain and -ig: iterates until the gain is small, or chi2 no longer decreases
 expect 0 "final chi2 = 0.00189884" -v -i -1 square.g2o
 is_not "iteration= 10" err.txt
 expect 0 "iteration= 1" -v -i -1 -gain 1e9 square.g2o
@@ -92,7 +92,7 @@ without=$(chi2_with) wide=$(chi2_with -robustKernel Cauchy) narrow=$(chi2_with -
 loops=$(chi2_with -robustKernel Cauchy -robustKernelWidth 0.1 -nonSequential)
 holds "$wide < $without && $narrow < $wide && $narrow < $loops && $loops < $without"
 
-# -computeMarginals: the diagonal, and the blocks beside it; also where nothing was iterated, or landmarks are eliminated
+# -computeMarginals: the diagonal and its neighboring blocks, also if nothing was iterated or landmarks are eliminated
 expect 0 "Vertices 1 1" -computeMarginals square.g2o
 is "Vertices 1 2" err.txt
 is "Vertices 7 7" err.txt
@@ -106,7 +106,7 @@ holds "($plain - $(covariance)) ^ 2 < 1e-6 * $plain ^ 2"
 expect 0 "Vertices 1 1" -computeMarginals -i 0 square.g2o
 expect 0 "covariances cannot be computed" -computeMarginals -solver structure_only_2 square.g2o
 
-# -inc, -update, -guiout: an iteration after every so many vertices, or as many as -i says
+# -inc, -update, -guiout: an iteration after a given number of vertices, or as many iterations as -i says
 count() { grep -c "$1" "$2"; }
 expect 0 "final chi2 = 0.0018" -inc -update 2 -v square.g2o
 holds "$(count '^iteration= 0' err.txt) == 3 && $(count '^iteration= 1' err.txt) == 0"
@@ -122,7 +122,7 @@ expect 0 "final chi2" -inc -update 2 -guiout square.g2o
 holds "$(count '^plot ' out.txt) == 3 && $(count '^e$' out.txt) == 3"
 expect 0 "final chi2" -inc -guiout space.g2o
 is "splot" out.txt
-expect 0 "final chi2" -guiout square.g2o  # no meaning without -inc
+expect 0 "final chi2" -guiout square.g2o  # no effect without -inc
 lines 0 out.txt
 
 # -o, -stats, -summary, -gnudump
@@ -150,11 +150,11 @@ for type in VERTEX_SE2 EDGE_SIM3:EXPMAP VERTEX_PLANE EDGE_V_V_GICP VERTEX_CAM; d
 sed 's/VERTEX_XY/POINT/; s/EDGE_SE2_XY/SEEN/' square.g2o > renamed.g2o
 expect 0 "final chi2 = 0.00189884" -renameTypes POINT=VERTEX_XY,SEEN=EDGE_SE2_XY renamed.g2o
 expect 0 "expected old=new, got POINT" -renameTypes POINT square.g2o
-expect 0 "expected a known word after =, got NONSENSE" -renameTypes POINT=NONSENSE square.g2o
+expect 0 "expected a known tag after =, got NONSENSE" -renameTypes POINT=NONSENSE square.g2o
 "$tool" - < square.g2o 2> err.txt || exit 1
 is "final chi2 = 0.00189884" err.txt
 
-# An interrupt ends the iterations, not the program; the third one does.
+# An interrupt stops the iterations but not the program. The third one ends the program.
 interrupt() {
   "$tool" -i 1000000000 "$@" square.g2o 2> err.txt &
   program=$!

@@ -32,7 +32,7 @@ using drawn_graph::Record;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Every element of the plane that there is an action for.
+/// All planar elements that have an action.
 constexpr const char* kPlane =
     "PARAMS_SE2OFFSET 0 0.3 0 0.5\n"
     "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 2 0 1.2\nVERTEX_SE2 2 2.5 2 2.5\nVERTEX_SE2 3 0.2 0.1 0\n"
@@ -62,7 +62,7 @@ constexpr const char* kSpace =
     "EDGE_SE3_XYZ_PRIOR 1 0 2.1 -0.2 0.5 1 0 0 1 0 1\n"
     "EDGE_POINTXYZ_PRIOR 11 3 1.4 0 1 0 0 1 0 1\n";
 
-TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
+TEST(Actions, EveryElementOfAPlanarFileIsDrawnAndWrittenForGnuplot) {
   const auto graph = read(kPlane);
   ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 17U);
   g2o::DrawAction::Parameters draw;
@@ -78,9 +78,9 @@ TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
   EXPECT_EQ(count(shapes, "pose"), 4);
   EXPECT_EQ(count(shapes, "point"), 2);
   EXPECT_THAT(shapes, HasSubstr("pose0.2x0.05 (2 0 0)"));
-  EXPECT_THAT(shapes, HasSubstr("(2.5 2 0) (2.4 2.2 0)"));  // a prior leads to its measurement
+  EXPECT_THAT(shapes, HasSubstr("(2.5 2 0) (2.4 2.2 0)"));  // from the pose to the measurement of its prior
   EXPECT_THAT(shapes,
-              Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));  // the pose of a sensor on a robot is no place
+              Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));  // the pose of a sensor on a robot has no position
   const std::string text = gnuplot(*graph);
   EXPECT_THAT(text, HasSubstr("0 0 0\n2 0 1.2\n\n"));
   EXPECT_THAT(text, HasSubstr("2.5 2\n2.4 2.2\n\n"));
@@ -88,7 +88,7 @@ TEST(Actions, EachElementOfAFileOfThePlaneIsDrawnAndWrittenForGnuplot) {
   EXPECT_EQ(count(text, "\n\n"), 12);
 }
 
-TEST(Actions, EachElementOfAFileOfSpaceIsDrawnAndWrittenForGnuplot) {
+TEST(Actions, EveryElementOfASpatialFileIsDrawnAndWrittenForGnuplot) {
   const auto graph = read(kSpace);
   ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 12U);
   const std::string shapes = drawn(*graph);
@@ -101,7 +101,7 @@ TEST(Actions, EachElementOfAFileOfSpaceIsDrawnAndWrittenForGnuplot) {
   EXPECT_THAT(text, HasSubstr("0 0 0\n1 1 2\n\n"));
 }
 
-TEST(Actions, TheSensorsOfPosesAreDrawnByTheirCaches) {
+TEST(Actions, SensorsAreDrawnByTheCachesOfTheirPoses) {
   const auto graph = read(kPlane);
   g2o::CacheSE2Offset* cache = nullptr;
   auto* v = static_cast<g2o::VertexSE2*>(graph->vertex(0));
@@ -124,7 +124,7 @@ TEST(Actions, WithoutDrawingOrParametersNothingHappens) {
   EXPECT_FALSE(g2o::HyperGraphActionLibrary::instance()->unregisterAction(nullptr));
 }
 
-TEST(Actions, PropertiesOfATypeHideAndScaleIt) {
+TEST(Actions, PropertiesHideAndScaleTheElementsOfAType) {
   const auto graph = read(kPlane);
   const std::string pose = typeid(g2o::VertexSE2).name(), point = typeid(g2o::VertexPointXY).name();
   Record record;
@@ -140,7 +140,7 @@ TEST(Actions, PropertiesOfATypeHideAndScaleIt) {
   EXPECT_EQ(count(record.out.str(), "point"), 2);
 }
 
-TEST(Actions, AnEdgeThatMissesAPoseShowsWhereItWouldBe) {
+TEST(Actions, AnEdgeThatLacksAPoseShowsThePredictedPose) {
   const auto graph = read(kPlane);
   auto* e = new g2o::EdgeSE2;
   e->setVertex(0, graph->vertex(0));
@@ -152,7 +152,7 @@ TEST(Actions, AnEdgeThatMissesAPoseShowsWhereItWouldBe) {
   EXPECT_EQ(count(gnuplot(*graph), "\n\n"), 12);
 }
 
-TEST(Actions, AnEdgeThatMissesALandmarkShowsWhereItWasSeen) {
+TEST(Actions, AnEdgeThatLacksALandmarkShowsThePredictedLandmark) {
   const auto plane = read(kPlane), space = read(kSpace);
   auto* in_plane = new g2o::EdgeSE2PointXY;
   in_plane->setVertex(0, plane->vertex(1));
@@ -173,7 +173,7 @@ TEST(Actions, AnEdgeThatMissesALandmarkShowsWhereItWasSeen) {
   EXPECT_THAT(drawn(*space), HasSubstr("line1 (0 0 0) (5.3 0 1.2)"));  // the sensor is at (0.3, 0, 0.2)
 }
 
-/// What a user hangs on an element, and how it is drawn.
+/// User data of an element, and the action that draws it.
 struct Label : g2o::HyperGraph::Data {
   explicit Label(std::string text) : words(std::move(text)) {}
   bool read(std::istream& is) override { return static_cast<bool>(is >> words); }
@@ -191,7 +191,7 @@ struct DrawLabel : g2o::DrawAction {
   }
 };
 
-TEST(Actions, UserDataAreDrawnWithTheirVertexOrEdge) {
+TEST(Actions, UserDataIsDrawnWithItsVertexOrEdge) {
   const g2o::RegisterActionProxy<DrawLabel> registered;
   const auto graph = read(kPlane);
   graph->vertex(0)->addUserData(new Label("start"));
@@ -203,7 +203,7 @@ TEST(Actions, UserDataAreDrawnWithTheirVertexOrEdge) {
   EXPECT_THAT(shapes, HasSubstr("text measured\n"));
 }
 
-TEST(Actions, ThoseOfTheTypesHaveClasses) {
+TEST(Actions, ActionsOfReadyMadeTypesHaveTheirOwnClasses) {
   const auto graph = read(kPlane);
   std::ostringstream expected, out;
   g2o::WriteGnuplotAction::Parameters parameters;
@@ -226,7 +226,7 @@ TEST(Actions, ThoseOfTheTypesHaveClasses) {
   EXPECT_EQ(count(record.out.str(), "line"), 1);  // there is one EDGE_SE2
 }
 
-/// An action of a user, on a type of the library.
+/// A user's action for a type of the library.
 struct CountPoses : g2o::HyperGraphElementAction {
   struct Parameters : g2o::HyperGraphElementAction::Parameters {
     int poses = 0;
@@ -239,7 +239,7 @@ struct CountPoses : g2o::HyperGraphElementAction {
   }
 };
 
-TEST(Actions, ThoseOfUsersAreFoundByNameAndTypeWhileTheyAreRegistered) {
+TEST(Actions, UserActionsAreFoundByNameAndTypeWhileRegistered) {
   const auto graph = read(kPlane);
   CountPoses::Parameters parameters;
   {
@@ -262,7 +262,7 @@ std::string svg(const std::string& graph) {
   return out.str();
 }
 
-TEST(SvgDrawing, SmallGraphsBecomePictures) {
+TEST(SvgDrawing, DrawsSmallGraphs) {
   for (const auto& [graph, name] : {std::pair(kPlane, "plane.svg"), {kSpace, "space.svg"}}) {
     const std::string picture = svg(graph);
     EXPECT_EQ(count(picture, "<svg "), 1);
@@ -273,7 +273,7 @@ TEST(SvgDrawing, SmallGraphsBecomePictures) {
   }
 }
 
-TEST(SvgDrawing, APlaneIsSeenFromAboveWithYUp) {
+TEST(SvgDrawing, ShowsPlanarGraphsFromAboveWithYUp) {
   g2o::SvgDrawing picture(124);  // 100 pixels between the margins
   picture.point(g2o::Vector3(0, 0, 0), g2o::Color{1, 0, 0, 1}, 4);
   picture.point(g2o::Vector3(2, 1, 0), g2o::Color{1, 0, 0, 1}, 4);
@@ -284,7 +284,7 @@ TEST(SvgDrawing, APlaneIsSeenFromAboveWithYUp) {
   EXPECT_THAT(out.str(), HasSubstr("stroke=\"#ff0000\""));
 }
 
-TEST(SvgDrawing, ViewsTurnThePictureAndInfinitePlacesAreLeftOut) {
+TEST(SvgDrawing, RotatesTheViewAndLeavesOutInfiniteCoordinates) {
   g2o::SvgDrawing picture(124);
   EXPECT_TRUE(picture.empty());
   picture.line(g2o::Vector3(0, 0, 0), g2o::Vector3(0, 0, 2), g2o::Color(), 1);

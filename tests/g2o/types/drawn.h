@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs from text, and what the actions "draw" and "writeGnuplot" make of them, as words.
+// Graphs from text, and the output of the actions "draw" and "writeGnuplot" as text.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ inline g2o::HyperGraphElementAction* action(const std::string& name) {
   return g2o::HyperGraphActionLibrary::instance()->actionByName(name);
 }
 
-/// What was drawn, as words.
+/// Records the drawn shapes as text.
 struct Record : g2o::Drawing {
   static std::string words(const g2o::Vector3& v) {
     std::ostringstream text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for every edge, and for every word of a file.
+// Laws that hold for every edge and every file tag.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline double error_norm(g2o::OptimizableGraph::Edge& e) {
   return Eigen::Map<const g2o::VectorX>(e.errorData(), e.dimension()).norm();
 }
 
-/// linearizeOplus() fills in what central differences find.
+/// The Jacobians of linearizeOplus() match central differences.
 inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
   g2o::JacobianWorkspace workspace;
   workspace.updateSize(&e);
@@ -49,8 +49,8 @@ inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// constructQuadraticForm() adds JᵀΩJ and −JᵀΩe, each pair of vertices as one block or as its transpose;
-/// what a fixed vertex shares is left out.
+/// constructQuadraticForm() adds JᵀΩJ and −JᵀΩe. It writes the block of each pair of vertices as it is or
+/// transposed. It leaves out the blocks of fixed vertices.
 inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transposed, size_t fixed) {
   SCOPED_TRACE(testing::Message() << "transposed " << transposed << ", fixed " << fixed);
   g2o::JacobianWorkspace workspace;
@@ -111,7 +111,8 @@ inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transpose
   }
 }
 
-/// A measurement that is given back has the same error; one that is taken from the estimates has none.
+/// Setting the measurement to its current value keeps the error. Setting it from the estimates makes the
+/// error zero.
 inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
   const double before = error_norm(e);
   if (e.measurementDimension() > 0) {
@@ -125,7 +126,7 @@ inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// A vertex that an edge can place from the others comes where the edge has no error.
+/// If an edge can derive the estimate of a vertex from the others, the derived estimate has no error.
 inline void expect_guesses(g2o::OptimizableGraph::Edge& e) {
   for (size_t i = 0; i < e.vertices().size(); ++i) {
     g2o::OptimizableGraph::VertexSet from(e.vertices().begin(), e.vertices().end());
@@ -139,7 +140,7 @@ inline void expect_guesses(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// The words of both texts are the same, or numbers that are to rounding.
+/// Both texts have the same words, up to rounding of numbers.
 inline void expect_same_words(const std::string& expected, const std::string& actual) {
   std::istringstream a(expected), b(actual);
   for (std::string x, y; a >> x;) {
@@ -154,7 +155,7 @@ inline void expect_same_words(const std::string& expected, const std::string& ac
   EXPECT_FALSE(b >> rest) << rest;
 }
 
-/// Reads a graph; there is nothing to complain about.
+/// Reads a graph and expects no message.
 inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
   std::string messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& message) { messages += message + "\n"; });
@@ -164,7 +165,8 @@ inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
   ASSERT_EQ(messages, "");
 }
 
-/// Reads a graph, lines in the order of writing; it is written as it was, and all of the above holds.
+/// Reads a graph whose lines are in the order of writing. Checks that it is written unchanged, and all laws
+/// above.
 inline void expect_laws_of_file(const std::string& text) {
   g2o::SparseOptimizer optimizer;
   ASSERT_NO_FATAL_FAILURE(load(optimizer, text));
@@ -174,14 +176,14 @@ inline void expect_laws_of_file(const std::string& text) {
   for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
     auto& e = *static_cast<g2o::OptimizableGraph::Edge*>(u);
     SCOPED_TRACE(g2o::Factory::instance()->tag(&e));
-    EXPECT_GT(error_norm(e), 1e-3) << "the measurement should not fit, else signs go unseen";
+    EXPECT_GT(error_norm(e), 1e-3) << "the error must not be zero, or wrong signs would go unnoticed";
     expect_exact_jacobians(e);
     for (size_t fixed = 0; fixed <= e.vertices().size(); ++fixed) {
       expect_quadratic_form(e, false, fixed);
       expect_quadratic_form(e, true, fixed);
       if (e.dimension() == 1) continue;
       double& lower = e.informationData()[1];
-      const double before = std::exchange(lower, lower + 0.25);  // Ω is not symmetric, and meant as it stands
+      const double before = std::exchange(lower, lower + 0.25);  // Ω is deliberately not symmetric
       expect_quadratic_form(e, false, fixed);
       lower = before;
     }
@@ -207,7 +209,7 @@ inline void expect_laws_of_file(const std::string& text) {
   }
 }
 
-/// The errors of the edges of a file, by their words.
+/// Checks the errors of the edges of a file, by tag.
 inline void expect_errors(const std::string& text,
                           const std::map<std::string, std::vector<double>>& expected) {
   g2o::SparseOptimizer optimizer;
@@ -224,7 +226,7 @@ inline void expect_errors(const std::string& text,
   }
 }
 
-/// Ω = 2 I as files have it.
+/// Ω = 2 I in the format of files.
 inline std::string omega(int rows) {
   std::string text;
   for (int i = 0; i < rows; ++i) {

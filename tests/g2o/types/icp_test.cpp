@@ -20,7 +20,7 @@ g2o::Isometry3 motion(double size) {
   return g2o::internal::fromVectorMQT(size * v);
 }
 
-TEST(Icp, TheLawsOfAllTypesHold) {
+TEST(Icp, AllTypesObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
@@ -39,7 +39,7 @@ TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
   EXPECT_LT((pair.R1 * pair.normal1 - g2o::Vector3::UnitZ()).norm(), 1e-14);
 }
 
-TEST(Icp, TheFrameOfANormalHasTheRowsOfG2o) {
+TEST(Icp, TheFrameOfANormalIsThatOfG2o) {
   g2o::EdgeGICP pair;
   pair.normal0 = g2o::Vector3(0.6, 0, 0.8);
   pair.makeRot0();
@@ -52,7 +52,7 @@ TEST(Icp, TheFrameOfANormalHasTheRowsOfG2o) {
   EXPECT_EQ(pair.R1, expected);
 }
 
-TEST(Icp, ANormalOfZeroGivesAFiniteInformation) {
+TEST(Icp, AZeroNormalGivesAFiniteInformationMatrix) {
   g2o::EdgeGICP pair;
   pair.normal0.setZero();
   EXPECT_TRUE(pair.prec0(0.01).allFinite());
@@ -65,7 +65,7 @@ TEST(Icp, ANormalOfZeroGivesAFiniteInformation) {
   EXPECT_TRUE(e->information().allFinite());
 }
 
-TEST(Icp, AnEdgeIsMadeFromAnotherOne) {
+TEST(Icp, AnEdgeIsConstructedFromAnotherOne) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
@@ -80,14 +80,14 @@ TEST(Icp, AnEdgeIsMadeFromAnotherOne) {
   EXPECT_TRUE(optimizer.addEdge(second));
 }
 
-TEST(Icp, BringsTheTypesOfBundleAdjustment) {
+TEST(Icp, TheHeaderIncludesTheTypesOfBundleAdjustment) {
   const g2o::SE3Quat pose(g2o::Quaternion::Identity(), g2o::Vector3(1, 2, 3));
   g2o::VertexCam camera;
-  camera.setEstimate(pose);  // an SBACam, of which g2o's constructor is implicit
+  camera.setEstimate(pose);  // converts to an SBACam, as in g2o
   EXPECT_EQ(camera.estimate().translation(), g2o::Vector3(1, 2, 3));
 }
 
-TEST(Icp, APairOfPlanesWeighsAcrossBoth) {
+TEST(Icp, PlaneToPlaneWeightsUseBothNormals) {
   g2o::SparseOptimizer optimizer;
   for (int id : {0, 1}) {
     auto* v = new g2o::VertexSE3;
@@ -142,7 +142,7 @@ TEST(Icp, TwoScansAreAligned) {
   EXPECT_LT((v->estimate().matrix() - motion(1).matrix()).norm(), 1e-7);
 }
 
-TEST(Icp, StereoCamerasShareTheirMatrix) {
+TEST(Icp, StereoCamerasShareOneCameraMatrix) {
   g2o::VertexSCam::setKcam(100, 200, 10, 20, 0.08);
   g2o::SparseOptimizer optimizer;
   auto* camera = new g2o::VertexSCam;
@@ -171,7 +171,7 @@ TEST(Icp, StereoCamerasShareTheirMatrix) {
   edge_checks::expect_exact_jacobians(*e);
 }
 
-TEST(Icp, TheRotationOfAStereoCameraIsDifferentiatedByItsQuaternion) {
+TEST(Icp, RotationDerivativesOfAStereoCameraAreWithRespectToItsQuaternion) {
   g2o::VertexSCam camera;
   camera.setEstimate(motion(1));
   camera.setAll();

@@ -23,7 +23,7 @@ namespace {
 
 using edge_checks::omega;
 
-TEST(Sba, TheLawsOfCamerasHold) {
+TEST(Sba, CamerasObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "VERTEX_CAM 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7 500 510 320 240 0.12\n"
       "VERTEX_CAM 1 1.1 0.1 0.3 0.5 -0.5 0.5 0.5 400 410 310 230 0.2\n"
@@ -45,7 +45,7 @@ TEST(Sba, TheLawsOfCamerasHold) {
       omega(1) + "\n");
 }
 
-TEST(Sba, TheLawsOfTheExponentialMapHold) {
+TEST(Sba, TypesWithTheExponentialMapObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
       "VERTEX_SE3:EXPMAP 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7\n"
@@ -74,7 +74,7 @@ TEST(Sba, TheLawsOfTheExponentialMapHold) {
       omega(3) + " 0.1 0.2 3 500 510 320 240 50\n");
 }
 
-TEST(Sba, TheLawsOfSimilaritiesHold) {
+TEST(Sba, SimilaritiesObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SIM3:EXPMAP 0 0.3 -0.2 0.1 0.4 0.5 -0.2 0.1 500 510 320 240 400 410 310 230\n"
       "VERTEX_SIM3:EXPMAP 1 -0.3 0.4 0.2 0.1 -0.5 0.3 -0.2 500 510 320 240 400 410 310 230\n"
@@ -122,13 +122,13 @@ TEST(Sba, ASimilarityRefusesAStepThatOverflowsAndCanBeSaved) {
     EXPECT_TRUE(again.read(in));
   }
   std::istringstream huge("0 0 0 0 0 0 800 1 1 0 0");
-  EXPECT_FALSE(v.read(huge)) << "its inverse could not be written";
+  EXPECT_FALSE(v.read(huge)) << "its inverse would overflow";
   g2o::EdgeSim3 e;
   std::istringstream huge_measurement("0 0 0 0 0 0 800" + omega(7));
   EXPECT_FALSE(e.read(huge_measurement));
 }
 
-/// The measured logarithm of a scale, which may be more than a number can hold.
+/// A measurement of the logarithm of a scale. The scale itself may overflow.
 class ScaleEdge : public g2o::BaseUnaryEdge<1, double, g2o::VertexSim3Expmap> {
  public:
   void computeError() override { _error[0] = std::log(vertexXn<0>()->estimate().scale()) - _measurement; }
@@ -165,7 +165,7 @@ TEST(Sba, AnAlgorithmStopsBeforeAStepThatASimilarityRefuses) {
     ASSERT_TRUE(optimizer.addEdge(prior));
     ASSERT_TRUE(optimizer.initializeOptimization());
     const int done = optimizer.optimize(10);
-    EXPECT_TRUE(is_levenberg || done == 0) << "Gauss-Newton has no other step than the refused one";
+    EXPECT_TRUE(is_levenberg || done == 0) << "Gauss-Newton has no alternative to the refused step";
     std::ostringstream out;
     EXPECT_TRUE(optimizer.saveVertex(out, v));
     EXPECT_EQ(out.str().find("nan"), std::string::npos) << out.str();
@@ -190,7 +190,7 @@ TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
   e->setMeasurement({300, 200});
   ASSERT_TRUE(optimizer.addEdge(e));
   edge_checks::expect_exact_jacobians(*e);
-  // (0.1, −0.2, 1)/0.3 in the frame of the anchor.
+  // The point (0.1, −0.2, 1)/0.3 in the frame of the anchor.
   const auto pose = [&](int id) {
     return static_cast<g2o::VertexSE3Expmap*>(optimizer.vertex(id))->estimate();
   };
@@ -200,7 +200,7 @@ TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
   EXPECT_NEAR(e->error()[1], 200 - (450 * p.y() / p.z() + 200), 1e-9);
 }
 
-TEST(Sba, FilesHaveInverses) {
+TEST(Sba, FilesStoreInverseMotions) {
   g2o::VertexSE3Expmap v;
   std::istringstream in("1 2 3 0 0 0 1");
   ASSERT_TRUE(v.read(in));
@@ -221,7 +221,7 @@ TEST(Sba, FilesHaveInverses) {
   EXPECT_NEAR(s.estimate().scale(), std::exp(-0.5), 1e-15);
 }
 
-TEST(Sba, ErrorsHaveTheSignsThatFilesMean) {
+TEST(Sba, ErrorsHaveTheSignsOfTheFileFormat) {
   const std::vector<double> mono = {1, -2}, stereo = {1, -2, 0};
   edge_checks::expect_errors(
       "VERTEX_CAM 0 0 0 0 0 0 0 1 100 200 10 20 0.08\n"
@@ -286,7 +286,7 @@ TEST(Sba, ErrorsHaveTheSignsThatFilesMean) {
        {"EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP", mono}});
 }
 
-TEST(Sba, ImagesAreThoseOfPinholeCameras) {
+TEST(Sba, ProjectsPointsAsPinholeCameras) {
   g2o::VertexSBAPointXYZ point;
   point.setEstimate({1, 2, 3});
   g2o::VertexSE3Expmap pose;
@@ -310,7 +310,7 @@ TEST(Sba, ImagesAreThoseOfPinholeCameras) {
   EXPECT_LT((camera.stereocam_uvu_map({1, 2, 4}) - g2o::Vector3(35, 70, 33)).norm(), 1e-12);
 }
 
-TEST(Sba, ACameraMovesInTheWorldAndTurnsInItsOwnFrame) {
+TEST(Sba, ACameraTranslatesInTheWorldFrameAndRotatesInItsBodyFrame) {
   g2o::VertexCam v;
   const g2o::Quaternion quarter(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   g2o::SBACam cam(quarter, {1, 0, 0});
@@ -325,7 +325,7 @@ TEST(Sba, ACameraMovesInTheWorldAndTurnsInItsOwnFrame) {
   EXPECT_NEAR(v.estimate().Kcam(0, 2), 320, 0);
 }
 
-TEST(Sba, ACameraOfAFileMayLackItsMatrix) {
+TEST(Sba, ACameraInAFileMayLackItsMatrix) {
   g2o::VertexCam v;
   std::istringstream without("1 2 3 0 0 0 1"), half("1 2 3 0 0 0 1 500 500");
   ASSERT_TRUE(v.read(without));
@@ -343,7 +343,7 @@ TEST(Sim3, TheExponentialAndTheLogarithmAreInverse) {
   }
 }
 
-TEST(Sim3, AProductMapsByOneAfterTheOther) {
+TEST(Sim3, AProductAppliesBothMaps) {
   g2o::Vector7 v;
   v << 0.3, -0.2, 0.5, 1, -2, 3, 0.4;
   const g2o::Sim3 a(v), b(g2o::Vector7(-0.7 * v.reverse()));

@@ -18,7 +18,7 @@ Vector6 tangent(double size) {
   return size * v;
 }
 
-TEST(SE3Quat, TheExponentialIsThatOfTheMatrix) {
+TEST(SE3Quat, TheExponentialEqualsTheMatrixExponential) {
   for (const double size : {0., 1e-9, 1e-3, 1., 4.}) {
     const Vector6 v = tangent(size);
     g2o::Matrix4 generator = g2o::Matrix4::Zero();
@@ -35,7 +35,7 @@ TEST(SE3Quat, TheLogarithmIsTheInverseOfTheExponential) {
   }
 }
 
-TEST(SE3Quat, TheAdjointCarriesTangentsOver) {
+TEST(SE3Quat, TheAdjointTransformsTangentVectors) {
   const SE3Quat T = SE3Quat::exp(tangent(1));
   Vector6 delta;
   delta << 0.1, 0.2, -0.1, 0.3, -0.4, 0.2;
@@ -43,7 +43,7 @@ TEST(SE3Quat, TheAdjointCarriesTangentsOver) {
   EXPECT_LT((left.to_homogeneous_matrix() - right.to_homogeneous_matrix()).norm(), 1e-12);
 }
 
-TEST(SE3Quat, VectorsComeBack) {
+TEST(SE3Quat, VectorsConvertInBothDirections) {
   const SE3Quat T = SE3Quat::exp(tangent(1));
   SE3Quat other;
   other.fromVector(T.toVector());

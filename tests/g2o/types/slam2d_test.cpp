@@ -10,7 +10,7 @@ namespace {
 
 using edge_checks::omega;
 
-/// As clients of old write it.
+/// Overrides oplusImpl(double*), as older clients do.
 class NonConstPoint : public g2o::VertexPointXY {
  public:
   int calls = 0;
@@ -43,7 +43,7 @@ void expect_oplus_of_the_subclass() {
   EXPECT_EQ(point.estimate(), g2o::Vector2(1.5, 1));
 }
 
-TEST(Slam2d, TheLawsOfAllTypesHold) {
+TEST(Slam2d, AllTypesObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "PARAMS_SE2OFFSET 0 0.1 0.2 0.3\n"
       "PARAMS_SE2OFFSET 1 -0.3 0.1 1.2\n"
@@ -89,7 +89,7 @@ TEST(Slam2d, TheLawsOfAllTypesHold) {
       omega(4) + "\n");
 }
 
-TEST(Slam2d, AnEdgeToLotsOfPointsIsAsManyEdgesToOne) {
+TEST(Slam2d, AnEdgeToLotsOfPointsEqualsAsManyEdgesToOnePoint) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE2 0 1 2 0.5\nVERTEX_XY 1 4 5\nVERTEX_XY 2 -1 2\nVERTEX_XY 3 2 2\n"
@@ -111,7 +111,7 @@ TEST(Slam2d, AnEdgeToLotsOfPointsIsAsManyEdgesToOne) {
   EXPECT_EQ((lots->error().segment<2>(2)), one->error());
 }
 
-TEST(Slam2d, AnEdgeToLotsOfPointsRefusesAnotherNumberOfThem) {
+TEST(Slam2d, AnEdgeToLotsOfPointsRefusesAWrongNumberOfPoints) {
   for (const char* line :
        {"EDGE_SE2_LOTSOFXY 0 1 2 || 1 1 2 1 0 1\n", "EDGE_SE2_LOTSOFXY 0 1 || 2 1 2 3 4 1 0 1\n",
         "EDGE_SE2_LOTSOFXY 1 0 || 1 1 2 1 0 1\n", "EDGE_SE2_LOTSOFXY 0 1 || 1 1\n"}) {
@@ -123,7 +123,7 @@ TEST(Slam2d, AnEdgeToLotsOfPointsRefusesAnotherNumberOfThem) {
   }
 }
 
-TEST(Slam2d, LotsOfPointsAreOptimisedWithTheirPose) {
+TEST(Slam2d, LotsOfPointsAreOptimizedWithTheirPose) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE2 0 0.1 0.2 0.1\nVERTEX_XY 1 4 5\nVERTEX_XY 2 -1 2\nFIX 1 2\n"

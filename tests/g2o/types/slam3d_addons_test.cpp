@@ -22,7 +22,7 @@ Plane3D plane(double x, double y, double z, double distance) {
   return Plane3D(g2o::Vector4(n.x(), n.y(), n.z(), -distance));
 }
 
-TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
+TEST(Slam3dAddons, AllTypesObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
@@ -44,8 +44,8 @@ TEST(Slam3dAddons, TheLawsOfAllTypesHold) {
       omega(6) + "\n");
 }
 
-// Small angles have twice the error of a quaternion, and the weight of the file.
-TEST(Slam3dAddons, EdgesOfToroWeighAngles) {
+// A small angle is twice the quaternion error, but has the weight of the file.
+TEST(Slam3dAddons, ToroEdgesWeightAngles) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 0 0 1e-4 0 0\nEDGE3 0 1 1.2 0 0 0 0 0 "
@@ -56,8 +56,8 @@ TEST(Slam3dAddons, EdgesOfToroWeighAngles) {
   EXPECT_NEAR(e->chi2(), 25 * 0.04 + 9e-8, 1e-14);
 }
 
-TEST(Slam3dAddons, ErrorsHaveTheSignsThatFilesMean) {
-  // The plane z has its normal at an azimuth of 0.1.
+TEST(Slam3dAddons, ErrorsHaveTheSignsOfTheFileFormat) {
+  // The normal of the plane z has an azimuth of 0.1.
   edge_checks::expect_errors(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
@@ -83,7 +83,7 @@ TEST(Planes, AreSetByTheirCoefficients) {
   EXPECT_LT((v.estimate().coeffs() - g2o::Vector4(0, 0.6, 0.8, 2)).norm(), 1e-15);
 }
 
-TEST(Planes, AStepOfZeroStays) {
+TEST(Planes, AZeroStepDoesNotMoveThem) {
   for (const Plane3D& p : {plane(1, 0, 0, 1), plane(0.3, -0.4, 0.5, -2), plane(0, 0, 1, 3)}) {
     Plane3D moved = p;
     moved.oplus(g2o::Vector3::Zero());
@@ -91,8 +91,8 @@ TEST(Planes, AStepOfZeroStays) {
   }
 }
 
-// ominus() counts the distance the other way.
-TEST(Planes, AStepLeadsFromOneToAnother) {
+// The distance of ominus() has the opposite sign.
+TEST(Planes, OplusUndoesOminus) {
   const Plane3D from = plane(0.3, -0.4, 0.5, -2), to = plane(-0.1, 0.7, 0.2, 1.5);
   const g2o::Vector3 d = from.ominus(to);
   Plane3D moved = from;
@@ -101,7 +101,7 @@ TEST(Planes, AStepLeadsFromOneToAnother) {
   EXPECT_NEAR(d[2], -3.5, 1e-15);
 }
 
-TEST(Planes, APointOfAPlaneStaysOnItThroughAMotion) {
+TEST(Planes, AMotionKeepsPointsOnTheirPlane) {
   g2o::Vector6 v;
   v << 1, 2, 3, 0.1, -0.2, 0.3;
   const g2o::Isometry3 t = g2o::internal::fromVectorMQT(v);

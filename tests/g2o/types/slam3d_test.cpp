@@ -13,7 +13,7 @@ namespace {
 
 using edge_checks::omega;
 
-TEST(Slam3d, TheLawsOfAllTypesHold) {
+TEST(Slam3d, AllTypesObeyTheEdgeLaws) {
   edge_checks::expect_laws_of_file(
       "PARAMS_SE3OFFSET 0 0.1 0.2 0.3 0.5 -0.5 0.5 0.5\n"
       "PARAMS_SE3OFFSET 1 -0.3 0.1 1.2 0.1 -0.1 0.7 0.7\n"
@@ -57,7 +57,7 @@ TEST(Slam3d, TheLawsOfAllTypesHold) {
       omega(3) + "\n");
 }
 
-TEST(Slam3d, DepthAndDisparityAreThoseOfACamera) {
+TEST(Slam3d, DepthAndDisparityMatchACamera) {
   edge_checks::expect_errors(
       "PARAMS_CAMERACALIB 0 0 0 -1 0 0 0 1 100 200 10 20\n"
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
@@ -70,7 +70,7 @@ TEST(Slam3d, DepthAndDisparityAreThoseOfACamera) {
       {{"EDGE_PROJECT_DEPTH", {1, -2, 0.5}}, {"EDGE_PROJECT_DISPARITY", {1, -2, -0.25}}});
 }
 
-TEST(Slam3d, AnEdgeRefusesAParameterThatIsNoCamera) {
+TEST(Slam3d, AnEdgeRefusesAParameterThatIsNotACamera) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\n"
@@ -82,7 +82,7 @@ TEST(Slam3d, AnEdgeRefusesAParameterThatIsNoCamera) {
   EXPECT_TRUE(optimizer.edges().empty());
 }
 
-/// An edge that looks through the cache, as older clients' do.
+/// An edge that projects through the cache, as older clients' edges do.
 class EdgeThroughCache : public g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::VertexSE3, g2o::VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -110,7 +110,7 @@ class EdgeThroughCache : public g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::Vertex
   g2o::CacheCamera* cache = nullptr;
 };
 
-/// Edges of clients that read the caches which g2o's edges have.
+/// Edges of clients that read the caches of g2o's edges.
 class PriorThroughCache : public g2o::EdgeSE3Prior {
  public:
   void computeError() override { _error = g2o::internal::toVectorMQT(_inverseMeasurement * _cache->n2w()); }
@@ -156,7 +156,7 @@ TEST(Slam3d, DerivedEdgesFindTheCachesOfTheirSensors) {
   }
 }
 
-TEST(Slam3d, APoseIsReadAndSetAsSE3Quat) {
+TEST(Slam3d, APoseConvertsToAndFromSE3Quat) {
   g2o::VertexSE3 v;
   const g2o::SE3Quat pose(g2o::Quaternion(0.8, 0, 0.6, 0), g2o::Vector3(1, 2, 3));
   v.setEstimateFromSE3Quat(pose);
@@ -187,7 +187,7 @@ TEST(Slam3d, TheCacheOfACameraFollowsItsVertex) {
   }
 }
 
-TEST(Slam3d, GradientsAreThoseOfTheEdges) {
+TEST(Slam3d, GradientsMatchTheJacobiansOfTheEdges) {
   using g2o::internal::fromVectorMQT;
   g2o::Vector6 v;
   v << 1, 2, 3, 0.1, -0.2, 0.3;
@@ -214,7 +214,7 @@ TEST(Slam3d, GradientsAreThoseOfTheEdges) {
   }
 }
 
-TEST(Slam3d, AQuaternionIsDifferentiatedByItsMatrix) {
+TEST(Slam3d, TheDerivativeOfAQuaternionByItsMatrixIsExact) {
   for (const g2o::Vector3& q : {g2o::Vector3(0.1, -0.2, 0.3), g2o::Vector3(0.9, 0.2, -0.1)}) {
     const g2o::Matrix3 R = g2o::internal::fromCompactQuaternion(q);
     Eigen::Matrix<double, 3, 9> dq_dR;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn of planes, cameras, similarities and pairs of points.
+// The drawings of planes, cameras, similarities and pairs of points.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ const std::string kOmega1 = " 1\n", kOmega2 = " 1 0 1\n", kOmega3 = " 1 0 0 1 0 
                   kOmega6 = " 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n",
                   kOmega7 = " 1 0 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n";
 
-/// A floor, a wall at x = 4, and a robot that sees both.
+/// A floor, a wall at x = 4, and a robot that observes both.
 const std::string kPlanes =
     "VERTEX_SE3:QUAT 0 1 1 1 0 0 0 1\nVERTEX_SE3:QUAT 1 2 1 1 0 0 0 1\n"
     "VERTEX_SE3:QUAT 9 0 0 0.5 0 0 0 1\n"
@@ -71,7 +71,7 @@ const std::string kScans =
     "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 1 0 0 0 0 0 1\n"
     "EDGE_V_V_GICP 0 1 2 0 0 0 0 1 1 0.5 0 0 0 1\n";
 
-TEST(SpaceActions, EachElementOfTheFilesIsDrawn) {
+TEST(SpaceActions, EveryElementOfTheFilesIsDrawn) {
   for (const std::string& text : {kPlanes, kCameras, kSimilarities, kScans}) {
     const auto graph = read(text);
     g2o::DrawAction::Parameters draw;
@@ -90,15 +90,15 @@ TEST(SpaceActions, EachElementOfTheFilesIsDrawn) {
   }
 }
 
-TEST(SpaceActions, PlanesArePiecesOfThreeMetresAroundTheirPointNearestToTheOrigin) {
+TEST(SpaceActions, PlanesAreSquaresOfThreeMetersAroundTheirPointNearestToTheOrigin) {
   const std::string shapes = drawn(*read(kPlanes));
   EXPECT_THAT(shapes, HasSubstr("ring1 (-1.5 -1.5 0) (1.5 -1.5 0) (1.5 1.5 0) (-1.5 1.5 0)"));
   EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (0 0 0.75)\n"));  // the normal of the floor
-  EXPECT_THAT(shapes, HasSubstr("line1 (4 0 0) (3.25 0 0)\n"));  // that of the wall
+  EXPECT_THAT(shapes, HasSubstr("line1 (4 0 0) (3.25 0 0)\n"));  // the normal of the wall
   EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (4 0 0)\n"));     // from plane to plane
 }
 
-TEST(SpaceActions, AMeasuredPlaneIsHalfAMetreWideInFrontOfItsSensor) {
+TEST(SpaceActions, AMeasuredPlaneIsHalfAMeterWideInFrontOfItsSensor) {
   const auto graph = read(kPlanes);
   EXPECT_THAT(drawn(*graph), HasSubstr("line1 (1 1 1.5) (4 1 1.5)\n"));
   EXPECT_THAT(drawn(*graph), HasSubstr("(4 1.25 1.25)"));
@@ -112,11 +112,11 @@ TEST(SpaceActions, AMeasuredPlaneIsHalfAMetreWideInFrontOfItsSensor) {
   EXPECT_THAT(record.out.str(), HasSubstr("(4 2 1)"));
 }
 
-TEST(SpaceActions, TheMotionOfACalibratedSensorIsThatOfItsRobot) {
+TEST(SpaceActions, CalibrationEdgesAreDrawnAsTheMotionOfTheRobot) {
   EXPECT_THAT(drawn(*read(kPlanes)), HasSubstr("line1 (1 1 1) (2 1 1)\n"));
 }
 
-TEST(SpaceActions, CamerasArePyramidsInFrontOfTheirCentres) {
+TEST(SpaceActions, CamerasArePyramidsInFrontOfTheirCenters) {
   const auto graph = read(kCameras);
   const std::string shapes = drawn(*graph);
   EXPECT_EQ(count(shapes, "ring"), 4);
@@ -140,7 +140,7 @@ TEST(SpaceActions, ImagesAreLinesBetweenCamerasAndPoints) {
   EXPECT_EQ(count(shapes, "point"), 1);
 }
 
-TEST(SpaceActions, SimilaritiesAreCamerasWhereTheirInverseIs) {
+TEST(SpaceActions, SimilaritiesAreDrawnAsCamerasAtTheirInverse) {
   const std::string shapes = drawn(*read(kSimilarities));
   EXPECT_EQ(count(shapes, "ring"), 2);
   EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (1 0 0)\n"));
@@ -151,7 +151,7 @@ TEST(SpaceActions, PairsOfPointsAreLinesBetweenThem) {
   EXPECT_THAT(drawn(*read(kScans)), HasSubstr("line1 (2 0 0) (2 0.5 0)\n"));
 }
 
-TEST(SpaceActions, StereoCamerasWithoutAWordInFilesAreDrawn) {
+TEST(SpaceActions, StereoCamerasWithoutAFileTagAreDrawn) {
   g2o::SparseOptimizer graph;
   auto* camera = new g2o::VertexSCam;
   camera->setId(0);
@@ -159,7 +159,7 @@ TEST(SpaceActions, StereoCamerasWithoutAWordInFilesAreDrawn) {
   EXPECT_EQ(count(drawn(graph), "ring"), 1);
 }
 
-TEST(SpaceActions, TheCameraOfAPoseIsDrawnByItsCache) {
+TEST(SpaceActions, ACameraIsDrawnByTheCacheOfItsPose) {
   const auto graph = read(
       "PARAMS_CAMERACALIB 0 0 0 1 0 0 0 1 100 100 50 50\nVERTEX_SE3:QUAT 0 1 0 0 0 0 0 1\n"
       "VERTEX_TRACKXYZ 1 1 0 3\nEDGE_PROJECT_DEPTH 0 1 0 50 50 2" +
@@ -171,21 +171,21 @@ TEST(SpaceActions, TheCameraOfAPoseIsDrawnByItsCache) {
   EXPECT_EQ(count(shapes, "line1 (1 0 0) (1 0 3)\n"), 2);  // the edges
 }
 
-TEST(SpaceActions, EdgesToAnyNumberOfPointsAreAsManyLines) {
+TEST(SpaceActions, AnEdgeToManyPointsIsDrawnAsOneLinePerPoint) {
   const auto graph = read(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_TRACKXYZ 1 1 0 0\nVERTEX_TRACKXYZ 2 0 1 0\n"
       "EDGE_SE3_LOTSOF_XYZ 0 1 2 || 2 1 0 0 0 1 0 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n");
   EXPECT_THAT(drawn(*graph), HasSubstr("line1 (0 0 0) (1 0 0)\nline1 (0 0 0) (0 1 0)\n"));
 }
 
-TEST(SpaceActions, VerticesAreWrittenForGnuplotAsNumbers) {
+TEST(SpaceActions, VerticesAreWrittenForGnuplot) {
   EXPECT_THAT(gnuplot(*read(kPlanes)), HasSubstr("-1 0 0 4\n"));
   EXPECT_THAT(gnuplot(*read(kCameras)),
               HasSubstr("0 0 0 0 0 0\n1 0 0 0 0 0\n0 0 0 0 0 0\n1 0 0 0 0 0\n0.5 0 2\n"));
   EXPECT_THAT(gnuplot(*read(kSimilarities)), HasSubstr("1 0 0 0 0 0 1\n0.5 0 2\n"));
 }
 
-TEST(SpaceActions, AllOfThemBecomePictures) {
+TEST(SpaceActions, AllGraphsAreDrawnAsSvg) {
   int number = 0;
   for (const std::string& text : {kPlanes, kCameras, kSimilarities, kScans}) {
     g2o::SvgDrawing picture(400);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of a functor over arrays of numbers.
+// Derivatives of a functor over arrays of scalars.
 #pragma once
 #ifndef G2O_AUTODIFF_H
 #define G2O_AUTODIFF_H
@@ -15,7 +15,7 @@ namespace g2o {
 namespace ceres {
 namespace internal {
 
-/// Calls functor(x₀, x₁, …, error), each x an array of the sizes Dims.
+/// Calls functor(x₀, x₁, …, error), where each x is an array of one of the sizes Dims.
 template <int Rows, int... Dims>
 class AutoDiff {
  public:
@@ -23,8 +23,8 @@ class AutoDiff {
   using JetType = Jet<double, kColumns>;
   static constexpr std::size_t kArguments = sizeof...(Dims);
 
-  /// error ← f(x), and the Rows × Dims[k] derivatives by x_k, column by column, to jacobians[k]; nowhere
-  /// where that is null. False where the functor is false.
+  /// error ← f(x). Writes the Rows × Dims[k] derivatives with respect to x_k to jacobians[k], by columns,
+  /// unless it is null. Returns false if the functor does.
   template <typename Functor>
   static bool Differentiate(const Functor& functor, const double* const* parameters, double* error,
                             double** jacobians) {

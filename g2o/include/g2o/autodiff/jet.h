@@ -3,8 +3,8 @@
 // with Jets returns its value and its exact derivatives (Griewank & Walther, "Evaluating Derivatives", 2008,
 // §3.1).
 //
-// Comparisons look at the value only. Where a derivative is infinite (sqrt at 0, log at 0), directions in
-// which the argument does not change keep the derivative zero.
+// Comparisons use only the value. If a derivative is infinite (sqrt at 0, log at 0), it stays zero in the
+// directions in which the argument does not change.
 #pragma once
 #ifndef G2O_JET_H
 #define G2O_JET_H
@@ -24,7 +24,7 @@ template <typename T, int N>
 struct Jet {
   enum { DIMENSION = N };
   using Scalar = T;
-  /// Without alignment, so that Jets may lie in any array.
+  /// Unaligned, so that Jets may lie in any array.
   using Derivative = Eigen::Matrix<T, N, 1, Eigen::DontAlign>;
 
   T a;           ///< value
@@ -33,11 +33,11 @@ struct Jet {
   /// Zero.
   Jet() : a(0), v(Derivative::Zero()) {}
   /// A constant.
-  Jet(const T& value) : a(value), v(Derivative::Zero()) {}  // NOLINT: constants mix with Jets
+  Jet(const T& value) : a(value), v(Derivative::Zero()) {}  // NOLINT: so that constants mix with Jets
   template <typename U,
             typename = std::enable_if_t<std::is_arithmetic<U>::value && !std::is_same<U, T>::value>>
-  Jet(U value) : Jet(static_cast<T>(value)) {}  // NOLINT: constants mix with Jets
-  /// The independent variable k: its derivative in direction k is one.
+  Jet(U value) : Jet(static_cast<T>(value)) {}  // NOLINT: so that constants mix with Jets
+  /// The independent variable k. Its derivative in direction k is one.
   Jet(const T& value, int k) : a(value), v(Derivative::Unit(k)) {}
   template <typename D>
   Jet(const T& value, const Eigen::DenseBase<D>& derivative) : a(value), v(derivative.derived()) {}
@@ -86,7 +86,7 @@ struct Jet {
 
 namespace internal {
 
-/// g(f) from the value of g and its slope at f; 0 · ∞ counts as 0.
+/// g(f) from the value of g and its slope at f. 0 · ∞ counts as 0.
 template <typename T, int N>
 Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
   using std::isfinite;
@@ -96,7 +96,7 @@ Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
 
 }  // namespace internal
 
-// Unqualified calls on doubles find these: clients call `ceres::sin(x)` and the like for either.
+// Overloads for unqualified calls on doubles: clients call `ceres::sin(x)` and the like on doubles and Jets.
 using std::abs;
 using std::acos;
 using std::asin;
@@ -205,7 +205,7 @@ Jet<T, N> atan2(const Jet<T, N>& y, const Jet<T, N>& x) {
   const T inverse = T(1) / (x.a * x.a + y.a * y.a);
   return Jet<T, N>(atan2(y.a, x.a), y.v * (x.a * inverse) - x.v * (y.a * inverse));
 }
-/// The derivative at the origin is taken as zero.
+/// The derivative at the origin is zero.
 template <typename T, int N>
 Jet<T, N> hypot(const Jet<T, N>& x, const Jet<T, N>& y) {
   const T length = hypot(x.a, y.a);
@@ -245,7 +245,7 @@ Jet<T, N> ceil(const Jet<T, N>& f) {
   return Jet<T, N>(ceil(f.a));
 }
 
-/// Of the value and all derivatives.
+/// Tests the value and all derivatives.
 template <typename T, int N>
 bool isfinite(const Jet<T, N>& f) {
   return isfinite(f.a) && f.v.allFinite();
@@ -283,7 +283,7 @@ bool IsNormal(const Jet<T, N>& f) {
   return isnormal(f);
 }
 
-// What Eigen's algorithms ask of a scalar.
+// The traits that Eigen's algorithms need for a scalar.
 template <typename T, int N>
 const Jet<T, N>& ei_conj(const Jet<T, N>& x) {
   return x;
@@ -331,7 +331,7 @@ struct NumTraits<g2o::ceres::Jet<T, N>> {
   static int digits10() { return NumTraits<T>::digits10(); }
 };
 
-// Matrices of Jets with matrices of plain numbers.
+// Products of matrices of Jets with matrices of plain scalars.
 template <typename BinaryOp, typename T, int N>
 struct ScalarBinaryOpTraits<g2o::ceres::Jet<T, N>, T, BinaryOp> {
   using ReturnType = g2o::ceres::Jet<T, N>;

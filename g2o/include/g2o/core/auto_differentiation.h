@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that have their error and Jacobians from one function template:
+// Edges that compute their error and Jacobians from one function template:
 //
 //     class EdgeCurve : public g2o::BaseUnaryEdge<1, Eigen::Vector2d, VertexCurve> {
 //      public:
@@ -8,8 +8,8 @@
 //       G2O_MAKE_AUTO_AD_FUNCTIONS
 //     };
 //
-// The template gets the estimates of the vertices as arrays of as many numbers as the vertices have
-// dimensions, and ⊞ of a vertex has to add to them.
+// The template receives the estimate of each vertex as an array with as many values as the vertex has
+// dimensions. oplus() of the vertex must add to these values.
 #pragma once
 #ifndef G2O_AUTO_DIFFERENTIATION_H
 #define G2O_AUTO_DIFFERENTIATION_H
@@ -26,7 +26,7 @@
 namespace g2o {
 namespace internal {
 
-/// What follows from the dimensions of a BaseFixedSizedEdge and its vertices.
+/// The types that follow from the dimensions of a BaseFixedSizedEdge and its vertices.
 template <typename Edge, std::size_t... K>
 struct AutoDifferentiationLayout {
   static_assert(Edge::Dimension > 0, "the number of rows of the error must be known to the compiler");
@@ -40,7 +40,7 @@ AutoDifferentiationLayout<Edge, K...> autoDifferentiationLayout(std::index_seque
 
 }  // namespace internal
 
-/// Hands the memory of an estimate to the template: estimate().data(), or the address of a number.
+/// Passes the memory of an estimate to the template: estimate().data(), or the address of a scalar estimate.
 template <typename EdgeType>
 class EstimateAccessor {
  public:
@@ -55,8 +55,8 @@ class EstimateAccessor {
   }
 };
 
-/// Hands a copy: what getEstimateData() writes where that has as many numbers as the vertex has dimensions,
-/// else getMinimalEstimateData().
+/// Passes a copy of the estimate: the values of getEstimateData() if there are as many as the vertex has
+/// dimensions, else those of getMinimalEstimateData().
 template <typename EdgeType>
 class EstimateAccessorGet {
  public:
@@ -73,7 +73,7 @@ class EstimateAccessorGet {
       ok = v->getMinimalEstimateData(copy.data());
     }
     if (!ok) {
-      G2O_ERROR("vertex {}: expected getEstimateData() of {} numbers", v->id(), kDimension);
+      G2O_ERROR("vertex {}: expected getEstimateData() with {} values", v->id(), kDimension);
       copy.fill(0);
     }
     return copy.data();
@@ -84,7 +84,7 @@ class EstimateAccessorGet {
       std::make_index_sequence<EdgeType::_nr_of_vertices>()))::Estimates _estimates;
 };
 
-/// What the macros below call.
+/// Implements the macros below.
 template <typename Edge, typename EstimateAccess = EstimateAccessor<Edge>>
 class AutoDifferentiation {
  public:
@@ -95,7 +95,7 @@ class AutoDifferentiation {
     static_cast<void>(call(*that, x, that->errorData(), Indices()));
   }
 
-  /// The Jacobians of the vertices that are not fixed; zero where the template returns false.
+  /// Computes the Jacobians of the vertices that are not fixed. They are zero if the template returns false.
   static void linearize(Edge* that) {
     if (that->allVerticesFixed()) return;
     EstimateAccess access;
@@ -144,7 +144,8 @@ class AutoDifferentiation {
     g2o::AutoDifferentiation<G2OEdge_, Access<G2OEdge_>>::linearize(this);       \
   }
 
-/// Within an edge: computeError() and linearizeOplus() by its operator(), over estimate().data().
+/// Inside an edge class: defines computeError() and linearizeOplus() by its operator(), over
+/// estimate().data().
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessor)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessor)
 #define G2O_MAKE_AUTO_AD_FUNCTIONS \

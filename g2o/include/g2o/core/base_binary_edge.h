@@ -42,7 +42,7 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
   using Base::_measurement;
   using Base::_vertices;
 
-  /// The block of the two vertices is _hessianTransposed where _hessianRowMajor, else _hessian.
+  /// The block of the two vertices is _hessianTransposed if _hessianRowMajor is true, else _hessian.
   bool& _hessianRowMajor;
   HessianBlockType& _hessian;
   HessianBlockTransposedType& _hessianTransposed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A header under the name that it also has in g2o.
+// g2o also has this header. The definitions are in the .h file.
 #pragma once
 
 #include "g2o/core/base_binary_edge.h"

@@ -12,15 +12,15 @@ namespace g2o {
 template <typename T>
 class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
  public:
-  /// Changes the number of dimensions; the estimate follows through setDimensionImpl(). The next optimisation
-  /// must be initialised anew.
+  /// Changes the number of dimensions and resizes the estimate by setDimensionImpl(). The next optimization
+  /// must be initialized again.
   bool setDimension(int newDimension) {
     if (newDimension < 0) return false;
     const int before = this->_dimension;
     this->_dimension = newDimension;
     if (!setDimensionImpl(newDimension)) {
       this->_dimension = before;
-      G2O_ERROR("setDimension: the vertex refuses {} dimensions", newDimension);
+      G2O_ERROR("setDimension: the vertex does not accept {} dimensions", newDimension);
       return false;
     }
     this->_b.setZero(newDimension);
@@ -33,7 +33,7 @@ class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
   }
 
  protected:
-  /// Gives the estimate the new size; false where that is impossible.
+  /// Resizes the estimate. Returns false if the estimate cannot have that size.
   virtual bool setDimensionImpl(int newDimension) = 0;
 };
 

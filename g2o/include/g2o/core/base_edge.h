@@ -14,7 +14,7 @@
 namespace g2o {
 namespace internal {
 
-/// The number of rows that are known to the compiler, as run-time number.
+/// A number of rows that is known at compile time.
 template <int D>
 struct BaseEdgeTraits {
   static constexpr int Dimension = D;
@@ -24,17 +24,17 @@ struct BaseEdgeTraits {
 G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
                                   double* jacobian);
 
-/// Lets the workspace of the edge's graph be large enough for it.
+/// Makes the Jacobian workspace of the edge's graph large enough for the edge.
 G2O_CORE_API void roomForJacobians(OptimizableGraph::Edge& edge);
 
-/// Edges whose JᵀΩJ normalProducts() makes at once.
+/// normalProducts() computes JᵀΩJ in one call for edges with at most this many columns.
 constexpr int kMostProductColumns = 16;
 constexpr bool hasNormalProducts(int rows, int cols) {
   return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
 }
 
-/// The upper triangle of Ω by rows. False where Ω is not symmetric but for rounding: nothing says then which
-/// half counts.
+/// Copies the upper triangle of Ω by rows. Returns false if Ω is not symmetric up to rounding, because then
+/// it is not known which half is meant.
 template <int D, class Omega>
 bool upperTriangle(const Omega& omega, double* triangle) {
   const double rounding = 1e-12 * std::abs(omega.trace());
@@ -47,9 +47,9 @@ bool upperTriangle(const Omega& omega, double* triangle) {
   return true;
 }
 
-/// products ← JᵀΩJ, whose columns lie as far apart as is returned, and gradient ← JᵀΩe, by the fastest
-/// instructions of the machine, from the columns of J and the upper triangle of Ω by rows. There must be room
-/// for kMostProductColumns columns of as many numbers.
+/// products ← JᵀΩJ and gradient ← JᵀΩe, from the columns of J and the upper triangle of Ω by rows. Uses the
+/// fastest instruction set of the machine. Returns the distance between two columns of `products`, which must
+/// have room for kMostProductColumns columns of that many values.
 G2O_CORE_API int normalProducts(int rows, int cols, const double* const* jacobian, const double* omega,
                                 const double* error, double* products, double* gradient);
 
@@ -113,7 +113,7 @@ class BaseEdge : public OptimizableGraph::Edge {
   InformationType _information;
   ErrorVector _error;
 
-  /// ρ′Ω. A ρ′ < 0 would make the Hessian indefinite; it counts as 0.
+  /// ρ′Ω. A negative ρ′ counts as 0, because it would make the Hessian indefinite.
   InformationType robustInformation(const Vector3& rho) const { return std::max(0.0, rho[1]) * _information; }
 
   /// Reads and writes the upper triangle of Ω, row by row.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edge over a number of vertices that the compiler knows.
+// An edge whose number of vertices is known at compile time.
 #pragma once
 #ifndef G2O_BASE_FIXED_SIZED_EDGE_H
 #define G2O_BASE_FIXED_SIZED_EDGE_H
@@ -16,13 +16,14 @@
 #include "g2o/core/base_edge.h"
 #include "g2o/stuff/logger.h"
 
-/// Within a pack expansion over the VertexTypes of an edge: the dimensions of each (g2o's name).
+/// Expands, in a pack expansion over the VertexTypes of an edge, to the dimensions of each. The name is
+/// g2o's.
 #define G2O_VERTEX_DIM VertexTypes::Dimension
 
 namespace g2o {
 namespace internal {
 
-/// Positions i < j of a pair of vertices, numbered (0,1) (0,2) (1,2) (0,3) …
+/// The number of the pair of positions i < j, counted as (0,1) (0,2) (1,2) (0,3) …
 constexpr int pair_to_index(int i, int j) {
   return j * (j - 1) / 2 + i;
 }
@@ -37,7 +38,7 @@ constexpr int pair_second(int k) {
   return j;
 }
 
-/// The positions of pair number k; the inverse of pair_to_index().
+/// The positions of pair k: the inverse of pair_to_index().
 struct TrivialPair {
   int first = 0, second = 0;
   constexpr TrivialPair(int f, int s) : first(f), second(s) {}
@@ -49,15 +50,15 @@ constexpr TrivialPair index_to_pair(int k) {
   return TrivialPair(pair_first(k), pair_second(k));
 }
 
-/// Rows × Cols numbers, column by column; a single row is the same either way.
+/// A Jacobian of Rows × Cols, stored by columns. Row vectors are stored by rows, which is the same layout.
 template <int Rows, int Cols>
 using JacobianMatrix =
     Eigen::Matrix<double, Rows, Cols, (Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor>;
 
 }  // namespace internal
 
-/// What is left to implement: computeError, read and write; and linearizeOplus, if analytic Jacobians are to
-/// be used.
+/// A derived class implements computeError(), read() and write(), and linearizeOplus() if it has analytic
+/// Jacobians.
 template <int D, typename E, typename... VertexTypes>
 class BaseFixedSizedEdge : public BaseEdge<D, E> {
  public:
@@ -92,7 +93,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   VertexXnType<VertexN>* vertexXn() {
     return static_cast<VertexXnType<VertexN>*>(this->_vertices[VertexN]);
   }
-  /// The dimensions of a vertex, also where they are chosen at run time.
+  /// The number of dimensions of a vertex, which may be chosen at run time.
   template <int VertexN>
   int vertexDimension() const {
     constexpr int kDimension = VertexXnType<VertexN>::Dimension;
@@ -113,8 +114,9 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
 
   void resize(size_t size) override {
     if (size != _nr_of_vertices) {
-      constexpr std::size_t kVertices = _nr_of_vertices;  // in C++14, the member itself has no address
-      G2O_ERROR("resize: the edge has {} vertices, and keeps them; {} were asked for", kVertices, size);
+      constexpr std::size_t kVertices =
+          _nr_of_vertices;  // a copy, because the member has no address in C++14
+      G2O_ERROR("resize: the edge has a fixed number of {} vertices, got {}", kVertices, size);
       return;
     }
     BaseEdge<D, E>::resize(size);
@@ -125,12 +127,12 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     return allVerticesFixed(std::index_sequence_for<VertexTypes...>());
   }
 
-  /// Lets the Jacobians lie in the workspace, and fills them by linearizeOplus().
+  /// Places the Jacobians in the workspace and fills them by linearizeOplus().
   void linearizeOplus(JacobianWorkspace& jacobianWorkspace) override {
     mapJacobians(jacobianWorkspace, std::index_sequence_for<VertexTypes...>());
     linearizeOplus();
   }
-  /// Fills the Jacobians of the vertices that are not fixed; by default numerically.
+  /// Fills the Jacobians of the vertices that are not fixed. The default is numeric.
   virtual void linearizeOplus() { linearizeNumerically(std::index_sequence_for<VertexTypes...>()); }
 
   void constructQuadraticForm() override {
@@ -151,7 +153,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   OptimizableGraph::Vertex* createVertex(int i) override {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>());
   }
-  /// The same from the arguments of its constructor; nullptr where the type at position i has none for them.
+  /// The same with constructor arguments. Returns nullptr if the type at position i has no such constructor.
   template <typename First, typename... Rest>
   OptimizableGraph::Vertex* createVertex(int i, First&& first, Rest&&... rest) {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>(), std::forward<First>(first),
@@ -221,7 +223,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     internal::numericJacobian(*this, *vertexXn<N>(), std::get<N>(_jacobianOplus).data());
   }
 
-  /// The columns of all Jacobians together; −1 where they are chosen at run time.
+  /// The number of columns of all Jacobians together, or −1 if it is chosen at run time.
   static constexpr int kColumns =
       ((VertexTypes::Dimension >= 0) && ...) ? (VertexTypes::Dimension + ... + 0) : -1;
   static constexpr bool kMultipliedAtOnce =
@@ -262,13 +264,13 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
                                                 products, gradient);
     (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
   }
-  /// The block of the products that starts at a row and a column.
+  /// The block of the products that starts at this row and column.
   template <int Rows, int Cols>
   static auto productBlock(const double* products, int stride, int row, int column) {
     return Eigen::Map<const internal::JacobianMatrix<Rows, Cols>, 0, Eigen::OuterStride<>>(
         products + column * stride + row, Eigen::OuterStride<>(stride));
   }
-  /// Adds what vertex N shares with itself and with those after it.
+  /// Adds the blocks of vertex N with itself and with the vertices after it.
   template <int N, std::size_t... M>
   void addColumn(const double* products, int stride, const double* gradient, std::index_sequence<M...>) {
     VertexXnType<N>* from = vertexXn<N>();
@@ -293,7 +295,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
         block += productBlock<kFirst, kSecond>(products, stride, columnOf<N>(), columnOf<M>());
     }
   }
-  /// Adds what vertex N shares with itself and with those after it.
+  /// Adds the blocks of vertex N with itself and with the vertices after it.
   template <int N, std::size_t... M>
   void constructColumn(const InformationType& omega, const ErrorVector& weightedError,
                        std::index_sequence<M...>) {

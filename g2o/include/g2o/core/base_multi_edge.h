@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// The g2o document's name of BaseVariableSizedEdge.
+/// The name that the g2o document gives to BaseVariableSizedEdge.
 template <int D, typename E>
 class BaseMultiEdge : public BaseVariableSizedEdge<D, E> {};
 

@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// An edge over one vertex: a prior, or a measurement against what is no variable.
+/// An edge over one vertex: a prior, or a measurement of something that is not estimated.
 template <int D, typename E, typename VertexXi>
 class BaseUnaryEdge : public BaseFixedSizedEdge<D, E, VertexXi> {
  public:
@@ -23,7 +23,7 @@ class BaseUnaryEdge : public BaseFixedSizedEdge<D, E, VertexXi> {
 
   const JacobianXiOplusType& jacobianOplusXi() const { return _jacobianOplusXi; }
 
-  /// Carries nothing over: one vertex cannot tell about another.
+  /// Does nothing: an edge over one vertex cannot derive an estimate from other vertices.
   void initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) override {}
 
  protected:

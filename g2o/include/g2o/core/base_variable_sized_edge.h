@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edge over a number of vertices that is chosen at run time.
+// An edge whose number of vertices is chosen at run time.
 #pragma once
 #ifndef G2O_BASE_VARIABLE_SIZED_EDGE_H
 #define G2O_BASE_VARIABLE_SIZED_EDGE_H
@@ -12,12 +12,12 @@
 
 namespace g2o {
 
-/// Call resize() with the number of vertices. What is left to implement: computeError, read and write; and
-/// linearizeOplus, if analytic Jacobians are to be used.
+/// Call resize() with the number of vertices. A derived class implements computeError(), read() and write(),
+/// and linearizeOplus() if it has analytic Jacobians.
 template <int D, typename E>
 class BaseVariableSizedEdge : public BaseEdge<D, E> {
  public:
-  /// The block of two vertices in memory of the solver.
+  /// The block of two vertices, in the memory of the solver.
   struct HessianHelper {
     Eigen::Map<MatrixX> matrix;
     bool transposed;
@@ -35,7 +35,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     const bool same = size == _vertices.size() && size == _jacobianOplus.size();
     BaseEdge<D, E>::resize(size);
     if (same) return;
-    // Maps are made anew: to assign to one would copy the numbers.
+    // Maps are rebuilt, because assigning to one copies the values.
     _hessian.clear();
     _hessian.resize(size * (size - (size > 0 ? 1 : 0)) / 2);
     _jacobianOplus.clear();
@@ -59,7 +59,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     }
     linearizeOplus();
   }
-  /// Fills the Jacobians of the vertices that are not fixed; by default numerically.
+  /// Fills the Jacobians of the vertices that are not fixed. The default is numeric.
   virtual void linearizeOplus() {
     for (size_t i = 0; i < _vertices.size(); ++i) {
       if (!at(i)->fixed()) internal::numericJacobian(*this, *at(i), _jacobianOplus[i].data());

@@ -17,7 +17,7 @@
 namespace g2o {
 namespace internal {
 
-/// The entries of a block that is not mapped.
+/// Every entry of a block that is not mapped to memory.
 inline double& unmappedEntry() {
   thread_local double entry;
   entry = std::numeric_limits<double>::quiet_NaN();
@@ -26,15 +26,15 @@ inline double& unmappedEntry() {
 
 }  // namespace internal
 
-/// A vertex with an estimate of type T that moves in D dimensions (Eigen::Dynamic: chosen at run time, see
-/// BaseDynamicVertex). What is left to implement: oplusImpl, setToOriginImpl, read and write.
+/// A vertex with an estimate of type T and D dimensions (Eigen::Dynamic: chosen at run time, see
+/// BaseDynamicVertex). A derived class implements oplusImpl(), setToOriginImpl(), read() and write().
 template <int D, typename T>
 class BaseVertex : public OptimizableGraph::Vertex {
  public:
   using EstimateType = T;
   using BackupStackType = std::stack<EstimateType, std::vector<EstimateType>>;
   static constexpr int Dimension = D;
-  /// The block of the Hessian, in memory of the solver.
+  /// The block of the Hessian, in the memory of the solver.
   using HessianBlockType = Eigen::Map<Eigen::Matrix<double, D, D, Eigen::ColMajor>>;
   using BVector = Eigen::Matrix<double, D, 1, Eigen::ColMajor>;
 

@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// What one iteration did, and how long it took (seconds).
+/// The statistics of one iteration. Times are in seconds.
 struct G2O_CORE_API G2OBatchStatistics {
   G2OBatchStatistics();
 
@@ -21,14 +21,14 @@ struct G2O_CORE_API G2OBatchStatistics {
   double chi2 = -1;
 
   double timeResiduals = 0;
-  double timeLinearize = 0;      // 0: part of the next
+  double timeLinearize = 0;      // 0: included in timeQuadraticForm
   double timeQuadraticForm = 0;  // Jacobians, H and b
   int levenbergIterations = 0;
   double timeSchurComplement = 0;
   double timeSymbolicDecomposition = 0;
   double timeNumericDecomposition = 0;
-  double timeLinearSolution = 0;  // with the Schur complement
-  double timeLinearSolver = 0;    // without it
+  double timeLinearSolution = 0;  // including the Schur complement
+  double timeLinearSolver = 0;    // without the Schur complement
   int iterationsLinearSolver = 0;
   double timeUpdate = 0;
   double timeIteration = 0;
@@ -39,7 +39,7 @@ struct G2O_CORE_API G2OBatchStatistics {
   size_t hessianLandmarkDimension = 0;
   size_t choleskyNNZ = 0;
 
-  /// Where the current thread's optimiser collects; nullptr where it does not.
+  /// The statistics into which the optimizer of this thread writes, or nullptr if it collects none.
   static G2OBatchStatistics* globalStats();
   static void setGlobalStats(G2OBatchStatistics* b);
 };

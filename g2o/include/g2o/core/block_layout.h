@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the blocks of a block matrix begin and end, and its scalars.
+// The ends of the blocks of a block matrix, and its scalars in compressed columns.
 #pragma once
 #ifndef G2O_BLOCK_LAYOUT_H
 #define G2O_BLOCK_LAYOUT_H
@@ -10,20 +10,20 @@
 namespace g2o {
 namespace internal {
 
-/// The size of block i, of blocks that end at the given rows (or columns).
+/// The size of block i, given the end row (or column) of each block.
 inline int blockSize(const std::vector<int>& ends, int i) {
   const auto at = static_cast<std::size_t>(i);
   return at > 0 ? ends[at] - ends[at - 1] : ends[at];
 }
 
-/// Where block i begins.
+/// The first row (or column) of block i.
 inline int blockBase(const std::vector<int>& ends, int i) {
   return i > 0 ? ends[static_cast<std::size_t>(i - 1)] : 0;
 }
 
-/// Visits the scalars of a block matrix column by column: `begin` is told the number of each, `take` its rows
-/// and values. `rowOf` and `blockOf` say where an entry of a column of blocks stands, and what it is.
-/// `upperTriangle`: without the scalars below the diagonal.
+/// Visits the scalars of a block matrix column by column. `begin` receives the number of each column, and
+/// `take` the row and value of each scalar. `rowOf` returns the row of an entry of a column of blocks, and
+/// `blockOf` its block. If `upperTriangle` is true, scalars below the diagonal are left out.
 template <class Columns, class RowOf, class BlockOf, class Begin, class Take>
 void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const std::vector<int>& colEnds,
                   bool upperTriangle, RowOf&& rowOf, BlockOf&& blockOf, Begin&& begin, Take&& take) {
@@ -43,7 +43,7 @@ void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const
   }
 }
 
-/// The scalars that `visit(begin, take)` visits, in compressed columns; returns their number.
+/// Writes the scalars that `visit(begin, take)` visits as compressed columns and returns their number.
 template <class Visit>
 int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
   int count = 0;
@@ -55,7 +55,7 @@ int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
   Cp[cols] = count;
   return count;
 }
-/// Only the values, in the same order.
+/// Writes only the values, in the same order.
 template <class Visit>
 int fillCCS(Visit&& visit, double* Cx) {
   int count = 0;

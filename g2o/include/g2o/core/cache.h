@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantities that many edges derive from one vertex and some parameters: computed once per estimate.
+// Quantities that many edges derive from one vertex and some parameters. They are computed once per estimate.
 #pragma once
 #ifndef G2O_CACHE_HH_
 #define G2O_CACHE_HH_
@@ -18,7 +18,7 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
  public:
   friend class CacheContainer;
 
-  /// The word of a cache in the Factory, and its parameters.
+  /// The tag of a cache in the Factory, and the parameters of the cache.
   class G2O_CORE_API CacheKey {
    public:
     friend class CacheContainer;
@@ -41,15 +41,16 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
   OptimizableGraph* graph();
   CacheContainer* container();
   ParameterVector& parameters();
-  /// Computes what updateImpl() computes, after the caches that it builds on; once per estimate.
+  /// Updates the caches that this one depends on and calls updateImpl(), once per estimate.
   void update();
   HyperGraph::HyperGraphElementType elementType() const override { return HyperGraph::HGET_CACHE; }
 
  protected:
   virtual void updateImpl() = 0;
-  /// The cache of the same vertex that this one builds on; `parameterIndices` choose its parameters of ours.
+  /// Returns the cache of the same vertex that this cache depends on, and makes it if there is none.
+  /// `parameterIndices` selects its parameters among those of this cache.
   Cache* installDependency(const std::string& type, const std::vector<int>& parameterIndices);
-  /// Called when parameters and container are known; false where they do not fit.
+  /// Called when parameters and container are known. Returns false if they do not fit.
   virtual bool resolveDependencies();
 
   bool _updateNeeded = true;
@@ -70,7 +71,7 @@ class G2O_CORE_API CacheContainer : public std::map<Cache::CacheKey, Cache*> {
   const OptimizableGraph::Vertex* vertex() const;
   OptimizableGraph* graph();
   Cache* findCache(const Cache::CacheKey& key);
-  /// A new cache, or nullptr where the Factory does not know the word or the parameters do not fit.
+  /// Returns a new cache, or nullptr if the Factory does not know the tag or the parameters do not fit.
   Cache* createCache(const Cache::CacheKey& key);
   void setUpdateNeeded(bool needUpdate = true);
   void update();

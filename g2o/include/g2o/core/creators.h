@@ -16,7 +16,7 @@ class G2O_CORE_API AbstractHyperGraphElementCreator {
  public:
   AbstractHyperGraphElementCreator();
   virtual ~AbstractHyperGraphElementCreator();
-  /// A new element, which is the caller's.
+  /// Returns a new element. The caller owns it.
   virtual HyperGraph::HyperGraphElement* construct() = 0;
   /// typeid(T).name().
   virtual const std::string& name() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory that grows on request and is aligned as Eigen's.
+// Memory that grows on request and is aligned for Eigen.
 #pragma once
 #ifndef G2O_DYNAMIC_ALIGNED_BUFFER_HPP
 #define G2O_DYNAMIC_ALIGNED_BUFFER_HPP
@@ -11,12 +11,12 @@
 
 namespace g2o {
 
-/// A buffer of Type, which is a type of numbers.
+/// A buffer of scalars.
 template <typename Type>
 struct dynamic_aligned_buffer {
   explicit dynamic_aligned_buffer(std::size_t size) : memory_(size) {}
 
-  /// Room for n elements, valid until a larger request. What they hold is not specified.
+  /// Returns memory for n elements. It stays valid until a larger request, and its contents are unspecified.
   Type* request(std::size_t n) {
     if (n > memory_.size()) memory_.resize(n);
     return memory_.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of Eigen types: those of today, and those of older clients.
+// Aliases of Eigen types: the current names and the names that older clients use.
 #pragma once
 #ifndef G2O_EIGEN_TYPES_H
 #define G2O_EIGEN_TYPES_H
@@ -59,7 +59,7 @@ using Rotation2D = Eigen::Rotation2D<double>;
 using Quaternion = Eigen::Quaternion<double>;
 using AngleAxis = Eigen::AngleAxis<double>;
 
-// The names of older clients.
+// Names that older clients use.
 using Vector2D = Vector2;
 using Vector3D = Vector3;
 using Vector4D = Vector4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Estimates made from those of other vertices, along the cheapest edges.
+// Initial estimates that are propagated from vertex to vertex along the cheapest edges.
 #pragma once
 #ifndef G2O_ESTIMATE_PROPAGATOR_H
 #define G2O_ESTIMATE_PROPAGATOR_H
@@ -13,8 +13,8 @@
 
 namespace g2o {
 
-/// What it costs to estimate a vertex from others through an edge; std::numeric_limits<double>::max() where
-/// that is not possible. By default what the edge itself says, for active edges.
+/// The cost of estimating a vertex from others through an edge, or std::numeric_limits<double>::max() if that
+/// is impossible. The default asks active edges for the cost.
 class G2O_CORE_API EstimatePropagatorCost {
  public:
   explicit EstimatePropagatorCost(SparseOptimizer* graph);
@@ -27,7 +27,7 @@ class G2O_CORE_API EstimatePropagatorCost {
   SparseOptimizer* _graph;
 };
 
-/// Only along edges between consecutive ids.
+/// Uses only edges between consecutive ids.
 class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCost {
  public:
   explicit EstimatePropagatorCostOdometry(SparseOptimizer* graph);
@@ -39,7 +39,8 @@ class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCos
 /// Dijkstra's algorithm over hyper-edges.
 class G2O_CORE_API EstimatePropagator {
  public:
-  /// What is done with a vertex that was reached; by default Edge::initialEstimate(), unless it is fixed.
+  /// Called for each vertex that is reached. The default calls Edge::initialEstimate() unless the vertex is
+  /// fixed.
   struct G2O_CORE_API PropagateAction {
     virtual ~PropagateAction();
     virtual void operator()(OptimizableGraph::Edge* e, const OptimizableGraph::VertexSet& from,
@@ -49,7 +50,7 @@ class G2O_CORE_API EstimatePropagator {
   };
   using PropagateCost = EstimatePropagatorCost;
 
-  /// How a vertex was reached.
+  /// The path by which a vertex was reached.
   class G2O_CORE_API AdjacencyMapEntry {
    public:
     friend class EstimatePropagator;

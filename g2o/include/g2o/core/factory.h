@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of files: words, and what they stand for.
+// The registry of element types by file tag.
 #pragma once
 #ifndef G2O_FACTORY_H
 #define G2O_FACTORY_H
@@ -19,28 +19,28 @@
 
 namespace g2o {
 
-/// One word per type. Registering another type under a word that is taken, or a type under a second word, is
-/// refused with a message. The same once more, as by another copy of a library, counts when the first is
-/// taken back.
+/// Has one tag per type. Refuses, with a message, a second type under the same tag and a second tag for the
+/// same type. The same type may be registered again under its tag, for example by another copy of a library;
+/// that registration takes effect when the first one is withdrawn.
 class G2O_CORE_API Factory {
  public:
   static Factory* instance();
   static void destroy();
 
   void registerType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   void registerType(const std::string& tag, AbstractHyperGraphElementCreator* c);
   void unregisterType(const std::string& tag);
-  /// Takes back what was registered with this creator, and nothing else (not in g2o).
+  /// Withdraws exactly the registration that was made with this creator (not in g2o).
   void unregisterType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
-  /// A new element, which is the caller's; nullptr where the word is unknown, or stands for an element of a
-  /// kind that `elemsToConstruct` does not have.
+  /// Returns a new element, which the caller owns. Returns nullptr if the tag is unknown or its kind of
+  /// element is not in `elemsToConstruct`.
   HyperGraph::HyperGraphElement* construct(const std::string& tag) const;
   HyperGraph::HyperGraphElement* construct(const std::string& tag,
                                            const HyperGraph::GraphElemBitset& elemsToConstruct) const;
-  /// `elementType` receives the HyperGraph::HyperGraphElementType, or −1.
+  /// `elementType` receives the HyperGraph::HyperGraphElementType, or −1 if the tag is unknown.
   bool knowsTag(const std::string& tag, int* elementType = nullptr) const;
-  /// The word of an element; empty where its type is not registered.
+  /// The tag of an element, or an empty string if its type is not registered.
   const std::string& tag(const HyperGraph::HyperGraphElement* v) const;
   void fillKnownTypes(std::vector<std::string>& types) const;
   void printRegisteredTypes(std::ostream& os, bool comment = false) const;
@@ -56,8 +56,8 @@ class G2O_CORE_API Factory {
   Factory();
   ~Factory();
 
-  CreatorMap _creator;   ///< by word
-  TagLookup _tagLookup;  ///< from typeid(T).name() to the word
+  CreatorMap _creator;   ///< by tag
+  TagLookup _tagLookup;  ///< from typeid(T).name() to the tag
 
  private:
   internal::Shadowed<AbstractHyperGraphElementCreator> shadowed_;
@@ -81,7 +81,7 @@ class RegisterTypeProxy {
 
 namespace internal {
 
-constexpr bool isWord(const char* text) {
+constexpr bool isValidTag(const char* text) {
   if (*text == '\0') return false;
   for (; *text != '\0'; ++text) {
     if (*text == ' ' || (*text >= '\t' && *text <= '\r')) return false;
@@ -94,11 +94,11 @@ constexpr bool isWord(const char* text) {
 
 #define G2O_FACTORY_EXPORT G2O_API_EXPORT
 
-/// Registers a type for files: G2O_REGISTER_TYPE_NAME("VERTEX_SE2", VertexSE2), or, where the word is one to
-/// the preprocessor, G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2).
-#define G2O_REGISTER_TYPE_NAME(name, classname)                                                   \
-  static_assert(g2o::internal::isWord(name), "a type is registered under a word without blanks"); \
-  extern "C" void G2O_FACTORY_EXPORT g2o_type_##classname(void) {}                                \
+/// Registers a type for files: G2O_REGISTER_TYPE_NAME("VERTEX_SE2", VertexSE2). If the tag is an identifier,
+/// G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2) does the same.
+#define G2O_REGISTER_TYPE_NAME(name, classname)                                            \
+  static_assert(g2o::internal::isValidTag(name), "the tag of a type must have no blanks"); \
+  extern "C" void G2O_FACTORY_EXPORT g2o_type_##classname(void) {}                         \
   static g2o::RegisterTypeProxy<classname> g_type_proxy_##classname(name);
 #define G2O_REGISTER_TYPE(name, classname) G2O_REGISTER_TYPE_NAME(#name, classname)
 
@@ -106,7 +106,7 @@ constexpr bool isWord(const char* text) {
   extern "C" void g2o_type_##classname(void); \
   static g2o::ForceLinker proxy_##classname(g2o_type_##classname);
 
-/// Names the types of a library, so that programs can ask for them to be linked.
+/// Names the types of a library, so that a program can request that they are linked.
 #define G2O_REGISTER_TYPE_GROUP(type_group_name) \
   extern "C" void G2O_FACTORY_EXPORT g2o_type_group_##type_group_name(void) {}
 

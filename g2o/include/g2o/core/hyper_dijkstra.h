@@ -14,13 +14,14 @@
 namespace g2o {
 
 struct G2O_CORE_API HyperDijkstra {
-  /// What it costs to go from one vertex of an edge to another; std::numeric_limits<double>::max(): no way.
+  /// The cost of going from one vertex of an edge to another. std::numeric_limits<double>::max() means that
+  /// there is no way.
   struct G2O_CORE_API CostFunction {
     virtual double operator()(HyperGraph::Edge* e, HyperGraph::Vertex* from, HyperGraph::Vertex* to) = 0;
     virtual ~CostFunction();
   };
 
-  /// What is done at each vertex of a tree.
+  /// Called for each vertex of a tree.
   struct G2O_CORE_API TreeAction {
     virtual ~TreeAction();
     virtual double perform(HyperGraph::Vertex* v, HyperGraph::Vertex* vParent, HyperGraph::Edge* e);
@@ -28,7 +29,7 @@ struct G2O_CORE_API HyperDijkstra {
                            double distance);
   };
 
-  /// How a vertex was reached.
+  /// The path by which a vertex was reached.
   class G2O_CORE_API AdjacencyMapEntry {
    public:
     friend struct HyperDijkstra;
@@ -56,9 +57,9 @@ struct G2O_CORE_API HyperDijkstra {
   AdjacencyMap& adjacencyMap() { return _adjacencyMap; }
   HyperGraph* graph() { return _graph; }
 
-  /// The paths from one vertex, or from the nearest of several, to all that are at most maxDistance away. A
-  /// path replaces another where it is shorter by more than comparisonConditioner.
-  /// directed: edges are only gone from their first vertex.
+  /// Computes the paths from one vertex, or from the nearest of several, to all vertices at a distance of at
+  /// most maxDistance. A new path replaces another one if it is shorter by more than comparisonConditioner.
+  /// If `directed` is true, edges are followed only from their first vertex.
   void shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunction* cost,
                      double maxDistance = std::numeric_limits<double>::max(),
                      double comparisonConditioner = 1e-3, bool directed = false,
@@ -70,9 +71,9 @@ struct G2O_CORE_API HyperDijkstra {
 
   /// Fills children() from parent().
   static void computeTree(AdjacencyMap& amap);
-  /// Calls the action from the roots to the leaves; with the distance, where useDistance.
+  /// Calls the action from the roots to the leaves. Passes the distance if useDistance is true.
   static void visitAdjacencyMap(AdjacencyMap& amap, TreeAction* action, bool useDistance = false);
-  /// connected: what can be reached from v within startingSet.
+  /// `connected` receives the vertices that can be reached from v within startingSet.
   static void connectedSubset(HyperGraph::VertexSet& connected, HyperGraph::VertexSet& visited,
                               HyperGraph::VertexSet& startingSet, HyperGraph* g, HyperGraph::Vertex* v,
                               HyperDijkstra::CostFunction* cost, double distance,

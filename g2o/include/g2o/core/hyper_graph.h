@@ -16,8 +16,8 @@
 
 namespace g2o {
 
-/// Owns its vertices and edges: what was added is deleted by remove…(), clear() and the destructor. What was
-/// refused (add…() returned false) stays the caller's.
+/// Owns its vertices and edges: remove…(), clear() and the destructor delete them. The caller keeps an
+/// element that was refused (add…() returned false).
 class G2O_CORE_API HyperGraph {
  public:
   enum HyperGraphElementType {
@@ -53,7 +53,7 @@ class G2O_CORE_API HyperGraph {
   using VertexContainer = std::vector<Vertex*>;
   using EdgeContainer = std::vector<Edge*>;
 
-  /// Whatever a user hangs on an element: a list, linked by next().
+  /// User data that is attached to an element: a list, linked by next().
   class G2O_CORE_API Data : public HyperGraphElement {
     friend struct OptimizableGraph;
 
@@ -75,7 +75,7 @@ class G2O_CORE_API HyperGraph {
     DataContainer* _dataContainer = nullptr;
   };
 
-  /// What can hold user data; owns it.
+  /// An element that can hold user data. Owns it.
   class G2O_CORE_API DataContainer {
    public:
     DataContainer() = default;
@@ -84,7 +84,7 @@ class G2O_CORE_API HyperGraph {
     virtual ~DataContainer();
     const Data* userData() const { return _userData; }
     Data* userData() { return _userData; }
-    /// Replaces the list; the one that was there is the caller's.
+    /// Replaces the list. The caller owns the previous one.
     void setUserData(Data* data) {
       _userData = data;
       for (Data* d = data; d != nullptr; d = d->next()) d->setDataContainer(this);
@@ -106,7 +106,7 @@ class G2O_CORE_API HyperGraph {
     explicit Vertex(int id = InvalidId);
     ~Vertex() override;
     int id() const { return _id; }
-    /// Only for vertices that are in no graph; see HyperGraph::changeId().
+    /// Only for vertices that are not in a graph; see HyperGraph::changeId().
     virtual void setId(int newId) { _id = newId; }
     const EdgeSet& edges() const { return _edges; }
     EdgeSet& edges() { return _edges; }
@@ -126,7 +126,7 @@ class G2O_CORE_API HyperGraph {
     VertexContainer& vertices() { return _vertices; }
     const Vertex* vertex(size_t i) const { return _vertices[i]; }
     Vertex* vertex(size_t i) { return _vertices[i]; }
-    /// Only for edges that are in no graph; see HyperGraph::setEdgeVertex().
+    /// Only for edges that are not in a graph; see HyperGraph::setEdgeVertex().
     void setVertex(size_t i, Vertex* v);
     int id() const { return _id; }
     void setId(int id) { _id = id; }
@@ -143,12 +143,12 @@ class G2O_CORE_API HyperGraph {
   HyperGraph& operator=(const HyperGraph&) = delete;
   virtual ~HyperGraph();
 
-  /// The vertex with that id, or nullptr.
+  /// The vertex with this id, or nullptr.
   Vertex* vertex(int id);
   const Vertex* vertex(int id) const;
 
-  /// Removes an element and deletes it; false where it is not in the graph. `detach` keeps the edges of a
-  /// vertex, with nothing in its place.
+  /// Removes an element and deletes it. Returns false if it is not in the graph. `detach` keeps the edges of
+  /// a vertex and leaves its position in them empty.
   virtual bool removeVertex(Vertex* v, bool detach = false);
   virtual bool removeEdge(Edge* e);
   /// Deletes all vertices and edges.
@@ -159,18 +159,18 @@ class G2O_CORE_API HyperGraph {
   const EdgeSet& edges() const { return _edges; }
   EdgeSet& edges() { return _edges; }
 
-  /// False where the vertex' id is taken.
+  /// Returns false if the id of the vertex is taken.
   virtual bool addVertex(Vertex* v);
-  /// False where the edge is in the graph, misses a vertex, or has one twice.
+  /// Returns false if the edge is already in the graph, lacks a vertex, or has the same vertex twice.
   virtual bool addEdge(Edge* e);
-  /// Lets position `pos` of an edge be `v`, which may be nullptr.
+  /// Sets position `pos` of an edge to `v`, which may be nullptr.
   virtual bool setEdgeVertex(Edge* e, int pos, Vertex* v);
-  /// Hands the edges of `small` to `big`; edges between the two are removed. `erase` removes `small`. False,
-  /// and nothing is changed, where an edge cannot take `big`.
+  /// Replaces `small` by `big` in all edges and removes the edges between the two. `erase` also removes
+  /// `small`. Returns false and changes nothing if an edge does not accept `big`.
   virtual bool mergeVertices(Vertex* big, Vertex* small, bool erase);
-  /// Puts nothing in the place of `v` in all its edges.
+  /// Sets the position of `v` to nullptr in all its edges.
   virtual bool detachVertex(Vertex* v);
-  /// False where `newId` is taken.
+  /// Returns false if `newId` is taken.
   virtual bool changeId(Vertex* v, int newId);
 
  protected:
@@ -178,7 +178,7 @@ class G2O_CORE_API HyperGraph {
   EdgeSet _edges;
 
  private:
-  /// Whether the graph has `v`; a message of the caller where it has not.
+  /// Whether the graph has `v`. If not, prints a message in the name of the caller.
   bool has(const Vertex* v, const char* caller) const;
 };
 

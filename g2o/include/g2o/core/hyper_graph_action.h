@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions over a graph, called before and after iterations; and functions over its elements, found by name
+// Functions over a graph, called before and after iterations, and functions over its elements, found by name
 // and type.
 #pragma once
 #ifndef G2O_HYPER_GRAPH_ACTION_H
@@ -22,7 +22,7 @@ namespace g2o {
 
 class CacheContainer;
 
-/// Called with a graph; returns itself where it succeeded, else nullptr.
+/// Called with a graph. Returns itself if it succeeded, else nullptr.
 class G2O_CORE_API HyperGraphAction {
  public:
   class G2O_CORE_API Parameters {
@@ -40,8 +40,7 @@ class G2O_CORE_API HyperGraphAction {
   virtual HyperGraphAction* operator()(const HyperGraph* graph, Parameters* parameters = nullptr);
 };
 
-/// What an action called name() does to elements of one type. Returns itself where it did something, else
-/// nullptr.
+/// Implements the action name() for elements of one type. Returns itself if it did something, else nullptr.
 class G2O_CORE_API HyperGraphElementAction {
  public:
   struct G2O_CORE_API Parameters {
@@ -68,7 +67,7 @@ class G2O_CORE_API HyperGraphElementAction {
 
 using HyperGraphElementActionPtr = HyperGraphElementAction::HyperGraphElementActionPtr;
 
-/// The actions of one name for elements of several types.
+/// The actions with one name, for elements of several types.
 class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementAction {
  public:
   explicit HyperGraphElementActionCollection(const std::string& name_);
@@ -77,7 +76,8 @@ class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementA
   HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
                                       Parameters* parameters) override;
   ActionMap& actionMap() { return _actionMap; }
-  /// False where the name is another. An action for a type that has one replaces it, until it is taken back.
+  /// Returns false if the action has another name. Replaces the action for its type, if there is one, until
+  /// it is unregistered.
   bool registerAction(const HyperGraphElementActionPtr& action);
   bool unregisterAction(const HyperGraphElementActionPtr& action);
 
@@ -94,7 +94,7 @@ class G2O_CORE_API HyperGraphActionLibrary {
   static HyperGraphActionLibrary* instance();
   static void destroy();
 
-  /// The collection of that name, or nullptr.
+  /// The collection with this name, or nullptr.
   HyperGraphElementAction* actionByName(const std::string& name);
   bool registerAction(const HyperGraphElementActionPtr& action);
   bool unregisterAction(const HyperGraphElementActionPtr& action);
@@ -107,8 +107,8 @@ class G2O_CORE_API HyperGraphActionLibrary {
 };
 
 /// Calls an action on all elements, or on those whose typeid name is typeName: vertices by id, then edges in
-/// the order in which they were added. Without an action, as actionByName() returns for unknown names,
-/// nothing happens.
+/// the order in which they were added. Does nothing if the action is nullptr, which actionByName() returns
+/// for unknown names.
 G2O_CORE_API void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                               HyperGraphElementAction::Parameters* parameters = nullptr,
                               const std::string& typeName = "");
@@ -136,11 +136,12 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
   explicit WriteGnuplotAction(const std::string& typeName_);
 };
 
-/// Draws elements: the action "draw". An action of a type draws its elements, their user data and the caches
-/// of vertices; whatever has no action is not drawn.
+/// Draws elements: the action "draw". The action for a type draws its elements, their user data, and the
+/// caches of its vertices. Elements whose type has no action are not drawn.
 ///
-/// How it looks can be set by properties of the parameters, per type: `<typeName>::SHOW` (bool, true) and
-/// what the action of the type knows, as `<typeName>::POINT_SIZE`. They are made when first drawn, and found
+/// Properties of the parameters set the look of each type: `<typeName>::SHOW` (bool, true), and those that
+/// the action for the type has, such as `<typeName>::POINT_SIZE`. The first drawing makes the properties that
+/// do not exist yet:
 /// if they were made before:
 ///
 ///     parameters.makeProperty<g2o::BoolProperty>(std::string(typeid(Edge).name()) + "::SHOW", false);
@@ -150,7 +151,7 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
    public:
     Parameters();
     ~Parameters() override;
-    /// Where to draw; nothing is drawn while it is nullptr. Not owned.
+    /// The target. Nothing is drawn while it is nullptr. Not owned.
     Drawing* drawing = nullptr;
   };
 
@@ -158,14 +159,14 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
   ~DrawAction() override;
 
  protected:
-  /// Lets the members for properties be those of `params_`, making what is missing. False where `params_` is
-  /// no Parameters, or nothing can be drawn into it. To be called before every drawing.
+  /// Points the members for properties to those of `params_`, and makes the missing ones. Returns false if
+  /// `params_` is not a DrawAction::Parameters or has no drawing. Must be called before every drawing.
   virtual bool refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_);
-  /// Draws the caches of a vertex, the user data of an element, by the actions of their types.
+  /// Draw the caches of a vertex, and the user data of an element, by the actions for their types.
   void drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_);
   void drawUserData(HyperGraph::Data* data, HyperGraphElementAction::Parameters* params_);
 
-  /// The number that this type's property `name` has, `otherwise` where there was none.
+  /// The property `name` of this type. Makes it with the value `otherwise` if it does not exist.
   float property(const std::string& name, float otherwise);
 
   Parameters* _previousParams = nullptr;  ///< those of the last refreshPropertyPtrs()
@@ -174,7 +175,7 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
 
 namespace internal {
 
-/// An action of a type under the class name that it has in g2o: does what `action` does.
+/// An action for a type, under the class name that g2o gives it. Forwards to `action`.
 template <class Base>
 class NamedAction : public Base {
  public:
@@ -198,7 +199,7 @@ class NamedAction : public Base {
 }  // namespace internal
 }  // namespace g2o
 
-/// Registers an action class, which has a default constructor.
+/// Registers an action class that has a default constructor.
 #define G2O_REGISTER_ACTION(classname) static g2o::RegisterActionProxy<classname> g_action_proxy_##classname;
 
 #endif  // G2O_HYPER_GRAPH_ACTION_H

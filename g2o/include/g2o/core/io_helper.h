@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors in streams, for the read() and write() of clients' types.
+// Vectors in streams, for read() and write() of clients' types.
 #pragma once
 #ifndef G2O_CORE_IO_HELPER_H
 #define G2O_CORE_IO_HELPER_H
@@ -10,14 +10,14 @@
 namespace g2o {
 namespace internal {
 
-/// As many numbers as the vector has; false where they are not there.
+/// Reads as many values as the vector has. Returns false if there are fewer.
 template <typename Derived>
 bool readVector(std::istream& is, Eigen::DenseBase<Derived>& b) {
   for (Eigen::Index i = 0; i < b.size(); ++i) is >> b(i);
   return !is.fail();
 }
 
-/// The numbers, each with a blank behind it.
+/// Writes the values, each followed by a blank.
 template <typename Derived>
 bool writeVector(std::ostream& os, const Eigen::DenseBase<Derived>& b) {
   for (Eigen::Index i = 0; i < b.size(); ++i) os << b(i) << " ";

@@ -13,8 +13,8 @@ namespace g2o {
 
 struct OptimizableGraph;
 
-/// The memory into which edges write their Jacobians, one part per vertex of an edge. The next edge
-/// overwrites it.
+/// The memory into which edges write their Jacobians, one part per vertex of an edge. Each edge overwrites
+/// the Jacobians of the edge before.
 class G2O_CORE_API JacobianWorkspace {
  public:
   using WorkspaceVector = std::vector<VectorX>;
@@ -22,10 +22,10 @@ class G2O_CORE_API JacobianWorkspace {
   JacobianWorkspace();
   ~JacobianWorkspace();
 
-  /// Makes the memory that updateSize() asked for.
+  /// Allocates the memory that updateSize() requested.
   bool allocate();
-  /// Room for an edge, for all edges of a graph, or for `numVertices` Jacobians of `dimension` numbers each.
-  /// `reset` forgets earlier demands.
+  /// Requests memory for an edge, for all edges of a graph, or for `numVertices` Jacobians of `dimension`
+  /// values each. `reset` drops earlier requests.
   void updateSize(const HyperGraph::Edge* e, bool reset = false);
   void updateSize(const OptimizableGraph& graph, bool reset = false);
   void updateSize(int numVertices, int dimension, bool reset = false);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seam between a BlockSolver and whatever solves its sparse systems.
+// The interface between a BlockSolver and the solver of its sparse systems.
 #pragma once
 #ifndef G2O_LINEAR_SOLVER_H
 #define G2O_LINEAR_SOLVER_H
@@ -16,7 +16,7 @@
 
 namespace g2o {
 
-/// Solves A x = b for a symmetric positive definite A, of which the upper triangle of blocks is there.
+/// Solves A x = b for a symmetric positive definite A that is given by its upper triangle of blocks.
 template <typename MatrixType>
 class LinearSolver {
  public:
@@ -25,17 +25,17 @@ class LinearSolver {
   LinearSolver& operator=(const LinearSolver&) = delete;
   virtual ~LinearSolver() = default;
 
-  /// Called before the first system of a new structure.
+  /// Called before the first system with a new structure.
   virtual bool init() = 0;
   virtual bool solve(const SparseBlockMatrix<MatrixType>& A, double* x, double* b) = 0;
 
-  /// The diagonal blocks of A⁻¹; `blocks` is allocated where it is null (see deallocateBlocks).
+  /// Computes the diagonal blocks of A⁻¹. Allocates `blocks` if it is null (see deallocateBlocks).
   virtual bool solveBlocks(double**& blocks, const SparseBlockMatrix<MatrixType>& A) {
     (void)blocks;
     (void)A;
     return false;
   }
-  /// The blocks (i, j) of A⁻¹.
+  /// Computes the blocks (i, j) of A⁻¹.
   virtual bool solvePattern(SparseBlockMatrix<MatrixX>& spinv,
                             const std::vector<std::pair<int, int>>& blockIndices,
                             const SparseBlockMatrix<MatrixType>& A) {
@@ -62,7 +62,7 @@ class LinearSolver {
     blocks = nullptr;
   }
 
-  /// The permutation of scalars that a permutation of blocks means.
+  /// Expands a permutation of blocks to a permutation of scalars.
   template <typename BlockDerived, typename ScalarDerived>
   static void blockToScalarPermutation(const SparseBlockMatrix<MatrixType>& A,
                                        const Eigen::MatrixBase<BlockDerived>& p,
@@ -74,13 +74,13 @@ class LinearSolver {
     }
   }
 
-  /// How the engine solves in the place of this solver, so that a BlockSolver need not make a
-  /// SparseBlockMatrix. By default not at all.
+  /// The settings with which the engine can solve in place of this solver, so that a BlockSolver does not
+  /// build a SparseBlockMatrix. By default the engine does not replace the solver.
   virtual internal::EngineSettings engine() const { return {}; }
 };
 
-/// A solver over compressed columns. A derived class that factorises A offers its marginals by
-/// solveBlocks_impl().
+/// A solver over compressed columns. A derived class that factorizes A implements solveBlocks_impl() to
+/// provide marginals.
 template <typename MatrixType>
 class LinearSolverCCS : public LinearSolver<MatrixType> {
  public:
@@ -98,20 +98,20 @@ class LinearSolverCCS : public LinearSolver<MatrixType> {
   }
 
   bool blockOrdering() const { return _blockOrdering; }
-  /// Whether the ordering is of blocks or of scalars.
+  /// If true, the ordering permutes blocks, else scalars.
   virtual void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
   bool writeDebug() const override { return _writeDebug; }
   void setWriteDebug(bool b) override { _writeDebug = b; }
 
  protected:
-  /// Calls `compute` with the Cholesky factor of A; false where there is none.
+  /// Calls `compute` with the Cholesky factor of A. Returns false if there is none.
   virtual bool solveBlocks_impl(const SparseBlockMatrix<MatrixType>& A,
                                 std::function<void(MarginalCovarianceCholesky&)> compute) {
     (void)A;
     (void)compute;
     return false;
   }
-  /// Lets _ccsMatrix list the blocks of A, which must outlive it.
+  /// Makes _ccsMatrix list the blocks of A, which must outlive it.
   void initMatrixStructure(const SparseBlockMatrix<MatrixType>& A) {
     _ccsMatrix = std::make_unique<SparseBlockMatrixCCS<MatrixType>>(A.rowBlockIndices(), A.colBlockIndices());
     A.fillSparseBlockMatrixCCS(*_ccsMatrix);

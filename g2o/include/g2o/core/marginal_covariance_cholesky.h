@@ -14,21 +14,22 @@ namespace g2o {
 
 /// Entries of the inverse of A = Pᵀ L Lᵀ P, given the Cholesky factor L.
 ///
-/// All entries on the pattern of L come from one backward sweep (Takahashi, Fagan, Chin, 1973); others cost
-/// two triangular solves per column.
+/// One backward sweep (Takahashi, Fagan, Chin, 1973) computes all entries on the pattern of L. Other entries
+/// cost two triangular solves per column.
 class G2O_CORE_API MarginalCovarianceCholesky {
  public:
   MarginalCovarianceCholesky();
   ~MarginalCovarianceCholesky();
 
-  /// L in compressed columns: n of them, each with its diagonal entry first, and with every entry that the
-  /// elimination fills. permInv[i]: where scalar i of A stands in L; null: where it stands in A. All four
-  /// must stay until the last computation.
+  /// L has n compressed columns. Each column begins with its diagonal entry and has every entry that the
+  /// elimination fills. permInv[i] is the row of scalar i of A in L; if permInv is null, L has the order of
+  /// A. All four arrays must live until the last computation.
   void setCholeskyFactor(int n, int* Lp, int* Li, double* Lx, int* permInv);
 
-  /// The diagonal blocks, column by column: block i, which ends at scalar blockIndices[i], at covBlocks[i].
+  /// Computes the diagonal blocks, stored by columns. Block i ends at scalar blockIndices[i] and is written
+  /// to covBlocks[i].
   void computeCovariance(double** covBlocks, const std::vector<int>& blockIndices);
-  /// The blocks (i, j) of A⁻¹, whose blocks end at the scalars rowBlockIndices.
+  /// Computes the blocks (i, j) of A⁻¹. Block i ends at scalar rowBlockIndices[i].
   void computeCovariance(SparseBlockMatrix<MatrixX>& spinv, const std::vector<int>& rowBlockIndices,
                          const std::vector<std::pair<int, int>>& blockIndices);
 
@@ -44,8 +45,8 @@ class G2O_CORE_API MarginalCovarianceCholesky {
   double entry(int row, int column);
   const VectorX& column(int c);
 
-  std::vector<double> inverse_;               ///< on the pattern of L; empty until it is asked for
-  std::unordered_map<int, VectorX> columns_;  ///< of the inverse, beside the pattern
+  std::vector<double> inverse_;               ///< on the pattern of L; empty until the first use
+  std::unordered_map<int, VectorX> columns_;  ///< of the inverse, for entries outside the pattern
 };
 
 }  // namespace g2o

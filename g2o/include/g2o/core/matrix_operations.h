@@ -9,7 +9,7 @@
 namespace g2o {
 namespace internal {
 
-/// The rows of y from yoff on gain A times those of x from xoff on.
+/// Adds A times the part of x that begins at xoff to the part of y that begins at yoff.
 template <typename MatrixType>
 inline void axpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int xoff, Eigen::Map<VectorX>& y,
                  int yoff) {

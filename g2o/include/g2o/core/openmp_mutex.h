@@ -7,8 +7,8 @@
 
 namespace g2o {
 
-/// Edges are linearised by one thread unless their type opts in, and those that do add to memory of their
-/// own: there is nothing to lock.
+/// Locks nothing. Edges are linearized on one thread unless their type is declared as thread-safe, and edges
+/// on several threads never write to the same block.
 class OpenMPMutex {
  public:
   void lock() {}

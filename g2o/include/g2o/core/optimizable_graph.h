@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hyper-graph as an optimisation problem: vertices with an estimate, edges with an error.
+// A hyper-graph as an optimization problem: vertices with an estimate, edges with an error.
 #pragma once
 #ifndef G2O_AIS_OPTIMIZABLE_GRAPH_HH_
 #define G2O_AIS_OPTIMIZABLE_GRAPH_HH_
@@ -48,7 +48,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     bool operator()(const Vertex* v1, const Vertex* v2) const { return v1->id() < v2->id(); }
   };
 
-  /// Orders edges by when they were added.
+  /// Orders edges by when they were added to the graph.
   struct EdgeIDCompare {
     bool operator()(const Edge* e1, const Edge* e2) const { return e1->internalId() < e2->internalId(); }
     bool operator()(const HyperGraph::Edge* e1, const HyperGraph::Edge* e2) const {
@@ -59,7 +59,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   using VertexContainer = std::vector<Vertex*>;
   using EdgeContainer = std::vector<Edge*>;
 
-  /// A variable on a manifold. BaseVertex implements all but oplusImpl, setToOriginImpl, read and write.
+  /// A variable on a manifold. BaseVertex implements everything but oplusImpl(), setToOriginImpl(), read()
+  /// and write().
   class G2O_CORE_API Vertex : public HyperGraph::Vertex {
     friend struct OptimizableGraph;
 
@@ -72,24 +73,26 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       updateCache();
     }
 
-    /// The (i, j) entry of the vertex' block of the Hessian, its determinant and memory. NaN and null until
-    /// optimize() has laid it out; valid until the next initializeOptimization().
+    /// The (i, j) entry of the vertex's diagonal block of the Hessian, the determinant of the block, and its
+    /// memory. They are NaN and null until optimize() allocates the Hessian, and valid until the next
+    /// initializeOptimization().
     virtual const double& hessian(int i, int j) const = 0;
     virtual double& hessian(int i, int j) = 0;
     virtual double hessianDeterminant() const = 0;
     virtual double* hessianData() = 0;
-    /// Lets the block lie at `d`, column by column.
+    /// Places the block at `d`, stored by columns.
     virtual void mapHessianMemory(double* d) = 0;
-    /// Copies b = −Jᵀ Ω e to `b_` and returns the number of entries.
+    /// Copies b = −Jᵀ Ω e to `b_` and returns its number of entries.
     virtual int copyB(double* b_) const = 0;
     virtual const double& b(int i) const = 0;
     virtual double& b(int i) = 0;
     virtual double* bData() = 0;
     virtual void clearQuadraticForm() = 0;
-    /// Moves this vertex alone: (A + λ I) x = b; returns the determinant of the matrix.
+    /// Moves only this vertex, by the solution of (A + λ I) x = b. Returns the determinant of the matrix.
     virtual double solveDirect(double lambda = 0) = 0;
 
-    /// The estimate as an array of estimateDimension() numbers. False where the type does not offer it.
+    /// The estimate as an array of estimateDimension() values. Returns false if the type does not support
+    /// this.
     bool setEstimateData(const double* estimate);
     bool setEstimateData(const std::vector<double>& estimate) {
       const int dim = estimateDimension();
@@ -119,7 +122,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     }
     virtual int estimateDimension() const;
 
-    /// The same with minimalEstimateDimension() numbers.
+    /// The same with minimalEstimateDimension() values.
     bool setMinimalEstimateData(const double* estimate);
     bool setMinimalEstimateData(const std::vector<double>& estimate) {
       const int dim = minimalEstimateDimension();
@@ -149,7 +152,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     }
     virtual int minimalEstimateDimension() const;
 
-    /// Saves, restores and forgets the estimate.
+    /// Save, restore and drop a copy of the estimate.
     virtual void push() = 0;
     virtual void pop() = 0;
     virtual void discardTop() = 0;
@@ -161,7 +164,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       updateCache();
     }
 
-    /// The block of this vertex in the Hessian of the last initializeOptimization(); −1 where it has none.
+    /// The block row of this vertex in the Hessian of the last initializeOptimization(), or −1 if it has
+    /// none.
     int hessianIndex() const { return _hessianIndex; }
     int G2O_ATTRIBUTE_DEPRECATED(tempIndex() const) { return hessianIndex(); }
     void setHessianIndex(int ti) { _hessianIndex = ti; }
@@ -170,7 +174,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     /// A fixed vertex keeps its estimate.
     bool fixed() const { return _fixed; }
     void setFixed(bool fixed) { _fixed = fixed; }
-    /// A marginalised vertex is eliminated by the Schur complement.
+    /// A marginalized vertex is eliminated by the Schur complement.
     bool marginalized() const { return _marginalized; }
     void setMarginalized(bool marginalized) { _marginalized = marginalized; }
 
@@ -200,7 +204,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     OpenMPMutex _quadraticFormMutex;
     std::unique_ptr<CacheContainer> _cacheContainer;
 
-    /// ⊞: override one of the two; the first calls the second, where the ready-made types have theirs.
+    /// Implements ⊞. Override one of the two. The default of the first calls the second, which the ready-made
+    /// types override.
     virtual void oplusImpl(const double* v);
     virtual void oplusImpl(double* v);
     virtual void setToOriginImpl() = 0;
@@ -208,10 +213,11 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool setMinimalEstimateDataImpl(const double*) { return false; }
 
    private:
-    int addedAs_ = InvalidId;  // to the graph
+    int addedAs_ = InvalidId;  // the id with which the graph lists it
   };
 
-  /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement all but computeError, read and write.
+  /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement everything but computeError(), read() and
+  /// write().
   class G2O_CORE_API Edge : public HyperGraph::Edge {
     friend struct OptimizableGraph;
 
@@ -225,31 +231,31 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual double* errorData() = 0;
     virtual const double* informationData() const = 0;
     virtual double* informationData() = 0;
-    /// eᵀΩe of the last computeError(), before the kernel.
+    /// eᵀΩe of the last computeError(), without the robust kernel.
     virtual double chi2() const = 0;
 
-    /// The measurement as an array of measurementDimension() numbers.
+    /// Sets the measurement from an array of measurementDimension() values.
     virtual bool setMeasurementData(const double* m);
     virtual bool getMeasurementData(double* m) const;
     virtual int measurementDimension() const;
-    /// Takes the measurement that the current estimates would give.
+    /// Sets the measurement to the value that the current estimates predict.
     virtual bool setMeasurementFromState();
 
     RobustKernel* robustKernel() const { return _robustKernel; }
-    /// Takes ownership; the kernel that was there is deleted.
+    /// Takes ownership and deletes the previous kernel.
     void setRobustKernel(RobustKernel* ptr);
 
-    /// Adds JᵀΩJ to the mapped blocks of the Hessian and −JᵀΩe to the b of the vertices.
+    /// Adds JᵀΩJ to the mapped blocks of the Hessian, and −JᵀΩe to b of the vertices.
     virtual void constructQuadraticForm() = 0;
-    /// Lets the block of the vertices at positions i < j lie at `d`: that of (i, j) column by column, or of
-    /// (j, i) where `rowMajor`.
+    /// Places the block of the vertices at positions i < j at `d`: block (i, j) by columns, or block (j, i)
+    /// if `rowMajor`.
     virtual void mapHessianMemory(double* d, int i, int j, bool rowMajor) = 0;
     /// Writes the Jacobians into the workspace.
     virtual void linearizeOplus(JacobianWorkspace& jacobianWorkspace) = 0;
 
-    /// Sets the estimate of `to` from those of `from`.
+    /// Sets the estimate of `to` from the estimates of `from`.
     virtual void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) = 0;
-    /// The cost of initialEstimate(); ≤ 0 where it is not possible.
+    /// The cost of initialEstimate(), or a value ≤ 0 if it is impossible.
     virtual double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
                                            OptimizableGraph::Vertex* to) {
       (void)from;
@@ -257,30 +263,30 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       return -1.;
     }
 
-    /// Only the edges of one level take part in an optimisation.
+    /// Only edges of the same level take part in an optimization.
     int level() const { return _level; }
     void setLevel(int l) { _level = l; }
-    /// Rows of the error.
+    /// The number of rows of the error.
     int dimension() const { return _dimension; }
 
     G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createFrom()) { return createVertex(0); }
     G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createTo()) { return createVertex(1); }
-    /// A new vertex of the type at position i.
+    /// Returns a new vertex of the type at position i.
     virtual Vertex* createVertex(int) { return nullptr; }
 
     virtual bool read(std::istream& is) = 0;
     virtual bool write(std::ostream& os) const = 0;
 
-    /// Whether the vertices that are assigned are of the types that the edge was made for.
+    /// Whether the assigned vertices have the types that the edge expects.
     virtual bool verticesFit() const { return true; }
 
-    /// When the edge was added.
+    /// Counts up with each edge that is added to the graph.
     long long internalId() const { return _internalId; }
     OptimizableGraph* graph();
     const OptimizableGraph* graph() const;
 
     bool setParameterId(int argNum, int paramId);
-    /// nullptr where there is none.
+    /// nullptr if there is none.
     const Parameter* parameter(int argNo) const {
       const auto at = static_cast<size_t>(argNo);
       return argNo < 0 || at >= _parameters.size() || _parameters[at] == nullptr ? nullptr : *_parameters[at];
@@ -296,7 +302,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     long long _internalId = -1;
     std::vector<int> _cacheIds;
 
-    /// Lets `p` be the parameter `argNo` of this edge, from addEdge() on.
+    /// From addEdge() on, `p` points to parameter `argNo` of this edge.
     template <typename ParameterType>
     bool installParameter(ParameterType*& p, size_t argNo, int paramId = -1) {
       if (argNo >= _parameters.size()) return false;
@@ -336,41 +342,43 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   Vertex* vertex(int id) { return static_cast<Vertex*>(HyperGraph::vertex(id)); }
   const Vertex* vertex(int id) const { return static_cast<const Vertex*>(HyperGraph::vertex(id)); }
 
-  /// False where the vertex' id is taken, or it is in another graph. `userData` is attached to it.
+  /// Returns false if the id of the vertex is taken or the vertex is in another graph. `userData` is attached
+  /// to the vertex.
   bool addVertex(HyperGraph::Vertex* v) override;
   virtual bool addVertex(HyperGraph::Vertex* v, Data* userData);
   bool addVertex(OptimizableGraph::Vertex* v, Data* userData);
   bool addVertex(OptimizableGraph::Vertex* v) { return addVertex(v, nullptr); }
 
-  /// False where the edge misses a vertex or a parameter, has a vertex twice, or one of the wrong type.
+  /// Returns false if the edge lacks a vertex or a parameter, has the same vertex twice, or has a vertex of
+  /// the wrong type.
   bool addEdge(HyperGraph::Edge* e) override;
   bool addEdge(OptimizableGraph::Edge* e);
 
-  /// Takes an edge up of which vertices are not assigned yet (data without association, id −1 in files). It
-  /// is saved, and takes no part until setEdgeVertex() has given it all of them.
+  /// Adds an edge that still lacks vertices (data without association, id −1 in files). save() writes it, but
+  /// it takes no part in the optimization until setEdgeVertex() has set all its vertices.
   bool addUnassignedEdge(OptimizableGraph::Edge* e);
 
-  /// False, and nothing changes, where the vertex is in the edge already, is not in the graph or not of the
-  /// type that the edge needs, or where a parameter is missing.
+  /// Returns false and changes nothing if the edge already has the vertex, if the vertex is not in the graph
+  /// or has the wrong type, or if a parameter is missing.
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
   bool changeId(HyperGraph::Vertex* v, int newId) override;
 
-  /// Σ ρ-free eᵀΩe over all edges, of the errors as last computed.
+  /// Σ eᵀΩe over all edges, without robust kernels, of the errors as last computed.
   double chi2() const;
   int maxDimension() const;
-  /// The dimensions of the vertices.
+  /// The distinct dimensions of the vertices.
   std::set<int> dimensions() const;
 
   virtual int optimize(int iterations, bool online = false);
   virtual void preIteration(int);
   virtual void postIteration(int);
-  /// Actions stay the caller's.
+  /// The caller keeps the ownership of actions.
   bool addPreIterationAction(HyperGraphAction* action);
   bool addPostIterationAction(HyperGraphAction* action);
   bool removePreIterationAction(HyperGraphAction* action);
   bool removePostIterationAction(HyperGraphAction* action);
 
-  /// Saves, restores and forgets the estimates of all vertices, or of some.
+  /// Save, restore and drop copies of the estimates of all vertices, or of some.
   virtual void push();
   virtual void pop();
   virtual void discardTop();
@@ -379,12 +387,12 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   virtual void discardTop(HyperGraph::VertexSet& vset);
   virtual void setFixed(HyperGraph::VertexSet& vset, bool fixed);
 
-  /// Reads a .g2o file with the types of the Factory. False where it cannot be opened or a line cannot be
-  /// read; the log sink is told which, and the other lines are read all the same.
+  /// Reads a .g2o file with the types of the Factory. Returns false if the file cannot be opened or a line
+  /// cannot be read. In the latter case it reports the line to the log sink and still reads the other lines.
   virtual bool load(std::istream& is);
   bool load(const char* filename);
   bool load(const std::string& filename) { return load(filename.c_str()); }
-  /// Writes parameters, vertices and edges of a level.
+  /// Writes the parameters, the vertices, and the edges of one level.
   virtual bool save(std::ostream& os, int level = 0) const;
   bool save(const char* filename, int level = 0) const;
   bool save(const std::string& filename, int level = 0) const { return save(filename.c_str(), level); }
@@ -395,28 +403,29 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool saveEdge(std::ostream& os, Edge* e) const;
   bool saveUserData(std::ostream& os, HyperGraph::Data* v) const;
 
-  /// "A=B,C=D": the word A of a file stands for B of the factory. An empty string forgets all.
+  /// "A=B,C=D": tag A in a file means tag B of the factory. An empty string removes all renamings.
   void setRenamedTypesFromString(const std::string& types);
 
-  /// Whether an algorithm fits vertices of these dimensions (by default those of the graph).
+  /// Whether an algorithm supports vertices of these dimensions (by default, those of the graph).
   bool isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
                         const std::set<int>& vertDims = std::set<int>()) const;
 
-  /// Deletes the parameters and, since edges use them, all else.
+  /// Deletes the parameters and everything else, because edges use the parameters.
   virtual void clearParameters();
   bool addParameter(Parameter* p) { return _parameters.addParameter(p); }
   Parameter* parameter(int id) { return _parameters.getParameter(id); }
   ParameterContainer& parameters() { return _parameters; }
   const ParameterContainer& parameters() const { return _parameters; }
 
-  /// Whether the Ω of all edges are symmetric and positive semi-definite; the log sink is told which is not.
+  /// Whether Ω is symmetric and positive semi-definite for all edges. Reports to the log sink each edge for
+  /// which it is not.
   bool verifyInformationMatrices(bool verbose = false) const;
 
   JacobianWorkspace& jacobianWorkspace() { return _jacobianWorkspace; }
   const JacobianWorkspace& jacobianWorkspace() const { return _jacobianWorkspace; }
   void recomputeJacobianWorkspaceSize();
 
-  /// There is nothing left to do.
+  /// Does nothing: g2o needs it, but here no initialization is necessary.
   static bool initMultiThreading();
 
   void forEachVertex(const std::function<void(OptimizableGraph::Vertex*)>& fn);
@@ -424,7 +433,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 
  protected:
   bool addAction(int type, HyperGraphAction* action);
-  /// Calls the actions of a type; they may remove themselves and others, and delete what they removed.
+  /// Calls the actions of a type. An action may remove itself and others, and delete those that it removed.
   void callActions(int type, HyperGraphAction::Parameters* parameters = nullptr);
 
   std::map<std::string, std::string> _renamedTypesLookup;

@@ -16,11 +16,11 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   enum { STEP_UNDEFINED, STEP_SD, STEP_GN, STEP_DL };
 
   explicit OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase> solver);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   explicit OptimizationAlgorithmDogleg(BlockSolverBase* solver);
   ~OptimizationAlgorithmDogleg() override;
 
-  /// False, with a message, where a property makes no sense.
+  /// Returns false, with a message, if a property has an invalid value.
   bool init(bool online = false) override;
   SolverResult solve(int iteration, bool online = false) override;
   void printVerbose(std::ostream& os) const override;
@@ -30,7 +30,7 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   static const char* stepType2Str(int stepType);
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< of _properties, as those below
+  Property<int>* _maxTrialsAfterFailure;  ///< in _properties, as are those below
   Property<double>* _userDeltaInit;
   Property<double>* _initialLambda;
   Property<double>* _lamdbaFactor;
@@ -39,7 +39,7 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   VectorX _hdl;        ///< dogleg step
   VectorX _auxVector;  ///< scratch
   double _currentLambda = 0;
-  double _delta = 1e4;  ///< trust region
+  double _delta = 1e4;  ///< trust-region radius
   bool _wasPDInAllIterations = true;
   int _lastStep = STEP_UNDEFINED;
   int _lastNumTries = 0;

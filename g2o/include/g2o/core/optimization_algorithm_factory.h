@@ -20,7 +20,7 @@ class G2O_CORE_API AbstractOptimizationAlgorithmCreator {
  public:
   explicit AbstractOptimizationAlgorithmCreator(const OptimizationAlgorithmProperty& p);
   virtual ~AbstractOptimizationAlgorithmCreator();
-  /// A new algorithm, which is the caller's.
+  /// Returns a new algorithm. The caller owns it.
   virtual OptimizationAlgorithm* construct() = 0;
   const OptimizationAlgorithmProperty& property() const { return _property; }
 
@@ -35,13 +35,13 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   static OptimizationAlgorithmFactory* instance();
   static void destroy();
 
-  /// A creator of a name that is there replaces the one before, until it is taken back.
+  /// If the name is already registered, replaces its creator until this one is withdrawn.
   void registerSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
   void registerSolver(AbstractOptimizationAlgorithmCreator* c);
   void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
-  /// A new algorithm, which is the caller's, and what it is for; nullptr where the name is unknown. If the
-  /// library of a name that ends in _cholmod or _csparse is missing, it is the algorithm without that ending,
-  /// with a warning.
+  /// Returns a new algorithm, which the caller owns, and sets its property. Returns nullptr if the name is
+  /// unknown. If a name ends in _cholmod or _csparse and that library is missing, returns the algorithm
+  /// without that ending and warns.
   OptimizationAlgorithm* construct(const std::string& tag,
                                    OptimizationAlgorithmProperty& solverProperty) const;
   void listSolvers(std::ostream& os) const;
@@ -78,7 +78,7 @@ class RegisterOptimizationAlgorithmProxy {
 
 #define G2O_OAF_EXPORT G2O_API_EXPORT
 
-/// Names the algorithms of a library, so that programs can ask for them to be linked.
+/// Names the algorithms of a library, so that a program can request that they are linked.
 #define G2O_REGISTER_OPTIMIZATION_LIBRARY(libraryname) \
   extern "C" void G2O_OAF_EXPORT g2o_optimization_library_##libraryname(void) {}
 

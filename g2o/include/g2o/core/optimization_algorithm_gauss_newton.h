@@ -9,12 +9,11 @@
 
 namespace g2o {
 
-/// Takes every Gauss-Newton step. Where there is none, since H is not positive definite, the estimates stay,
-/// and the result is Fail.
+/// Takes every Gauss-Newton step. If H is not positive definite, keeps the estimates and returns Fail.
 class G2O_CORE_API OptimizationAlgorithmGaussNewton : public OptimizationAlgorithmWithHessian {
  public:
   explicit OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver> solver);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   explicit OptimizationAlgorithmGaussNewton(Solver* solver);
   ~OptimizationAlgorithmGaussNewton() override;
 

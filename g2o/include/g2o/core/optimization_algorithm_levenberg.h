@@ -13,7 +13,7 @@ namespace g2o {
 class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithmWithHessian {
  public:
   explicit OptimizationAlgorithmLevenberg(std::unique_ptr<Solver> solver);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   explicit OptimizationAlgorithmLevenberg(Solver* solver);
   ~OptimizationAlgorithmLevenberg() override;
 
@@ -21,17 +21,17 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   void printVerbose(std::ostream& os) const override;
 
   double currentLambda() const { return _currentLambda; }
-  /// How many steps may be tried in one iteration; then the result is Terminate.
+  /// The largest number of steps that one iteration tries before it returns Terminate.
   void setMaxTrialsAfterFailure(int max_trials);
   int maxTrialsAfterFailure() const { return _maxTrialsAfterFailure->value(); }
-  /// The first λ; ≤ 0: 1e-5 times the largest diagonal entry of H.
+  /// The first λ. If it is ≤ 0, λ starts at 1e-5 times the largest diagonal entry of H.
   double userLambdaInit() { return _userLambdaInit->value(); }
   void setUserLambdaInit(double lambda);
-  /// Steps tried in the last iteration.
+  /// The number of steps that the last iteration tried.
   int levenbergIteration() { return _levenbergIterations; }
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< of _properties, as the one below
+  Property<int>* _maxTrialsAfterFailure;  ///< in _properties, as is the one below
   Property<double>* _userLambdaInit;
   double _currentLambda = -1;
   double _tau = 1e-5;
@@ -41,7 +41,7 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   int _levenbergIterations = 0;
 
   double computeLambdaInit() const;
-  /// By how much the model says that chi2 falls.
+  /// The predicted decrease of chi2.
   double computeScale() const;
 };
 

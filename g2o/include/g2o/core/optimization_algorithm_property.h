@@ -10,7 +10,7 @@
 
 namespace g2o {
 
-/// What an algorithm of the factory is, and what vertices it is for (−1: any dimension).
+/// Describes an algorithm of the factory and the vertices that it supports (−1: any dimension).
 struct G2O_CORE_API OptimizationAlgorithmProperty {
   std::string name;
   std::string desc;

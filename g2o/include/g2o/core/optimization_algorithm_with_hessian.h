@@ -12,11 +12,11 @@
 
 namespace g2o {
 
-/// A method that works with a Solver.
+/// A method that uses a Solver.
 class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
  public:
   explicit OptimizationAlgorithmWithHessian(Solver& solver);
-  /// Takes ownership. Of nullptr comes an algorithm that cannot be initialised.
+  /// Takes ownership. If `solver` is nullptr, the algorithm cannot be initialized.
   explicit OptimizationAlgorithmWithHessian(Solver* solver);
   ~OptimizationAlgorithmWithHessian() override;
 
@@ -34,15 +34,16 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
 
  protected:
   Solver& _solver;
-  Property<bool>* _writeDebug;  ///< of _properties
+  Property<bool>* _writeDebug;  ///< in _properties
 
-  /// Errors, linearisation and, in the first iteration, structure.
+  /// Computes errors and Jacobians, and in the first iteration also the structure.
   bool linearize(int iteration, bool online);
-  /// Returns its argument; where what the errors add up to is not finite, says which edge is to blame.
-  bool blameUnless(bool finite) const;
-  /// Solves and times it.
+  /// Returns its argument. If it is false because the sum of the errors is not finite, reports the edge that
+  /// causes it.
+  bool reportUnlessFinite(bool finite) const;
+  /// Solves the system and measures the time.
   bool solveSystem();
-  /// The same with λ on the diagonal of H, which is as it was in the end.
+  /// Solves with λ added to the diagonal of H, and restores the diagonal.
   bool solveDamped(double lambda);
 
  private:

@@ -7,7 +7,8 @@
 
 namespace g2o {
 
-/// Deletes what a container owns by a raw pointer; nothing where clients were built to own it themselves.
+/// Deletes an object that a container owns by a raw pointer. Does nothing if
+/// G2O_NO_IMPLICIT_OWNERSHIP_OF_OBJECTS is defined, because the client then owns such objects.
 template <typename T>
 void release(T* object) {
 #ifdef G2O_NO_IMPLICIT_OWNERSHIP_OF_OBJECTS

@@ -16,19 +16,19 @@ class G2O_CORE_API ParameterContainer : protected std::map<int, Parameter*> {
  public:
   using BaseClass = std::map<int, Parameter*>;
 
-  /// `isMainStorage`: whether the parameters are deleted with the container.
+  /// If `isMainStorage` is true, the container deletes its parameters.
   explicit ParameterContainer(bool isMainStorage = true);
   ParameterContainer(const ParameterContainer&) = delete;
   ParameterContainer& operator=(const ParameterContainer&) = delete;
   virtual ~ParameterContainer();
 
-  /// False where the id is negative or taken; the parameter then stays the caller's.
+  /// Returns false if the id is negative or taken. The caller then keeps the parameter.
   bool addParameter(Parameter* p);
   Parameter* getParameter(int id) const;
-  /// Takes the parameter out without deleting it; nullptr where there is none.
+  /// Removes the parameter without deleting it. Returns nullptr if there is none.
   Parameter* detachParameter(int id);
-  /// Reads lines of parameters; words that are none are skipped. `renameMap` maps words of the file to those
-  /// of the factory.
+  /// Reads lines of parameters and skips lines with other tags. `renameMap` maps tags of the file to tags of
+  /// the factory.
   virtual bool read(std::istream& is, const std::map<std::string, std::string>* renameMap = nullptr);
   virtual bool write(std::ostream& os) const;
   bool isMainStorage() const { return _isMainStorage; }

@@ -8,8 +8,9 @@
 namespace g2o {
 namespace internal {
 
-/// For oplusImpl() of a vertex whose estimate cannot take a step, because the result would not be finite: the
-/// estimate stays, the log names the vertex, and the algorithm takes the step back or stops.
+/// For oplusImpl() of a vertex whose step would make the estimate infinite or NaN. The vertex keeps its
+/// estimate and calls this function. The log then names the vertex, and the algorithm rejects the step or
+/// stops.
 G2O_CORE_API void refuseStep(const OptimizableGraph::Vertex& v);
 
 }  // namespace internal

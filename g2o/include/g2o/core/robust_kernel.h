@@ -10,13 +10,13 @@
 
 namespace g2o {
 
-/// An edge counts ρ(eᵀΩe) instead of eᵀΩe.
+/// Replaces eᵀΩe of an edge by ρ(eᵀΩe).
 class G2O_CORE_API RobustKernel {
  public:
   RobustKernel();
   explicit RobustKernel(double delta);
   virtual ~RobustKernel();
-  /// rho ← ρ, ρ′, ρ″ at the squared error.
+  /// rho ← ρ, ρ′, ρ″ of the squared error.
   virtual void robustify(double squaredError, Vector3& rho) const = 0;
   virtual void setDelta(double delta);
   double delta() const { return _delta; }

@@ -33,14 +33,14 @@ class G2O_CORE_API RobustKernelFactory {
   static RobustKernelFactory* instance();
   static void destroy();
 
-  /// A creator of a name that is there replaces the one before, until it is taken back.
+  /// If the name is already registered, replaces its creator until this one is withdrawn.
   void registerRobustKernel(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   void registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c);
   void unregisterType(const std::string& tag);
-  /// Takes back what was registered with this creator, and nothing else (not in g2o).
+  /// Withdraws exactly the registration that was made with this creator (not in g2o).
   void unregisterType(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
-  /// A new kernel, which is the caller's, or nullptr where the name is unknown.
+  /// Returns a new kernel, which the caller owns, or nullptr if the name is unknown.
   RobustKernel* construct(const std::string& tag) const;
   AbstractRobustKernelCreator::Ptr creator(const std::string& tag) const;
   void fillKnownKernels(std::vector<std::string>& types) const;

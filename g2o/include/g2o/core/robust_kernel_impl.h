@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the library; those of boxplus/robust compute them.
+// The robust kernels of the library. boxplus/robust computes their values.
 #pragma once
 #ifndef G2O_ROBUST_KERNEL_IMPL_H
 #define G2O_ROBUST_KERNEL_IMPL_H
@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// ρ of another kernel, stretched: δ² ρ(e²/δ²).
+/// Scales the argument of another kernel: δ² ρ(e²/δ²).
 class G2O_CORE_API RobustKernelScaleDelta : public RobustKernel {
  public:
   explicit RobustKernelScaleDelta(const RobustKernelPtr& kernel, double delta = 1.);
@@ -21,63 +21,63 @@ class G2O_CORE_API RobustKernelScaleDelta : public RobustKernel {
   RobustKernelPtr _kernel;
 };
 
-/// Linear beyond δ.
+/// Quadratic up to δ, linear beyond.
 class G2O_CORE_API RobustKernelHuber : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Smoothly towards linear.
+/// A smooth transition from quadratic to linear.
 class G2O_CORE_API RobustKernelPseudoHuber : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Logarithmic.
+/// Grows logarithmically.
 class G2O_CORE_API RobustKernelCauchy : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded; δ is in units of the squared error.
+/// Bounded. δ is in units of the squared error.
 class G2O_CORE_API RobustKernelGemanMcClure : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded, exponential.
+/// Bounded, with an exponential.
 class G2O_CORE_API RobustKernelWelsch : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Between squared and absolute.
+/// Grows between quadratically and linearly.
 class G2O_CORE_API RobustKernelFair : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded; constant beyond δ.
+/// Bounded, and constant beyond δ.
 class G2O_CORE_API RobustKernelTukey : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Squared up to δ, constant beyond.
+/// Quadratic up to δ, constant beyond.
 class G2O_CORE_API RobustKernelSaturated : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Dynamic covariance scaling; δ is Φ, in units of the squared error.
+/// Dynamic covariance scaling. δ is the parameter Φ, in units of the squared error.
 class G2O_CORE_API RobustKernelDCS : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What another registration of the same name hides.
+// Registrations that another registration of the same name hides.
 #pragma once
 #ifndef G2O_SHADOWED_H
 #define G2O_SHADOWED_H
@@ -13,14 +13,15 @@
 namespace g2o {
 namespace internal {
 
-/// Copies of a library in one process may share the registries of one of them, and register the same there.
-/// Each takes back its own when it is unloaded, and what it hid, or was hidden by, stays.
+/// Several copies of a library in one process may share one registry and register the same names in it. Each
+/// copy withdraws its registrations when it is unloaded. The registrations of the other copies stay, hidden
+/// or not.
 template <class T>
 class Shadowed {
  public:
   using Ptr = std::shared_ptr<T>;
 
-  /// Lets `current`, which is registered under the name, be `one`, and hides what it was.
+  /// Makes `one` the `current` registration of the name and hides the previous one.
   void replace(const std::string& name, Ptr& current, const Ptr& one) {
     if (current == one) return;
     remove(name, one);
@@ -31,8 +32,8 @@ class Shadowed {
     remove(name, one);
     hidden_.emplace_back(name, one);
   }
-  /// Takes `one` back, hidden or current; `current` is then what was hidden last, or nullptr. False where it
-  /// was neither.
+  /// Withdraws `one`. If it was current, `current` becomes the registration that was hidden last, or nullptr.
+  /// Returns false if `one` was neither hidden nor current.
   bool take_back(const std::string& name, Ptr& current, const Ptr& one) {
     if (current == one) {
       current = last(name);

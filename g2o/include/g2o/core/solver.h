@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seam between algorithms and whatever builds and solves their linear systems.
+// The interface between algorithms and the classes that build and solve their linear systems.
 #pragma once
 #ifndef G2O_SOLVER_H
 #define G2O_SOLVER_H
@@ -18,10 +18,10 @@ namespace g2o {
 
 class SparseOptimizer;
 
-/// Solves (H + λI) x = b with H = Σ JᵀΩJ and b = −Σ JᵀΩe over the active edges of an optimiser.
+/// Solves (H + λI) x = b with H = Σ JᵀΩJ and b = −Σ JᵀΩe over the active edges of an optimizer.
 ///
-/// Called as: init() and buildStructure() once per structure; then in each iteration buildSystem(), and any
-/// number of times setLambda(), solve(), restoreDiagonal().
+/// An algorithm calls init() and buildStructure() once per structure. In each iteration it calls
+/// buildSystem(), and then setLambda(), solve() and restoreDiagonal() any number of times.
 class G2O_CORE_API Solver {
  public:
   Solver();
@@ -30,18 +30,18 @@ class G2O_CORE_API Solver {
   virtual ~Solver();
 
   virtual bool init(SparseOptimizer* optimizer, bool online = false) = 0;
-  /// Lays out H for the active vertices and edges.
+  /// Allocates H for the active vertices and edges.
   virtual bool buildStructure(bool zeroBlocks = false) = 0;
-  /// The same where vertices and edges were added.
+  /// Extends the structure by vertices and edges that were added.
   virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
                                const HyperGraph::EdgeSet& edges) = 0;
-  /// Linearises the active edges, whose errors are computed, and fills H and b.
+  /// Linearizes the active edges, whose errors must be computed, and fills H and b.
   virtual bool buildSystem() = 0;
   virtual bool solve() = 0;
-  /// The blocks (i, j) of H⁻¹, by Hessian index.
+  /// Computes the blocks (i, j) of H⁻¹, by Hessian index.
   virtual bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                 const std::vector<std::pair<int, int>>& blockIndices) = 0;
-  /// Adds λ to the diagonal of H; `backup`: so that restoreDiagonal() can take it back.
+  /// Adds λ to the diagonal of H. If `backup` is true, restoreDiagonal() can undo it.
   virtual bool setLambda(double lambda, bool backup = false) = 0;
   virtual void restoreDiagonal() = 0;
 
@@ -57,13 +57,14 @@ class G2O_CORE_API Solver {
   bool levenberg() const { return _isLevenberg; }
   void setLevenberg(bool levenberg);
 
-  /// Whether a step may be inexact, since the algorithm judges it by what it gains, as Levenberg-Marquardt
-  /// and dogleg do. Else the library's direct solvers work in double throughout (not in g2o).
+  /// Whether a step may be inexact. Levenberg-Marquardt and dogleg allow this, because they compare the
+  /// actual with the predicted decrease. If it is false, the library's direct solvers use only double
+  /// precision (not in g2o).
   bool inexactSteps() const { return inexact_steps_; }
   void setInexactSteps(bool inexactSteps);
 
   virtual bool supportsSchur() { return false; }
-  /// Whether marginalised vertices are eliminated first.
+  /// Whether marginalized vertices are eliminated first.
   virtual bool schur() = 0;
   virtual void setSchur(bool s) = 0;
 
@@ -72,10 +73,10 @@ class G2O_CORE_API Solver {
 
   virtual void setWriteDebug(bool) = 0;
   virtual bool writeDebug() const = 0;
-  /// Writes H for Octave.
+  /// Writes H to a file for Octave.
   virtual bool saveHessian(const std::string& fileName) const = 0;
 
-  // The names of the g2o document.
+  // Names that the g2o document uses.
   G2O_ATTRIBUTE_DEPRECATED(bool initializeStructure()) { return buildStructure(); }
   G2O_ATTRIBUTE_DEPRECATED(bool updateLevenbergSystem(double lambda)) { return setLambda(lambda, true); }
   G2O_ATTRIBUTE_DEPRECATED(void recoverSystem(double)) { restoreDiagonal(); }
@@ -88,7 +89,7 @@ class G2O_CORE_API Solver {
   bool _isLevenberg = false;
   size_t _additionalVectorSpace = 0;
 
-  /// Gives x and b `sx` entries.
+  /// Resizes x and b to `sx` entries.
   void resizeVector(size_t sx);
 
  private:

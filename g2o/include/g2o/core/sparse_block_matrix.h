@@ -30,8 +30,8 @@ class SparseBlockMatrix {
   using SparseMatrixBlock = MatrixType;
   using IntBlockMap = std::map<int, SparseMatrixBlock*>;
 
-  /// rbi[r] (cbi[c]): one past the last scalar of row r (column c) of blocks. `hasStorage`: whether the
-  /// blocks are deleted with the matrix.
+  /// rbi[r] (cbi[c]) is one past the last scalar of row r (column c) of blocks. If `hasStorage` is true, the
+  /// matrix owns its blocks.
   SparseBlockMatrix(const int* rbi, const int* cbi, int rb, int cb, bool hasStorage = true)
       : _rowBlockIndices(rbi, rbi + rb),
         _colBlockIndices(cbi, cbi + cb),
@@ -52,7 +52,7 @@ class SparseBlockMatrix {
   int cols() const { return _colBlockIndices.empty() ? 0 : _colBlockIndices.back(); }
   int rows() const { return _rowBlockIndices.empty() ? 0 : _rowBlockIndices.back(); }
 
-  /// Sets all blocks to zero, or removes them.
+  /// Sets all blocks to zero, or deletes them if `dealloc` is true.
   void clear(bool dealloc = false) {
     for (IntBlockMap& column : _blockCols) {
       for (auto& entry : column) {
@@ -66,7 +66,7 @@ class SparseBlockMatrix {
     }
   }
 
-  /// The block at (r, c). Where there is none: a new one of zeros, or nullptr without `alloc`.
+  /// The block at (r, c). If there is none, returns a new zero block if `alloc` is true, else nullptr.
   SparseMatrixBlock* block(int r, int c, bool alloc = false) {
     IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
     const auto found = column.find(r);
@@ -88,7 +88,7 @@ class SparseBlockMatrix {
   int rowBaseOfBlock(int r) const { return internal::blockBase(_rowBlockIndices, r); }
   int colBaseOfBlock(int c) const { return internal::blockBase(_colBlockIndices, c); }
 
-  /// The number of scalars in blocks.
+  /// The number of scalars in all blocks.
   size_t nonZeros() const {
     size_t count = 0;
     for_each([&](int, int, const SparseMatrixBlock& b) { count += static_cast<size_t>(b.size()); });
@@ -100,7 +100,7 @@ class SparseBlockMatrix {
     return count;
   }
 
-  /// A copy, which is the caller's.
+  /// Returns a copy. The caller owns it.
   SparseBlockMatrix* clone() const {
     auto* copy = new SparseBlockMatrix(_rowBlockIndices.data(), _colBlockIndices.data(),
                                        static_cast<int>(_rowBlockIndices.size()),
@@ -108,8 +108,8 @@ class SparseBlockMatrix {
     for_each([&](int r, int c, const SparseMatrixBlock& b) { *copy->block(r, c, true) = b; });
     return copy;
   }
-  /// Rows [rmin, rmax) and columns [cmin, cmax) of blocks; with `alloc` as copies, else sharing the blocks.
-  /// The caller's.
+  /// Returns rows [rmin, rmax) and columns [cmin, cmax) of blocks, which the caller owns. The blocks are
+  /// copied if `alloc` is true, else shared.
   SparseBlockMatrix* slice(int rmin, int rmax, int cmin, int cmax, bool alloc = true) const {
     std::vector<int> rowEnds, colEnds;
     for (int r = rmin; r < rmax; ++r)
@@ -127,7 +127,8 @@ class SparseBlockMatrix {
     return part;
   }
 
-  /// dest ← thisᵀ; false where dest has other block sizes. A dest without storage of blocks is given them.
+  /// dest ← thisᵀ. Returns false if dest has other block sizes. If dest does not own its blocks, it does
+  /// afterwards.
   template <class MatrixTransposedType>
   bool transpose(SparseBlockMatrix<MatrixTransposedType>& dest) const {
     if (dest.rowBlockIndices() != _colBlockIndices || dest.colBlockIndices() != _rowBlockIndices)
@@ -139,7 +140,7 @@ class SparseBlockMatrix {
     if (dest == nullptr) dest = transposed().release();
     return transpose(*dest);
   }
-  /// A new matrix, whose blocks are MatrixTransposedType.
+  /// Returns a new matrix with blocks of type MatrixTransposedType.
   template <class MatrixTransposedType = MatrixType>
   std::unique_ptr<SparseBlockMatrix<MatrixTransposedType>> transposed() const {
     auto result = std::make_unique<SparseBlockMatrix<MatrixTransposedType>>(
@@ -149,7 +150,7 @@ class SparseBlockMatrix {
     return result;
   }
 
-  /// dest ← dest + this; false where the block sizes differ.
+  /// dest ← dest + this. Returns false if the block sizes differ.
   bool add(SparseBlockMatrix& dest) const {
     if (dest._rowBlockIndices != _rowBlockIndices || dest._colBlockIndices != _colBlockIndices) return false;
     for_each([&](int r, int c, const SparseMatrixBlock& b) { *dest.block(r, c, true) += b; });
@@ -164,7 +165,7 @@ class SparseBlockMatrix {
   }
   std::unique_ptr<SparseBlockMatrix> added() const { return std::unique_ptr<SparseBlockMatrix>(clone()); }
 
-  /// dest ← dest + this · M; false where the block sizes do not fit.
+  /// dest ← dest + this · M. Returns false if the block sizes do not match.
   template <class MatrixResultType, class MatrixFactorType>
   bool multiply(SparseBlockMatrix<MatrixResultType>*& dest,
                 const SparseBlockMatrix<MatrixFactorType>* M) const {
@@ -194,7 +195,7 @@ class SparseBlockMatrix {
           b * Eigen::Map<const VectorX>(src + colBaseOfBlock(c), b.cols());
     });
   }
-  /// The same for a symmetric matrix of which only the upper triangle of blocks is there.
+  /// The same for a symmetric matrix that is given by its upper triangle of blocks.
   void multiplySymmetricUpperTriangle(double*& dest, const double* src) const {
     allocate(dest, rows());
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
@@ -220,8 +221,8 @@ class SparseBlockMatrix {
     }
   }
 
-  /// dest ← P this Pᵀ for a symmetric matrix: block i becomes block pinv[i]. With `onlyUpper` only the upper
-  /// triangle of blocks is there, before and after. False where a block would change its size.
+  /// dest ← P this Pᵀ for a symmetric matrix: block i becomes block pinv[i]. If `onlyUpper` is true, only the
+  /// upper triangle of blocks is read and written. Returns false if a block would change its size.
   bool symmPermutation(SparseBlockMatrix*& dest, const int* pinv, bool onlyUpper = false) const {
     const size_t n = _rowBlockIndices.size();
     std::vector<int> ends(n);
@@ -243,12 +244,12 @@ class SparseBlockMatrix {
     return true;
   }
 
-  /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
-  /// diagonal.
+  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, leaves
+  /// out the scalars below the diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
-  /// Only the values, in the same order.
+  /// Writes only the values, in the same order.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), Cx);
   }
@@ -273,7 +274,7 @@ class SparseBlockMatrix {
     return count;
   }
 
-  /// Lets `blockCCS`, which has the same ends, list the blocks of this matrix; returns their number.
+  /// Fills `blockCCS`, which has the same ends, with the blocks of this matrix. Returns their number.
   int fillSparseBlockMatrixCCS(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_blockCols.size(), {});
@@ -281,7 +282,7 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(c)].emplace_back(r, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// The same by rows: row r of this matrix is column r of `blockCCS`. The blocks are not transposed.
+  /// The same by rows: row r of this matrix becomes column r of `blockCCS`. The blocks are not transposed.
   int fillSparseBlockMatrixCCSTransposed(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_rowBlockIndices.size(), {});
@@ -289,8 +290,8 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(r)].emplace_back(c, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// Takes the blocks of `hashMatrix`, which has the same ends, in the place of its own; nothing is left
-  /// there.
+  /// Replaces the blocks of this matrix by those of `hashMatrix`, which has the same ends and is empty
+  /// afterwards.
   void takePatternFromHash(SparseBlockMatrixHashMap<MatrixType>& hashMatrix) {
     clear(true);
     _blockCols.resize(_colBlockIndices.size());
@@ -301,7 +302,8 @@ class SparseBlockMatrix {
     }
   }
 
-  /// Writes the matrix as a sparse one for Octave. `upperTriangle`: the lower triangle is its mirror image.
+  /// Writes a sparse matrix for Octave. If `upperTriangle` is true, writes the lower triangle as its mirror
+  /// image.
   bool writeOctave(const char* filename, bool upperTriangle = true) const {
     std::ofstream out(filename);
     if (!out) return false;
@@ -356,7 +358,7 @@ class SparseBlockMatrix {
   void for_each(F&& f) const {
     for_each_block([&](int r, int c, const SparseMatrixBlock* b) { f(r, c, *b); });
   }
-  /// Visits the scalars, as internal::fillCCS() asks for.
+  /// The visitor of the scalars that internal::fillCCS() expects.
   auto scalars(bool upperTriangle) const {
     return [this, upperTriangle](auto&& begin, auto&& take) {
       internal::visitScalars(

@@ -14,7 +14,7 @@
 
 namespace g2o {
 
-/// A view: it does not own its blocks, and refers to the ends of another matrix, which must outlive it.
+/// A view of blocks that it does not own. Refers to the ends of another matrix, which must outlive it.
 template <class MatrixType>
 class SparseBlockMatrixCCS {
  public:
@@ -57,17 +57,17 @@ class SparseBlockMatrixCCS {
     }
   }
 
-  /// Lets the blocks of each column stand by row.
+  /// Sorts the blocks of each column by row.
   void sortColumns() {
     for (SparseColumn& column : _blockCols) std::sort(column.begin(), column.end());
   }
 
-  /// The scalars in compressed columns; returns their number. `upperTriangle`: without those below the
-  /// diagonal.
+  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, leaves
+  /// out the scalars below the diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
-  /// Only the values, in the same order.
+  /// Writes only the values, in the same order.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), Cx);
   }
@@ -88,15 +88,15 @@ class SparseBlockMatrixCCS {
   }
 };
 
-/// A matrix of which only the pattern grows: blocks are found by hashing.
+/// A matrix whose pattern is still growing. Finds its blocks by hashing.
 template <class MatrixType>
 class SparseBlockMatrixHashMap {
  public:
   using SparseMatrixBlock = MatrixType;
   using SparseColumn = std::unordered_map<int, MatrixType*>;
 
-  /// Refers to the ends of another matrix, which must outlive it; the blocks are their taker's (see
-  /// SparseBlockMatrix::takePatternFromHash), and those that are not taken its own.
+  /// Refers to the ends of another matrix, which must outlive it. Owns its blocks until
+  /// SparseBlockMatrix::takePatternFromHash() takes them.
   SparseBlockMatrixHashMap(const std::vector<int>& rowIndices, const std::vector<int>& colIndices)
       : _rowBlockIndices(rowIndices), _colBlockIndices(colIndices) {}
   SparseBlockMatrixHashMap(const SparseBlockMatrixHashMap&) = delete;
@@ -119,7 +119,8 @@ class SparseBlockMatrixHashMap {
   const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
   const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
 
-  /// The block at (r, c), which is made where there is none; its numbers are zero then, or not set.
+  /// The block at (r, c). If there is none, makes one, which is zero if `zeroBlock` is true, else
+  /// uninitialized.
   MatrixType* addBlock(int r, int c, bool zeroBlock = false) {
     if (_blockCols.size() <= static_cast<size_t>(c)) _blockCols.resize(_colBlockIndices.size());
     MatrixType*& block = _blockCols[static_cast<size_t>(c)][r];

@@ -24,7 +24,7 @@ class BlockSolverEngine;
 class EdgeParts;
 }  // namespace internal
 
-/// A graph that can be optimised. Choose an algorithm, initialise what takes part, optimise.
+/// A graph that can be optimized: set an algorithm, call initializeOptimization(), call optimize().
 class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
  public:
   enum { AT_COMPUTEACTIVERROR = OptimizableGraph::AT_NUM_ELEMENTS, AT_NUM_ELEMENTS };
@@ -32,49 +32,50 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   SparseOptimizer();
   ~SparseOptimizer() override;
 
-  /// What takes part: the given edges and their vertices; the given vertices and the edges of a level between
-  /// them; or all edges of a level (negative: of all levels). False where nothing is left to optimise.
+  /// Selects the active edges and vertices: the given edges and their vertices; or the given vertices and the
+  /// edges of a level between them; or all edges of a level (if it is negative, of all levels). Returns false
+  /// if there is nothing to optimize.
   virtual bool initializeOptimization(HyperGraph::EdgeSet& eset);
   virtual bool initializeOptimization(HyperGraph::VertexSet& vset, int level = 0);
   virtual bool initializeOptimization(int level = 0);
-  /// Lets vertices and edges that were added take part, too. False where a new vertex is marginalised.
+  /// Adds new vertices and edges to the active ones. Returns false if a new vertex is marginalized.
   virtual bool updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset);
 
-  /// Propagates the estimates of fixed vertices along edges that offer initialEstimate().
+  /// Propagates the estimates of fixed vertices along edges that support initialEstimate().
   virtual void computeInitialGuess();
   virtual void computeInitialGuess(EstimatePropagatorCost& propagator);
   virtual void setToOrigin();
 
-  /// Runs at most `iterations` iterations. Returns how many there were; 0 where the last one failed; −1 where
-  /// nothing was initialised.
+  /// Runs at most `iterations` iterations. Returns the number of iterations, 0 if the last one failed, or −1
+  /// if the optimization is not initialized.
   int optimize(int iterations, bool online = false) override;
 
-  /// Blocks of the inverse of H, by Hessian index; the diagonal blocks of vertices. H is undamped, and of the
-  /// last linearisation.
+  /// Computes blocks of the inverse of H by Hessian index, or the diagonal blocks of vertices. H is undamped
+  /// and stems from the last linearization.
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                         const std::vector<std::pair<int, int>>& blockIndices);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const VertexContainer& vertices);
 
-  /// The vertex of largest dimension with the lowest id; nullptr in an empty graph.
+  /// The vertex of largest dimension with the lowest id, or nullptr if the graph is empty.
   virtual Vertex* findGauge();
-  /// Whether neither a fixed vertex nor a prior of full dimension holds the graph in place.
+  /// Returns true if neither a fixed vertex nor a prior of full dimension determines the gauge.
   bool gaugeFreedom();
 
-  /// Σ eᵀΩe (Σ ρ(eᵀΩe)) over the active edges, of the errors as last computed.
+  /// Σ eᵀΩe, or Σ ρ(eᵀΩe), over the active edges, of the errors as last computed.
   double activeChi2() const;
   double activeRobustChi2() const;
 
-  /// Whether optimize() writes a line per iteration to std::cerr.
+  /// If true, optimize() writes one line per iteration to std::cerr.
   bool verbose() const { return _verbose; }
   void setVerbose(bool verbose);
 
-  /// optimize() ends once *flag is true. The flag stays the caller's; nullptr: none.
+  /// optimize() stops when *flag is true. The caller owns the flag; nullptr removes it.
   void setForceStopFlag(bool* flag);
   bool* forceStopFlag() const { return _forceStopFlag; }
   bool terminate() { return _forceStopFlag != nullptr && *_forceStopFlag; }
 
-  /// The active vertices that may move, by Hessian index.
+  /// The active vertices that are not fixed, by Hessian index.
   const VertexContainer& indexMapping() const { return _ivMap; }
   const VertexContainer& activeVertices() const { return _activeVertices; }
   const EdgeContainer& activeEdges() const { return _activeEdges; }
@@ -88,9 +89,9 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   const OptimizationAlgorithm* algorithm() const { return _algorithm; }
   OptimizationAlgorithm* solver() { return _algorithm; }
-  /// Takes ownership; the algorithm that was there is deleted, during optimize() when that ends: the
-  /// iteration that it is in goes on, and the next one is the first of the new algorithm, or none without
-  /// one.
+  /// Takes ownership and deletes the previous algorithm. If an action calls this during optimize(), the
+  /// previous algorithm finishes its iteration and is deleted when optimize() ends. The new algorithm starts
+  /// with the next iteration; if it is nullptr, optimize() stops there.
   void setAlgorithm(OptimizationAlgorithm* algorithm);
   void setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm);
 
@@ -99,7 +100,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   using OptimizableGraph::push;
   void push(VertexContainer& vlist);
   void push(HyperGraph::VertexSet& vlist) override;
-  /// Of all active vertices.
+  /// Saves the estimates of all active vertices.
   void push() override;
   void pop(VertexContainer& vlist);
   void pop(HyperGraph::VertexSet& vlist) override;
@@ -107,10 +108,10 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   void discardTop(VertexContainer& vlist);
   void discardTop() override;
 
-  /// Removes vertices and edges; parameters and the algorithm stay.
+  /// Removes all vertices and edges. Keeps the parameters and the algorithm.
   void clear() override;
 
-  /// Calls computeError() of all active edges.
+  /// Calls computeError() of every active edge.
   void computeActiveErrors();
   G2O_ATTRIBUTE_DEPRECATED(void linearizeSystem()) {}
 
@@ -138,26 +139,29 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   bool _computeBatchStatistics = false;
 
   void sortVectorContainers();
-  /// Numbers the vertices that may move: marginalised ones last, each group in the given order.
+  /// Numbers the vertices that are not fixed. Marginalized vertices come last; each group keeps the given
+  /// order.
   bool buildIndexMapping(SparseOptimizer::VertexContainer& vlist);
   void clearIndexMapping();
 
  private:
   friend class SparseOptimizerTerminateAction;
   friend class internal::BlockSolverEngine;
-  /// What actions raise where the client gave no flag: they may go before the optimiser.
+  /// The flag that actions raise if the client set none. It is a member because an action may be destroyed
+  /// before the optimizer.
   bool own_stop_flag_ = false;
-  /// Counts the changes of what takes part, and where.
+  /// Counts the changes of the active vertices and edges and of their numbering.
   std::uint64_t structure_revision_ = 0;
-  /// What the active vertices are mapped into: it outlives the solver, so that their hessian() stays
-  /// readable.
+  /// The memory to which the active vertices are mapped. It outlives the solver, so that hessian() of the
+  /// vertices stays readable.
   std::shared_ptr<const void> hessian_memory_;
-  /// What several threads may work on; of an older structure where parts_revision_ says so.
+  /// The edges that several threads may evaluate. Outdated if parts_revision_ differs from
+  /// structure_revision_.
   std::unique_ptr<internal::EdgeParts> edge_parts_;
   std::uint64_t parts_revision_ = 0;
 
-  /// How many optimize() are under way, one within an action of the other; until the last one ends,
-  /// algorithms that were replaced are kept.
+  /// The number of nested optimize() calls, because an action may call it again. Replaced algorithms are kept
+  /// until the outermost call ends.
   int optimize_depth_ = 0;
   std::vector<std::unique_ptr<OptimizationAlgorithm>> replaced_algorithms_;
   class OptimizeScope;

@@ -11,8 +11,8 @@ namespace g2o {
 
 class SparseOptimizer;
 
-/// A post-iteration action that ends optimize() once chi2 falls by less than a fraction of itself, or after
-/// so many iterations.
+/// A post-iteration action that stops optimize() when chi2 decreases by less than a given fraction, or after
+/// a given number of iterations.
 class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
  public:
   SparseOptimizerTerminateAction();
@@ -26,7 +26,7 @@ class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
  protected:
   double _gainThreshold = 1e-6;
   double _lastChi = 0;
-  bool _auxTerminateFlag = false;  ///< what setOptimizerStopFlag() was last given
+  bool _auxTerminateFlag = false;  ///< the last value given to setOptimizerStopFlag()
   int _maxIterations = std::numeric_limits<int>::max();
 
   void setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop);

@@ -11,13 +11,13 @@
 
 namespace g2o {
 
-/// Keeps what is drawn, and writes it as an SVG picture: lines below, then poses and points, then words.
+/// Collects shapes and writes them as an SVG picture: lines at the bottom, then poses and points, then text.
 ///
-/// Where everything has z = 0, the picture is seen from above, x to the right and y up; else without
-/// perspective from the south-east and above. setView() chooses another direction.
+/// If everything has z = 0, the picture is a view from above, with x to the right and y up. Otherwise it is a
+/// parallel projection from the south-east and above. setView() chooses another direction.
 class G2O_CORE_API SvgDrawing : public Drawing {
  public:
-  /// The longer side of the picture, in pixels; at least 16.
+  /// `size` is the longer side of the picture in pixels; at least 16.
   explicit SvgDrawing(int size = 800);
   ~SvgDrawing() override;
 
@@ -27,12 +27,14 @@ class G2O_CORE_API SvgDrawing : public Drawing {
   void pose(const Isometry3& pose, const Color& color, double length, double width) override;
   void text(const Vector3& at, const std::string& words, const Color& color, double height) override;
 
-  /// The rotation from the world to the viewer, whose x is to the right, y up, and z towards the viewer.
+  /// The rotation from the world to the viewer. The x-axis of the viewer points right, y up, and z towards
+  /// the viewer.
   void setView(const Matrix3& view);
   bool empty() const { return _shapes.empty(); }
   void clear();
 
-  /// False where the stream or the file cannot be written. Places that are not finite numbers are left out.
+  /// Returns false if the stream or the file cannot be written. Leaves out shapes whose coordinates are not
+  /// finite.
   bool write(std::ostream& os) const;
   bool save(const std::string& path) const;
 
@@ -43,7 +45,7 @@ class G2O_CORE_API SvgDrawing : public Drawing {
     std::vector<Vector3> corners;
     bool isClosed = false;
     Color color;
-    double size = 1;  ///< the width of lines, the diameter of points, the height of words
+    double size = 1;  ///< the width of lines, the diameter of points, the height of text
     std::string words;
   };
   class Page;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the linear solvers of the library have in common: the engine works for them.
+// The base of the library's linear solvers, which run on the engine.
 #pragma once
 #ifndef G2O_ENGINE_LINEAR_SOLVER_H
 #define G2O_ENGINE_LINEAR_SOLVER_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where older clients look for it.
+// Forwards to csparse/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/csparse/linear_solver_csparse.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where older clients look for it.
+// Forwards to dense/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/dense/linear_solver_dense.h"

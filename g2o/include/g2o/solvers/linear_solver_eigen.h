@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where older clients look for it.
+// Forwards to eigen/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/eigen/linear_solver_eigen.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where older clients look for it.
+// Forwards to pcg/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/pcg/linear_solver_pcg.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colors of a terminal, as ANSI escape sequences: CL_RED("text") in a stream, or FG_RED, which holds until
+// Terminal colors as ANSI escape sequences: CL_RED("text") in a stream, or FG_RED, which applies until
 // FG_NORM.
 #pragma once
 #ifndef G2O_COLOR_MACROS_H
@@ -16,7 +16,7 @@
 #define FT_BOLD ATTR_BOLD
 #define FT_UNDERLINE ATTR_UNDERSCORE
 
-// LIGHTBLUE is what a terminal calls blue, and BLUE what it calls cyan.
+// LIGHTBLUE is the terminal's blue, and BLUE its cyan.
 #define FG_BLACK "\033[30m"
 #define FG_RED "\033[31m"
 #define FG_GREEN "\033[32m"

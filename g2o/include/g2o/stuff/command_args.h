@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Command lines: -name value, and what is left over.
+// Command lines with parameters -name value and positional arguments.
 #pragma once
 #ifndef G2O_COMMAND_ARGS_H
 #define G2O_COMMAND_ARGS_H
@@ -13,8 +13,8 @@
 
 namespace g2o {
 
-/// Declare parameters, then parse. A flag (a bool) stands alone and turns its default over; lists are
-/// separated by commas (numbers) or semicolons.
+/// Declare parameters, then parse. A flag (a bool) takes no value and inverts its default. Lists of numbers
+/// are separated by commas, other lists by semicolons.
 class G2O_STUFF_API CommandArgs {
  public:
   CommandArgs();
@@ -31,24 +31,25 @@ class G2O_STUFF_API CommandArgs {
              const std::string& desc);
   void param(const std::string& name, std::vector<double>& p, const std::vector<double>& defValue,
              const std::string& desc);
-  /// What stands without a name, in the order of declaration.
+  /// Declares a positional argument. They are filled in the order of declaration.
   void paramLeftOver(const std::string& name, std::string& p, const std::string& defValue,
                      const std::string& desc, bool optional = false);
 
-  /// False where a name is unknown, a value is missing or none, or -h or -help was given. `exitOnError` ends
-  /// the program then, with the help on standard error (output, for -help).
+  /// Returns false if a name is unknown, a value is missing or invalid, or -h or -help was given. If
+  /// `exitOnError` is true, it prints the help to standard error (for -help, to standard output) and exits
+  /// instead.
   bool parseArgs(int argc, char** argv, bool exitOnError = true);
   bool parseArgs(const std::vector<std::string>& args, bool exitOnError = true);
   const std::string& getBanner() const { return _banner; }
   void setBanner(const std::string& banner);
   void printHelp(std::ostream& os);
-  /// Whether the last command line gave this parameter.
+  /// Whether the last command line had this parameter.
   bool parsedParam(const std::string& paramFlag) const;
-  /// Why parseArgs() failed; empty where the help was asked for.
+  /// The reason why parseArgs() failed, or an empty string if help was requested.
   const std::string& error() const { return error_; }
 
  protected:
-  /// A declared parameter. `data` is a variable of the type whose number is `type`, see type2str().
+  /// A declared parameter. `data` points to a variable whose type has the number `type`; see type2str().
   struct CommandArgument {
     std::string name;
     std::string description;
@@ -56,19 +57,19 @@ class G2O_STUFF_API CommandArgs {
     void* data = nullptr;
     bool parsed = false;
     bool optional = true;
-    std::string default_text = {};  ///< the default value, for the help
+    std::string default_text = {};  ///< the default value in the help
   };
   std::vector<CommandArgument> _args;
   std::vector<CommandArgument> _leftOvers;
   std::string _banner;
   std::string _progName;
 
-  /// What a value of a parameter is, as the help says it; by the number of its type, from 0 on: double,
-  /// float, int, std::string, bool, std::vector<int>, std::vector<double>. Empty for other numbers.
+  /// The name of a type in the help. Types are numbered from 0 on: double, float, int, std::string, bool,
+  /// std::vector<int>, std::vector<double>. Returns an empty string for other numbers.
   const char* type2str(int t) const;
-  /// Sets a parameter from text; text that is no value of its type changes nothing.
+  /// Sets a parameter from text. Invalid text changes nothing.
   void str2arg(const std::string& input, CommandArgument& ca) const;
-  /// The current value of a parameter as text.
+  /// Returns the current value of a parameter as text.
   std::string arg2str(const CommandArgument& ca) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of files, and files.
+// File names and files.
 #pragma once
 #ifndef G2O_FILESYS_TOOLS_H
 #define G2O_FILESYS_TOOLS_H
@@ -13,33 +13,34 @@
 
 namespace g2o {
 
-/// "/a/b.tar.gz": extension "gz", pure filename "/a/b.tar", base name "b.tar.gz", directory "/a". Empty where
-/// there is none.
+/// The parts of a file name. "/a/b.tar.gz" has the extension "gz", the pure filename "/a/b.tar", the base
+/// name "b.tar.gz" and the directory "/a". Missing parts are empty.
 G2O_STUFF_API std::string getFileExtension(const std::string& filename);
 G2O_STUFF_API std::string getPureFilename(const std::string& filename);
 G2O_STUFF_API std::string getBasename(const std::string& filename);
 G2O_STUFF_API std::string getDirname(const std::string& filename);
-/// With another extension, if it has one. newExt may begin with its dot; with `stripDot` it must.
+/// Replaces the extension, if there is one. newExt may begin with a dot; if `stripDot` is true, it must.
 G2O_STUFF_API std::string changeFileExtension(const std::string& filename, const std::string& newExt,
                                               bool stripDot = false);
 
-/// Whether there is such a file (or folder); `regular`: that is no folder.
+/// Whether a file or folder of this name exists. If `regular` is true, folders do not count.
 G2O_STUFF_API bool fileExists(const char* filename, bool regular = false);
 inline bool fileExists(const std::string& filename, bool regular = false) {
   return fileExists(filename.c_str(), regular);
 }
 
-/// The files whose names fit a pattern of the shell, in order: * ? [ ]. Only of the last folder of the path.
+/// The sorted files whose names match a shell pattern with * ? [ ]. Only the last part of the path may be a
+/// pattern.
 G2O_STUFF_API std::vector<std::string> getFilesByPattern(const char* pattern);
 inline std::vector<std::string> getFilesByPattern(const std::string& pattern) {
   return getFilesByPattern(pattern.c_str());
 }
-/// The paths of the files of a folder that match as a whole, with the folder or without, in order.
+/// The sorted paths of the files in a folder that match as a whole, with or without the folder.
 G2O_STUFF_API std::vector<std::string> getFilesByPattern(const std::string& directory,
                                                          const std::regex& pattern);
 
 #if __cplusplus >= 201703L
-// The functions above for a std::string_view.
+// Overloads for std::string_view.
 template <typename View, internal::IfView<View> = 0>
 std::string getFileExtension(View filename) {
   return getFileExtension(std::string(filename));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages go to a sink that the program sets. Until it does, errors go to std::cerr and the rest is dropped.
+// Messages go to a sink that the program sets. Before that, errors go to std::cerr and other messages are
+// dropped.
 //
 //     g2o::logging::setSink([](g2o::logging::Level, const std::string& text) { std::cerr << text << '\n'; });
 //     G2O_ERROR("vertex {} is missing", id);
@@ -20,10 +21,11 @@ enum class Level { kTrace, kDebug, kInfo, kWarn, kError, kOff };
 
 using Sink = std::function<void(Level, const std::string&)>;
 
-/// Replaces the sink; an empty function drops all messages, errors included. Not thread-safe: no other thread
-/// may log meanwhile.
+/// Replaces the sink. An empty function drops all messages, including errors. Not thread-safe: no other
+/// thread may log at the same time.
 G2O_STUFF_API void setSink(Sink sink);
-/// Messages below this level are dropped; kWarn at first. Without a sink, messages below kError are, too.
+/// Drops messages below this level, which is initially kWarn. Without a sink, drops all messages below
+/// kError.
 G2O_STUFF_API void setLevel(Level level);
 G2O_STUFF_API bool wanted(Level level);
 G2O_STUFF_API void log(Level level, const std::string& text);
@@ -34,7 +36,7 @@ inline void append(std::ostringstream& out, const char* format) {
   out << format;
 }
 
-/// Puts the arguments, one after the other, where `format` has {} (or {:…}).
+/// Replaces {} (or {:…}) in `format` by the arguments, one after the other.
 template <typename T, typename... Rest>
 void append(std::ostringstream& out, const char* format, const T& first, const Rest&... rest) {
   while (*format != '\0' && *format != '{') out << *format++;

@@ -7,10 +7,10 @@
 #include <iomanip>
 #include <iostream>
 
-/// In a stream: the name of an expression and its value, as it is or as an angle in degrees.
+/// In a stream: the name of an expression and its value, plain or as an angle in degrees.
 #define PVAR(s) #s << " = " << (s) << std::flush
 #define PVARA(s) #s << " = " << RAD2DEG(s) << "deg" << std::flush
-/// In a stream: a number in fixed notation; the notation of what follows is the default one.
+/// In a stream: a number in fixed notation. Afterwards the stream has the default notation.
 #define FIXED(s) std::fixed << (s) << std::resetiosflags(std::ios_base::fixed)
 
 #define DEG2RAD(x) ((x)*0.01745329251994329575)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small functions that clients use: angles, signs, wrapping.
+// Small functions that clients use: angles, signs, intervals.
 #pragma once
 #ifndef G2O_STUFF_MISC_H
 #define G2O_STUFF_MISC_H
@@ -18,7 +18,7 @@ inline constexpr double const_pi() {
   return 3.14159265358979323846;
 }
 
-using std::make_unique;  // not one of our own: clients use both namespaces
+using std::make_unique;  // clients use it from both namespaces
 
 template <typename T>
 inline T square(T x) {
@@ -43,7 +43,7 @@ inline double rad2deg(double rad) {
   return rad * (180 / const_pi());
 }
 
-/// The angle in (−π, π]; an angle in that range is kept bit for bit.
+/// The angle in (−π, π]. An angle in that range is returned unchanged, bit for bit.
 inline double normalize_theta(double theta) {
   if (theta > -const_pi() && theta <= const_pi()) return theta;
   const double turns = std::ceil((theta - const_pi()) / (2 * const_pi()));
@@ -63,7 +63,7 @@ inline double average_angle(double theta1, double theta2) {
   return x == 0 && y == 0 ? 0 : std::atan2(y, x);
 }
 
-/// −1, 0 or 1.
+/// The sign: −1, 0 or 1.
 template <typename T>
 inline int sign(T x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
@@ -74,7 +74,7 @@ inline T clamp(T lower, T x, T upper) {
   return x < lower ? lower : x > upper ? upper : x;
 }
 
-/// x moved by multiples of the interval's length into [lower, upper).
+/// Adds a multiple of the interval's length to x, so that the result is in [lower, upper).
 template <typename T>
 inline T wrap(T lower, T x, T upper) {
   const T length = upper - lower;
@@ -82,7 +82,7 @@ inline T wrap(T lower, T x, T upper) {
   return x < lower ? x + length : x;
 }
 
-/// Whether an array holds a NaN.
+/// Whether an array contains a NaN.
 template <typename T>
 inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   for (int i = 0; i < size; ++i) {
@@ -93,7 +93,7 @@ inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   return false;
 }
 
-/// Names a class whose use forces a library with its registration to be linked.
+/// Names a class whose use forces the linker to include the library that registers it.
 struct ForceLinker {
   explicit ForceLinker(void (*function)(void)) { (function)(); }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shapes around the origin, drawn by OpenGL with normals. Lengths are in units of the current matrix.
+// Draws shapes around the origin by OpenGL, with normals. Lengths are in units of the current matrix.
 #pragma once
 #ifndef G2O_OPENGL_PRIMITIVES_H
 #define G2O_OPENGL_PRIMITIVES_H
@@ -20,7 +20,7 @@ inline GLfloat angle_of(int i, int segments) {
   return static_cast<GLfloat>(2 * const_pi() * i / segments);
 }
 
-/// The side of a cone or cylinder along z from 0 to the height.
+/// The side of a cone or cylinder along z, from 0 to the height.
 inline void draw_side(GLfloat bottom, GLfloat top, GLfloat height) {
   glBegin(GL_TRIANGLE_STRIP);
   for (int i = 0; i <= kSegments; ++i) {
@@ -33,7 +33,7 @@ inline void draw_side(GLfloat bottom, GLfloat top, GLfloat height) {
   glEnd();
 }
 
-/// A part of a ring in the xy-plane, centered on the x axis; `angle` in radians.
+/// A segment of a ring in the xy-plane, centered on the x-axis; `angle` is in radians.
 inline void draw_ring(GLfloat inner, GLfloat outer, GLfloat angle, GLfloat z, GLfloat normal) {
   const int segments = std::max(1, static_cast<int>(std::ceil(kSegments * angle / (2 * const_pi()))));
   glNormal3f(0, 0, normal);
@@ -147,7 +147,7 @@ inline void drawPoseBox() {
   drawArrow2D(0.5F, 0.2F, 0.2F);
 }
 
-/// What a sensor with a field of view (degrees) along x sees at a range.
+/// The field of view (degrees) of a sensor along x, at a range.
 inline void drawRangeRing(GLfloat range, GLfloat fov, GLfloat range_width = 0.05F) {
   internal::draw_ring(range - range_width / 2, range + range_width / 2, static_cast<GLfloat>(deg2rad(fov)), 0,
                       1);

@@ -20,7 +20,7 @@ class G2O_STUFF_API BaseProperty {
   virtual ~BaseProperty();
   const std::string& name() const { return _name; }
   virtual std::string toString() const = 0;
-  /// False, and the value stays, where the text is none.
+  /// Sets the value from text. Returns false and keeps the value if the text is invalid.
   virtual bool fromString(const std::string& s) = 0;
 
  protected:
@@ -52,7 +52,7 @@ class Property : public BaseProperty {
   T _value{};
 };
 
-/// Properties by name; deletes what it holds.
+/// Owns properties and finds them by name.
 class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*> {
  public:
   using BaseClass = std::map<std::string, BaseProperty*>;
@@ -63,12 +63,12 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
   PropertyMap(const PropertyMap&) = delete;
   PropertyMap& operator=(const PropertyMap&) = delete;
   ~PropertyMap();
-  /// Takes ownership. False, and the property stays the caller's, if its name is taken.
+  /// Takes ownership. If the name is taken, returns false, and the caller keeps the property.
   bool addProperty(BaseProperty* p);
-  /// Deletes the property; false if there is none of that name.
+  /// Deletes the property. Returns false if there is none with this name.
   bool eraseProperty(const std::string& name);
 
-  /// The property of that name and type, or nullptr.
+  /// The property with this name and type, or nullptr.
   template <typename P>
   P* getProperty(const std::string& name) {
     const auto found = find(name);
@@ -79,8 +79,8 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
     const auto found = find(name);
     return found == end() ? nullptr : dynamic_cast<const P*>(found->second);
   }
-  /// The property of that name; it is made if there is none, and nullptr if there is one of another type. It
-  /// stays the map's.
+  /// The property with this name, which the map owns. Makes it if there is none. Returns nullptr if there is
+  /// one of another type.
   template <typename P>
   P* makeProperty(const std::string& name, const typename P::ValueType& v) {
     const auto found = find(name);
@@ -90,11 +90,11 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
     return made;
   }
 
-  /// Sets the property `name` from text; false where there is none, or the text does not fit.
+  /// Sets the property `name` from text. Returns false if it does not exist or the text is invalid.
   bool updatePropertyFromString(const std::string& name, const std::string& value);
-  /// "name=value,name=value".
+  /// Sets properties from "name=value,name=value".
   bool updateMapFromString(const std::string& values);
-  /// A line of names and a line of values, separated by ", ".
+  /// Writes a line of names and a line of values, separated by ", ".
   void writeToCSV(std::ostream& os) const;
 
   using BaseClass::begin;

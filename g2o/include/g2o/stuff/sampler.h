@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random numbers and vectors.
+// Random scalars and vectors.
 #pragma once
 #ifndef G2O_SAMPLER_H
 #define G2O_SAMPLER_H
@@ -12,11 +12,12 @@
 
 namespace g2o {
 
-/// A normal (uniform) number of the given generator; nullptr: of one that all callers of a thread share.
+/// A normally (uniformly) distributed value from a generator. If it is nullptr, uses the generator of the
+/// thread.
 G2O_STUFF_API double sampleGaussian(std::mt19937* generator = nullptr);
 G2O_STUFF_API double sampleUniform(double min = 0., double max = 1., std::mt19937* generator = nullptr);
 
-/// Normal vectors of mean zero.
+/// Samples normally distributed vectors with mean zero.
 template <class SampleType, class CovarianceType>
 class GaussianSampler {
  public:
@@ -24,7 +25,7 @@ class GaussianSampler {
   GaussianSampler(const GaussianSampler&) = delete;
   GaussianSampler& operator=(const GaussianSampler&) = delete;
 
-  /// `cov` is positive definite.
+  /// `cov` must be positive definite.
   void setDistribution(const CovarianceType& cov) { _cholesky = cov.llt().matrixL(); }
   SampleType generateSample() {
     SampleType s(_cholesky.rows());
@@ -40,14 +41,14 @@ class GaussianSampler {
   std::mt19937 _generator;
 };
 
-/// The generator that a thread shares.
+/// The random generator of a thread.
 class G2O_STUFF_API Sampler {
  public:
   static double gaussRand(double mean, double sigma) { return mean + sampleGaussian() * sigma; }
   static double uniformRand(double lowerBndr, double upperBndr) {
     return sampleUniform(lowerBndr, upperBndr);
   }
-  /// From the clock, or from a number.
+  /// Seed the generator from the clock, or from a number.
   static void seedRand();
   static void seedRand(unsigned int seed);
 };

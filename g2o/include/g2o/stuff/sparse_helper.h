@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// An entry of a sparse matrix; row and column count from 0.
+/// An entry of a sparse matrix. Rows and columns count from 0.
 struct TripletEntry {
   int r, c;
   double x;
@@ -24,15 +24,15 @@ struct TripletColSort {
   }
 };
 
-/// Writes n values, one a line. False if the file cannot be written, as for all functions below.
+/// Writes n values, one per line. Returns false if the file cannot be written, as do all functions below.
 G2O_STUFF_API bool writeVector(const std::string& filename, const double* v, int n);
 
-/// Writes a matrix in compressed columns: column c has the entries p[c] to p[c + 1] of the rows i and values
-/// v. `upperTriangle`: the entries below the diagonal are those above it, mirrored.
+/// Writes a matrix in compressed columns: column c has the entries p[c] ≤ k < p[c + 1] with rows i[k] and
+/// values v[k]. If `upperTriangle` is true, the entries below the diagonal mirror those above.
 G2O_STUFF_API bool writeCCSMatrix(const std::string& filename, int rows, int cols, const int* p, const int* i,
                                   const double* v, bool upperTriangle = true);
 
-/// Writes a matrix of single entries, in any order; no position may occur twice.
+/// Writes a matrix from entries in any order. No position may occur twice.
 G2O_STUFF_API bool writeTripletEntries(const std::string& filename, int rows, int cols,
                                        const std::vector<TripletEntry>& triplets);
 

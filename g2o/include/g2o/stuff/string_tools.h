@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text: blanks, parts, case, numbers, lines.
+// Text functions: trimming, splitting, case, conversion, lines.
 #pragma once
 #ifndef G2O_STRING_TOOLS_H
 #define G2O_STRING_TOOLS_H
@@ -21,23 +21,23 @@
 
 namespace g2o {
 
-/// Without the blanks (space, tab, line feed, carriage return) at both ends, or at one.
+/// Removes blanks (space, tab, line feed, carriage return) at both ends, or at one.
 G2O_STUFF_API std::string trim(const std::string& s);
 G2O_STUFF_API std::string trimLeft(const std::string& s);
 G2O_STUFF_API std::string trimRight(const std::string& s);
 
-/// The case of ASCII letters.
+/// Convert the case of ASCII letters.
 G2O_STUFF_API std::string strToLower(const std::string& s);
 G2O_STUFF_API std::string strToUpper(const std::string& s);
 
-/// As printf does; strPrintf returns the number of characters, or −1 where the format is none.
+/// Format like printf. strPrintf returns the number of characters, or −1 if the format is invalid.
 G2O_STUFF_API std::string formatString(const char* fmt, ...) G2O_ATTRIBUTE_FORMAT12;
 G2O_STUFF_API int strPrintf(std::string& str, const char* fmt, ...) G2O_ATTRIBUTE_FORMAT23;
 
-/// The parts between the characters of `delim`; empty parts count but for one at the end.
+/// The parts between characters of `delim`. Empty parts count, except one at the end.
 G2O_STUFF_API std::vector<std::string> strSplit(const std::string& s, const std::string& delim);
 
-/// The elements of a range as text, with a delimiter between two of them.
+/// Writes the elements of a range as text, separated by a delimiter.
 template <typename Iterator>
 std::string strJoin(Iterator begin, Iterator end, const std::string& delimiter) {
   std::ostringstream out;
@@ -55,16 +55,18 @@ std::string strJoin(const Range& range, const std::string& delimiter) {
 G2O_STUFF_API bool strStartsWith(const std::string& s, const std::string& start);
 G2O_STUFF_API bool strEndsWith(const std::string& s, const std::string& end);
 
-/// A leading ~ becomes the home directory, and $NAME and ${NAME} environment variables, empty where not set.
+/// Expands a leading ~ to the home directory, and $NAME and ${NAME} to environment variables (to nothing if
+/// not set).
 G2O_STUFF_API std::string strExpandFilename(const std::string& filename);
 
-/// The next line, without its end, into currentLine, which is cleared before. The number of characters, or −1
-/// at the end of the stream.
+/// Reads the next line, without its end, into currentLine, which is cleared first. Returns the number of
+/// characters, or −1 at the end of the stream.
 G2O_STUFF_API int readLine(std::istream& is, std::stringstream& currentLine);
-/// Ignores what is left of the line.
+/// Skips the rest of the line.
 G2O_STUFF_API void skipLine(std::istream& is);
 
-/// Reads x from text. False where there is none, or, with failIfLeftoverChars, more than that.
+/// Reads x from text. Returns false if there is no value or, if failIfLeftoverChars is true, if text is left
+/// after it.
 template <typename T>
 bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) {
   std::istringstream in(s);
@@ -76,7 +78,7 @@ bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) 
   return true;
 }
 
-/// The same; throws std::runtime_error where it fails.
+/// The same, but throws std::runtime_error if it fails.
 template <typename T>
 T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
   T x{};
@@ -86,7 +88,7 @@ T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
 }
 
 #if __cplusplus >= 201703L
-// The functions above for a std::string_view. Text in quotes stays a std::string for them.
+// Overloads for std::string_view. A string literal still calls the std::string version.
 namespace internal {
 template <typename View>
 using IfView = std::enable_if_t<std::is_same<View, std::string_view>::value, int>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times of named parts of a program, where the environment variable G2O_ENABLE_TICTOC is set.
+// Measures named parts of a program if the environment variable G2O_ENABLE_TICTOC is set.
 #pragma once
 #ifndef G2O_TICTOC_H
 #define G2O_TICTOC_H
@@ -10,11 +10,11 @@
 
 namespace g2o {
 
-/// The first call with a name starts its clock, the second one stops it and returns the seconds between the
-/// two; and so on. −1 from a call that starts, and where the variable is not set.
+/// The first call with a name starts a clock. The second call stops it and returns the seconds between both,
+/// and so on. Returns −1 if the call starts a clock or the variable is not set.
 G2O_STUFF_API double tictoc(const char* algorithmPart);
 
-/// What tictoc() has measured so far: name, number, total, shortest, mean and longest time, a line each.
+/// The results of tictoc() so far, one line per name: name, number, total, shortest, mean and longest time.
 G2O_STUFF_API std::string tictocReport();
 
 /// Measures the time of a scope.

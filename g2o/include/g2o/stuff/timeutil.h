@@ -18,17 +18,17 @@ inline double get_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds of a clock that never goes backwards.
+/// Seconds of a clock that never runs backwards.
 inline double get_monotonic_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The local date and time of a moment, the numbers alone: "20120131_235959".
+/// The local date and time as digits: "20120131_235959".
 G2O_STUFF_API std::string getTimeAsString(std::time_t time);
-/// That of this moment.
+/// The same for the current time.
 G2O_STUFF_API std::string getCurrentTimeAsString();
 
-/// Writes how long it lived to std::cerr, behind its title.
+/// The destructor writes the title and the lifetime to std::cerr.
 class G2O_STUFF_API ScopeTime {
  public:
   explicit ScopeTime(std::string title) : _title(std::move(title)), _startTime(get_monotonic_time()) {}
@@ -43,7 +43,7 @@ class G2O_STUFF_API ScopeTime {
 
 namespace internal {
 
-/// Adds the seconds of its life to a variable, if there is one.
+/// Adds the lifetime to a variable, unless it is nullptr.
 class AddedTime {
  public:
   explicit AddedTime(double* total) : total_(total), begin_(get_monotonic_time()) {}
@@ -61,7 +61,8 @@ class AddedTime {
 }  // namespace internal
 }  // namespace g2o
 
-/// Runs a command when this line is reached first, and again when `seconds` have passed since it ran.
+/// Runs a statement the first time this line is reached, and again if at least `seconds` have passed since
+/// its last run.
 #define DO_EVERY(seconds, ...)                                      \
   do {                                                              \
     static double doEveryLast = -1;                                 \
@@ -72,7 +73,7 @@ class AddedTime {
     }                                                               \
   } while (false)
 
-/// The same by a clock of the caller's, in seconds. A clock that was set back starts anew.
+/// The same with a clock of the caller, in seconds. Starts again if the clock was set back.
 #define DO_EVERY_TS(seconds, currentTime, ...)                               \
   do {                                                                       \
     static double doEveryLast = (currentTime) - (seconds);                   \
@@ -83,7 +84,7 @@ class AddedTime {
     }                                                                        \
   } while (false)
 
-/// Runs code and writes how long it took to std::cerr, behind `text`.
+/// Runs code and writes `text` and the elapsed time to std::cerr.
 #define MEASURE_TIME(text, ...)                \
   do {                                         \
     const g2o::ScopeTime measuredTime((text)); \
@@ -95,7 +96,7 @@ class AddedTime {
 #else
 #define G2O_FUNCTION_NAME __func__
 #endif
-/// Writes how long the function took, from here to its end, behind its name.
+/// Writes the name of the function and the time from here to its end to std::cerr.
 #define MEASURE_FUNCTION_TIME const g2o::ScopeTime measuredFunctionTime(G2O_FUNCTION_NAME)
 
 #endif  // G2O_TIMEUTIL_H

@@ -16,7 +16,7 @@ void tuple_apply_i_(F&& f, T& t, int i, std::index_sequence<I...>) {
   ((i == static_cast<int>(I) ? static_cast<void>(f(std::get<I>(t))) : void()), ...);
 }
 
-/// Calls f with the element of the tuple at a position that is known at run time.
+/// Calls f with the tuple element at an index that is known only at run time.
 template <typename F, typename T>
 void tuple_apply_i(F&& f, T& t, int i) {
   tuple_apply_i_(f, t, i, std::make_index_sequence<std::tuple_size<std::decay_t<T>>::value>());

@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// A sample with its weights in the mean and in the covariance.
+/// A sample, and its weights for the mean and for the covariance.
 template <class SampleType>
 struct SigmaPoint {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -23,8 +23,8 @@ struct SigmaPoint {
   double _wp;
 };
 
-/// The mean, and two points along each column of the Cholesky factor. False where the covariance is not
-/// positive definite.
+/// Computes the mean and two points along each column of the Cholesky factor. Returns false if the covariance
+/// is not positive definite.
 template <class SampleType, class CovarianceType>
 bool sampleUnscented(std::vector<SigmaPoint<SampleType>>& sigmaPoints, const SampleType& mean,
                      const CovarianceType& covariance) {
@@ -45,7 +45,7 @@ bool sampleUnscented(std::vector<SigmaPoint<SampleType>>& sigmaPoints, const Sam
   return true;
 }
 
-/// The Gaussian of the same moments.
+/// Computes the Gaussian with the same mean and covariance.
 template <class SampleType, class CovarianceType>
 void reconstructGaussian(SampleType& mean, CovarianceType& covariance,
                          const std::vector<SigmaPoint<SampleType>>& sigmaPoints) {

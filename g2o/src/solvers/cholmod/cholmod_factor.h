@@ -10,7 +10,7 @@
 namespace g2o {
 namespace internal {
 
-/// CHOLMOD: simplicial or supernodal, as it finds fit.
+/// A CHOLMOD factor. CHOLMOD chooses between simplicial and supernodal.
 class CholmodFactor {
  public:
   CholmodFactor();

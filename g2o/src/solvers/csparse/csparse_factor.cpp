@@ -5,10 +5,10 @@ namespace g2o {
 namespace internal {
 namespace {
 
-constexpr int kCompressed = -1;    // of a cs_di: columns, not triplets
-constexpr int kMinimumDegree = 1;  // of A + Aᵀ
+constexpr int kCompressed = -1;    // marks a cs_di with compressed columns instead of triplets
+constexpr int kMinimumDegree = 1;  // orders by minimum degree of A + Aᵀ
 
-/// The matrix as CSparse sees it; it only reads.
+/// A read-only view of the matrix for CSparse.
 cs_di view(const UpperTriangle& A) {
   cs_di m{};
   m.nzmax = static_cast<int>(A.i.size());
@@ -20,7 +20,7 @@ cs_di view(const UpperTriangle& A) {
   return m;
 }
 
-/// The analysis in a given order: elimination tree and column counts of the permuted matrix.
+/// Analyzes the matrix in a given order: elimination tree and column counts of the permuted matrix.
 cs_dis* analyze_in_order(const cs_di& A, const std::vector<int>& order) {
   auto* S = static_cast<cs_dis*>(cs_di_calloc(1, sizeof(cs_dis)));
   if (S == nullptr) return nullptr;

@@ -10,7 +10,7 @@
 namespace g2o {
 namespace internal {
 
-/// CSparse (as CXSparse): up-looking, simplicial.
+/// A CSparse (CXSparse) factor: up-looking and simplicial.
 class CSparseFactor {
  public:
   CSparseFactor() = default;

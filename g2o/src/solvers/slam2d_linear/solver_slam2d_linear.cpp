@@ -19,7 +19,7 @@
 namespace g2o {
 namespace {
 
-/// The active edges cost 1, so that paths leave out what takes no part.
+/// Gives active edges the cost 1, so that paths use only active edges.
 class ActiveEdgeCost : public HyperDijkstra::CostFunction {
  public:
   explicit ActiveEdgeCost(const SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -34,7 +34,7 @@ class ActiveEdgeCost : public HyperDijkstra::CostFunction {
   const SparseOptimizer& optimizer_;
 };
 
-/// Adds the measured turns along a tree up, without wrapping.
+/// Adds up the measured rotations along a tree, without wrapping.
 class AddTurns : public HyperDijkstra::TreeAction {
  public:
   explicit AddTurns(std::vector<double>& headings) : headings_(headings) {}
@@ -57,17 +57,18 @@ class AddTurns : public HyperDijkstra::TreeAction {
   std::vector<double>& headings_;
 };
 
-/// False, with a message, where the method is not for these edges.
+/// Returns false, with a message, if the method does not support these edges.
 bool fits(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (dynamic_cast<const EdgeSE2*>(e) != nullptr) continue;
-    G2O_ERROR("the linear solver of the plane is for edges between poses (EDGE_SE2) only");
+    G2O_ERROR("the linear 2-D solver supports only edges between poses (EDGE_SE2)");
     return false;
   }
   return true;
 }
 
-/// Headings along a spanning tree from the fixed vertices; false where it does not reach all.
+/// Computes headings along a spanning tree from the fixed vertices. Returns false if it does not reach all
+/// vertices.
 bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   HyperGraph::VertexSet fixed;
   for (OptimizableGraph::Vertex* v : optimizer.activeVertices()) {
@@ -78,7 +79,7 @@ bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   paths.shortestPaths(fixed, &cost);
   for (OptimizableGraph::Vertex* v : optimizer.indexMapping()) {
     if (paths.visited().count(v) > 0) continue;
-    G2O_ERROR("the linear solver of the plane needs a fixed vertex that reaches vertex {}", v->id());
+    G2O_ERROR("the linear 2-D solver needs a fixed vertex that reaches vertex {}", v->id());
     return false;
   }
   HyperDijkstra::computeTree(paths.adjacencyMap());
@@ -87,12 +88,14 @@ bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   return true;
 }
 
-/// The least squares over the headings, linear since the turns are unwrapped along the tree: a Laplacian.
+/// The least-squares problem over the headings. It is linear, because the rotations are unwrapped along the
+/// tree, and its matrix is a Laplacian.
 class Headings {
  public:
   explicit Headings(size_t count) : diagonal_(count, 0.0), b_(count, 0.0) {}
 
-  /// Adds ω (θj − θi − turn)², the residual of the current headings being r; −1: a fixed end.
+  /// Adds ω (θj − θi − turn)². `r` is the residual at the current headings. An index of −1 means a fixed
+  /// vertex.
   void add(int i, int j, double omega, double r) {
     if (i >= 0) diagonal_[static_cast<size_t>(i)] += omega;
     if (j >= 0) diagonal_[static_cast<size_t>(j)] += omega;
@@ -145,7 +148,7 @@ bool SolverSLAM2DLinear::solveOrientation() {
                normalize_theta(now.heading(to) - now.heading(from) - turn));
   }
   if (!system.solve(step)) {
-    G2O_ERROR("the headings are not determined by the measured turns");
+    G2O_ERROR("the measured rotations do not determine the headings");
     return false;
   }
   for (size_t i = 0; i < mapping.size(); ++i)
@@ -157,7 +160,7 @@ namespace {
 
 AbstractOptimizationAlgorithmCreator* creator() {
   const OptimizationAlgorithmProperty property("2dlinear",
-                                               "a linear start, then Gauss-Newton, for poses of the plane",
+                                               "a linear start, then Gauss-Newton, for poses in the plane",
                                                "sparse Cholesky", false, 3, 3);
   return new internal::SolverCreator(property, [] {
     return new SolverSLAM2DLinear(

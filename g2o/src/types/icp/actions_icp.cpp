@@ -21,7 +21,7 @@ struct Icp {
   }
 
   static Sketch sketch(const VertexSCam& v) { return Sketch::of_camera(v.estimate(), internal::kPoseColor); }
-  /// Between the two points that are taken for the same.
+  /// A line between the two matched points.
   static Sketch sketch(const Edge_V_V_GICP& e) {
     if (!internal::is_complete(e)) return {};
     return Sketch::of_line(e.vertexXn<0>()->estimate() * e.measurement().pos0,

@@ -15,7 +15,8 @@ namespace {
 
 using Native = boxplus::PointObservation3;
 
-/// The rows n × y, y, n; y is the part of e_y across the normal, of length 1, or zero if there is none.
+/// The matrix with rows n × y, y, n. y is the normalized part of e_y orthogonal to the normal n, or zero if
+/// there is none.
 Matrix3 frame_of_normal(const Vector3& normal) {
   const Vector3 y = (Vector3::UnitY() - normal.y() * normal).normalized();
   Matrix3 R;
@@ -29,7 +30,7 @@ Matrix3 turned(const Matrix3& R, double across, double along) {
   return R.transpose() * Vector3(across, across, along).asDiagonal() * R;
 }
 
-constexpr double kAcross = 0.01;  // of the Ω that files do not have
+constexpr double kAcross = 0.01;  // for Ω, which files do not store
 
 }  // namespace
 
@@ -111,7 +112,7 @@ double baseline_times_focal_length() {
   return VertexSCam::Kcam(0, 0) * VertexSCam::baseline;
 }
 
-/// The point in the frame of the camera, beside zero.
+/// An observation of zero: its error is the point in the frame of the camera.
 const Native kInCamera{boxplus::Vector3(0, 0, 0)};
 
 }  // namespace

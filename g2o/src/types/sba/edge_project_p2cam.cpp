@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in an SBACam, one or two.
+// Images in an SBACam or a stereo pair.
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
 #include "types/images.h"
@@ -16,7 +16,8 @@ double baseline_times_focal_length(const SBACam& cam) {
   return cam.Kcam(0, 0) * cam.baseline;
 }
 
-/// From the derivative D of an image by the point in the frame of the camera.
+/// Computes the Jacobians from D, the derivative of an image with respect to the point in the frame of the
+/// camera.
 template <class Derivative, class JPoint, class JCam>
 void linearize(const SBACam& cam, const Vector3& point, const Derivative& D, JPoint& J_point, JCam& J_cam) {
   const auto R = cam.w2n.leftCols<3>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in two cameras, of points that move and of points that do not.
+// Images in a stereo camera, of points that are vertices and of known points.
 #include "g2o/types/sba/edge_project_stereo_xyz.h"
 
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"

@@ -13,7 +13,7 @@ namespace {
 
 using Native = boxplus::Between<boxplus::SE3>;
 
-/// The camera, elsewhere.
+/// A copy of the camera with another pose.
 SBACam moved(const SBACam& cam, const SE3Quat& pose) {
   SBACam result = cam;
   result.setRotation(pose.rotation());
@@ -30,7 +30,8 @@ void EdgeSBACam::computeError() {
                .error(native::pose(vertexXn<0>()->estimate()), native::pose(vertexXn<1>()->estimate()));
 }
 
-// Cameras add their translation in the world's frame, the engine's poses in their own.
+// A step adds to the translation of a camera in the world frame, but to that of an engine pose in its body
+// frame.
 void EdgeSBACam::linearizeOplus() {
   const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
   native::linearize(Native(native::pose(_measurement)),
@@ -42,7 +43,7 @@ void EdgeSBACam::linearizeOplus() {
 
 bool EdgeSBACam::read(std::istream& is) {
   return native::read_edge<Native>(is, 7, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_quaternion_face(z)); });
+                                   [this](const auto& z) { setMeasurement(native::to_se3quat(z)); });
 }
 
 bool EdgeSBACam::write(std::ostream& os) const {

@@ -14,8 +14,8 @@ void EdgeSE3Expmap::computeError() {
   _error = (vertexXn<1>()->estimate().inverse() * _measurement * vertexXn<0>()->estimate()).log();
 }
 
-// With E = T₂⁻¹ z T₁: a step δ of T₁ makes exp(Ad δ) E of it, Ad that of T₂⁻¹ z; one of T₂ makes
-// exp(−Ad δ) E, Ad that of T₂⁻¹.
+// With E = T₂⁻¹ z T₁, a step δ of T₁ gives exp(Ad δ) E with Ad of T₂⁻¹ z. A step δ of T₂ gives exp(−Ad δ) E
+// with Ad of T₂⁻¹.
 void EdgeSE3Expmap::linearizeOplus() {
   const SE3Quat inverse = vertexXn<1>()->estimate().inverse(), left = inverse * _measurement;
   const Matrix6 J = native::left_jacobian_of_log(left * vertexXn<0>()->estimate());
@@ -25,7 +25,7 @@ void EdgeSE3Expmap::linearizeOplus() {
 
 bool EdgeSE3Expmap::read(std::istream& is) {
   return native::read_measurement<boxplus::SE3>(is, 7, _information, [this](const boxplus::SE3& z) {
-    setMeasurement(native::to_quaternion_face(z).inverse());
+    setMeasurement(native::to_se3quat(z).inverse());
   });
 }
 

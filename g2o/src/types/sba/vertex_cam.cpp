@@ -89,7 +89,7 @@ bool VertexCam::read(std::istream& is) {
   if (!native::read_value(is, 7, x)) return false;
   double fx = 300, fy = 300, cx = 320, cy = 320, baseline = 0.1;
   if (!native::read_rest(is, {&fx, &fy, &cx, &cy, &baseline})) return false;
-  SBACam cam(native::to_quaternion_face(x));
+  SBACam cam(native::to_se3quat(x));
   cam.setKcam(fx, fy, cx, cy, baseline);
   setEstimate(cam);
   return true;

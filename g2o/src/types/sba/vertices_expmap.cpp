@@ -20,7 +20,7 @@ void VertexSE3Expmap::oplusImpl(double* update) {
 bool VertexSE3Expmap::read(std::istream& is) {
   boxplus::SE3 x;
   if (!native::read_value(is, 7, x)) return false;
-  setEstimate(native::to_quaternion_face(x).inverse());
+  setEstimate(native::to_se3quat(x).inverse());
   return true;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using internal::Sketch;
 
-/// Where a camera is, whose similarity leads from the world to it.
+/// The pose of a camera, given the similarity from the world to the camera.
 Isometry3 pose_of(const Sim3& similarity) {
   const Sim3 inverse = similarity.inverse();
   Isometry3 pose = Isometry3::Identity();
@@ -42,7 +42,7 @@ struct Similarities {
     return internal::sketch_of_edge<Similarities>(e, internal::kObservationColor);
   }
 
-  /// The pose as for VertexSE3, then the scale.
+  /// Writes the pose as for VertexSE3, then the scale.
   static bool write(const VertexSim3Expmap& v, std::ostream& os) {
     Vector7 numbers;
     numbers << internal::toVectorMQT(pose_of(v.estimate())), v.estimate().inverse().scale();

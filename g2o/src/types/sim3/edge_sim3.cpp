@@ -6,12 +6,12 @@
 #include "types/native.h"
 #include "types/sim3/usable_sim3.h"
 
-G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
+G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
 
 namespace g2o {
 namespace {
 
-/// Ad with exp(Ad δ) = S exp(δ) S⁻¹.
+/// The adjoint Ad with exp(Ad δ) = S exp(δ) S⁻¹.
 Matrix7 adjoint(const Sim3& S) {
   const Matrix3 R = S.rotation().toRotationMatrix();
   Matrix7 Ad = Matrix7::Zero();
@@ -31,7 +31,8 @@ void EdgeSim3::computeError() {
   _error = (_measurement * vertexXn<0>()->estimate() * vertexXn<1>()->estimate().inverse()).log();
 }
 
-// With E = z S₁ S₂⁻¹: a step δ of S₁ makes exp(Ad_z δ) E of it, one of S₂ makes E exp(−δ) = exp(−Ad_E δ) E.
+// With E = z S₁ S₂⁻¹, a step δ of S₁ gives exp(Ad_z δ) E, and a step δ of S₂ gives E exp(−δ) = exp(−Ad_E δ)
+// E.
 void EdgeSim3::linearizeOplus() {
   const VertexSim3Expmap *first = vertexXn<0>(), *second = vertexXn<1>();
   const Sim3 E = _measurement * first->estimate() * second->estimate().inverse();

@@ -6,8 +6,7 @@
 namespace g2o {
 namespace native {
 
-/// Whether a similarity, its inverse and their logarithms are finite. Beyond e^±230 they overflow, long after
-/// they have lost their meaning.
+/// Whether a similarity, its inverse and their logarithms are finite. They overflow at scales beyond e^±230.
 inline bool is_usable(const Sim3& x) {
   constexpr double kSmallest = 1e-100, kLargest = 1e100;
   if (!x.rotation().coeffs().allFinite() || !x.translation().allFinite()) return false;

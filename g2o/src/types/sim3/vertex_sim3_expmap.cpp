@@ -6,7 +6,7 @@
 #include "types/native.h"
 #include "types/sim3/usable_sim3.h"
 
-G2O_USE_TYPE_GROUP(sim3)  // for whoever uses these types alone
+G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
 
 namespace g2o {
 

@@ -53,7 +53,7 @@ struct Slam2d {
   static Sketch sketch(const EdgeXYPrior& e) {
     return internal::sketch_of_prior<Slam2d>(e, lift(e.measurement()));
   }
-  /// The third vertex, the pose of the sensor on the robot, is no place in the world.
+  /// The third vertex, the pose of the sensor on the robot, has no position in the world.
   static Sketch sketch(const EdgeSE2PointXYCalib& e) {
     const std::optional<Vector3> from = place(e.vertex(0)), to = place(e.vertex(1));
     return from && to ? Sketch::of_line(*from, *to, internal::kObservationColor) : Sketch();

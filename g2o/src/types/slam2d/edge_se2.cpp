@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Between<boxplus::SE2>;
-const SideBySide<EdgeSE2> kSideBySide;
+const ThreadSafe<EdgeSE2> kThreadSafe;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void EdgeSE2::linearizeOplus() {
 
 bool EdgeSE2::read(std::istream& is) {
   return native::read_edge<Native>(is, 3, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_face(z)); });
+                                   [this](const auto& z) { setMeasurement(native::to_g2o(z)); });
 }
 
 bool EdgeSE2::write(std::ostream& os) const {

@@ -44,7 +44,7 @@ void EdgeSE2Offset::linearizeOplus() {
 
 bool EdgeSE2Offset::read(std::istream& is) {
   return readParamIds(is) && native::read_edge<Native>(is, 3, _information, [this](const auto& z) {
-           setMeasurement(native::to_face(z));
+           setMeasurement(native::to_g2o(z));
          });
 }
 

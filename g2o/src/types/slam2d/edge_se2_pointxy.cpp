@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::PointObservation2;
-const SideBySide<EdgeSE2PointXY> kSideBySide;
+const ThreadSafe<EdgeSE2PointXY> kThreadSafe;
 
 }  // namespace
 

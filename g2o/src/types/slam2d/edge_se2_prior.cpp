@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Prior<boxplus::SE2>;
-const SideBySide<EdgeSE2Prior> kSideBySide;
+const ThreadSafe<EdgeSE2Prior> kThreadSafe;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void EdgeSE2Prior::linearizeOplus() {
 
 bool EdgeSE2Prior::read(std::istream& is) {
   return native::read_edge<Native>(is, 3, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_face(z)); });
+                                   [this](const auto& z) { setMeasurement(native::to_g2o(z)); });
 }
 
 bool EdgeSE2Prior::write(std::ostream& os) const {

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam2d/native_slam2d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Prior<boxplus::Vector2>;
-const SideBySide<EdgeXYPrior> kSideBySide;
+const ThreadSafe<EdgeXYPrior> kThreadSafe;
 
 }  // namespace
 

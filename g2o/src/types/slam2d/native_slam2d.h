@@ -7,7 +7,8 @@
 #include "g2o/types/slam2d/vertex_se2.h"
 #include "types/native.h"
 
-// Who uses a type gets the words of all: of a static library, linkers take only what is referred to.
+// Registers the tags of all types for a client that uses one of them, because linkers take only the
+// referenced members of a static library.
 G2O_USE_TYPE_GROUP(slam2d)
 
 namespace g2o {
@@ -19,7 +20,7 @@ inline boxplus::SE2 pose(const SE2& x) {
 inline boxplus::SE2 pose(const VertexSE2& v) {
   return pose(v.estimate());
 }
-inline SE2 to_face(const boxplus::SE2& x) {
+inline SE2 to_g2o(const boxplus::SE2& x) {
   return {x.x(), x.y(), x.theta()};
 }
 inline boxplus::Vector2 point(const Vector2& p) {

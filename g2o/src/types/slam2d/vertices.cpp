@@ -16,7 +16,7 @@ void VertexSE2::oplusImpl(double* update) {
 bool VertexSE2::read(std::istream& is) {
   boxplus::SE2 x;
   if (!native::read_value(is, 3, x)) return false;
-  setEstimate(native::to_face(x));
+  setEstimate(native::to_g2o(x));
   return true;
 }
 
@@ -78,7 +78,7 @@ void ParameterSE2Offset::setOffset(const SE2& offset) {
 bool ParameterSE2Offset::read(std::istream& is) {
   boxplus::SE2 x;
   if (!native::read_value(is, 3, x)) return false;
-  setOffset(native::to_face(x));
+  setOffset(native::to_g2o(x));
   return true;
 }
 

@@ -38,7 +38,7 @@ struct Slam3d {
       return Vector3(sensor == nullptr ? x * e.measurement() : x * (sensor->offset() * e.measurement()));
     });
   }
-  /// From where the sensor is to where it should be.
+  /// A line from the sensor to its measured position.
   static Sketch sketch(const EdgeSE3Prior& e) {
     if (!internal::is_complete(e) || e.offsetParameter() == nullptr) return {};
     const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.offsetParameter()->offset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What EDGE_PROJECT_DEPTH and EDGE_PROJECT_DISPARITY have in common: the image of a point in a camera on a
-// robot, and one more number that its depth tells.
+// The common part of EDGE_PROJECT_DEPTH and EDGE_PROJECT_DISPARITY: the image of a point in a camera on a
+// robot, and a function of its depth.
 #pragma once
 
 #include "types/images.h"
@@ -9,7 +9,7 @@
 namespace g2o {
 namespace native {
 
-/// The point in the frame of the camera, beside zero.
+/// An observation of zero: its error is the point in the frame of the camera.
 inline const boxplus::OffsetPointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
 
 /// (u, v, Third::of(depth)) of a point in the frame of the camera.
@@ -20,7 +20,7 @@ Vector3 depth_image(const Matrix3& K, const Vector3& p) {
   return z;
 }
 
-/// Its Jacobian with respect to the point.
+/// The Jacobian of depth_image() with respect to the point in the frame of the camera.
 template <class Third>
 Matrix3 depth_image_jacobian(const Matrix3& K, const Vector3& p) {
   Matrix3 D;

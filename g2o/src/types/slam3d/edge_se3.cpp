@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Between<boxplus::SE3>;
-const SideBySide<EdgeSE3> kSideBySide;
+const ThreadSafe<EdgeSE3> kThreadSafe;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void EdgeSE3::linearizeOplus() {
 
 bool EdgeSE3::read(std::istream& is) {
   return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-    setMeasurement(native::to_face(z));
+    setMeasurement(native::to_g2o(z));
     rotation_.set(native::quaternion(z), _measurement.linear());
   });
 }

@@ -46,7 +46,7 @@ void EdgeSE3Offset::linearizeOplus() {
 
 bool EdgeSE3Offset::read(std::istream& is) {
   return readParamIds(is) && native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-           setMeasurement(native::to_face(z));
+           setMeasurement(native::to_g2o(z));
            rotation_.set(native::quaternion(z), _measurement.linear());
          });
 }

@@ -41,7 +41,7 @@ void EdgeSE3Prior::linearizeOplus() {
 
 bool EdgeSE3Prior::read(std::istream& is) {
   return readParamIds(is) && native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-           setMeasurement(native::to_face(z));
+           setMeasurement(native::to_g2o(z));
            rotation_.set(native::quaternion(z), _measurement.linear());
          });
 }

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "g2o/core/side_by_side.h"
+#include "g2o/core/thread_safe.h"
 #include "types/slam3d/native_slam3d.h"
 
 namespace g2o {
 namespace {
 
 using Native = boxplus::Prior<boxplus::Vector3>;
-const SideBySide<EdgeXYZPrior> kSideBySide;
+const ThreadSafe<EdgeXYZPrior> kThreadSafe;
 
 }  // namespace
 

@@ -13,7 +13,7 @@ boxplus::SE3 native(const Isometry3& t) {
   return {boxplus::Vector3(t.translation()), boxplus::Matrix<double, 3, 3>(t.linear())};
 }
 
-Isometry3 to_face(const boxplus::SE3& x) {
+Isometry3 to_g2o(const boxplus::SE3& x) {
   Isometry3 t = Isometry3::Identity();
   t.linear() = x.rotation();
   t.translation() = x.translation();
@@ -69,7 +69,7 @@ Vector7 toVectorQT(const Isometry3& t) {
 }
 
 Isometry3 fromVectorMQT(const Vector6& v) {
-  return to_face(boxplus::SE3::from_minimal(v));
+  return to_g2o(boxplus::SE3::from_minimal(v));
 }
 
 Isometry3 fromVectorET(const Vector6& v) {
@@ -80,7 +80,7 @@ Isometry3 fromVectorET(const Vector6& v) {
 }
 
 Isometry3 fromVectorQT(const Vector7& v) {
-  return to_face(boxplus::SE3::from_vector(v));
+  return to_g2o(boxplus::SE3::from_vector(v));
 }
 
 }  // namespace internal

@@ -8,7 +8,8 @@
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "types/native.h"
 
-// Who uses a type gets the words of all: of a static library, linkers take only what is referred to.
+// Registers the tags of all types for a client that uses one of them, because linkers take only the
+// referenced members of a static library.
 G2O_USE_TYPE_GROUP(slam3d)
 
 namespace g2o {
@@ -32,7 +33,7 @@ inline boxplus::Vector3 point(const Vector3& p) {
 inline boxplus::Vector3 point(const VertexPointXYZ& v) {
   return v.estimate();
 }
-inline Isometry3 to_face(const boxplus::SE3& x) {
+inline Isometry3 to_g2o(const boxplus::SE3& x) {
   Isometry3 pose = Isometry3::Identity();
   pose.linear() = x.rotation();
   pose.translation() = x.translation();

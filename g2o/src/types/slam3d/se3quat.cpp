@@ -11,7 +11,7 @@
 namespace g2o {
 namespace {
 
-/// V of the exponential: that of Sim(3) without scale.
+/// The matrix V of the exponential map: that of Sim(3) without scale.
 boxplus::Sim3Coupling<double> coupling(const Vector3& omega) {
   return boxplus::Sim3Coupling<double>::of(0, omega.squaredNorm());
 }

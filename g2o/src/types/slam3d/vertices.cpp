@@ -130,7 +130,7 @@ void ParameterSE3Offset::setOffset(const Isometry3& offset) {
 bool ParameterSE3Offset::read(std::istream& is) {
   boxplus::SE3 x;
   if (!native::read_value(is, 7, x)) return false;
-  Isometry3 offset = native::to_face(x);
+  Isometry3 offset = native::to_g2o(x);
   rotation_.set(native::quaternion(x), offset.linear());
   setOffset(offset);
   return true;

@@ -11,7 +11,7 @@ namespace {
 
 using internal::Sketch;
 
-/// The point of a plane that is nearest to `viewer`, with the normal as z and a level x.
+/// The point of a plane that is nearest to `viewer`, as a frame with the normal as z-axis and a level x-axis.
 Isometry3 piece(const Plane3D& plane, const Vector3& viewer) {
   const Vector3 z = plane.normal();
   const Vector3 level = Vector3::UnitZ().cross(z);
@@ -49,7 +49,8 @@ struct Slam3dAddons {
   static Sketch sketch(const EdgePlane& e) {
     return internal::sketch_of_edge<Slam3dAddons>(e, internal::kObservationColor);
   }
-  /// What the sensor sees, in front of it; the third vertex is the pose of the sensor on the robot.
+  /// The plane as the sensor measures it, in front of the sensor. The third vertex is the pose of the sensor
+  /// on the robot.
   static Sketch sketch(const EdgeSE3PlaneSensorCalib& e) {
     if (e.vertex(0) == nullptr || e.vertex(2) == nullptr) return {};
     const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.vertexXn<2>()->estimate();
@@ -59,7 +60,7 @@ struct Slam3dAddons {
     sketch.plane_side = 0.5F;
     return sketch;
   }
-  /// The motion of the robot; the third vertex is as above.
+  /// The motion of the robot. The third vertex is the pose of the sensor on the robot.
   static Sketch sketch(const EdgeSE3Calib& e) {
     const std::optional<Vector3> from = place(e.vertex(0)), to = place(e.vertex(1));
     return from && to ? Sketch::of_line(*from, *to, internal::kMotionColor) : Sketch();

@@ -6,7 +6,7 @@
 #include "g2o/core/factory.h"
 #include "types/slam3d/native_slam3d.h"
 
-G2O_USE_TYPE_GROUP(slam3d_addons)  // for whoever uses these types alone
+G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
 
 namespace g2o {
 namespace {
@@ -35,7 +35,7 @@ void EdgeSE3Calib::linearizeOplus() {
 
 bool EdgeSE3Calib::read(std::istream& is) {
   return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-    setMeasurement(native::to_face(z));
+    setMeasurement(native::to_g2o(z));
     rotation_.set(native::quaternion(z), _measurement.linear());
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads a graph, optimises it with an algorithm of the factory, saves it.
+// Loads a graph, optimizes it with an algorithm of the factory, and saves it.
 #include <iostream>
 #include <sstream>
 

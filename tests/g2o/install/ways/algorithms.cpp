@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// algorithms NAME: whether that is the name of the algorithm which the factory makes of lm_var_cholmod.
+// algorithms NAME: checks that the factory returns the algorithm NAME for lm_var_cholmod.
 #include "g2o/core/optimization_algorithm_factory.h"
 
 #if G2O_HAVE_CHOLMOD

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Brings definitions of its own for a type, under the include guard of g2o's header, and uses what
-// types_icp.h brings.
+// Defines a type itself, under the include guard of g2o's header for it, and uses the types that types_icp.h
+// includes.
 #define G2O_EDGE_XYZ_PRIOR_H_
 #include "g2o/types/icp/types_icp.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library with a copy that keeps to its own works beside symbols of the same names that come first.
+// A library with an isolated copy works even if symbols of the same names come first.
 extern "C" int foreign_calls();
 extern "C" double optimum();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A module that optimises a graph with the face that is linked into it.
+// A module that optimizes a graph with the copy of the g2o API that is linked into it.
 #include <sstream>
 
 #include "g2o/core/factory.h"
@@ -13,7 +13,7 @@ extern "C" G2O_API_EXPORT const void* factory() {
   return g2o::Factory::instance();
 }
 
-/// chi2 where it ends; negative where something is missing.
+/// The final chi2, or a negative value if something is missing.
 extern "C" G2O_API_EXPORT double optimum() {
   std::istringstream file(
       "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 1 1\nVERTEX_SE2 2 2 2 2\nFIX 0\n"

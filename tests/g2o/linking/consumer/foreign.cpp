@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands for a g2o of somebody else's: the same names, and other objects behind them.
+// Stands in for another implementation of g2o: the same names, but different objects.
 #include <cstdlib>
 
 #define EXPORTED __attribute__((visibility("default")))

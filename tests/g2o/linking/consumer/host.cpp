@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// host MODULE: what this program has registered is there while a module with another copy is loaded, and
-// after.
+// host MODULE: the registrations of this program work while a module with another copy is loaded, and after
+// it is unloaded.
 #include <dlfcn.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two copies that the loader has joined work, and go without harm at the end of the program.
+// Two copies that the loader has joined work, and the program exits cleanly.
 #include <cstdio>
 
 extern "C" double optimum_one();

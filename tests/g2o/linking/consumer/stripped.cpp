@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names no type and no algorithm: all come by their words.
+// Constructs all types and algorithms by tag or name, and refers to none of them.
 #include <cstdio>
 #include <sstream>
 
@@ -7,13 +7,13 @@
 #include "g2o/core/optimization_algorithm_factory.h"
 #include "g2o/core/sparse_optimizer.h"
 
-G2O_USE_TYPE_GROUP(own)
+G2O_USE_TYPE_GROUP(custom)
 G2O_USE_TYPE_GROUP(slam2d)
 G2O_USE_OPTIMIZATION_LIBRARY(eigen)
 
 int main() {
   std::istringstream file(
-      "OWN_NUMBER 0 9\nOWN:WEIGHED 0 2 1\nOWN:WEIGHED 0 4 1\n"
+      "CUSTOM_NUMBER 0 9\nCUSTOM:WEIGHED 0 2 1\nCUSTOM:WEIGHED 0 4 1\n"
       "VERTEX_SE2 1 0 0 0\nVERTEX_SE2 2 1 1 1\nFIX 1\nEDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n");
   g2o::SparseOptimizer optimizer;
   g2o::OptimizationAlgorithmProperty property;

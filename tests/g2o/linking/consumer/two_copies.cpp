@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// two_copies FIRST SECOND ARE_SEPARATE: both modules work side by side, and after the other has gone.
+// two_copies FIRST SECOND ARE_SEPARATE: both modules work at the same time, and one works after the other is
+// unloaded.
 #include <dlfcn.h>
 
 #include <cstdio>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses classes of each library, and has their graph saved and loaded without ever asking for a group of
-// words.
+// Uses classes of each library, and saves and loads their graph, without G2O_USE_TYPE_GROUP.
 #include <cstdio>
 #include <sstream>
 

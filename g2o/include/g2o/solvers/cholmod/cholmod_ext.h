@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse matrix of CHOLMOD that deletes its arrays. The header needs CHOLMOD, which is LGPL and GPL;
-// nothing else of these headers includes it.
+// A sparse matrix of CHOLMOD that deletes its arrays. Only this header needs CHOLMOD, which is LGPL and GPL;
+// no other header includes it.
 #pragma once
 #ifndef G2O_CHOLMOD_EXT_H
 #define G2O_CHOLMOD_EXT_H
@@ -17,8 +17,8 @@
 
 namespace g2o {
 
-/// The upper triangle of a symmetric matrix of doubles; empty at first. p, i and x are arrays of int, int and
-/// double that are made with new[].
+/// The upper triangle of a symmetric matrix of doubles, initially empty. p, i and x are arrays of int, int
+/// and double that are allocated by new[].
 struct CholmodExt : public cholmod_sparse {
   CholmodExt() : cholmod_sparse() {
     stype = 1;
@@ -35,7 +35,7 @@ struct CholmodExt : public cholmod_sparse {
     delete[] static_cast<int*>(i);
     delete[] static_cast<double*>(x);
   }
-  std::size_t columnsAllocated = 0;  ///< the room in p, less one
+  std::size_t columnsAllocated = 0;  ///< the size of p minus one
 };
 
 }  // namespace g2o

@@ -10,16 +10,17 @@
 
 namespace g2o {
 
-/// Sparse Cholesky under the name that clients of CHOLMOD use: the engine's, as LinearSolverEigen. Needs no
-/// third-party library; the algorithms of the library solver_cholmod (gn_var_cholmod, …) run CHOLMOD itself.
+/// The engine's sparse Cholesky under the name that clients of CHOLMOD use; the same as LinearSolverEigen.
+/// Needs no third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) run CHOLMOD
+/// itself.
 template <typename MatrixType>
 class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
  public:
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverCholmod) ? this->settings() : internal::EngineSettings();
   }
-  /// Writes the matrix of the last solve() for Octave; false where there is none. (Below a BlockSolver the
-  /// matrix is H: Solver::saveHessian().)
+  /// Writes the matrix of the last solve() for Octave. Returns false if there is none. (If the solver belongs
+  /// to a BlockSolver, use Solver::saveHessian().)
   virtual bool saveMatrix(const std::string& fileName) { return this->engine_.save(fileName); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cholesky by CSparse in the parts that a solver repeats. The header needs CXSparse, which is LGPL, also at
-// link time; nothing else of these headers includes it.
+// The steps of a Cholesky solve by CSparse that a solver repeats. Only this header needs CXSparse, which is
+// LGPL, also at link time; no other header includes it.
 #pragma once
 #ifndef G2O_CSPARSE_HELPER_H
 #define G2O_CSPARSE_HELPER_H
@@ -18,16 +18,16 @@
 namespace g2o {
 namespace csparse_extension {
 
-/// The factor of the upper triangle A with the analysis S, or nullptr if A is not positive definite; the
-/// caller frees it. CSparse has its own workspace: `cin` and `xin` are not used.
+/// Returns the factor of the upper triangle A with the analysis S, or nullptr if A is not positive definite.
+/// The caller frees it. CSparse has an internal workspace, so `cin` and `xin` are not used.
 inline cs_din* cs_chol_workspace(const cs_di* A, const cs_dis* S, int* cin, double* xin) {
   static_cast<void>(cin);
   static_cast<void>(xin);
   return cs_di_chol(A, S);
 }
 
-/// b ← A⁻¹ b with the analysis S; `workspace` has as many doubles as A has columns, `work` is not used. False
-/// if A is not positive definite.
+/// b ← A⁻¹ b with the analysis S. `workspace` has as many doubles as A has columns; `work` is not used.
+/// Returns false if A is not positive definite.
 inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* workspace, int* work) {
   cs_din* factor = cs_chol_workspace(A, S, work, workspace);
   const bool ok = factor != nullptr && cs_di_ipvec(S->pinv, b, workspace, A->n) != 0 &&

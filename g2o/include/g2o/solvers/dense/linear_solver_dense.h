@@ -9,12 +9,12 @@
 
 namespace g2o {
 
-/// Cholesky of the matrix as a dense one: for small problems.
+/// Dense Cholesky, for small problems.
 template <typename MatrixType>
 class LinearSolverDense : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverDense() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kDense) {}
-  /// Not in the place of a derived class, which may solve otherwise.
+  /// Does not replace a derived class, because that may solve in another way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverDense) ? this->settings_ : internal::EngineSettings();
   }

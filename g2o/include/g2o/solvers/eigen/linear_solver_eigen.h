@@ -9,16 +9,17 @@
 
 namespace g2o {
 
-/// Sparse Cholesky: the engine's, which orders blocks; without setBlockOrdering(), Eigen's, which orders
+/// The engine's sparse Cholesky, which orders blocks. With setBlockOrdering(false), Eigen's, which orders
 /// scalars.
 template <typename MatrixType>
 class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
-  /// Factorises in double always (not in g2o). By default, where Solver::inexactSteps(), large fronts are
-  /// factorised in float, and steps refined until their residual is 1e-6 of the right-hand side.
+  /// If `exact` is true, always factorizes in double (not in g2o). By default, if Solver::inexactSteps() is
+  /// true, large fronts are factorized in float and steps are refined until their residual is 1e-6 of the
+  /// right-hand side.
   void setExact(bool exact) { this->settings_.exact = exact; }
-  /// Not in the place of a derived class, which may solve otherwise.
+  /// Does not replace a derived class, because that may solve in another way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverEigen) ? this->settings() : internal::EngineSettings();
   }

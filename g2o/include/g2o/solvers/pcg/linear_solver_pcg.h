@@ -17,24 +17,24 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
     this->settings_.tolerance = _tolerance;
     this->settings_.absoluteTolerance = _absoluteTolerance;
   }
-  /// Not in the place of a derived class, which may solve otherwise.
+  /// Does not replace a derived class, because that may solve in another way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverPCG) ? this->settings_ : internal::EngineSettings();
   }
-  /// The residual at which to stop, relative to that of x = 0.
+  /// Stops when the residual, relative to that of x = 0, is below this tolerance.
   double tolerance() const { return _tolerance; }
   void setTolerance(double tolerance) {
     _tolerance = tolerance;
     this->settings_.tolerance = tolerance;
   }
-  /// Negative: as many as needed.
+  /// If negative, the number of iterations is not limited.
   int maxIterations() const { return _maxIter; }
   void setMaxIterations(int maxIter) {
     _maxIter = maxIter;
     this->settings_.maxIterations = maxIter > 0 ? maxIter : 0;
   }
-  /// Whether a residual of tolerance() itself is small enough, too, so that the systems of the last
-  /// iterations, whose right-hand sides vanish, are not solved more exactly than that.
+  /// If true, also stops when the residual itself is below tolerance(). Near the minimum the right-hand side
+  /// vanishes, and a more accurate solution is not needed.
   bool absoluteTolerance() const { return _absoluteTolerance; }
   void setAbsoluteTolerance(bool absoluteTolerance) {
     _absoluteTolerance = absoluteTolerance;

@@ -11,15 +11,15 @@
 
 namespace g2o {
 
-/// A linear start for graphs of poses of the plane: the headings that fit the measured turns best,
-/// translations of zero, and from there Gauss-Newton, whose first iteration finds the translations.
+/// A linear start for pose graphs in the plane. It computes the headings that fit the measured rotations best
+/// and sets the translations to zero. The first iteration of Gauss-Newton then finds the translations.
 ///
-/// For active edges that are EdgeSE2, with a fixed vertex from which all others are reached; else the first
-/// iteration fails, with a message.
+/// All active edges must be of type EdgeSE2, and a fixed vertex must reach all others. Otherwise the first
+/// iteration fails with a message.
 class G2O_SOLVER_SLAM2D_LINEAR_API SolverSLAM2DLinear : public OptimizationAlgorithmGaussNewton {
  public:
   explicit SolverSLAM2DLinear(std::unique_ptr<Solver> solver);
-  /// As clients of old write it; takes ownership.
+  /// For clients that pass a raw pointer. Takes ownership.
   explicit SolverSLAM2DLinear(Solver* solver);
   ~SolverSLAM2DLinear() override;
 

@@ -15,7 +15,8 @@
 
 namespace g2o {
 
-/// Moves points of PointDoF dimensions, each by Levenberg-Marquardt of its own, while all else is held.
+/// Optimizes each point of PointDoF dimensions separately by Levenberg-Marquardt. All other vertices are held
+/// fixed.
 template <int PointDoF>
 class StructureOnlySolver : public OptimizationAlgorithm {
  public:
@@ -28,7 +29,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
   }
   SolverResult solve(int, bool = false) override { return calc(_points, 1); }
 
-  /// Moves the given points; their edges must be in the optimiser.
+  /// Optimizes the given points. Their edges must be in the optimizer.
   SolverResult calc(OptimizableGraph::VertexContainer& vertices, int num_iters, int num_max_trials = 10) {
     for (OptimizableGraph::Vertex* v : vertices) movePoint(*v, num_iters, num_max_trials);
     return OK;
@@ -50,7 +51,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
   using Matrix = Eigen::Matrix<double, PointDoF, PointDoF>;
   using Vector = Eigen::Matrix<double, PointDoF, 1>;
 
-  /// Holds the other vertices of a point's edges while it lives.
+  /// Fixes the other vertices of a point's edges as long as this object lives.
   class HoldOthers {
    public:
     explicit HoldOthers(OptimizableGraph::Vertex& point) {
@@ -137,7 +138,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
         }
       }
       if (!moved) {
-        chi2(point);  // the errors of the rejected step stand in the edges
+        chi2(point);  // the edges still have the errors of the rejected step
         break;
       }
     }

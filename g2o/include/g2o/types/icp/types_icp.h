@@ -12,22 +12,22 @@
 
 namespace g2o {
 
-/// A point of one scan and one of another that are taken for the same, with the normals of their surfaces,
-/// each in the frame of its pose.
+/// Two matched points of two scans with the normals of their surfaces, each in the frame of its pose.
 class G2O_TYPES_ICP_API EdgeGICP {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeGICP();
 
-  /// Brings R0 and R1 up to date. With y the unit vector across the normal n that is closest to e_y, the rows
-  /// are n × y, y and n: a left-handed frame. n keeps its length, and y is zero if n is along e_y, as in g2o.
+  /// Updates R0 and R1 from the normals. With y the unit vector orthogonal to the normal n that is closest to
+  /// e_y, the rows are n × y, y and n, a left-handed frame. As in g2o, n keeps its length, and y is zero if n
+  /// is parallel to e_y.
   void makeRot0();
   void makeRot1();
 
-  /// Precision of a point with a unit normal: 1 along its normal, e across it.
+  /// Precision of a point with a unit normal: 1 along the normal, e across it.
   Matrix3 prec0(double e);
   Matrix3 prec1(double e);
-  /// Covariance of a point with a unit normal: e along its normal, 1 across it.
+  /// Covariance of a point with a unit normal: e along the normal, 1 across it.
   Matrix3 cov0(double e);
   Matrix3 cov1(double e);
 
@@ -36,16 +36,17 @@ class G2O_TYPES_ICP_API EdgeGICP {
   Matrix3 R0 = Matrix3::Identity(), R1 = Matrix3::Identity();
 };
 
-/// Error: x₀⁻¹ x₁ p₁ − p₀. EDGE_V_V_GICP, whose Ω is the precision of p₀ with e = 0.01.
+/// A pair of matched points. Error: x₀⁻¹ x₁ p₁ − p₀. Tag: EDGE_V_V_GICP. read() sets Ω to the precision of p₀
+/// with e = 0.01.
 class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Edge_V_V_GICP() = default;
-  /// Joins the vertices of `e`, with its measurement, pl_pl, cov0 and cov1. As in g2o, Ω is the identity, and
+  /// Copies the vertices, the measurement, pl_pl, cov0 and cov1 of `e`. As in g2o, Ω is the identity and
   /// there is no robust kernel.
   explicit Edge_V_V_GICP(const Edge_V_V_GICP* e);
 
-  /// Where pl_pl, also sets Ω to that of a pair of planes: (cov0 + R cov1 Rᵀ)⁻¹.
+  /// If pl_pl is true, also sets Ω to that of a pair of planes, (cov0 + R cov1 Rᵀ)⁻¹.
   void computeError() override;
   void linearizeOplus() override;
   using BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3>::linearizeOplus;
@@ -56,35 +57,35 @@ class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, Verte
   Matrix3 cov0 = Matrix3::Identity(), cov1 = Matrix3::Identity();
 };
 
-/// The pose of a stereo camera. All of them share one camera matrix and baseline.
+/// The pose of a stereo camera. All objects share one camera matrix and baseline.
 class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSCam();
 
-  /// The motion from the world's frame to that of a pose, and back, as 3×4 matrix.
+  /// The 3×4 matrix of the motion from the world frame to the frame of a pose, and of its inverse.
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
-  /// Sets Kcam and baseline. Not thread-safe: no other thread may use a VertexSCam meanwhile.
+  /// Sets Kcam and baseline. Not thread-safe: no other thread may use a VertexSCam at the same time.
   static void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Brings what follows from the estimate and Kcam up to date: w2n; w2i; dRdx, dRdy and dRdz; all of them.
+  /// Update the members that depend on the estimate and Kcam: w2n; w2i; dRdx, dRdy and dRdz; all of them.
   void setTransform();
   void setProjection();
   void setDr();
   void setAll();
-  /// The images of a point of the world: u, v, and u in the right camera.
+  /// The images of a world point: u, v, and u in the right camera.
   void mapPoint(Vector3& res, const Vector3& pt3) const;
 
   static Matrix3 Kcam;
   static double baseline;
   Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
   Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
-  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by q_v
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
 };
 
-/// The images z of a point in a stereo camera (pixels). Error: (u, v, u_right) − z. It has no word in files.
+/// The images z of a point in a stereo camera (pixels). Error: (u, v, u_right) − z. Has no tag.
 class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,9 +9,9 @@
 
 namespace g2o {
 
-/// The images z of a point in two cameras side by side (pixels): u, v, and u in the right one. Error:
-/// z − (u, v, u_right) of T p, u_right = u − bf/depth. EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP.
-/// Files have the camera behind Ω; where they do not, it is that of normalised coordinates.
+/// The images z of a point in a stereo camera (pixels): u, v, and u in the right camera. Error: z − (u, v,
+/// u_right) of T p, with u_right = u − bf/depth. Files have the camera after Ω. If it is missing, the camera
+/// has normalized coordinates. Tag: EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
     : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
  public:
@@ -24,7 +24,7 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point lies before the cameras.
+  /// Whether the point is in front of the cameras.
   virtual bool isDepthPositive();
   /// The images of a point in the frame of the left camera; `bf` is the baseline times fx.
   Vector3 cam_project(const Vector3& trans_xyz, const double& bf) const;

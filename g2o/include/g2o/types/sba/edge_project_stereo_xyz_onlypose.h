@@ -8,9 +8,9 @@
 
 namespace g2o {
 
-/// The images z of the known point Xw in two cameras side by side (pixels). Error: z − (u, v, u_right) of
-/// T Xw. EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP. Files have point and camera behind Ω; see
-/// EdgeStereoSE3ProjectXYZ.
+/// The images z of the known point Xw in a stereo camera (pixels). Error: z − (u, v, u_right) of T Xw. Files
+/// have the point and the camera after Ω; see EdgeStereoSE3ProjectXYZ. Tag:
+/// EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -22,7 +22,7 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point lies before the cameras.
+  /// Whether the point is in front of the cameras.
   virtual bool isDepthPositive();
   /// The images of a point in the frame of the left camera.
   Vector3 cam_project(const Vector3& trans_xyz) const;

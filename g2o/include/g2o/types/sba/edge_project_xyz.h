@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The image z of a point in a camera (pixels). Error: z − (u, v) of T p. EDGE_SE3_PROJECT_XYZ:EXPMAP.
-/// Files have the camera behind Ω; where they do not, it is that of normalised coordinates.
+/// The image z of a point in a camera (pixels). Error: z − (u, v) of T p. Files have the camera after Ω. If
+/// it is missing, the camera has normalized coordinates. Tag: EDGE_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:
@@ -23,7 +23,7 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point lies before the camera.
+  /// Whether the point is in front of the camera.
   virtual bool isDepthPositive();
   /// The image of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;

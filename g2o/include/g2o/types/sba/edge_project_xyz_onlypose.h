@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The image z of the known point Xw in a camera (pixels). Error: z − (u, v) of T Xw.
-/// EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP. Files have point and camera behind Ω; see EdgeSE3ProjectXYZ.
+/// The image z of the known point Xw in a camera (pixels). Error: z − (u, v) of T Xw. Files have the point
+/// and the camera after Ω; see EdgeSE3ProjectXYZ. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -21,7 +21,7 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vect
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point lies before the camera.
+  /// Whether the point is in front of the camera.
   virtual bool isDepthPositive();
   /// The image of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// The distance z of two cameras. Error: z − |t₂ − t₁|. EDGE_SCALE.
+/// The distance z between two cameras. Error: z − |t₂ − t₁|. Tag: EDGE_SCALE.
 class G2O_TYPES_SBA_API EdgeSBAScale : public BaseBinaryEdge<1, double, VertexCam, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -27,7 +27,7 @@ class G2O_TYPES_SBA_API EdgeSBAScale : public BaseBinaryEdge<1, double, VertexCa
 
   double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
                                  OptimizableGraph::Vertex* to) override;
-  /// Moves `to` along the line between the two, to the distance z. The direction is kept.
+  /// Moves `to` along the line through both cameras to the distance z.
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 };
 

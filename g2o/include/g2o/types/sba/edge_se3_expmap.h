@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// The motion z from one camera to another, T₂ = z T₁. Error: log(T₂⁻¹ z T₁). Files have z⁻¹:
+/// The motion z from one camera to another, T₂ = z T₁. Error: log(T₂⁻¹ z T₁). Files store z⁻¹. Tag:
 /// EDGE_SE3:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3Expmap : public BaseBinaryEdge<6, SE3Quat, VertexSE3Expmap, VertexSE3Expmap> {
  public:

@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// A camera of one focal length, and the baseline (metres) to a second one at its right.
+/// A camera with one focal length, and the baseline (meters) to a second camera on its right. Tag:
 /// PARAMS_CAMERAPARAMETERS.
 class G2O_TYPES_SBA_API CameraParameters : public Parameter {
  public:

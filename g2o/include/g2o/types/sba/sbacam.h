@@ -8,24 +8,24 @@
 
 namespace g2o {
 
-/// The pose of a camera in the world, its matrix, and the baseline to a second camera at its right (metres).
+/// The pose of a camera in the world, its matrix, and the baseline (meters) to a second camera on its right.
 class G2O_TYPES_SBA_API SBACam : public SE3Quat {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   SBACam();
   SBACam(const Quaternion& r, const Vector3& t);
-  SBACam(const SE3Quat& p);  // NOLINT: clients rely on its being implicit
+  SBACam(const SE3Quat& p);  // NOLINT: clients rely on the implicit conversion
 
-  /// t ← t + Δt, in the world's frame; q ← q · (q_v, √(1 − |q_v|²)), with q_v normalised where |q_v| ≥ 1.
+  /// t ← t + Δt, in the world frame; q ← q · (q_v, √(1 − |q_v|²)). If |q_v| ≥ 1, q_v is normalized first.
   void update(const Vector6& update);
 
-  /// The motion from the world's frame to that of a pose, and back, as 3×4 matrix.
+  /// The 3×4 matrix of the motion from the world frame to the frame of a pose, and of its inverse.
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
   void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Brings what follows from pose and camera matrix up to date: w2n; w2i; dRdx, dRdy and dRdz.
+  /// Update the members that depend on the pose and the camera matrix: w2n; w2i; dRdx, dRdy and dRdz.
   void setTransform();
   void setProjection();
   void setDr();
@@ -34,7 +34,7 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
   double baseline;
   Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
   Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
-  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by q_v
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
 };
 
 G2O_TYPES_SBA_API std::ostream& operator<<(std::ostream& os, const SBACam& cam);

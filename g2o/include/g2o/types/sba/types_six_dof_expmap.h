@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras whose poses move by the exponential, and images in them.
+// Cameras whose poses are updated by the exponential map, and images in these cameras.
 #pragma once
 #ifndef G2O_SIX_DOF_TYPES_EXPMAP
 #define G2O_SIX_DOF_TYPES_EXPMAP

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A camera of known matrix. ⊞ is SBACam::update(). VERTEX_CAM.
+/// A camera with a known camera matrix. ⊞ is SBACam::update(). Tag: VERTEX_CAM.
 class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -17,10 +17,10 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Also brings what follows from the pose up to date.
+  /// Also updates the members of SBACam that depend on the pose.
   void setEstimate(const SBACam& cam);
 
-  /// x y z qx qy qz qw; minimal: x y z qx qy qz. The camera matrix stays.
+  /// x y z qx qy qz qw; minimal: x y z qx qy qz. The camera matrix is not part of it.
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;
@@ -29,7 +29,7 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   using BaseVertex<6, SBACam>::getMinimalEstimateData;
 
  protected:
-  /// The camera matrix stays.
+  /// Keeps the camera matrix.
   void setToOriginImpl() override;
   using BaseVertex<6, SBACam>::oplusImpl;
   void oplusImpl(double* update) override;

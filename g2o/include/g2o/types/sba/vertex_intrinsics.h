@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four. VERTEX_INTRINSICS.
+/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four. Tag: VERTEX_INTRINSICS.
 class G2O_TYPES_SBA_API VertexIntrinsics
     : public BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>> {
  public:

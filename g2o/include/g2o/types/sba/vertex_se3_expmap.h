@@ -9,7 +9,8 @@
 
 namespace g2o {
 
-/// The motion T from the world's frame to a camera's. ⊞ is exp(ω, υ) T. Files have T⁻¹: VERTEX_SE3:EXPMAP.
+/// The motion T from the world frame to the camera frame. ⊞ is exp(ω, υ) T. Files store T⁻¹. Tag:
+/// VERTEX_SE3:EXPMAP.
 class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A similarity of space, p ↦ s R p + t with s > 0; R is a unit quaternion with w ≥ 0.
+/// A similarity of space, p ↦ s R p + t with s > 0, with R as a unit quaternion with w ≥ 0.
 struct G2O_TYPES_SIM3_API Sim3 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 
@@ -25,7 +25,7 @@ struct G2O_TYPES_SIM3_API Sim3 {
   Sim3(const Quaternion& r_, const Vector3& t_, double s_) : r(r_), t(t_), s(s_) { normalizeRotation(); }
   Sim3(const Matrix3& R, const Vector3& t_, double s_) : r(R), t(t_), s(s_) { normalizeRotation(); }
   /// The exponential of (ω, υ, σ): rotation vector, translation, logarithm of the scale.
-  Sim3(const Vector7& update);  // NOLINT: older clients convert
+  Sim3(const Vector7& update);  // NOLINT: older clients rely on the implicit conversion
 
   Vector3 map(const Vector3& xyz) const { return s * (r * xyz) + t; }
   /// The inverse of the exponential.

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The similarity S from the world's frame to a camera's, and two cameras. ⊞ is exp(ω, υ, σ) S. Files have
-/// the logarithm of S⁻¹ and the cameras: VERTEX_SIM3:EXPMAP.
+/// The similarity S from the world frame to a camera frame, and two cameras. ⊞ is exp(ω, υ, σ) S. Files store
+/// the logarithm of S⁻¹, then the cameras. Tag: VERTEX_SIM3:EXPMAP.
 class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -18,13 +18,13 @@ class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// The pixel of a point of the image plane, the third coordinate of which is one.
+  /// The pixel of a point of the image plane whose third coordinate is one.
   Vector2 cam_map1(const Vector2& v) const { return v.cwiseProduct(_focal_length1) + _principle_point1; }
   Vector2 cam_map2(const Vector2& v) const { return v.cwiseProduct(_focal_length2) + _principle_point2; }
 
   Vector2 _principle_point1 = Vector2(0, 0), _principle_point2 = Vector2(0, 0);
   Vector2 _focal_length1 = Vector2(1, 1), _focal_length2 = Vector2(1, 1);
-  bool _fix_scale = false;  ///< ⊞ keeps the scale: σ counts as 0
+  bool _fix_scale = false;  ///< if true, ⊞ keeps the scale and ignores σ
 
  protected:
   void setToOriginImpl() override { _estimate = Sim3(); }

@@ -9,17 +9,17 @@
 
 namespace g2o {
 
-/// Any number of points in the frame of a pose, with correlated noise: z = (x₁, y₁, x₂, …). The pose is the
-/// first vertex. Error: x⁻¹ pₖ − zₖ, one after the other. EDGE_SE2_LOTSOFXY.
+/// Any number of points in the frame of a pose, with correlated noise: z = (x₁, y₁, x₂, …). The first vertex
+/// is the pose. Error: x⁻¹ pₖ − zₖ for all k. Tag: EDGE_SE2_LOTSOFXY.
 class G2O_TYPES_SLAM2D_API EdgeSE2LotsOfXY : public BaseVariableSizedEdge<-1, VectorX> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE2LotsOfXY();
 
-  /// As many vertices, one of them the pose; measurement and Ω follow where the number changes.
+  /// Sets the number of vertices, including the pose. If it changes, measurement and Ω are resized.
   void resize(size_t size) override;
   void setSize(int vertices);
-  /// False where the number of points is another one.
+  /// Also checks the number of points.
   bool verticesFit() const override;
 
   void computeError() override;

@@ -10,7 +10,7 @@
 
 namespace g2o {
 
-/// The motion from a sensor on one pose to one on another. Error: vec(z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂)).
+/// The motion z from a sensor on one pose to a sensor on another. Error: vec(z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂)). Tag:
 /// EDGE_SE2_OFFSET.
 class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
  public:
@@ -34,13 +34,13 @@ class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexS
   using BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2>::linearizeOplus;
 
  protected:
-  /// Finds the caches, for classes that are derived from this one.
+  /// Finds the caches if this is an object of a derived class.
   bool resolveCaches() override;
 
   SE2 _inverseMeasurement;
   ParameterSE2Offset* _offsetFrom = nullptr;
   ParameterSE2Offset* _offsetTo = nullptr;
-  CacheSE2Offset* _cacheFrom = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE2Offset* _cacheFrom = nullptr;  ///< set only in derived classes
   CacheSE2Offset* _cacheTo = nullptr;
 };
 

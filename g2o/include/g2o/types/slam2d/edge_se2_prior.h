@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// The pose z in the world. Error: vec(z⁻¹ x). EDGE_PRIOR_SE2.
+/// A prior z of a pose. Error: vec(z⁻¹ x). Tag: EDGE_PRIOR_SE2.
 class G2O_TYPES_SLAM2D_API EdgeSE2Prior : public BaseUnaryEdge<3, SE2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

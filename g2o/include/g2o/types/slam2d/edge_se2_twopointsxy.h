@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// Two points in the frame of a pose, with correlated noise. Error: (x⁻¹ p₁, x⁻¹ p₂) − z.
+/// Two points in the frame of a pose, with correlated noise. Error: (x⁻¹ p₁, x⁻¹ p₂) − z. Tag:
 /// EDGE_SE2_TWOPOINTSXY.
 class G2O_TYPES_SLAM2D_API EdgeSE2TwoPointsXY
     : public BaseFixedSizedEdge<4, Vector4, VertexSE2, VertexPointXY, VertexPointXY> {

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// Where a sensor sits on a robot. PARAMS_SE2OFFSET.
+/// The pose of a sensor on a robot. Tag: PARAMS_SE2OFFSET.
 class G2O_TYPES_SLAM2D_API ParameterSE2Offset : public Parameter {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -28,7 +28,8 @@ class G2O_TYPES_SLAM2D_API ParameterSE2Offset : public Parameter {
   Isometry2 _offsetMatrix, _inverseOffsetMatrix;
 };
 
-/// The pose n2w of a sensor, n, and the motions that take the world, w, to the sensor and to its robot, l.
+/// The pose n2w of a sensor (n) in the world (w), and the motions from the world to the sensor and to its
+/// robot (l).
 class G2O_TYPES_SLAM2D_API CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

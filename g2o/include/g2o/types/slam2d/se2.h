@@ -9,11 +9,11 @@
 
 namespace g2o {
 
-/// A rigid motion of the plane: x, y (metres) and θ (radians).
+/// A rigid motion of the plane: x, y (meters) and θ (radians).
 class SE2 {
  public:
   SE2() : _R(0), _t(0, 0) {}
-  // Older clients convert without a word.
+  // Older clients rely on these implicit conversions.
   SE2(const Isometry2& iso) : _R(0), _t(iso.translation()) {  // NOLINT
     _R.fromRotationMatrix(iso.linear());
   }
@@ -25,7 +25,7 @@ class SE2 {
   const Rotation2D& rotation() const { return _R; }
   void setRotation(const Rotation2D& R) { _R = R; }
 
-  /// Motion composition.
+  /// Composes two motions.
   SE2 operator*(const SE2& other) const {
     SE2 product(*this);
     product *= other;

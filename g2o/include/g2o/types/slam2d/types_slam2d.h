@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All types of 2-D SLAM.
+// All types for SLAM in the plane.
 #pragma once
 #ifndef G2O_TYPES_SLAM2D_
 #define G2O_TYPES_SLAM2D_

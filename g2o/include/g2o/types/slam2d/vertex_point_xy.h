@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A point of the plane. VERTEX_XY.
+/// A point in the plane. Tag: VERTEX_XY.
 class G2O_TYPES_SLAM2D_API VertexPointXY : public BaseVertex<2, Vector2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A pose of the plane. ⊞ adds (Δx, Δy, Δθ) in the world frame. VERTEX_SE2.
+/// A pose in the plane. ⊞ adds (Δx, Δy, Δθ) in the world frame. Tag: VERTEX_SE2.
 class G2O_TYPES_SLAM2D_API VertexSE2 : public BaseVertex<3, SE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// From one point to another. Error: (p₂ − p₁) − z. EDGE_POINTXYZ.
+/// The difference z of two points. Error: (p₂ − p₁) − z. Tag: EDGE_POINTXYZ.
 class G2O_TYPES_SLAM3D_API EdgePointXYZ : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

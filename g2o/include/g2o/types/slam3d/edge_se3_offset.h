@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The motion from a sensor on one pose to one on another. Error: (t, q_v) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂).
-/// EDGE_SE3_OFFSET.
+/// The motion z from a sensor on one pose to a sensor on another. Error: (t, q_v) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂).
+/// Tag: EDGE_SE3_OFFSET.
 class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -33,13 +33,13 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, V
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
-  /// Finds the caches, for classes that are derived from this one.
+  /// Finds the caches if this is an object of a derived class.
   bool resolveCaches() override;
 
   Isometry3 _inverseMeasurement;
   ParameterSE3Offset* _offsetFrom = nullptr;
   ParameterSE3Offset* _offsetTo = nullptr;
-  CacheSE3Offset* _cacheFrom = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE3Offset* _cacheFrom = nullptr;  ///< set only in derived classes
   CacheSE3Offset* _cacheTo = nullptr;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The image of a point in a camera on a robot (pixels), and its inverse depth (1/metres): z = (u, v,
-/// 1/depth). Error: (u, v, 1/depth) − z. EDGE_PROJECT_DISPARITY.
+/// The image of a point in a camera on a robot (pixels), and its inverse depth (1/meters): z = (u, v,
+/// 1/depth). Error: (u, v, 1/depth) − z. Tag: EDGE_PROJECT_DISPARITY.
 class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDisparity
     : public BaseBinaryEdge<3, Vector3, VertexSE3, VertexPointXYZ> {
  public:

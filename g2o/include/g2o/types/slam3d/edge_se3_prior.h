@@ -9,7 +9,8 @@
 
 namespace g2o {
 
-/// The pose z in the world of a sensor at the offset P. Error: (t, q_v) of z⁻¹ x P. EDGE_SE3_PRIOR.
+/// A prior z of the pose of a sensor with offset P on the robot. Error: (t, q_v) of z⁻¹ x P. Tag:
+/// EDGE_SE3_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -34,11 +35,11 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, Ver
 
  protected:
   Isometry3 _inverseMeasurement;
-  /// Finds _cache, for classes that are derived from this one.
+  /// Finds _cache if this is an object of a derived class.
   bool resolveCaches() override;
 
   ParameterSE3Offset* offsetParam = nullptr;
-  CacheSE3Offset* _cache = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE3Offset* _cache = nullptr;  ///< set only in derived classes
 
  private:
   internal::RotationMemory rotation_;

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The position z of a pose in the world. Error: t(x) − z; files name an offset that it does not use.
-/// EDGE_SE3_XYZ_PRIOR.
+/// A prior z of the position of a pose. Error: t(x) − z. Files refer to an offset parameter that the error
+/// does not use. Tag: EDGE_SE3_XYZ_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -33,11 +33,11 @@ class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, Ve
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
-  /// Finds _cache, for classes that are derived from this one.
+  /// Finds _cache if this is an object of a derived class.
   bool resolveCaches() override;
 
   ParameterSE3Offset* offsetParam = nullptr;
-  CacheSE3Offset* _cache = nullptr;  ///< nullptr in this class itself, which needs none
+  CacheSE3Offset* _cache = nullptr;  ///< set only in derived classes
 };
 
 }  // namespace g2o

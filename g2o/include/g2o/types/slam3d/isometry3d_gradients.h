@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of edges over poses in space, as motions, and their Jacobians through ⊞ of VertexSE3.
+// The motions E whose (t, q_v) is the error of edges over poses in space, and the Jacobians through ⊞ of
+// VertexSE3.
 #pragma once
 #ifndef G2O_ISOMETRY3D_GRADIENTS_H_
 #define G2O_ISOMETRY3D_GRADIENTS_H_

@@ -18,7 +18,7 @@ inline Isometry3::ConstLinearPart extractRotation(const Isometry3& A) {
   return A.linear();
 }
 
-/// The nearest rotation, by the singular value decomposition; the same to first order, without it.
+/// The nearest rotation by singular value decomposition, and an approximation to first order without it.
 template <typename Derived>
 void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -44,7 +44,8 @@ G2O_TYPES_SLAM3D_API Matrix3 fromEuler(const Vector3& v);
 G2O_TYPES_SLAM3D_API Vector3 toCompactQuaternion(const Matrix3& R);
 G2O_TYPES_SLAM3D_API Matrix3 fromCompactQuaternion(const Vector3& v);
 
-/// Translation and: compact quaternion (MQT), Euler angles (ET), quaternion x y z w (QT).
+/// The translation, followed by the compact quaternion (MQT), the Euler angles (ET), or the quaternion x y z
+/// w (QT).
 G2O_TYPES_SLAM3D_API Vector6 toVectorMQT(const Isometry3& t);
 G2O_TYPES_SLAM3D_API Vector6 toVectorET(const Isometry3& t);
 G2O_TYPES_SLAM3D_API Vector7 toVectorQT(const Isometry3& t);

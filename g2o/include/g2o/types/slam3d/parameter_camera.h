@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// A camera: where it sits on a robot, and its matrix K. PARAMS_CAMERACALIB.
+/// A camera: its pose on a robot, and its matrix K. Tag: PARAMS_CAMERACALIB.
 class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -17,7 +17,7 @@ class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
   bool write(std::ostream& os) const override;
 
   void setKcam(double fx, double fy, double cx, double cy);
-  /// Hides that of the base class, to keep Kcam_inverseOffsetR() up to date.
+  /// Hides the function of the base class, so that Kcam_inverseOffsetR() stays up to date.
   void setOffset(const Isometry3& offset = Isometry3::Identity());
 
   const Matrix3& Kcam() const { return _Kcam; }
@@ -31,7 +31,7 @@ class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
   Matrix3 _Kcam_inverseOffsetR = Matrix3::Identity();
 };
 
-/// The pose of a camera, and the motion from the world's frame to its image: w2i = K w2n.
+/// The pose of a camera, and the motion from the world frame to its image: w2i = K w2n.
 class G2O_TYPES_SLAM3D_API CacheCamera : public CacheSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

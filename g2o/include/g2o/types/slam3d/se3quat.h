@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A rigid motion of space: translation and unit quaternion with w ≥ 0.
+/// A rigid motion of space: a translation and a unit quaternion with w ≥ 0.
 class G2O_TYPES_SLAM3D_API SE3Quat {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -63,11 +63,11 @@ class G2O_TYPES_SLAM3D_API SE3Quat {
   Vector6 toMinimalVector() const { return toVector().head<6>(); }
   void fromMinimalVector(const Vector6& v);
 
-  /// (ω, υ) with exp(ω, υ) = (R, V υ), and back.
+  /// (ω, υ) with exp(ω, υ) = (R, V υ), and the inverse function.
   Vector6 log() const;
   static SE3Quat exp(const Vector6& update);
 
-  /// Ad with exp(Ad δ) = T exp(δ) T⁻¹.
+  /// The adjoint Ad with exp(Ad δ) = T exp(δ) T⁻¹.
   Matrix6 adj() const {
     const Matrix3 R = _r.toRotationMatrix();
     Matrix6 result;
@@ -81,7 +81,7 @@ class G2O_TYPES_SLAM3D_API SE3Quat {
     m.topRightCorner<3, 1>() = _t;
     return m;
   }
-  operator Isometry3() const {  // NOLINT: clients rely on its being implicit
+  operator Isometry3() const {  // NOLINT: clients rely on the implicit conversion
     Isometry3 result = Isometry3::Identity();
     result.linear() = _r.toRotationMatrix();
     result.translation() = _t;

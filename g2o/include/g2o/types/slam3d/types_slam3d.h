@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of 3-D SLAM.
+// All types for SLAM in space.
 #pragma once
 #ifndef G2O_TYPES_SLAM3D_
 #define G2O_TYPES_SLAM3D_

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A point in space. VERTEX_TRACKXYZ.
+/// A point in space. Tag: VERTEX_TRACKXYZ.
 class G2O_TYPES_SLAM3D_API VertexPointXYZ : public BaseVertex<3, Vector3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

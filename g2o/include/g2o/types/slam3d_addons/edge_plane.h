@@ -8,7 +8,8 @@
 
 namespace g2o {
 
-/// From one plane to another. Error: (coefficients₂ − coefficients₁) − z. EDGE_PLANE.
+/// The difference z of the coefficients of two planes. Error: (coefficients₂ − coefficients₁) − z. Tag:
+/// EDGE_PLANE.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgePlane : public BaseBinaryEdge<4, Vector4, VertexPlane, VertexPlane> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,9 +8,9 @@
 
 namespace g2o {
 
-/// An EdgeSE3 that files hold as TORO does: x y z roll pitch yaw, and the Ω of small errors in these.
-/// Rotation errors of EdgeSE3 are half of such angles: their rows and columns of information() are twice
-/// those of the file. EDGE3.
+/// An EdgeSE3 in the file format of TORO: x y z roll pitch yaw, and Ω of small errors in these. A rotation
+/// error of EdgeSE3 is half the angle, so the rotation rows and columns of information() are twice those of
+/// the file. Tag: EDGE3.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Euler : public EdgeSE3 {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

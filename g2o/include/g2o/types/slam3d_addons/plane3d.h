@@ -11,39 +11,39 @@
 
 namespace g2o {
 
-/// The plane n·x + d = 0 with |n| = 1, as the coefficients (n, d). Its distance from the origin along n is
-/// −d.
+/// The plane n·x + d = 0 with |n| = 1, stored as the coefficients (n, d). Its distance from the origin along
+/// n is −d.
 class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
-  /// x = 1.
+  /// The plane x = 1.
   Plane3D() : _coeffs(1, 0, 0, -1) {}
   Plane3D(const Vector4& v) {
     fromVector(v);
-  }  // NOLINT(google-explicit-constructor): clients set estimates by it
+  }  // NOLINT(google-explicit-constructor): clients rely on the implicit conversion
 
   const Vector4& coeffs() const { return _coeffs; }
   Vector4 toVector() const { return _coeffs; }
-  /// Scales the coefficients to |n| = 1.
+  /// Sets the coefficients, scaled to |n| = 1.
   void fromVector(const Vector4& coeffs) {
     _coeffs = coeffs;
     normalize(_coeffs);
   }
 
-  /// The angles of a direction: around z from x, and above the plane of x and y.
+  /// The angles of a direction: around z from x, and above the xy-plane.
   static double azimuth(const Vector3& v) { return std::atan2(v[1], v[0]); }
   static double elevation(const Vector3& v) { return std::atan2(v[2], v.head<2>().norm()); }
 
   double distance() const { return -_coeffs[3]; }
   Vector3 normal() const { return _coeffs.head<3>(); }
 
-  /// The rotation that takes the x axis to the direction v: Rz(azimuth) Ry(−elevation).
+  /// The rotation that turns the x-axis to the direction v: Rz(azimuth) Ry(−elevation).
   static Matrix3 rotation(const Vector3& v) {
     return (AngleAxis(azimuth(v), Vector3::UnitZ()) * AngleAxis(-elevation(v), Vector3::UnitY()))
         .toRotationMatrix();
   }
 
-  /// Turns the normal by azimuth and elevation as seen along it, and adds to the distance.
+  /// Turns the normal by azimuth and elevation relative to itself, and adds to the distance.
   void oplus(const Vector3& v) {
     const double s = std::sin(v[1]), c = std::cos(v[1]);
     const Vector3 n(c * std::cos(v[0]), c * std::sin(v[0]), s);
@@ -53,7 +53,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The azimuth and elevation of the other normal as seen along ours, and our distance less the other's.
+  /// The azimuth and elevation of the other normal relative to this one, and this distance minus the other.
   Vector3 ominus(const Plane3D& plane) const {
     const Vector3 n = rotation(normal()).transpose() * plane.normal();
     return Vector3(azimuth(n), elevation(n), distance() - plane.distance());
@@ -65,7 +65,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
   Vector4 _coeffs;
 };
 
-/// The plane in the frame that t leads to.
+/// The plane after the motion t.
 inline Plane3D operator*(const Isometry3& t, const Plane3D& plane) {
   Vector4 v;
   v.head<3>() = t.linear() * plane.normal();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planes, the calibration of sensors on a robot, and the poses of TORO's files.
+// Planes, sensor calibration, and poses in the file format of TORO.
 #pragma once
 #ifndef G2O_TYPES_SLAM3D_ADDONS_
 #define G2O_TYPES_SLAM3D_ADDONS_

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A plane, with a colour to draw it in. ⊞ is Plane3D::oplus(). VERTEX_PLANE.
+/// A plane, and the color in which it is drawn. ⊞ is Plane3D::oplus(). Tag: VERTEX_PLANE.
 class G2O_TYPES_SLAM3D_ADDONS_API VertexPlane : public BaseVertex<3, Plane3D> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -17,7 +17,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API VertexPlane : public BaseVertex<3, Plane3D> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// The coefficients.
+  /// The four coefficients of the plane.
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 4; }
   using BaseVertex<3, Plane3D>::getEstimateData;

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A VertexSE3 that files hold as TORO does: x y z roll pitch yaw. VERTEX3.
+/// A VertexSE3 in the file format of TORO: x y z roll pitch yaw. Tag: VERTEX3.
 class G2O_TYPES_SLAM3D_ADDONS_API VertexSE3Euler : public VertexSE3 {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs that are large enough for several threads: what they add up, and which edges they leave alone.
-#include "g2o/core/side_by_side.h"
+// Graphs that are large enough for several threads: the sums are right, and types that are not declared as
+// thread-safe stay on the calling thread.
+#include "g2o/core/thread_safe.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 using Threads = std::set<std::thread::id>;
 
-/// The client's edge: does as EdgeSE2, and notes who calls it.
+/// A client's edge: an EdgeSE2 that records the threads that call it.
 struct ClientEdge : g2o::EdgeSE2 {
   explicit ClientEdge(Threads& seen) : threads(seen) {}
   void computeError() override {
@@ -32,7 +33,7 @@ struct ClientEdge : g2o::EdgeSE2 {
   Threads& threads;
 };
 
-/// The same for several threads at a time.
+/// The same, but safe to call on several threads at once.
 struct GuardedEdge : g2o::EdgeSE2 {
   explicit GuardedEdge(Threads& seen) : threads(seen) {}
   void computeError() override {
@@ -46,7 +47,7 @@ struct GuardedEdge : g2o::EdgeSE2 {
   Threads& threads;
 };
 
-/// The client's kernel: lets all count, and notes who calls it.
+/// A client's kernel: ρ(e²) = e²; records the threads that call it.
 struct ClientKernel : g2o::RobustKernel {
   explicit ClientKernel(Threads& seen) : threads(seen) {}
   void robustify(double e2, g2o::Vector3& rho) const override {
@@ -56,8 +57,8 @@ struct ClientKernel : g2o::RobustKernel {
   Threads& threads;
 };
 
-/// A drive around a block, again and again: each pose is measured from the one before and from that of the
-/// round before.
+/// A drive that circles a block: each pose is measured from the previous pose and from the pose one round
+/// earlier.
 struct Drive {
   static constexpr int kPoses = 900, kRound = 50;
 
@@ -88,18 +89,18 @@ struct Drive {
     e->setInformation(omega);
     optimizer.addEdge(e);
   }
-  /// The blocks on H's diagonal, b, and the solution, which shows the other blocks.
+  /// b, the diagonal blocks of H, and the solution, which depends on the other blocks.
   std::vector<double> system() {
     optimizer.computeActiveErrors();
     solver->init(&optimizer);
     solver->buildStructure();
     solver->buildSystem();
-    std::vector<double> numbers(solver->b(), solver->b() + solver->vectorSize());
+    std::vector<double> values(solver->b(), solver->b() + solver->vectorSize());
     for (auto* v : optimizer.indexMapping())
-      numbers.insert(numbers.end(), v->hessianData(), v->hessianData() + 9);
+      values.insert(values.end(), v->hessianData(), v->hessianData() + 9);
     EXPECT_TRUE(solver->solve());
-    numbers.insert(numbers.end(), solver->x(), solver->x() + solver->vectorSize());
-    return numbers;
+    values.insert(values.end(), solver->x(), solver->x() + solver->vectorSize());
+    return values;
   }
 
   g2o::SparseOptimizer optimizer;
@@ -113,7 +114,7 @@ void expect_same_sums(const std::vector<double>& a, const std::vector<double>& b
   for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11 * largest) << k;
 }
 
-TEST(SideBySide, ManyEdgesAddUpToWhatThoseOfAClientDoOneAfterTheOther) {
+TEST(ThreadSafe, ReadyMadeEdgesOnAllThreadsSumToTheSameAsClientEdgesOnOneThread) {
   Threads threads;
   Drive ours([] { return new g2o::EdgeSE2; });
   Drive theirs([&] { return new ClientEdge(threads); });
@@ -124,14 +125,14 @@ TEST(SideBySide, ManyEdgesAddUpToWhatThoseOfAClientDoOneAfterTheOther) {
               1e-12 * ours.optimizer.activeChi2());
 }
 
-TEST(SideBySide, TheSumsAreTheSameToTheLastBitEachTime) {
+TEST(ThreadSafe, RepeatedSumsAreBitIdentical) {
   Drive first([] { return new g2o::EdgeSE2; }), second([] { return new g2o::EdgeSE2; });
   const std::vector<double> sums = first.system();
   EXPECT_EQ(sums, first.system());
   EXPECT_EQ(sums, second.system());
 }
 
-TEST(SideBySide, KernelsOfOursWeighAndThoseOfAClientStayOnHisThread) {
+TEST(ThreadSafe, ReadyMadeKernelsRunOnAllThreadsAndClientKernelsOnTheCallingThread) {
   Threads threads;
   Drive plain([] { return new g2o::EdgeSE2; }), robust([] { return new g2o::EdgeSE2; }),
       theirs([] { return new g2o::EdgeSE2; });
@@ -150,24 +151,24 @@ TEST(SideBySide, KernelsOfOursWeighAndThoseOfAClientStayOnHisThread) {
   EXPECT_EQ(threads, Threads{std::this_thread::get_id()});
 }
 
-/// The client says that it bears threads.
-struct WillingEdge : g2o::EdgeSE2 {};
+/// A client's edge that a test declares as thread-safe.
+struct DeclaredEdge : g2o::EdgeSE2 {};
 
-TEST(SideBySide, EdgesOfAClientWhoAllowsItAddUpToTheSame) {
-  Drive alone([] { return new WillingEdge; });
+TEST(ThreadSafe, DeclaredClientEdgesSumToTheSame) {
+  Drive alone([] { return new DeclaredEdge; });
   const std::vector<double> sums = alone.system();
-  const g2o::SideBySide<WillingEdge> willing;
-  Drive together([] { return new WillingEdge; });
+  const g2o::ThreadSafe<DeclaredEdge> declaration;
+  Drive together([] { return new DeclaredEdge; });
   expect_same_sums(sums, together.system());
   EXPECT_EQ(together.system(), Drive([] { return new g2o::EdgeSE2; }).system());
 }
 
-TEST(SideBySide, PermissionThatIsWithdrawnEndsWithoutAnotherInitialisation) {
+TEST(ThreadSafe, WithdrawnDeclarationTakesEffectWithoutInitializingAgain) {
   Threads threads;
   Drive drive([&] { return new GuardedEdge(threads); });
   {
-    const g2o::SideBySide<GuardedEdge> willing;
-    { const g2o::SideBySide<GuardedEdge> another; }
+    const g2o::ThreadSafe<GuardedEdge> declaration;
+    { const g2o::ThreadSafe<GuardedEdge> another; }
     drive.system();
     if (std::thread::hardware_concurrency() > 1) {
       EXPECT_GT(threads.size(), 1u);
@@ -178,7 +179,7 @@ TEST(SideBySide, PermissionThatIsWithdrawnEndsWithoutAnotherInitialisation) {
   EXPECT_EQ(threads, Threads{std::this_thread::get_id()});
 }
 
-TEST(SideBySide, WhatIsAddedLaterCountsAndWhatIsRemovedDoesNot) {
+TEST(ThreadSafe, EdgesAddedLaterCountAndRemovedEdgesDoNot) {
   Drive grown([] { return new g2o::EdgeSE2; }), whole([] { return new g2o::EdgeSE2; });
   grown.system();
   auto* extra = new g2o::EdgeSE2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clients that bring their own LinearSolver or their own Solver.
+// Clients with a custom LinearSolver or a custom Solver.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -21,7 +21,7 @@ using small_graph::add_square;
 
 /// Solves by Eigen's dense Cholesky, from the sparse block matrix.
 template <typename MatrixType>
-class OwnLinearSolver : public g2o::LinearSolver<MatrixType> {
+class CustomLinearSolver : public g2o::LinearSolver<MatrixType> {
  public:
   bool init() override { return true; }
   bool solve(const g2o::SparseBlockMatrix<MatrixType>& A, double* x, double* b) override {
@@ -41,8 +41,8 @@ class OwnLinearSolver : public g2o::LinearSolver<MatrixType> {
   int calls = 0;
 };
 
-/// Solves everything itself, from the quadratic forms of the edges in memory of its own.
-class OwnSolver : public g2o::Solver {
+/// Builds and solves the system itself, from the quadratic forms of the edges in memory that it owns.
+class CustomSolver : public g2o::Solver {
  public:
   bool init(g2o::SparseOptimizer* optimizer, bool = false) override {
     setOptimizer(optimizer);
@@ -97,7 +97,7 @@ class OwnSolver : public g2o::Solver {
   bool saveHessian(const std::string&) const override { return false; }
 
  private:
-  /// The block of two poses is added up in memory that lasts as long as this call.
+  /// Adds the block of two poses through memory that lives only during this call.
   void add(g2o::OptimizableGraph::Edge& e) {
     const auto* a = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(0));
     const auto* b = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(1));
@@ -140,29 +140,29 @@ double optimum(g2o::OptimizationAlgorithm* algorithm, bool with_landmark = false
   return optimizer.activeChi2();
 }
 
-TEST(OwnSolvers, AnOwnLinearSolverIsGivenTheMatrix) {
+TEST(CustomSolvers, ACustomLinearSolverReceivesTheMatrix) {
   using Matrix = g2o::BlockSolverX::PoseMatrixType;
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
-  auto linear = std::make_unique<OwnLinearSolver<Matrix>>();
+  auto linear = std::make_unique<CustomLinearSolver<Matrix>>();
   EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmGaussNewton(
                   std::make_unique<g2o::BlockSolverX>(std::move(linear)))),
               expected, 1e-9 * expected);
-  EXPECT_NEAR(
-      optimum(new g2o::OptimizationAlgorithmLevenberg(new g2o::BlockSolverX(new OwnLinearSolver<Matrix>()))),
-      expected, 1e-9 * expected);
+  EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmLevenberg(
+                  new g2o::BlockSolverX(new CustomLinearSolver<Matrix>()))),
+              expected, 1e-9 * expected);
 }
 
-TEST(OwnSolvers, AnOwnLinearSolverOfFixedSizeIsGivenTheSchurComplement) {
+TEST(CustomSolvers, ACustomLinearSolverOfFixedSizeReceivesTheSchurComplement) {
   using Blocks = g2o::BlockSolver_3_2;
   const double expected =
       optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()), true);
-  auto* linear = new OwnLinearSolver<Blocks::PoseMatrixType>();
+  auto* linear = new CustomLinearSolver<Blocks::PoseMatrixType>();
   auto* algorithm = new g2o::OptimizationAlgorithmGaussNewton(new Blocks(linear));
   EXPECT_NEAR(optimum(algorithm, true), expected, 1e-9 * expected);
 }
 
 /// Reads the blocks of H.
-class OwnBlockSolver : public g2o::BlockSolver_3_2 {
+class CustomBlockSolver : public g2o::BlockSolver_3_2 {
  public:
   using g2o::BlockSolver_3_2::BlockSolver_3_2;
   bool solve() override {
@@ -186,7 +186,7 @@ class OwnBlockSolver : public g2o::BlockSolver_3_2 {
   Eigen::Matrix<double, 3, 2> between;
 };
 
-TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
+TEST(CustomSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   auto* l = new g2o::VertexPointXY;
@@ -200,7 +200,7 @@ TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
   e->setMeasurement(Eigen::Vector2d(0.4, 0.6));
   ASSERT_TRUE(optimizer.addEdge(e));
   auto* blocks =
-      new OwnBlockSolver(std::make_unique<g2o::LinearSolverDense<g2o::BlockSolver_3_2::PoseMatrixType>>());
+      new CustomBlockSolver(std::make_unique<g2o::LinearSolverDense<g2o::BlockSolver_3_2::PoseMatrixType>>());
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(blocks));
   ASSERT_TRUE(optimizer.initializeOptimization());
   e->linearizeOplus(optimizer.jacobianWorkspace());
@@ -216,7 +216,7 @@ TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
   EXPECT_NE(blocks->poses(0, 3), 0);  // poses 1 and 2 share an edge
   EXPECT_EQ(blocks->landmark(0, 1), l->hessian(0, 1));
   EXPECT_LT((blocks->between - between).norm(), 1e-12);
-  Eigen::MatrixXd schur = blocks->poses;  // only the first pose sees the landmark
+  Eigen::MatrixXd schur = blocks->poses;  // only the first pose observes the landmark
   schur.topLeftCorner<3, 3>() -= blocks->between * blocks->landmark.inverse() * blocks->between.transpose();
   EXPECT_LT((Eigen::MatrixXd(schur.triangularView<Eigen::Upper>()) -
              Eigen::MatrixXd(blocks->schur.triangularView<Eigen::Upper>()))
@@ -224,14 +224,15 @@ TEST(OwnSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
             1e-9 * schur.norm());
 }
 
-TEST(OwnSolvers, AnOwnSolverServesEveryAlgorithm) {
+TEST(CustomSolvers, ACustomSolverRunsInEveryAlgorithm) {
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
-  EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmGaussNewton(new OwnSolver)), expected, 1e-9 * expected);
-  EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmLevenberg(std::make_unique<OwnSolver>())), expected,
+  EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmGaussNewton(new CustomSolver)), expected,
+              1e-9 * expected);
+  EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmLevenberg(std::make_unique<CustomSolver>())), expected,
               1e-9 * expected);
 }
 
-TEST(OwnSolvers, AlgorithmsAreConstructedByName) {
+TEST(CustomSolvers, AlgorithmsAreConstructedByName) {
   const double expected =
       optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()), true);
   g2o::OptimizationAlgorithmFactory* factory = g2o::OptimizationAlgorithmFactory::instance();
@@ -246,13 +247,13 @@ TEST(OwnSolvers, AlgorithmsAreConstructedByName) {
     EXPECT_NEAR(optimum(algorithm, true), expected, 1e-6 * expected);
   }
   const g2o::OptimizationAlgorithmFactory::CreatorList& all = factory->creatorList();
-  const auto is_of_library = [](const auto& creator) { return creator->property().type != "Own"; };
+  const auto is_of_library = [](const auto& creator) { return creator->property().type != "Custom"; };
   EXPECT_EQ(std::count_if(all.begin(), all.end(), is_of_library), 25);
   g2o::OptimizationAlgorithmProperty property;
   EXPECT_EQ(factory->construct("no_such_solver", property), nullptr);
 }
 
-TEST(OwnSolvers, PropertiesAreSetFromText) {
+TEST(CustomSolvers, PropertiesAreSetFromText) {
   g2o::OptimizationAlgorithmLevenberg algorithm(small_graph::make_solver());
   EXPECT_TRUE(algorithm.updatePropertiesFromString("initialLambda=0.25, maxTrialsAfterFailure=3"));
   EXPECT_EQ(algorithm.userLambdaInit(), 0.25);
@@ -260,7 +261,7 @@ TEST(OwnSolvers, PropertiesAreSetFromText) {
   EXPECT_FALSE(algorithm.updatePropertiesFromString("noSuchProperty=1"));
 }
 
-TEST(OwnSolvers, TheTerminateActionEndsWhereChi2NoLongerFalls) {
+TEST(CustomSolvers, TheTerminateActionStopsWhenChi2NoLongerDecreases) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
@@ -273,7 +274,7 @@ TEST(OwnSolvers, TheTerminateActionEndsWhereChi2NoLongerFalls) {
   EXPECT_LT(iterations, 10);
 }
 
-TEST(OwnSolvers, LinearSolversWorkAlone) {
+TEST(CustomSolvers, LinearSolversWorkWithoutABlockSolver) {
   const int ends[] = {2, 4};
   g2o::SparseBlockMatrixX A(ends, ends, 2, 2);
   *A.block(0, 0, true) = Eigen::Matrix2d::Identity() * 4;

@@ -26,8 +26,8 @@ namespace {
 
 using Linear = g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>;
 
-/// The tangent of the g2o API's vertex over that of the engine's: VertexSE2 adds its translation in the world
-/// frame, SE2 in the body frame.
+/// The change of tangent space from the engine's vertex to g2o's. A step adds to the translation of a
+/// VertexSE2 in the world frame, but to that of an SE2 in the body frame.
 Eigen::MatrixXd tangent_change(const boxplus::Graph& graph, boxplus::VertexRef vertex) {
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(graph.tangent_dim(vertex), graph.tangent_dim(vertex));
   if (change.rows() == 3) {
@@ -36,10 +36,10 @@ Eigen::MatrixXd tangent_change(const boxplus::Graph& graph, boxplus::VertexRef v
   return change;
 }
 
-class NativeCovariance : public testing::TestWithParam<const char*> {};
+class EngineCovariance : public testing::TestWithParam<const char*> {};
 
-/// Both begin at the optimum, so that the linearization of the g2o API's one iteration is that of the engine.
-TEST_P(NativeCovariance, AgreesWithComputeMarginals) {
+/// Both start at the optimum, so that the single g2o iteration has the same linearization as the engine.
+TEST_P(EngineCovariance, AgreesWithComputeMarginals) {
   const char* folder = std::getenv("BOXPLUS_DATA");
   const std::string path = std::string(folder ? folder : ".") + "/" + GetParam();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
@@ -85,7 +85,7 @@ TEST_P(NativeCovariance, AgreesWithComputeMarginals) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Public, NativeCovariance,
+INSTANTIATE_TEST_SUITE_P(Public, EngineCovariance,
                          testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/M3500.g2o",
                                          "posegraph3d/sphere2500.g2o", "posegraph3d/parking-garage.g2o"),
                          [](const auto& test) {

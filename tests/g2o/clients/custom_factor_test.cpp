@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that brings a linear solver over compressed columns, with marginals, and registers algorithms that
-// use it as a library of its own does; and one that steers its own algorithm and its own end of a run.
+// A client with a linear solver over compressed columns that provides marginals. It registers algorithms for
+// this solver in a library. Another client has a custom algorithm and a custom stop action.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -22,9 +22,9 @@ namespace g2o {
 
 /// Eigen's sparse Cholesky without an ordering.
 template <typename MatrixType>
-class LinearSolverOwnFactor : public LinearSolverCCS<MatrixType> {
+class LinearSolverCustomFactor : public LinearSolverCCS<MatrixType> {
  public:
-  LinearSolverOwnFactor() : LinearSolverCCS<MatrixType>() {}
+  LinearSolverCustomFactor() : LinearSolverCCS<MatrixType>() {}
   bool init() override { return true; }
   bool solve(const SparseBlockMatrix<MatrixType>& A, double* x, double* b) override {
     if (!factorize(A)) return false;
@@ -46,7 +46,7 @@ class LinearSolverOwnFactor : public LinearSolverCCS<MatrixType> {
     return true;
   }
 
-  /// A lies elsewhere in each call, so its structure is taken each time.
+  /// Rebuilds the structure each time, because the blocks of A lie elsewhere in each call.
   bool factorize(const SparseBlockMatrix<MatrixType>& A) {
     this->initMatrixStructure(A);
     _A.resize(A.rows(), A.cols());
@@ -64,15 +64,16 @@ namespace {
 
 template <int p, int l, bool blockorder>
 std::unique_ptr<Solver> AllocateSolver() {
-  auto linearSolver = g2o::make_unique<LinearSolverOwnFactor<typename BlockSolverPL<p, l>::PoseMatrixType>>();
+  auto linearSolver =
+      g2o::make_unique<LinearSolverCustomFactor<typename BlockSolverPL<p, l>::PoseMatrixType>>();
   linearSolver->setBlockOrdering(blockorder);
   return g2o::make_unique<BlockSolverPL<p, l>>(std::move(linearSolver));
 }
 
 OptimizationAlgorithm* createSolver(const std::string& fullSolverName) {
   static const std::map<std::string, std::function<std::unique_ptr<Solver>()>> solver_factories{
-      {"var_own", &AllocateSolver<-1, -1, true>},
-      {"fix3_2_own", &AllocateSolver<3, 2, true>},
+      {"var_custom", &AllocateSolver<-1, -1, true>},
+      {"fix3_2_custom", &AllocateSolver<3, 2, true>},
   };
   const std::string methodName = fullSolverName.substr(0, 2);
   const auto factory = solver_factories.find(fullSolverName.substr(3));
@@ -85,30 +86,31 @@ OptimizationAlgorithm* createSolver(const std::string& fullSolverName) {
 
 }  // namespace
 
-class OwnFactorCreator : public AbstractOptimizationAlgorithmCreator {
+class CustomFactorCreator : public AbstractOptimizationAlgorithmCreator {
  public:
-  explicit OwnFactorCreator(const OptimizationAlgorithmProperty& p)
+  explicit CustomFactorCreator(const OptimizationAlgorithmProperty& p)
       : AbstractOptimizationAlgorithmCreator(p) {}
   OptimizationAlgorithm* construct() override { return createSolver(property().name); }
 };
 
-G2O_REGISTER_OPTIMIZATION_LIBRARY(own_factor)
+G2O_REGISTER_OPTIMIZATION_LIBRARY(custom_factor)
 
-G2O_REGISTER_OPTIMIZATION_ALGORITHM(gn_var_own, new OwnFactorCreator(OptimizationAlgorithmProperty(
-                                                    "gn_var_own", "Gauss-Newton: own factor", "Own", false,
-                                                    Eigen::Dynamic, Eigen::Dynamic)))
-G2O_REGISTER_OPTIMIZATION_ALGORITHM(lm_var_own, new OwnFactorCreator(OptimizationAlgorithmProperty(
-                                                    "lm_var_own", "Levenberg: own factor", "Own", false,
-                                                    Eigen::Dynamic, Eigen::Dynamic)))
+G2O_REGISTER_OPTIMIZATION_ALGORITHM(gn_var_custom, new CustomFactorCreator(OptimizationAlgorithmProperty(
+                                                       "gn_var_custom", "Gauss-Newton: custom factor",
+                                                       "Custom", false, Eigen::Dynamic, Eigen::Dynamic)))
+G2O_REGISTER_OPTIMIZATION_ALGORITHM(lm_var_custom, new CustomFactorCreator(OptimizationAlgorithmProperty(
+                                                       "lm_var_custom", "Levenberg: custom factor", "Custom",
+                                                       false, Eigen::Dynamic, Eigen::Dynamic)))
+G2O_REGISTER_OPTIMIZATION_ALGORITHM(dl_var_custom, new CustomFactorCreator(OptimizationAlgorithmProperty(
+                                                       "dl_var_custom", "Dogleg: custom factor", "Custom",
+                                                       false, Eigen::Dynamic, Eigen::Dynamic)))
 G2O_REGISTER_OPTIMIZATION_ALGORITHM(
-    dl_var_own, new OwnFactorCreator(OptimizationAlgorithmProperty("dl_var_own", "Dogleg: own factor", "Own",
-                                                                   false, Eigen::Dynamic, Eigen::Dynamic)))
-G2O_REGISTER_OPTIMIZATION_ALGORITHM(gn_fix3_2_own, new OwnFactorCreator(OptimizationAlgorithmProperty(
-                                                       "gn_fix3_2_own", "fixed sizes", "Own", true, 3, 2)))
+    gn_fix3_2_custom, new CustomFactorCreator(OptimizationAlgorithmProperty("gn_fix3_2_custom", "fixed sizes",
+                                                                            "Custom", true, 3, 2)))
 
 }  // namespace g2o
 
-G2O_USE_OPTIMIZATION_LIBRARY(own_factor)
+G2O_USE_OPTIMIZATION_LIBRARY(custom_factor)
 
 namespace {
 
@@ -124,20 +126,20 @@ double optimum(g2o::OptimizationAlgorithm* algorithm) {
   return optimizer.activeChi2();
 }
 
-TEST(OwnFactor, ServesTheAlgorithmsThatTheClientRegistered) {
+TEST(CustomFactor, RunsInTheAlgorithmsThatTheClientRegistered) {
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
-  for (const char* name : {"gn_var_own", "lm_var_own", "dl_var_own", "gn_fix3_2_own"}) {
+  for (const char* name : {"gn_var_custom", "lm_var_custom", "dl_var_custom", "gn_fix3_2_custom"}) {
     SCOPED_TRACE(name);
     g2o::OptimizationAlgorithmProperty property;
     g2o::OptimizationAlgorithm* algorithm =
         g2o::OptimizationAlgorithmFactory::instance()->construct(name, property);
     ASSERT_NE(algorithm, nullptr);
-    EXPECT_EQ(property.type, "Own");
+    EXPECT_EQ(property.type, "Custom");
     EXPECT_NEAR(optimum(algorithm), expected, 1e-8);
   }
 }
 
-TEST(OwnFactor, MarginalsComeFromItsFactor) {
+TEST(CustomFactor, ProvidesTheMarginals) {
   const int ends[] = {3, 6, 9};
   g2o::SparseBlockMatrix<g2o::MatrixX> A(ends, ends, 3, 3);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(9, 9);
@@ -146,7 +148,7 @@ TEST(OwnFactor, MarginalsComeFromItsFactor) {
   for (int c = 0; c < 3; ++c)
     for (int r = 0; r <= c; ++r) *A.block(r, c, true) = dense.block(3 * r, 3 * c, 3, 3);
   const Eigen::MatrixXd inverse = dense.inverse();
-  g2o::LinearSolverOwnFactor<g2o::MatrixX> solver;
+  g2o::LinearSolverCustomFactor<g2o::MatrixX> solver;
   solver.init();
   double** blocks = nullptr;
   ASSERT_TRUE(solver.solveBlocks(blocks, A));
@@ -158,7 +160,7 @@ TEST(OwnFactor, MarginalsComeFromItsFactor) {
   EXPECT_LT((*spinv.block(0, 2) - inverse.block(0, 6, 3, 3)).norm(), 1e-9);
 }
 
-/// Half of each Gauss-Newton step; owns its solver as the library of old did.
+/// Takes half of each Gauss-Newton step. Owns its solver, as old versions of the library did.
 class Cautious : public g2o::OptimizationAlgorithmWithHessian {
  public:
   explicit Cautious(g2o::Solver* solver) : OptimizationAlgorithmWithHessian(solver) {}
@@ -174,7 +176,7 @@ class Cautious : public g2o::OptimizationAlgorithmWithHessian {
   }
 };
 
-/// Ends a run where chi2 falls by less than a fraction, and tells that it did.
+/// Stops a run when chi2 decreases by less than a given fraction, and records that it did.
 class Convergence : public g2o::SparseOptimizerTerminateAction {
  public:
   g2o::HyperGraphAction* operator()(const g2o::HyperGraph* graph, Parameters* parameters = nullptr) override {
@@ -195,7 +197,7 @@ class Convergence : public g2o::SparseOptimizerTerminateAction {
   bool stopped = false;
 };
 
-TEST(OwnAlgorithm, IsStoppedByItsOwnAction) {
+TEST(CustomAlgorithm, IsStoppedByACustomAction) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   optimizer.setAlgorithm(new Cautious(small_graph::make_solver().release()));

@@ -6,7 +6,7 @@
 #include "g2o/core/base_vertex.h"
 #include "g2o/core/factory.h"
 
-namespace own {
+namespace custom {
 
 class Number : public g2o::BaseVertex<1, double> {
  public:
@@ -26,8 +26,8 @@ class Weighed : public g2o::BaseUnaryEdge<1, double, Number> {
   }
 };
 
-G2O_REGISTER_TYPE_GROUP(own)
-G2O_REGISTER_TYPE(OWN_NUMBER, Number)
-G2O_REGISTER_TYPE_NAME("OWN:WEIGHED", Weighed)
+G2O_REGISTER_TYPE_GROUP(custom)
+G2O_REGISTER_TYPE(CUSTOM_NUMBER, Number)
+G2O_REGISTER_TYPE_NAME("CUSTOM:WEIGHED", Weighed)
 
-}  // namespace own
+}  // namespace custom
