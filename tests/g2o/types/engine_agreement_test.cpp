@@ -78,7 +78,7 @@ TEST(EngineAgreement, SimulatedGraphsHaveTheSameChi2) {
     SCOPED_TRACE(boxplus::to_string(world));
     boxplus::SimulationOptions options;
     options.poses = 300;
-    options.noise = 0.2;  // small enough for Gauss-Newton to converge
+    options.noise = 0.2;  // small enough for Gauss-Newton to decrease chi2
     boxplus::Graph graph = boxplus::simulate(world, options).graph;
     boxplus::GraphFile file;
     file.graph = std::move(graph);
@@ -102,7 +102,7 @@ TEST_P(EngineAgreementOnFile, HasTheSameChi2) {
   expect_same(engine_chi2(file.graph), g2o_chi2(optimizer));
 }
 
-// Files for which Gauss-Newton converges. For victoriaPark it diverges, and five iterations amplify rounding
+// Files on which Gauss-Newton decreases chi2. On victoriaPark it diverges, and five iterations amplify rounding
 // to 3e-9 of chi2.
 INSTANTIATE_TEST_SUITE_P(Public, EngineAgreementOnFile,
                          testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/csail.g2o",

@@ -140,9 +140,8 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
 /// caches of its vertices. Elements whose type has no action are not drawn.
 ///
 /// Properties of the parameters set the look of each type: `<typeName>::SHOW` (bool, true), and those that
-/// the action for the type has, such as `<typeName>::POINT_SIZE`. The first drawing makes the properties that
-/// do not exist yet:
-/// if they were made before:
+/// the action for the type has, such as `<typeName>::POINT_SIZE`. They can be made before the first drawing,
+/// which makes the missing ones:
 ///
 ///     parameters.makeProperty<g2o::BoolProperty>(std::string(typeid(Edge).name()) + "::SHOW", false);
 class G2O_CORE_API DrawAction : public HyperGraphElementAction {
