@@ -92,8 +92,8 @@ class SvgDrawing::Page {
     return d;
   }
 
-  /// The paint attributes at the end of an element. Consecutive shapes that differ only in their corners share
-  /// one element.
+  /// The paint attributes at the end of an element. Consecutive shapes that differ only in their corners
+  /// share one element.
   std::string style(const Shape& shape) const {
     const std::string color = hex(shape.color);
     if (shape.kind == Kind::kFilled) return fmt::format("fill=\"{}\"{}", color, opacity("fill", shape.color));

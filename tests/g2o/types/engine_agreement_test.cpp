@@ -102,8 +102,8 @@ TEST_P(EngineAgreementOnFile, HasTheSameChi2) {
   expect_same(engine_chi2(file.graph), g2o_chi2(optimizer));
 }
 
-// Files on which Gauss-Newton decreases chi2. On victoriaPark it diverges, and five iterations amplify rounding
-// to 3e-9 of chi2.
+// Files on which Gauss-Newton decreases chi2. On victoriaPark it diverges, and five iterations amplify
+// rounding to 3e-9 of chi2.
 INSTANTIATE_TEST_SUITE_P(Public, EngineAgreementOnFile,
                          testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/csail.g2o",
                                          "posegraph2d/M3500.g2o", "posegraph2d/city10000.g2o",
