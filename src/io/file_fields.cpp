@@ -53,7 +53,7 @@ SE3 FileFields<SE3>::read(FieldReader& in) {
   }
   const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
   if (std::abs(norm - 1) <= kRounding) return SE3::from_unit(t, as_read);
-  in.note(fmt::format("a quaternion of length {:.6g} was normalised", norm));
+  in.note(fmt::format("a quaternion of length {:.6g} was normalized", norm));
   return SE3(t, as_read);
 }
 

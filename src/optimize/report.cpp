@@ -157,7 +157,7 @@ std::string to_string(const Report& report) {
   add_notes(text, report);
   const Timings& t = report.time;
   add(text,
-      "  {:<16}plan {:.4f}, start {:.4f}, linearise {:.4f}, factorise {:.4f}, solve {:.4f}, evaluate "
+      "  {:<16}plan {:.4f}, start {:.4f}, linearize {:.4f}, factorize {:.4f}, solve {:.4f}, evaluate "
       "{:.4f}\n",
       "time [s]", t.plan_s, t.start_s, t.linearize_s, t.factorize_s, t.solve_s, t.evaluate_s);
   add_records(text, report);
@@ -190,7 +190,7 @@ std::string_view to_string(Reason reason) {
     case Reason::kNoFurtherDecrease:
       return "no step lowers chi2 by more than rounding";
     case Reason::kNothingToOptimize:
-      return "there is nothing to optimise: no active edge touches a vertex that may move";
+      return "there is nothing to optimize: no active edge touches a vertex that may move";
     case Reason::kMaxIterations:
       return "the iteration limit is reached";
     case Reason::kTimeLimit:

@@ -27,7 +27,7 @@ TEST(FileFields, NormalizeQuaternionsThatAreNearlyUnitAndRefuseOthers) {
   EXPECT_EQ(file.graph.estimate(file.graph.vertex<SE3>(0)).quaternion().w, 1);
   ASSERT_THAT(file.notes, SizeIs(1));
   EXPECT_EQ(file.notes[0].line, 1);
-  EXPECT_EQ(file.notes[0].text, "a quaternion of length 1.0005 was normalised");
+  EXPECT_EQ(file.notes[0].text, "a quaternion of length 1.0005 was normalized");
   EXPECT_THAT(complaint("VERTEX_SE3:QUAT 0 1 2 3 0 0 0 0"),
               HasSubstr("g:1:25: expected a quaternion of length 1"));
   EXPECT_THAT(complaint("VERTEX_SE3:QUAT 0 1 2 3 0 0 1 1"), HasSubstr("got one of length 1.414"));

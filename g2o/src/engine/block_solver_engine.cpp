@@ -90,11 +90,11 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
   vertices = optimizer.indexMapping();
   ids.clear();
   for (const OptimizableGraph::Vertex* v : vertices) ids.push_back(v->id());
-  const auto marginalised =
+  const auto marginalized =
       std::count_if(vertices.begin(), vertices.end(), [](const auto* v) { return v->marginalized(); });
-  const bool eliminate = use_schur && marginalised > 0 && static_cast<size_t>(marginalised) < vertices.size();
+  const bool eliminate = use_schur && marginalized > 0 && static_cast<size_t>(marginalised) < vertices.size();
   const std::uint32_t eliminated_before = eliminated;
-  eliminated = eliminate ? static_cast<std::uint32_t>(marginalised) : 0;
+  eliminated = eliminate ? static_cast<std::uint32_t>(marginalized) : 0;
   kept = static_cast<std::uint32_t>(vertices.size()) - eliminated;
   std::vector<std::uint32_t> dims(vertices.size());
   for (size_t h = 0; h < vertices.size(); ++h)
@@ -108,7 +108,7 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
         if (vertex_at(*edge, i)->hessianIndex() < 0) continue;
         const std::uint32_t a = block_of(vertex_at(*edge, i)->hessianIndex());
         if (a < eliminated && b < eliminated) {
-          G2O_ERROR("vertices {} and {} are both marginalised, but an edge joins them", edge->vertex(i)->id(),
+          G2O_ERROR("vertices {} and {} are both marginalized, but an edge joins them", edge->vertex(i)->id(),
                     edge->vertex(j)->id());
           return false;
         }

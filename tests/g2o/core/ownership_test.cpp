@@ -115,7 +115,7 @@ TEST_F(Misuse, AMarginalizedVertexOfTheWrongDimensionIsRefused) {
       new g2o::BlockSolver_3_2(new g2o::LinearSolverEigen<g2o::BlockSolver_3_2::PoseMatrixType>())));
   optimizer.initializeOptimization();
   EXPECT_EQ(optimizer.optimize(1), 0);
-  expect_message("expected a marginalised vertex of 2 dimensions");
+  expect_message("expected a marginalized vertex of 2 dimensions");
 }
 
 TEST_F(Misuse, TwoMarginalizedVerticesOfOneEdgeAreRefused) {
@@ -125,7 +125,7 @@ TEST_F(Misuse, TwoMarginalizedVerticesOfOneEdgeAreRefused) {
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
   optimizer.initializeOptimization();
   EXPECT_EQ(optimizer.optimize(1), 0);
-  expect_message("both marginalised");
+  expect_message("both marginalized");
 }
 
 TEST_F(Misuse, UnknownTagsAndNamesReturnNull) {

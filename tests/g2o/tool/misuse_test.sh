@@ -64,7 +64,7 @@ expect 2 "parameter 5 does not have the type" parameter.g2o
 
 # graphs that cannot be optimized are written unchanged
 (cat square.g2o; echo "FIX 0 1 2 3 7") > fixed.g2o
-expect 0 "nothing to optimise" -o written.g2o -gnudump fixed -summary fixed.csv -stats fixed.txt -computeMarginals fixed.g2o
+expect 0 "nothing to optimize" -o written.g2o -gnudump fixed -summary fixed.csv -stats fixed.txt -computeMarginals fixed.g2o
 "$tool" -i 0 -o - written.g2o 2> /dev/null | diff -q written.g2o - > /dev/null || complain "expected the same graph" written.g2o
 is "FIX 7" written.g2o
 lines 5 fixed_vertices
@@ -72,7 +72,7 @@ lines 18 fixed_edges
 is "fixed.g2o, 5, 6, 4, 1, EDGE_SE2 EDGE_SE2_XY, 4.6827, 4.6827, 4.6827" fixed.csv
 lines 0 fixed.txt
 grep VERTEX square.g2o > vertices.g2o
-expect 0 "nothing to optimise" -o - vertices.g2o
+expect 0 "nothing to optimize" -o - vertices.g2o
 lines 6 out.txt  # including a FIX line
 
 # systems that cannot be solved

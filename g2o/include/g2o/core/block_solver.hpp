@@ -24,7 +24,7 @@ bool BlockSolver<Traits>::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                            const std::vector<std::pair<int, int>>& blockIndices) {
   if (this->_optimizer != nullptr && engine_.isLinearised(*this->_optimizer))
     return engine_.inverse(blockIndices, spinv);
-  G2O_ERROR("computeMarginals: what takes part has changed since it was linearised: optimize() first");
+  G2O_ERROR("computeMarginals: what takes part has changed since it was linearized: optimize() first");
   return false;
 }
 
@@ -36,7 +36,7 @@ bool BlockSolver<Traits>::buildStructure(bool) {
         LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
     if (!fits) {
       G2O_ERROR(
-          "vertex {}: expected a marginalised vertex of {} dimensions, as the block solver is for, it has {}",
+          "vertex {}: expected a marginalized vertex of {} dimensions, as the block solver is for, it has {}",
           v->id(), static_cast<int>(LandmarkDim), v->dimension());
       return false;
     }
