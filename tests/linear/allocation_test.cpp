@@ -38,15 +38,17 @@ TEST_P(LinearSolverAllocations, StopAfterTheFirstFactorizationAndSolve) {
   EXPECT_EQ(after - before, 0);
 }
 
+std::string name_of(const std::tuple<LinearSolverKind, bool>& candidate) {
+  return (std::get<bool>(candidate) ? "schur_" : "") +
+         std::string(to_string(std::get<LinearSolverKind>(candidate)));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, LinearSolverAllocations,
                          ::testing::Combine(::testing::Values(LinearSolverKind::kBlockCholesky,
                                                               LinearSolverKind::kPcg,
                                                               LinearSolverKind::kDense),
                                             ::testing::Bool()),
-                         [](const auto& test) {
-                           const auto& [kind, eliminates] = test.param;
-                           return (eliminates ? "schur_" : "") + std::string(to_string(kind));
-                         });
+                         [](const auto& test) { return name_of(test.param); });
 
 }  // namespace
 }  // namespace boxplus

@@ -57,6 +57,10 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
   if (system.values().size() != structure_->nonzero_values())
     throw InvalidArgument("SchurSolver::factorize: expected the block values of the analyzed structure");
   if (control.stop.raised()) return {LinearStatus::kStopped};
+  if (reduced_->values().empty()) {  // the inner solver sees no values in which it could find this
+    const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
+    if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
+  }
   FactorResult result = schur_->eliminate(system.values(), damping, control.stop);
   if (result.status != LinearStatus::kOk) return result;
   result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), control);
