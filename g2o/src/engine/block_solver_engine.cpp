@@ -92,7 +92,7 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
   for (const OptimizableGraph::Vertex* v : vertices) ids.push_back(v->id());
   const auto marginalized =
       std::count_if(vertices.begin(), vertices.end(), [](const auto* v) { return v->marginalized(); });
-  const bool eliminate = use_schur && marginalized > 0 && static_cast<size_t>(marginalised) < vertices.size();
+  const bool eliminate = use_schur && marginalized > 0 && static_cast<size_t>(marginalized) < vertices.size();
   const std::uint32_t eliminated_before = eliminated;
   eliminated = eliminate ? static_cast<std::uint32_t>(marginalized) : 0;
   kept = static_cast<std::uint32_t>(vertices.size()) - eliminated;
