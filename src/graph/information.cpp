@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/graph/information.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -150,10 +152,9 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
       if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also where one of them is NaN
-        throw InvalidArgument("information: expected a symmetric matrix, but (" + std::to_string(i) + "," +
-                              std::to_string(j) + ") = " + std::to_string(matrix(i, j)) + " and (" +
-                              std::to_string(j) + "," + std::to_string(i) +
-                              ") = " + std::to_string(matrix(j, i)));
+        throw InvalidArgument(fmt::format(
+            "information: expected a symmetric matrix, but ({0},{1}) = {2:.9g} and ({1},{0}) = {3:.9g}", i, j,
+            matrix(i, j), matrix(j, i)));
       }
       upper.push_back(matrix(i, j));
     }

@@ -47,6 +47,7 @@ class Descent {
 
   /// Neither stopped nor out of iterations.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
+  int iterations_left() const { return options_.max_iterations - iterations_; }
   /// Of all runs together.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
@@ -54,7 +55,6 @@ class Descent {
   double degrees_of_freedom() const { return degrees_of_freedom_; }
 
  private:
-  int iterations_left() const { return options_.max_iterations - iterations_; }
   RunResult iterate(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
 

@@ -139,7 +139,9 @@ class StartSearch {
   }
 
   /// The chordal guess is in the graph; came_ are the current estimates, or what they have become, with the
-  /// given chi2. Runs from the guess first if its chi2 is below that of the estimates as they came.
+  /// given chi2. Runs from the guess first if its chi2 is below that of the estimates as they came. With
+  /// robust kernels, for which chi2 tells little about the valley, and which need many iterations, the first
+  /// start leaves iterations for the other.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
@@ -152,11 +154,29 @@ class StartSearch {
       came_.put_back(graph(), plan());
     }
     report_.used = guess_first ? Start::kChordal : Start::kCurrent;
-    const RunResult first = descent_.run(guess_first ? chi2_guess : chi2_current);
+    const bool leaves_iterations = std::isfinite(other.chi2) && has_robust_kernels(graph(), plan());
+    const RunResult first =
+        run_for(share_of_iterations(leaves_iterations), guess_first ? chi2_guess : chi2_current);
     const bool is_good = first.status == Status::kConverged && !(first.chi2 > other.chi2);
     const bool may_go_on = !is_interruption(first.reason) && descent_.may_go_on();
     if (is_good || !may_go_on || !std::isfinite(other.chi2)) return first;
-    return run_from_other(first, std::move(other));
+    const RunResult best = run_from_other(first, std::move(other), share_of_iterations(leaves_iterations));
+    const bool is_unfinished = best.reason == Reason::kMaxIterations && descent_.may_go_on();
+    return is_unfinished ? descent_.run(best.chi2) : best;
+  }
+
+  /// All iterations that are left, or half of them.
+  int share_of_iterations(bool leaves_iterations) const {
+    const int left = descent_.iterations_left();
+    return leaves_iterations ? (left + 1) / 2 : left;
+  }
+
+  /// Runs from the current estimates, for at most `most` iterations.
+  RunResult run_for(int most, double chi2) {
+    int left = most;
+    RunResult result = descent_.run_while([&](const IterationRecord&) { return --left > 0; }, chi2);
+    if (result.reason == Reason::kCallback && left == 0) result.reason = Reason::kMaxIterations;
+    return result;
   }
 
   /// After a run from the current estimates that ended where it may be a local minimum: runs from the chordal
@@ -166,15 +186,16 @@ class StartSearch {
     if (!make_guess(Start::kChordal)) return first;
     StartingPoint guess{Start::kChordal, Estimates(graph(), plan()), report_.chi2_guess};
     came_.put_back(graph(), plan());
-    return run_from_other(first, std::move(guess));
+    return run_from_other(first, std::move(guess), descent_.iterations_left());
   }
 
-  /// Keeps the better of the run that has just ended and one from the other start.
-  RunResult run_from_other(const RunResult& first_result, StartingPoint other) {
+  /// Keeps the better of the run that has just ended and one from the other start, of at most `most`
+  /// iterations.
+  RunResult run_from_other(const RunResult& first_result, StartingPoint other, int most) {
     const Candidate first{report_.used, first_result, std::exchange(descent_.records(), {}),
                           Estimates(graph(), plan())};
     other.estimates.put_back(graph(), plan());
-    const Candidate second{other.start, descent_.run(other.chi2), descent_.records(), {}};
+    const Candidate second{other.start, run_for(most, other.chi2), descent_.records(), {}};
     const bool keeps_second = second.is_better_than(first);
     const Candidate& better = keeps_second ? second : first;
     report_.ran_both = true;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`boxplus plot`: pictures of graphs."""
 
+import os
 import re
 import struct
 import subprocess
@@ -135,6 +136,10 @@ class PlotTest(CommandCase):
     def test_titles_are_text(self):
         path = self.written("a<b>&c.g2o", CHAIN)
         self.assertIn("a<b>&c", self.drawn(path).words)
+
+    def test_bytes_of_titles_that_are_not_utf8_become_replacement_characters(self):
+        latin = os.fsdecode(b"lat\xe9in.g2o")
+        self.assertIn("lat\ufffdin", self.drawn(self.written(latin, CHAIN)).words)
 
     def test_what_cannot_be_drawn_is_refused(self):
         for words, stdin, text in ((["-"], "", "<stdin>:1:1: expected a vertex or an edge"), (["-", "-"], CHAIN, "'-' twice"),

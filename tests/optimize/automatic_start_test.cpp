@@ -7,6 +7,8 @@
 #include <set>
 
 #include "boxplus/optimize/optimizer.h"
+#include "boxplus/robust/default_width.h"
+#include "boxplus/robust/huber.h"
 #include "boxplus/testing/simulate.h"
 #include "optimize/small_graphs.h"
 
@@ -109,6 +111,18 @@ TEST(TheAutomaticStart, TrustsNoFirstStepUnderRobustKernels) {
   const Report report = optimize(graph, kAutomaticStart);
   EXPECT_TRUE(std::isnan(report.start.first_step_kept));
   EXPECT_GE(report.start.chi2_guess, 0);
+}
+
+TEST(TheAutomaticStart, LeavesIterationsForTheOtherStartUnderRobustKernels) {
+  const auto result_of = [](Start start) {
+    Graph graph = std::move(simulate(World::kSphere, {.poses = 1000, .outliers = 0.02}).graph);
+    for (const EdgeRef& edge : graph.all_edges()) graph.set_kernel(edge, Huber(default_width(6)));
+    return optimize(graph, {.start = start});
+  };
+  const Report current = result_of(Start::kCurrent), automatic = result_of(Start::kAutomatic);
+  EXPECT_TRUE(automatic.start.ran_both);
+  EXPECT_LT(automatic.chi2_final, 1.0001 * current.chi2_final) << automatic;
+  EXPECT_LE(automatic.iterations, Options().max_iterations);
 }
 
 TEST(TheAutomaticStart, GoesOnWhereTheGuessIsNotFinite) {

@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
+#include "io/printable.h"
 #include "plot/canvas/canvas.h"
 
 namespace boxplus::app {
 namespace {
 
+/// Control characters are left out. Bytes that are not UTF-8 become replacement characters, because no XML
+/// parser accepts them.
 std::string escaped_xml(std::string_view text) {
   std::string result;
-  for (char c : text) {
-    if (c == '&') {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = printable_length(text, i);
+    if (text[i] == '&') {
       result += "&amp;";
-    } else if (c == '<') {
+    } else if (text[i] == '<') {
       result += "&lt;";
-    } else if (static_cast<unsigned char>(c) >= ' ') {
-      result += c;
+    } else if (length > 0) {
+      result += text.substr(i, length);
+    } else if (static_cast<unsigned char>(text[i]) >= 0x80) {
+      result += "\xEF\xBF\xBD";  // U+FFFD
     }
+    i += std::max<std::size_t>(length, 1);
   }
   return result;
 }
