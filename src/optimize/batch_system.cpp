@@ -128,8 +128,10 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
     result = solve_once(damping, step);
   if (result.status == LinearStatus::kNotPositiveDefinite) {
     lost_scalars_.resize(before);
-    if (gauge_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty() && gauge_damping_ == 0) {
-      gauge_damping_ = kGaugeDamping;  // what is held does not stop every motion any more
+    const bool holds_too_little = gauge_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty();
+    const bool damps_too_little = gauge_ == GaugePolicy::kDamp && has_other_types();
+    if ((holds_too_little || damps_too_little) && gauge_damping_ == 0) {
+      gauge_damping_ = kGaugeDamping;
       result = solve_once(damping, step);
     }
   }
@@ -184,9 +186,17 @@ bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const dou
   return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
 }
 
+/// The plan finds all freedom of poses and points. Of other types it does not know what moves them.
+bool BatchSystem::has_other_types() const {
+  Frame frame;
+  return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {
+    return !list.slots.empty() && !graph_->vertex_pools()[list.pool]->get_frame(list.slots[0], frame);
+  });
+}
+
 bool BatchSystem::is_free() {
   if (!plan_->freedoms.empty()) return true;
-  if (plan_->loose_blocks.empty() || !linearize()) return false;
+  if ((plan_->loose_blocks.empty() && !has_other_types()) || !linearize()) return false;
   std::vector<double> step(plan_->scalars());
   return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }

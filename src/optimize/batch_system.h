@@ -61,6 +61,7 @@ class BatchSystem final : public System {
  private:
   Damping full_damping(const StepDamping& damping);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
+  bool has_other_types() const;
   bool hold_lost_pivot();
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
   StepResult factorize_and_solve(const Damping& damping, std::span<double> step);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "boxplus/manifold/sim3.h"
 #include "optimize/small_graphs.h"
 
 namespace boxplus {
@@ -147,6 +148,34 @@ TEST(Gauge, OfVerticesOfUnknownTypeIsAnErrorIfTheUserSaysSo) {
   Graph graph;
   add_rotations(graph, 12);
   EXPECT_EQ(optimize(graph, {.gauge = GaugePolicy::kError}).reason, Reason::kGaugeFreedom);
+}
+
+TEST(Gauge, ThatIsPartlyMeasuredIsFoundForTypesThatAreNeitherPosesNorPoints) {
+  // Similarities in a loop, of which one scale alone is measured: six directions are free.
+  const auto loop = [] {
+    Graph graph;
+    std::vector<VertexHandle<Sim3>> vertices;
+    for (int k = 0; k < 5; ++k) {
+      const double turn[7] = {0.3 * k, 0.1, -0.2 * k, 0.1, 0.05 * k, 0.02, 0.01 * k};
+      vertices.push_back(graph.add_vertex(Manifold<Sim3>::oplus(Sim3(), turn)));
+    }
+    const double noise[7] = {0.02, -0.01, 0.03, 0.01, 0.02, -0.02, 0.01};
+    for (std::size_t k = 0; k < 5; ++k) {
+      const auto a = vertices[k], b = vertices[(k + 1) % 5];
+      const Sim3 between = graph.estimate(a).inverse() * graph.estimate(b);
+      graph.add_edge(Between(Manifold<Sim3>::oplus(between, noise)), 100.0, a, b);
+    }
+    graph.add_edge([](const auto& x) { return log(x.scale()) - 0.3; }, vertices[2]);
+    return graph;
+  };
+  Graph free = loop(), damped = loop(), anchored = loop();
+  EXPECT_EQ(optimize(free, {.gauge = GaugePolicy::kError}).reason, Reason::kGaugeFreedom);
+  const Report report =
+      optimize(damped, {.algorithm = AlgorithmKind::kGaussNewton, .gauge = GaugePolicy::kDamp});
+  EXPECT_TRUE(report.converged()) << report;
+  const auto first = anchored.typed<Sim3>(anchored.all_vertices()[0]);
+  anchored.add_edge(Prior(anchored.estimate(first)), first);
+  EXPECT_TRUE(optimize(anchored, {.gauge = GaugePolicy::kError}).converged());
 }
 
 TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
