@@ -11,7 +11,7 @@ namespace boxplus {
 
 class PlannedSystem {
  public:
-  /// Where the plan comes from.
+  /// The origin of the plan.
   enum class Origin : std::uint8_t { kMade, kExtended, kReused };
   /// Brings the plan up to date. Throws Stopped once `stop` is raised and the plan has to change; the next
   /// call makes a new one then.

@@ -179,7 +179,7 @@ class StartSearch {
     return result;
   }
 
-  /// After a run from the current estimates that ended where it may be a local minimum: runs from the chordal
+  /// For a run from the current estimates that may have ended in a local minimum: runs from the chordal
   /// guess, too, if there is one.
   RunResult compare_with_guess(const RunResult& first) {
     came_.take(graph(), plan());

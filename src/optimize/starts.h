@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the iteration begins.
+// The initial estimates of a run.
 #pragma once
 
 #include <span>

@@ -3,24 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include "boxplus/base/error.h"
-#include "boxplus/io/graph_file.h"
+#include "io/complaint.h"
 
 namespace boxplus {
 namespace {
 
 using testing::HasSubstr;
 using testing::SizeIs;
-
-/// What the reader says about bad text.
-std::string complaint(const std::string& text) {
-  try {
-    parse_graph(text, "g");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
 
 TEST(FileFields, NormalizeQuaternionsThatAreNearlyUnitAndRefuseOthers) {
   const GraphFile file = parse_graph("VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1.0005", "g");

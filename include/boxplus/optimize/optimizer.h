@@ -47,8 +47,8 @@ class Optimizer {
   /// allocates no memory. (LinearSolverKind::kEigenSparse does.)
   void run(Report& report);
 
-  /// Runs a custom algorithm instead of Options::algorithm. The linear solver is exact unless the options ask
-  /// for something else.
+  /// Runs a custom algorithm instead of Options::algorithm. If each step has to be exact, choose
+  /// Precision::kDouble: kAutomatic may refine a step from a factor in float, to a residual of 1e-6.
   [[nodiscard]] Report run(Algorithm& algorithm);
   void run(Algorithm& algorithm, Report& report);
 

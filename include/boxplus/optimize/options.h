@@ -86,10 +86,10 @@ struct Options {
   const std::atomic<bool>* stop = nullptr;  ///< … this becomes true.
   /// Both hold in every phase: plan, starts, linearization, linear solvers. A limit is exceeded by at most 1
   /// ms or a tenth of it (99 of 100 times, with the edges of this library, up to 100,000 poses); a flag also
-  /// by the time that AMD takes to order the vertices (up to 110 ms at 100,000). Called after every
-  /// iteration, the last included; returning false stops. It must not change the graph: where it changes its
-  /// structure, or optimises it, optimize() throws InvalidArgument; with other estimates or weights chi2 is
-  /// compared with that of another problem. (Kernels may be exchanged, to anneal them.)
+  /// by the time that AMD takes to order the vertices (up to 110 ms at 100,000). The callback is called after
+  /// every iteration, the last included; if it returns false, the run stops. If it changes the structure of
+  /// the graph or optimizes it, InvalidArgument is thrown. It must not change estimates or weights, because
+  /// chi2 is compared with that of the last iteration. (Kernels may be exchanged, to anneal them.)
   std::function<bool(const IterationRecord&)> callback = {};
 
   double initial_lambda =

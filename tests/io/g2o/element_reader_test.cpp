@@ -3,8 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "boxplus/base/error.h"
-#include "boxplus/io/graph_file.h"
+#include "io/complaint.h"
 
 namespace boxplus {
 namespace {
@@ -13,16 +12,6 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr const char* kTwoPoses = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0.5\n";
-
-/// What the reader says about bad text.
-std::string complaint(const std::string& text) {
-  try {
-    parse_graph(text, "g");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
 
 TEST(ElementReader, RefusesBadVertices) {
   EXPECT_EQ(complaint("VERTEX_SE2 0 1 2"), "g:1:17: expected the heading θ, got the end of the line");

@@ -3,23 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include "boxplus/base/error.h"
+#include "io/complaint.h"
 
 namespace boxplus {
 namespace {
 
 using testing::HasSubstr;
 using testing::SizeIs;
-
-/// What the reader says about bad text.
-std::string complaint(const std::string& text) {
-  try {
-    parse_graph(text, "g");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no complaint";
-}
 
 TEST(UnknownTags, AreNamedIfTheirLineMayDefineTheMissingVertex) {
   EXPECT_EQ(
