@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges whose vertices or dimension change while they are in a graph. Meant for AddressSanitizer.
+#include "g2o/core/base_multi_edge.h"
+
 #include <gtest/gtest.h>
 
 #include <memory>
 
-#include "g2o/core/base_multi_edge.h"
 #include "g2o/core/base_vertex.h"
 #include "g2o/core/small_graph.h"
 

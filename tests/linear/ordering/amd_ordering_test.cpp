@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "linear/ordering/amd_ordering.h"
+
 #include <gmock/gmock.h>
 
 #include <numeric>
 
 #include "boxplus/base/error.h"
-#include "linear/ordering/amd_ordering.h"
 #include "linear/test_system.h"
 
 namespace boxplus {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // covariance() of the engine and computeMarginals() of the g2o API agree on public graphs.
+#include "boxplus/optimize/covariance.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 #include "g2o/core/block_solver.h"
 #include "g2o/core/factory.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact and numeric Jacobians against each other and against values derived by hand.
+#include "boxplus/graph/differentiate.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <vector>
 
-#include "boxplus/graph/differentiate.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
 #include "boxplus/manifold/se2.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Views of block matrices, and entries of an inverse from its Cholesky factor.
+#include "g2o/core/sparse_block_matrix.h"
+
 #include <gmock/gmock.h>
 
 #include <Eigen/SparseCholesky>
 
 #include "g2o/core/marginal_covariance_cholesky.h"
-#include "g2o/core/sparse_block_matrix.h"
 
 namespace {
 

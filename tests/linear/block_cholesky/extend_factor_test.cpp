@@ -7,7 +7,7 @@
 #include <set>
 
 #include "linear/block_cholesky/block_cholesky.h"
-#include "test_system.h"
+#include "linear/test_system.h"
 
 namespace boxplus {
 namespace {
