@@ -117,7 +117,7 @@ int main() {
 
   // [use]
   Options options;
-  options.own_linear_solver = std::make_shared<JacobiCg>();
+  options.custom_linear_solver = std::make_shared<JacobiCg>();
   options.linear_tolerance = 0.1;  // rough steps, and more of them
   const Report report = optimize(by_cg, options);
   // [/use]

@@ -83,13 +83,13 @@ std::string toro_plane() {
   std::string text;
   FieldWriter out(text);
   for (const VertexRef& vertex : simulation.graph.all_vertices()) {
-    out.word("VERTEX2");
+    out.token("VERTEX2");
     out.integer(simulation.graph.id(vertex));
     FileFields<SE2>::write(simulation.graph.estimate(simulation.graph.typed<SE2>(vertex)), out);
     out.end_line();
   }
   for (const EdgeRef& edge : simulation.edges) {
-    out.word("EDGE2");
+    out.token("EDGE2");
     for (const VertexRef& vertex : simulation.graph.vertices(edge)) out.integer(simulation.graph.id(vertex));
     FileFields<SE2>::write(simulation.graph.measurement(EdgeHandle<Between<SE2>>{edge}).measurement, out);
     const InformationView omega = simulation.graph.information(edge);

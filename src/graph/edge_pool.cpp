@@ -16,7 +16,7 @@ namespace boxplus {
 std::string_view to_string(JacobianSource source) {
   switch (source) {
     case JacobianSource::kAnalytic:
-      return "own";
+      return "analytic";
     case JacobianSource::kAutomatic:
       return "exact";
     default:

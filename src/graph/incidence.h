@@ -9,13 +9,13 @@
 namespace boxplus {
 
 /// A list of edges per vertex. Removed edges stay listed until their list is read, or grows: their handles
-/// are stale, so they are recognised.
+/// are stale, so they are recognized.
 class Graph::Incidence {
  public:
   /// O(vertices + edges).
   explicit Incidence(const Graph& graph);
 
-  /// Amortised O(1) per vertex. Where it throws, the index must be dropped.
+  /// Amortized O(1) per vertex. Where it throws, the index must be dropped.
   void add(const Graph& graph, EdgeRef edge, std::span<const VertexRef> vertices);
   /// The edges of a vertex, sorted. O(d log d).
   const std::vector<EdgeRef>& edges(const Graph& graph, VertexRef vertex);

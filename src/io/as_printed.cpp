@@ -41,8 +41,8 @@ Numbers normalized_numbers(const Numbers& q) {
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
-/// The numbers of so many decimals that are a multiple of q, and that normalising turns into q. The largest
-/// tells the factor: it was printed as the nearest number of its decimals, or as a neighbour of that.
+/// The numbers of so many decimals that are a multiple of q, and that normalizing turns into q. The largest
+/// tells the factor: it was printed as the nearest number of its decimals, or as a neighbor of that.
 std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest) {
   constexpr double kRoundingNoise = 0.01;
   const double power = kPowers[static_cast<std::size_t>(decimals[largest])];

@@ -60,7 +60,7 @@ inline int count_before(std::uint64_t lane_bits) {
   return std::countr_zero(lane_bits) / 8;
 }
 
-/// The number of eight digits. Neighbours are joined: ones to twos, to fours, to eight.
+/// The number of eight digits. Neighbors are joined: ones to twos, to fours, to eight.
 inline std::uint64_t joined(std::uint64_t word) {
   word = (word * 10 + (word >> 8)) & 0x00FF'00FF'00FF'00FF;
   word = (word * 100 + (word >> 16)) & 0x0000'FFFF'0000'FFFF;

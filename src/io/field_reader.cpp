@@ -69,7 +69,7 @@ void FieldReader::refuse(std::size_t position, std::string_view expected, std::s
   fail_at(position, fmt::format("expected {}, got {}", expected, quoted(came)));
 }
 
-std::string_view FieldReader::word(std::string_view what) {
+std::string_view FieldReader::token(std::string_view what) {
   go_on_with_text();
   skip_blanks();
   const std::size_t begin = position_;
@@ -80,7 +80,7 @@ std::string_view FieldReader::word(std::string_view what) {
 }
 
 double FieldReader::number_from_text(std::string_view what) {
-  const std::string_view text = word(what);
+  const std::string_view text = token(what);
   double value = 0;
   const bool read = is_all_of(text, [&](const char* begin, const char* end) {
     const auto result = fast_float::from_chars(begin, end, value);
@@ -96,7 +96,7 @@ void FieldReader::numbers(double* out, int count, std::string_view what) {
 }
 
 std::int64_t FieldReader::integer_from_text(std::string_view what) {
-  const std::string_view text = word(what);
+  const std::string_view text = token(what);
   std::int64_t value = 0;
   const bool read = is_all_of(text, [&](const char* begin, const char* end) {
     const auto result = std::from_chars(begin, end, value);
@@ -110,7 +110,7 @@ bool FieldReader::accept(std::string_view text) {
   go_on_with_text();
   if (at_end()) return false;
   const std::size_t begin = position_;
-  if (word("a field") == text) return true;
+  if (token("a field") == text) return true;
   position_ = begin;
   --passed_;
   return false;
@@ -120,14 +120,14 @@ void FieldReader::expect_end() {
   if (at_end()) return;
   go_on_with_text();
   const std::size_t begin = position_;
-  refuse(begin, "the end of the line", word("a field"));
+  refuse(begin, "the end of the line", token("a field"));
 }
 
 void FieldWriter::separate() {
   if (!out_->empty() && out_->back() != '\n') out_->push_back(' ');
 }
 
-void FieldWriter::word(std::string_view text) {
+void FieldWriter::token(std::string_view text) {
   separate();
   out_->append(text);
 }
@@ -135,13 +135,13 @@ void FieldWriter::word(std::string_view text) {
 void FieldWriter::number(double value) {
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value);
-  word({text, static_cast<std::size_t>(result.ptr - text)});
+  token({text, static_cast<std::size_t>(result.ptr - text)});
 }
 
 void FieldWriter::integer(std::int64_t value) {
   char text[24];
   const auto result = std::to_chars(text, text + sizeof text, value);
-  word({text, static_cast<std::size_t>(result.ptr - text)});
+  token({text, static_cast<std::size_t>(result.ptr - text)});
 }
 
 }  // namespace boxplus

@@ -29,11 +29,11 @@ void Registry::add(Tag tag) {
   const auto is_odd = [](unsigned char c) { return c <= ' '; };
   if (tag.name.empty() || tag.name[0] == '#' || tag.name == "FIX" ||
       std::any_of(tag.name.begin(), tag.name.end(), is_odd)) {
-    throw InvalidArgument("registry: expected a word without blanks, got '" + tag.name + "'");
+    throw InvalidArgument("registry: expected a tag without blanks, got '" + tag.name + "'");
   }
   auto shared = std::make_shared<const Tag>(std::move(tag));
   if (!tags_.try_emplace(shared->name, shared).second) {
-    throw InvalidArgument("registry: the word " + shared->name + " stands for another type already");
+    throw InvalidArgument("registry: the tag " + shared->name + " stands for another type already");
   }
   if (shared->written) by_pool_.emplace(shared->pool, shared);
 }
@@ -45,7 +45,7 @@ void Registry::add_old(Tag tag) {
 
 void Registry::add_shared(const std::string& name, Tag tag) {
   const auto found = tags_.find(name);
-  if (found == tags_.end()) throw InvalidArgument("registry: expected a known word, got '" + name + "'");
+  if (found == tags_.end()) throw InvalidArgument("registry: expected a known tag, got '" + name + "'");
   auto variant = std::make_shared<const Tag>(std::move(tag));
   Tag changed = *found->second;
   changed.shared_parameter = variant;

@@ -105,7 +105,7 @@ struct ExtendAdd {
 /// L1.
 inline constexpr int kBlock = 64;
 
-/// The kernels of a factorisation in doubles or floats; dense_kernels.h says what they do.
+/// The kernels of a factorization in doubles or floats; dense_kernels.h says what they do.
 template <class Scalar>
 struct FactorKernels {
   int (*factor_panel)(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot);

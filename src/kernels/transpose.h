@@ -11,7 +11,7 @@ namespace boxplus::dense::BOXPLUS_ISA {
 /// Pack r, lane l ⇄ pack l, lane r.
 inline void transpose(Pack (&p)[kLanes]) {
 #if defined(__AVX512F__)
-  constexpr __mmask8 kAll = 0xff;  // the forms without a mask begin with what GCC calls uninitialised
+  constexpr __mmask8 kAll = 0xff;  // the forms without a mask begin with what GCC calls uninitialized
   Pack pairs[8], quads[8];
 #pragma GCC unroll 4
   for (int r = 0; r < 8; r += 2) {

@@ -21,7 +21,7 @@ std::vector<InverseRequest> list_requests(const BlockStructure& structure,
                                           std::span<const BlockCoordinate> blocks, double* out);
 
 /// Fills the requests (which it sorts by column) with one solve per scalar column that occurs. The solver is
-/// factorised. False if a solve fails or is stopped.
+/// factorized. False if a solve fails or is stopped.
 bool solve_for_inverse(LinearSolver& solver, const BlockStructure& structure,
                        std::span<InverseRequest> requests, const StopToken& stop);
 

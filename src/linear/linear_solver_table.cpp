@@ -62,8 +62,8 @@ LinearSolverOptions for_newton_steps(LinearSolverOptions options) {
   constexpr double kRefined = 1e-6;
   // If the factor is out of reach: on large maps far fewer iterations than an exact step takes.
   constexpr double kRough = 0.1;
-  options.block_cholesky.least_tolerance = kRefined;
-  options.automatic.least_tolerance = kRough;
+  options.block_cholesky.min_tolerance = kRefined;
+  options.automatic.min_tolerance = kRough;
   return options;
 }
 

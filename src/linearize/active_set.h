@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertices and edges that take part in one optimisation.
+// The vertices and edges that take part in one optimization.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ namespace {
 /// A worker with less to do costs more than it brings.
 constexpr double kWorthAWorker = 120e3;  // ns
 
-/// What linearising is predicted to take: about so much per entry of the Jacobian.
+/// What linearizing is predicted to take: about so much per entry of the Jacobian.
 double nanoseconds_per_entry(JacobianSource source) {
   switch (source) {
     case JacobianSource::kAnalytic:

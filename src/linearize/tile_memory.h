@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one worker linearises into.
+// What one worker linearizes into.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ struct WorldMotions {
 
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
-  /// The least that a motion of unit size moves a tangent by, if it moves it: metres or radians.
+  /// The least that a motion of unit size moves a tangent by, if it moves it: meters or radians.
   double unit() const { return std::min(1.0, length); }
   int count() const { return translations() + rotations() + 1; }
 };

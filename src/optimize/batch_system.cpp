@@ -11,12 +11,12 @@
 namespace boxplus {
 namespace {
 
-/// What GaugePolicy::kDamp adds to each diagonal entry, as a fraction of it: enough to lift pivots that are
-/// rounding noise, too little to be seen in a step.
+/// The fraction of itself that GaugePolicy::kDamp adds to each diagonal entry: enough to lift pivots that are
+/// rounding error, too little to change a step noticeably.
 constexpr double kGaugeDamping = 1e-10;
 
-/// The diagonal that damping is scaled by stays above this fraction of its largest entry: less is rounding of
-/// Jacobians that are zero.
+/// The diagonal that scales the damping is kept above this fraction of its largest entry. Smaller entries are
+/// rounding errors of Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
 
 }  // namespace
@@ -96,7 +96,8 @@ double BatchSystem::curvature(std::span<const double> d) {
   return dot(d, product_);
 }
 
-/// λD, and the diagonal of H once more for what is held. Damping holds the gauge by itself.
+/// λD, plus the diagonal of H for scalars that are held. With λ > 0 nothing has to be held, because damping
+/// removes the gauge freedom.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
   const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
@@ -147,13 +148,14 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
   const StepResult result = factorize_and_solve(full, step);
-  for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // whatever a user's own solver rounds
+  for (const std::uint32_t i : plan_->fixed_scalars)
+    step[i] = 0;  // a custom solver may leave rounding errors
   return result;
 }
 
-/// Holds the direction of a loose block whose pivot was lost. If another block's was, because the solver does
-/// not eliminate the loose ones last, holds the next direction of a loose block. (H + c e eᵀ) δ = −g has the
-/// Gauss-Newton step with δ = 0 along e, if e is no more than gauge.
+/// Holds the direction of a loose block whose pivot vanished. If the pivot of another block vanished, because
+/// the solver does not eliminate the loose blocks last, holds the next direction of a loose block. If e is a
+/// gauge direction, (H + c e eᵀ) δ = −g gives the Gauss-Newton step with δ = 0 along e.
 bool BatchSystem::hold_lost_pivot() {
   if (gauge_ != GaugePolicy::kFixFirst) return false;
   const auto hold = [&](std::uint32_t scalar) {
@@ -172,12 +174,12 @@ bool BatchSystem::hold_lost_pivot() {
   return false;
 }
 
-/// The gradient vanishes along every direction that H leaves free. So a step along what is held, more than
-/// rounding, says that H measures it by now: at estimates where poses coincide or lie on a line, more is free
-/// than elsewhere.
+/// Whether the held directions are still gauge freedom. The gradient vanishes along every free direction. So
+/// if the step along held directions is more than rounding error, H measures them now. This happens because
+/// more directions are free at estimates for which poses coincide or lie on a line.
 bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const double> step) const {
   constexpr double kOfDecrease = 1e-9, kOfChi2 = 1e-11, kExact = 1e-20;
-  double along = 0;  // by how much chi2 would fall
+  double along = 0;  // decrease of chi2 along held directions
   const auto add = [&](std::uint32_t i) { along += diagonal_[i] * step[i] * step[i]; };
   for (const std::uint32_t i : lost_scalars_) add(i);
   if (holds_ && damping.lambda == 0) {
@@ -186,7 +188,8 @@ bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const dou
   return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
 }
 
-/// The plan finds all freedom of poses and points. Of other types it does not know what moves them.
+/// Whether vertices of other types than poses and points move. The plan finds all freedom of poses and
+/// points, but does not know the motions of other types.
 bool BatchSystem::has_other_types() const {
   Frame frame;
   return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {
@@ -201,7 +204,7 @@ bool BatchSystem::is_free() {
   return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }
 
-/// If the solver does not know the block, it is one of those that are not eliminated.
+/// If the solver does not name the block, assumes the first one that the Schur complement does not eliminate.
 void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
   const bool reduces = plan_->eliminated_blocks < plan_->structure.blocks();
   const std::uint32_t likely = reduces ? plan_->eliminated_blocks : 0;
@@ -222,7 +225,7 @@ StepResult BatchSystem::factorize_and_solve(const Damping& damping, std::span<do
   const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
   if (solved.status == LinearStatus::kNotPositiveDefinite)
     note_failure(solved.failed_block, solved.failed_scalar);
-  const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is a step
+  const bool usable = solved.status == LinearStatus::kNotConverged;  // inexact steps may be used
   return {usable ? LinearStatus::kOk : solved.status, solved.iterations, solved.exact};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a whole graph: linearised at once, solved by a linear solver behind an elimination.
+// The System of a whole graph: linearizes all edges, and solves with a linear solver.
 #pragma once
 
 #include <memory>
@@ -18,17 +18,18 @@ namespace boxplus {
 class BatchSystem final : public System {
  public:
   /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null.
-  /// Throws Stopped once request.stop is raised.
+  /// Throws Stopped when request.stop is raised.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
               SchurMode schur);
 
-  /// Takes over what was appended to the graph since the plan was made, where `vertices` and `edges` are the
-  /// slots that each pool had then. False if that takes another plan; the system is of no use then.
+  /// Adds the elements that were appended to the graph since the plan was made. `vertices` and `edges` are
+  /// the numbers of slots that each pool had then. Returns false if a new plan is needed; this system is then
+  /// not usable.
   bool extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
               std::span<const std::uint32_t> edges);
 
-  /// Takes what may differ from run to run from `options`, adds times to `timings` from now on, and stops
-  /// linear solvers once `stop` is raised.
+  /// Sets the options that may differ from run to run. From now on, times are added to `timings`, and linear
+  /// solvers stop when `stop` is raised.
   void configure(const Options& options, Timings& timings, const StopToken& stop = {});
 
   double chi2() override;
@@ -45,14 +46,15 @@ class BatchSystem final : public System {
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
   const LinearSolver& linear_solver() const { return *solver_; }
-  /// Of the plan's blocks; empty if the solver has none, or blocks are eliminated before.
+  /// The elimination order of the plan's blocks; empty if the solver has none, or if the Schur complement
+  /// eliminates some of them.
   std::span<const std::uint32_t> elimination_order() const { return solver_->elimination_order(); }
-  /// Whether a component can move without changing any error; to tell, it may factorise H at the current
-  /// estimates.
+  /// Whether a component can move without changing any error. May factorize H at the current estimates to
+  /// find out.
   bool is_free();
-  /// False once a motion that was free at first was found to be measured.
+  /// False after a motion that seemed free turned out to be measured.
   bool gauge_is_free() const { return holds_; }
-  /// Directions that were held because their pivots were lost (Plan::loose_blocks).
+  /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
   int held_directions() const { return static_cast<int>(lost_scalars_.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
@@ -79,13 +81,13 @@ class BatchSystem final : public System {
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   std::vector<std::uint32_t> lost_scalars_;
-  bool holds_ = true;         // the plan's held_scalars
+  bool holds_ = true;         // whether the plan's held_scalars are held
   double gauge_damping_ = 0;  // of each diagonal entry
   double last_chi2_ = 0;
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;
-  std::optional<bool> extensible_;  // once it was asked for
+  std::optional<bool> extensible_;  // set at the first use
   Timings* timings_ = nullptr;
 };
 

@@ -58,7 +58,7 @@ class CovarianceMaker {
       result_.blocks_.resize(result_.block_index(blocks_.size() - 1, blocks_.size() - 1) + 1);
   }
 
-  /// Motions of a component that nothing anchors are gauge. Other freedom is not determined.
+  /// Fails if a motion is neither measured nor held.
   void refuse_freedoms() {
     for (const GaugeFreedom& freedom : plan_.freedoms) {
       if (result_.ok() && !is_gauge(freedom))
@@ -121,7 +121,7 @@ class CovarianceMaker {
     }
   }
 
-  /// A lost pivot of a block that the plan calls loose is gauge: holds its direction.
+  /// Holds the direction of a vanished pivot if its block is one of Plan::loose_blocks: it is gauge freedom.
   bool hold(const FactorResult& factor) {
     const auto& loose = plan_.loose_blocks;
     const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
@@ -132,7 +132,7 @@ class CovarianceMaker {
   }
 
   void hold(std::uint32_t block, std::uint32_t scalar) {
-    constexpr double kStiff = 1e30;  // times the diagonal of H: then its variance is less than any rounding
+    constexpr double kStiff = 1e30;  // times the diagonal of H: the variance is then below any rounding error
     const std::uint32_t dim = plan_.structure.dim(block), i = scalar - plan_.structure.offset[block];
     const double* diagonal =
         linearizer_.values().data() + plan_.structure.value_start[plan_.structure.column_start[block]];
@@ -165,7 +165,7 @@ class CovarianceMaker {
     for (std::size_t k = 0; k < wanted.size(); ++k) store(targets[k].i, targets[k].j, inverse.block(k));
   }
 
-  /// Keeps a block of the inverse as that of vertices i and j; exactly symmetric if i is j.
+  /// Stores the block of the inverse for vertices i and j; makes it exactly symmetric if i is j.
   void store(std::size_t i, std::size_t j, Eigen::MatrixXd inverse) {
     for (Eigen::Index r = 0; r < inverse.rows(); ++r) {
       if (is_held(blocks_[i], r)) inverse.row(r).setZero();
@@ -189,7 +189,7 @@ class CovarianceMaker {
     return stiffness_[plan_.structure.offset[block] + static_cast<std::uint32_t>(direction)] > 0;
   }
 
-  /// The directions in which the vertex of a block stays.
+  /// Calls f for the fixed directions of the vertex of a block.
   template <class F>
   void for_each_fixed(std::uint32_t block, F&& f) const {
     const VertexRef& vertex = plan_.block_vertex[block];

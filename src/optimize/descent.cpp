@@ -21,7 +21,7 @@ double count_degrees_of_freedom(const Graph& graph, const Plan& plan) {
   return rows - plan.free_scalars();
 }
 
-/// Why an iteration that took no step ends the run.
+/// The result of a run that ends with an iteration that took no step.
 RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, int iterations) {
   switch (outcome) {
     case IterationOutcome::kNoFurtherDecrease:
@@ -37,17 +37,17 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
   }
 }
 
-/// The part of chi2 that the rounding of its sum may be.
+/// The relative rounding error of chi2, which is a sum.
 constexpr double kChi2Rounding = 1e-13;
 
-/// Data without noise, fitted: errors of less than 1e-10 standard deviations are all rounding, whatever
-/// decrease the model predicts for the next step.
+/// Whether data without noise are fitted exactly. Errors below 1e-10 standard deviations are nothing but
+/// rounding errors, even if the model predicts a decrease for the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
   constexpr double kRounding = 1e-20, kFallsFast = 0.25;
   return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
 }
 
-/// Neither what the iteration gained nor what the model predicted for it is more than `fraction` of chi2.
+/// Whether neither the decrease of chi2 nor the predicted decrease exceeds `fraction` of chi2.
 bool gains_less_than(double fraction, const IterationRecord& record) {
   return std::abs(record.chi2_decrease) <= fraction * record.chi2 &&
          record.predicted_decrease <= fraction * record.chi2;

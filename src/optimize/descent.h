@@ -17,20 +17,20 @@ struct RunResult {
   int iterations = 0;
 };
 
-/// Whether somebody, or the clock, asked for the end.
+/// Whether the user or the time limit ended the run.
 constexpr bool is_interruption(Reason reason) {
   return reason == Reason::kStopFlag || reason == Reason::kTimeLimit || reason == Reason::kCallback;
 }
 
-/// Why the token is raised.
+/// The reason why the token is raised.
 inline Reason reason_of(const StopToken& stop) {
   return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
 }
 
-/// Shares the bounds of the call, on iterations and on time, between its runs.
+/// Runs an algorithm. The limits on iterations and time hold for all runs together.
 class Descent {
  public:
-  /// Everything must outlive the descent. `records` are appended to.
+  /// All arguments must outlive the descent. Runs append to `records`.
   Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const Options& options,
           const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records);
 
@@ -42,16 +42,16 @@ class Descent {
 
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult run(double chi2);
-  /// The same, but for an end with Reason::kCallback after the first iteration that `wanted` refuses.
+  /// The same, but ends with Reason::kCallback after the first iteration for which `wanted` returns false.
   RunResult run_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
 
-  /// Neither stopped nor out of iterations.
+  /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
   int iterations_left() const { return options_.max_iterations - iterations_; }
-  /// Of all runs together.
+  /// The iterations of all runs together.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
-  /// Rows of the enabled active edges beyond the unknowns: the chi2 to expect if the noise is that of Ω.
+  /// The rows of the enabled active edges minus the unknowns. This is the expected chi2 if Ω is right.
   double degrees_of_freedom() const { return degrees_of_freedom_; }
 
  private:

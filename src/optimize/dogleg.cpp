@@ -8,13 +8,13 @@ namespace boxplus {
 namespace {
 
 constexpr int kMaxTries = 60;
-constexpr double kFirstRegularisation = 1e-10, kLastRegularisation = 1e2;
+constexpr double kFirstRegularization = 1e-10, kLastRegularization = 1e2;
 
 }  // namespace
 
 void Dogleg::reset(const Options& options, std::size_t scalars) {
   radius_ = options.initial_radius > 0 ? options.initial_radius : kUnbounded;
-  regularisation_ = 0;
+  regularization_ = 0;
   regularized_steps_ = 0;
   for (auto* vector : {&scale_, &newton_, &cauchy_, &step_}) vector->resize(scalars);
 }
@@ -32,30 +32,30 @@ void Dogleg::scale_from(const System& system) {
   for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(diagonal[i], floor);
 }
 
-/// The Gauss-Newton step; where H is not positive definite, of H + λD with the least λ of a geometric ladder
-/// that makes it so. The ladder begins one rung below the last one used.
+/// The Gauss-Newton step. If H is not positive definite, the step of H + λD, with the smallest λ of a
+/// geometric series that makes it positive definite. The series begins one value below the last one used.
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
-  regularisation_ = regularisation_ > kFirstRegularisation ? regularisation_ / 10 : 0;
+  regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
   for (;;) {
-    const StepResult solved = system.solve({regularisation_, DampingScale::kDiagonal}, newton_);
+    const StepResult solved = system.solve({regularization_, DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
     newton_is_exact_ = solved.exact;
     if (solved.status == LinearStatus::kOk && all_finite(newton_)) {
-      regularized_steps_ += regularisation_ > 0;
+      regularized_steps_ += regularization_ > 0;
       return LinearStatus::kOk;
     }
     if (solved.status == LinearStatus::kStopped || solved.status == LinearStatus::kNotFinite)
       return solved.status;
-    if (regularisation_ >= kLastRegularisation) return LinearStatus::kNotPositiveDefinite;
-    regularisation_ = regularisation_ == 0 ? kFirstRegularisation : 10 * regularisation_;
+    if (regularization_ >= kLastRegularization) return LinearStatus::kNotPositiveDefinite;
+    regularization_ = regularization_ == 0 ? kFirstRegularization : 10 * regularization_;
   }
 }
 
-/// dᵀHd of the Gauss-Newton step d. If the step is exact, (H + λD) d = −g, which spares a product.
+/// dᵀHd of the Gauss-Newton step d. If the step is exact, (H + λD) d = −g, which saves a product.
 double Dogleg::curvature_of_newton(System& system) const {
   if (!newton_is_exact_) return system.curvature(newton_);
   const double damped = norm(newton_);
-  return -dot(system.gradient(), newton_) - regularisation_ * damped * damped;
+  return -dot(system.gradient(), newton_) - regularization_ * damped * damped;
 }
 
 /// The minimum of the model along −D⁻¹g.
@@ -72,7 +72,7 @@ void Dogleg::find_cauchy_step(System& system) {
   cauchy_norm_ = norm(cauchy_);
 }
 
-/// step ← the dogleg path at distance radius.
+/// step ← the point of the dogleg path at distance radius.
 void Dogleg::blend() {
   if (newton_norm_ <= radius_) {
     step_ = newton_;
@@ -83,7 +83,7 @@ void Dogleg::blend() {
     for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = shrink * cauchy_[i];
     return;
   }
-  // ‖cauchy + β (newton − cauchy)‖ = radius, the root in [0, 1] written without cancellation.
+  // Solves ‖cauchy + β (newton − cauchy)‖ = radius for the root in [0, 1], without cancellation.
   double a = 0, b = 0;
   for (std::size_t i = 0; i < step_.size(); ++i) {
     const double difference = newton_[i] - cauchy_[i];
@@ -96,7 +96,7 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
-/// step ← the longest within the radius; returns the decrease of chi2 that the model predicts for it.
+/// step ← the longest dogleg step within the radius. Returns its predicted decrease.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
   blend();
@@ -104,7 +104,7 @@ double Dogleg::find_step(System& system) {
   return model_decrease(system.gradient(), step_, curvature);
 }
 
-/// A radius that leaves nothing of a step for chi2 to show tells nothing: it is widened first.
+/// Grows the radius until the predicted decrease is above rounding error.
 double Dogleg::find_first_step(System& system, double chi2) {
   double predicted = find_step(system);
   while (newton_norm_ > radius_ && predicted <= kNegligible * chi2) {

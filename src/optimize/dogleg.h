@@ -8,9 +8,9 @@
 
 namespace boxplus {
 
-/// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ, D = diag H, so
-/// that metres and radians weigh alike. A rejected step costs no factorisation. The trust region begins
-/// unbounded, so that Gauss-Newton runs freely while its steps lower chi2.
+/// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ with D = diag H,
+/// so that meters and radians are comparable. A rejected step costs no factorization. The trust region is
+/// unbounded at first, so the method takes full Gauss-Newton steps while these lower chi2.
 class Dogleg final : public Algorithm {
  public:
   std::string_view name() const override { return "dogleg"; }
@@ -31,7 +31,7 @@ class Dogleg final : public Algorithm {
 
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   double radius_ = kUnbounded;
-  double regularisation_ = 0;  // relative to the diagonal
+  double regularization_ = 0;  // relative to the diagonal
   int regularized_steps_ = 0;
   bool newton_is_exact_ = false;
   double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;

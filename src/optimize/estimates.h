@@ -15,9 +15,9 @@ class Estimates {
   Estimates() = default;
   Estimates(const Graph& graph, const Plan& plan) { take(graph, plan); }
 
-  /// Copies the estimates of the graph. Allocates nothing if the last take() was for the same plan.
+  /// Copies the estimates from the graph. Allocates nothing if the last take() was for the same plan.
   void take(const Graph& graph, const Plan& plan);
-  /// Copies them back. `plan` is the one of the last take().
+  /// Copies the estimates back to the graph. `plan` must be that of the last take().
   void put_back(Graph& graph, const Plan& plan) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace boxplus {
 namespace {
 
-/// Empties the report without giving its memory back.
+/// Empties the report but keeps its memory.
 void reset(Report& report) {
   std::vector<IterationRecord> records = std::move(report.records);
   std::vector<EdgeJacobians> jacobians = std::move(report.jacobians);
@@ -33,7 +33,7 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
-/// A minimum of what double precision kept of H is not one of the problem.
+/// Whether large weights may have hidden other edges: the minimum is then not one of the problem.
 bool may_be_swamped(const RunResult& result) {
   return result.status == Status::kConverged || result.reason == Reason::kMaxIterations ||
          result.reason == Reason::kNoStepFound || result.reason == Reason::kNotPositiveDefinite;
@@ -44,7 +44,7 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
          std::string(graph.vertex_pools()[vertex.pool]->type_name()) + ")";
 }
 
-/// What the reason alone does not tell: who is to blame.
+/// Adds the vertex or edge that caused the end of the run.
 void add_culprit(std::string& message, Reason reason, const Graph& graph, BatchSystem& system,
                  const std::optional<SwampingEdge>& swamping) {
   if (reason == Reason::kNotPositiveDefinite) {
@@ -53,7 +53,7 @@ void add_culprit(std::string& message, Reason reason, const Graph& graph, BatchS
   } else if (reason == Reason::kNotFinite) {
     message += ": " + describe_non_finite(graph, system);
   } else if (swamping) {
-    message += ": " + edge_text(graph, swamping->edge) + " leaves no digit of other edges at vertex " +
+    message += ": " + edge_text(graph, swamping->edge) + " is too heavy for other edges to count at vertex " +
                std::to_string(graph.id(swamping->vertex)) +
                "; merge the vertices that it joins, or lower its Ω";
   }
@@ -62,8 +62,8 @@ void add_culprit(std::string& message, Reason reason, const Graph& graph, BatchS
 }  // namespace
 
 void begin_report(Report& report, const Options& options) {
-  constexpr int kRecords = 100;          // and
-  constexpr std::size_t kMessage = 100;  // characters have room, so that a later run does not allocate
+  constexpr int kRecords = 100;          // room to reserve,
+  constexpr std::size_t kMessage = 100;  // so that a later run does not allocate
   reset(report);
   report.start.requested = options.start;
   report.threads = resolved_threads(options);
@@ -105,15 +105,14 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
   const double chi2 = system.chi2();
-  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if there is no time to evaluate it again
+  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2 could not be evaluated again
   report.message.assign(to_string(result.reason));
   add_culprit(report.message, result.reason, graph, system, swamping);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
     report.message += " before chi2 was evaluated";
 }
 
-// The estimates are those of the last iteration, if there was one: a plan that is changed later comes after a
-// run.
+// If the plan changed after a run, the estimates are those of that run.
 void finish_report_without_plan(Report& report, const Stopped& stopped) {
   report.status = Status::kNotConverged;
   report.reason = stopped.by_flag() ? Reason::kStopFlag : Reason::kTimeLimit;

@@ -7,7 +7,7 @@
 
 namespace boxplus {
 
-/// Takes every Gauss-Newton step, whether it lowers chi2 or not.
+/// Takes every Gauss-Newton step, even if it does not lower chi2.
 class GaussNewton final : public Algorithm {
  public:
   std::string_view name() const override { return "Gauss-Newton"; }

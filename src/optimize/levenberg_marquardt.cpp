@@ -36,8 +36,8 @@ void LevenbergMarquardt::raise_damping() {
   growth_ *= 2;
 }
 
-/// The step of H + λD. Damping cuts it short where it takes more than half of the curvature along it:
-/// δᵀ(H + λD)δ = −gᵀδ.
+/// Finds the step δ of H + λD, for which δᵀ(H + λD)δ = −gᵀδ. Damping counts as having shortened the step if
+/// λD contributes more than half of this curvature.
 LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, IterationRecord& record) {
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
@@ -48,7 +48,7 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
   return LinearStatus::kOk;
 }
 
-/// Damping that leaves nothing of a step for chi2 to show tells nothing: it is lowered first.
+/// Lowers the damping until the predicted decrease is above rounding error.
 LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, IterationRecord& record) {
   for (;;) {
     const LinearStatus status = find_step(system, lambda_, record);
@@ -58,8 +58,8 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
   }
 }
 
-/// Moves by the step, and damps less the better the model was; false, without a move, where chi2 does not
-/// fall.
+/// Takes the step if it lowers chi2, and lowers the damping the more, the better the model was. Otherwise
+/// returns false and takes no step.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
   record.predicted_decrease = predicted_;

@@ -28,8 +28,8 @@ class LevenbergMarquardt final : public Algorithm {
   double lambda_ = 0, growth_ = 2;
   bool started_ = false;
   std::vector<double> step_;
-  double predicted_ = 0;    // of the step
-  bool cut_short_ = false;  // the step is, by damping
+  double predicted_ = 0;    // decrease of chi2 by the step
+  bool cut_short_ = false;  // damping has shortened the step
 };
 
 }  // namespace boxplus

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// The active edge of the largest `size`, where what is not finite is the largest.
+/// The active edge with the largest `size`. A size that is not finite counts as the largest.
 EdgeRef largest_edge(const Graph& graph, const Plan& plan,
                      FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
   double largest = -1;

@@ -10,8 +10,8 @@ namespace boxplus {
 /// "the edge Between<SE2> between vertices 3 4"
 std::string edge_text(const Graph& graph, const EdgeRef& edge);
 
-/// What is not finite about the problem at the current estimates, and the edge that is to blame, after chi2
-/// was evaluated there: "the error (or its robust kernel) of the edge …".
+/// Describes the part of the problem that is not finite at the current estimates, and the edge that causes
+/// it: "the error (or its robust kernel) of the edge …". chi2 must have been evaluated at these estimates.
 std::string describe_non_finite(const Graph& graph, BatchSystem& system);
 
 }  // namespace boxplus

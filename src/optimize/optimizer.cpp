@@ -30,13 +30,13 @@ void check(const Options& options) {
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
 }
 
-/// Has a graph for itself as long as it lives.
+/// Has exclusive use of a graph during its lifetime.
 class InUse {
  public:
   explicit InUse(std::shared_ptr<detail::LifeState> life) : life_(std::move(life)) {
     if (life_->is_in_use)
       throw InvalidArgument(
-          "Optimizer: this graph is being optimized; a callback or an error function cannot do so");
+          "Optimizer: this graph is being optimized; callbacks and error functions must not optimize it");
     life_->is_in_use = true;
   }
   ~InUse() { life_->is_in_use = false; }
@@ -72,7 +72,7 @@ struct Optimizer::Impl {
 Graph& Optimizer::Impl::checked_graph() const {
   if (life->is_over)
     throw InvalidArgument(
-        "Optimizer: its graph was moved, assigned to or destroyed; make an Optimizer for the graph of now");
+        "Optimizer: its graph was moved, assigned to or destroyed; make a new Optimizer for the graph");
   return *graph;
 }
 

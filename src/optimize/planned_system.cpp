@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// Options::precision for the algorithm.
+/// The precision that Options::precision means for the algorithm.
 Precision resolved_precision(const Options& options) {
   const bool exact_steps = options.algorithm == AlgorithmKind::kGaussNewton;
   return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
@@ -29,24 +29,24 @@ PlannedSystem::Origin PlannedSystem::update(Graph& graph, const Options& options
   return Origin::kMade;
 }
 
-/// Whether the plan is one for these options, of whatever revision of the graph.
+/// Whether the plan suits these options. Does not check the revision of the graph.
 bool PlannedSystem::suits(const Options& options) const {
-  // An automatic choice that came to double serves for double, too.
+  // If the automatic choice was double, the plan also suits Precision::kDouble.
   const Precision wanted = resolved_precision(options);
   const bool has_precision = options_.precision == wanted ||
                              (options_.precision == Precision::kAutomatic && wanted == Precision::kDouble &&
                               system_->linear_solver().statistics().precision == Precision::kDouble);
   return has_precision && options_.level == options.level && options_.threads == resolved_threads(options) &&
          options_.gauge == options.gauge && options_.linear_solver == options.linear_solver &&
-         options_.own_linear_solver == options.own_linear_solver && options_.schur == options.schur &&
+         options_.custom_linear_solver == options.custom_linear_solver && options_.schur == options.schur &&
          options_.max_factor_bytes == options.max_factor_bytes && options_.vertices == options.vertices &&
          options_.edges == options.edges;
 }
 
-/// Brings the plan up to date if only additions came since.
+/// Brings the plan up to date if elements were only added since it was made.
 bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
   if (graph.last_rewrite() > revision_) return false;
-  std::unique_ptr<BatchSystem> system = std::move(system_);  // of no use if this throws
+  std::unique_ptr<BatchSystem> system = std::move(system_);  // not usable if this throws
   if (!system->extend(request(stop), vertex_slots_, edge_slots_)) return false;
   system_ = std::move(system);
   note_structure(graph);
@@ -54,12 +54,12 @@ bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
 }
 
 void PlannedSystem::make(Graph& graph, const Options& options, const StopToken& stop) {
-  system_.reset();  // its memory first
+  system_.reset();  // frees its memory before the new system allocates
   options_ = options;
   options_.callback = {};
   options_.threads = resolved_threads(options);
   options_.precision = resolved_precision(options);
-  std::shared_ptr<LinearSolver> solver = options_.own_linear_solver;
+  std::shared_ptr<LinearSolver> solver = options_.custom_linear_solver;
   if (!solver) {
     const LinearSolverOptions of_solver{.block_cholesky = {.precision = options_.precision},
                                         .automatic = {.max_factor_bytes = options_.max_factor_bytes}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a graph, kept in step with the graph's structure and with the options.
+// The System of a graph. It follows the changes of the graph's structure and of the options.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,11 @@ class PlannedSystem {
  public:
   /// The origin of the plan.
   enum class Origin : std::uint8_t { kMade, kExtended, kReused };
-  /// Brings the plan up to date. Throws Stopped once `stop` is raised and the plan has to change; the next
-  /// call makes a new one then.
+  /// Brings the plan up to date. Throws Stopped if `stop` is raised while the plan has to change; the next
+  /// call then makes a new plan.
   Origin update(Graph& graph, const Options& options, const StopToken& stop);
 
-  /// After update().
+  /// Valid after update().
   BatchSystem& system() { return *system_; }
 
  private:
@@ -33,7 +33,7 @@ class PlannedSystem {
   std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // of each pool, at that revision
 };
 
-/// Options::threads with 0 resolved.
+/// Options::threads, with 0 replaced by the number of hardware threads.
 int resolved_threads(const Options& options);
 
 }  // namespace boxplus

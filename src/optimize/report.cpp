@@ -20,7 +20,7 @@ void add(Text& text, fmt::format_string<A...> format, A&&... arguments) {
   fmt::format_to(std::back_inserter(text), format, std::forward<A>(arguments)...);
 }
 
-/// A NaN may have a sign, which would be printed.
+/// Removes the sign of a NaN, which would be printed.
 double without_sign_of_nan(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
 }
@@ -43,9 +43,9 @@ std::string solver_text(const Report& report) {
   std::string text(report.linear_solver);
   const LinearStatistics& linear = report.linear;
   if (linear.precision == Precision::kMixed) text += " (in float, refined in double)";
-  if (linear.left_mixed) text += " (in double, as float did not do)";
+  if (linear.fell_back_to_double) text += " (fell back to double)";
   if (linear.refused_factor_bytes == 0) return text;
-  return text + fmt::format(" (since the factor would take {} and {} s each time, a rough solution {} s)",
+  return text + fmt::format(" (because the factor would take {} and {} s each time, a rough solution {} s)",
                             bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),
                             two_digits(linear.pcg_seconds));
 }
@@ -83,7 +83,7 @@ void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
 
 void add_start(Text& text, const StartReport& start) {
   add(text, "  {:<16}{}", "start", to_string(start.used));
-  if (start.requested != start.used) add(text, " (asked for: {})", to_string(start.requested));
+  if (start.requested != start.used) add(text, " (requested: {})", to_string(start.requested));
   add(text, "; chi2 {:.7g} as given", without_sign_of_nan(start.chi2_current));
   if (!std::isnan(start.first_step_kept))
     add(text, ", the first step from there reached {:.0f} % of its predicted decrease",
@@ -96,7 +96,7 @@ void add_start(Text& text, const StartReport& start) {
   add(text, "\n");
 }
 
-/// "own: Between<SE2>, …; exact: …; numeric: …"
+/// "analytic: Between<SE2>, …; exact: …; numeric: …"
 void add_jacobians(Text& text, const std::vector<EdgeJacobians>& jacobians) {
   if (jacobians.empty()) return;
   add(text, "  {:<16}", "Jacobians");

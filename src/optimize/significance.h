@@ -11,19 +11,20 @@
 
 namespace boxplus {
 
-/// Tells when what the iterations of a run gain no longer matters against the noise of the measurements.
+/// Decides when further decreases of chi2 are insignificant compared with the noise of the measurements.
 ///
-/// Were Ω right, a fall of chi2 by 1 would move the estimates by one standard deviation in one direction. If
-/// Ω is only right up to a factor, that is a fall by the variance s² = chi2 / degrees of freedom.
+/// If Ω is right, a decrease of chi2 by 1 corresponds to estimates that move by one standard deviation in one
+/// direction. If Ω is only right up to a factor, a decrease by the variance s² = chi2 / degrees of freedom
+/// does.
 class Significance {
  public:
-  /// `tolerance` as Options::noise_tolerance.
+  /// `tolerance` is Options::noise_tolerance.
   Significance(double tolerance, double degrees_of_freedom)
       : tolerance_(tolerance / std::max(1.0, degrees_of_freedom)) {}
 
-  /// Takes note of an iteration; true if neither this one and the one before, nor the last ten together,
-  /// lowered chi2 significantly or were predicted to. The gains of a sequence that grows do not count: it
-  /// comes out of too small a trust region.
+  /// Records an iteration. Returns true if the last two iterations lowered chi2 insignificantly and were
+  /// predicted to, or if the last ten did so together. Iterations whose decreases grow do not count, because
+  /// they come from a trust region that is too small.
   bool is_lost(const IterationRecord& record) {
     std::rotate(gains_.begin(), gains_.end() - 1, gains_.end());
     gains_[0] = std::max(std::abs(record.chi2_decrease), record.predicted_decrease);
@@ -38,7 +39,7 @@ class Significance {
   }
 
  private:
-  /// Fractions of chi2 that matter in any case.
+  /// Decreases above these fractions of chi2 are always significant.
   static constexpr double kMostOfOne = 2e-7, kMostOfTen = 5e-6;
 
   double tolerance_;                // as a fraction of chi2

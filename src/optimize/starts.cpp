@@ -20,36 +20,37 @@ GuessResult guess_by(Start start, Graph& graph, const Plan& plan, const GuessLim
                         std::to_string(static_cast<int>(start)));
 }
 
-/// Estimates to run from, as a value.
+/// A copy of estimates from which to run.
 struct StartingPoint {
   Start start = Start::kCurrent;
   Estimates estimates;
   double chi2 = 0;
 };
 
-/// A run and how it ended. Its last estimates are those of the graph, or they are kept in `estimates`.
+/// A run and its result. Its final estimates are in the graph or in `estimates`.
 struct Candidate {
   Start start = Start::kCurrent;
   RunResult result;
   std::vector<IterationRecord> records;
   Estimates estimates;
 
-  /// Whether this is the one to keep.
+  /// Whether to keep this candidate rather than the other.
   bool is_better_than(const Candidate& other) const {
     const auto rank = [](const RunResult& r) { return std::pair(r.status == Status::kFailed, r.chi2); };
     return rank(result) < rank(other.result);
   }
 };
 
-/// A trust region's "very good", on either side: the model holds as far as the minimum, and so the estimates
-/// lie in its valley.
+/// Whether chi2 fell by about the predicted decrease: the ratio is within the bounds that trust regions call
+/// "very good". The model then holds as far as the minimum, so the estimates lie in its valley.
 bool keeps_prediction(const IterationRecord& step) {
   constexpr double kLeast = 0.75, kMost = 1.25;
   const double kept = step.chi2_decrease / step.predicted_decrease;
   return step.tries == 1 && kept >= kLeast && kept <= kMost;
 }
 
-/// Robust kernels bound chi2 and flatten the model: neither tells anything about a minimum then.
+/// Whether edges have robust kernels. These bound chi2 and flatten the model, so that neither tells how close
+/// a minimum is.
 bool has_robust_kernels(const Graph& graph, const Plan& plan) {
   for (const EdgeList& list : plan.edges) {
     const EdgePool& pool = *graph.edge_pools()[list.pool];
@@ -84,8 +85,8 @@ class StartSearch {
     if (!make_guess(start)) return descent_.run(chi2_came_);
     report_.used = start;
     RunResult result = descent_.run(report_.chi2_guess);
-    // A guess may be worse than the estimates as they came. If there was no time to get below these, they are
-    // put back.
+    // A guess may be worse than the current estimates. If the run is stopped before its chi2 is below theirs,
+    // the current estimates are restored.
     const bool stopped = result.reason == Reason::kTimeLimit || result.reason == Reason::kStopFlag;
     if (!stopped || !(result.chi2 > chi2_came_)) return result;
     came_.put_back(graph(), plan());
@@ -95,8 +96,8 @@ class StartSearch {
     return result;
   }
 
-  /// Runs from the current estimates if they look like those of the right valley; else from the better of
-  /// them and a chordal guess; and from the other, too, if the result disappoints.
+  /// Runs from the current estimates if they seem to lie in the valley of the global minimum. Otherwise runs
+  /// from the better of them and a chordal guess. If the result is not plausible, also runs from the other.
   RunResult run_automatically() {
     double chi2 = chi2_came_;
     if (std::isfinite(chi2) && descent_.options().max_iterations > 1 &&
@@ -119,8 +120,8 @@ class StartSearch {
     return run_from_better(chi2);
   }
 
-  /// Runs from the current estimates. Gives up, with Reason::kCallback, after a first step that does not do
-  /// what the model predicts, or if it does not arrive soon: Gauss-Newton does, in the right valley.
+  /// Runs from the current estimates. Gives up, with Reason::kCallback, if the first step does not lower chi2
+  /// as predicted, or if the run does not converge soon, as Gauss-Newton does in the right valley.
   RunResult try_current(bool& gave_up) {
     constexpr int kMostIterations = 9;
     const auto wanted = [&](const IterationRecord& step) {
@@ -138,10 +139,10 @@ class StartSearch {
     return result;
   }
 
-  /// The chordal guess is in the graph; came_ are the current estimates, or what they have become, with the
-  /// given chi2. Runs from the guess first if its chi2 is below that of the estimates as they came. With
-  /// robust kernels, for which chi2 tells little about the valley, and which need many iterations, the first
-  /// start leaves iterations for the other.
+  /// Runs from the better of two estimates: the chordal guess, which is in the graph, and came_, whose chi2
+  /// is given. The guess is the better one if its chi2 is below that of the original estimates. With robust
+  /// kernels, chi2 tells little about the valley, and runs need many iterations; then the first run leaves
+  /// iterations for the other.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
@@ -165,7 +166,7 @@ class StartSearch {
     return is_unfinished ? descent_.run(best.chi2) : best;
   }
 
-  /// All iterations that are left, or half of them.
+  /// All remaining iterations, or half of them.
   int share_of_iterations(bool leaves_iterations) const {
     const int left = descent_.iterations_left();
     return leaves_iterations ? (left + 1) / 2 : left;
@@ -179,8 +180,8 @@ class StartSearch {
     return result;
   }
 
-  /// For a run from the current estimates that may have ended in a local minimum: runs from the chordal
-  /// guess, too, if there is one.
+  /// Follows a run from the current estimates that may have ended in a local minimum. Also runs from the
+  /// chordal guess, if there is one.
   RunResult compare_with_guess(const RunResult& first) {
     came_.take(graph(), plan());
     if (!make_guess(Start::kChordal)) return first;
@@ -189,8 +190,8 @@ class StartSearch {
     return run_from_other(first, std::move(guess), descent_.iterations_left());
   }
 
-  /// Keeps the better of the run that has just ended and one from the other start, of at most `most`
-  /// iterations.
+  /// Runs from the other start, for at most `most` iterations, and keeps the better of this run and the one
+  /// that has just ended.
   RunResult run_from_other(const RunResult& first_result, StartingPoint other, int most) {
     const Candidate first{report_.used, first_result, std::exchange(descent_.records(), {}),
                           Estimates(graph(), plan())};
@@ -206,8 +207,8 @@ class StartSearch {
     return better.result;
   }
 
-  /// Replaces the estimates by the guess `start`, and evaluates its chi2. If there is no guess, which the
-  /// report says why, or no time, puts back came_ and returns false.
+  /// Replaces the estimates by the guess `start`, and evaluates its chi2. If there is no guess (the report
+  /// says why) or no time, restores came_ and returns false.
   bool make_guess(Start start) {
     if (try_guess(start)) return true;
     came_.put_back(graph(), plan());
@@ -234,7 +235,7 @@ class StartSearch {
     return true;
   }
 
-  /// Whether chi2 is what noise explains: a local minimum far from the best one is hardly so good.
+  /// Whether noise explains chi2. A local minimum far from the best one hardly has such a low chi2.
   bool is_plausible(double chi2) const {
     constexpr double kAtMost = 2;
     return chi2 <= std::max(1.0, kAtMost * descent_.degrees_of_freedom());
@@ -243,8 +244,8 @@ class StartSearch {
   Descent& descent_;
   StartReport& report_;
   double& guess_seconds_;
-  Estimates& came_;         // the current estimates, or what try_current() made of them
-  const double chi2_came_;  // of the estimates as they came
+  Estimates& came_;         // the original estimates, or the result of try_current()
+  const double chi2_came_;  // of the original estimates
 };
 
 }  // namespace

@@ -11,9 +11,10 @@
 
 namespace boxplus {
 
-/// Minimizes from where Options::start says: the current estimates, an initial guess, or the better of both.
-/// Fills `report`; report.chi2_current, the chi2 of the current estimates, is given. Adds the time of guesses
-/// to `guess_seconds`. `memory` is room for estimates, which a later call may use again.
+/// Minimizes from the start that Options::start selects: the current estimates, an initial guess, or the
+/// better of both. Fills `report`; the caller sets report.chi2_current, the chi2 of the current estimates.
+/// Adds the time of guesses to `guess_seconds`. `memory` is scratch for estimates, which later calls may use
+/// again.
 RunResult minimize_from_starts(Descent& descent, StartReport& report, double& guess_seconds,
                                Estimates& memory);
 

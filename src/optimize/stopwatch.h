@@ -17,7 +17,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Adds the seconds of its life to a total.
+/// Adds the seconds between its construction and its destruction to a total.
 class TimeAdder {
  public:
   explicit TimeAdder(double& total) : total_(total) {}

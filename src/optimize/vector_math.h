@@ -23,13 +23,13 @@ inline double max_abs(std::span<const double> a) {
   return largest;
 }
 
-/// How much F falls along δ according to the quadratic model: −(2 gᵀδ + δᵀHδ).
+/// The decrease of F along δ that the quadratic model predicts: −(2 gᵀδ + δᵀHδ).
 inline double model_decrease(std::span<const double> gradient, std::span<const double> step,
                              double curvature) {
   return -(2 * dot(gradient, step) + curvature);
 }
 
-/// Decreases below this fraction of F are rounding.
+/// Decreases below this fraction of F are rounding error.
 inline constexpr double kRounding = 1e-12;
 
 }  // namespace boxplus

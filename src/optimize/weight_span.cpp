@@ -8,10 +8,10 @@
 namespace boxplus {
 namespace {
 
-/// The ratio of two terms of a sum of which the smaller is lost.
+/// If the ratio of two terms is larger than this, their sum has lost the smaller one.
 constexpr double kAllDigits = 1e15;
 
-/// The smallest and the largest positive of some numbers.
+/// The smallest and the largest positive value of a list.
 struct Span {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   void add(double value) {
@@ -32,7 +32,7 @@ void for_each_enabled_edge(const Graph& graph, const Plan& plan, F&& f) {
   }
 }
 
-/// Of the diagonals of Ω.
+/// Whether the diagonals of Ω span more digits than double precision has.
 bool weights_span_all_digits(const Graph& graph, const Plan& plan) {
   Span span;
   for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {

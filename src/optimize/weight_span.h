@@ -7,15 +7,16 @@
 
 namespace boxplus {
 
-/// An edge between moving vertices whose weight leaves no digit of another edge's in H, and the vertex where
-/// they meet.
+/// An edge between moving vertices with such a large weight that another edge rounds to nothing in H, and the
+/// vertex that both edges touch.
 struct SwampingEdge {
   EdgeRef edge;
   VertexRef vertex;
 };
 
-/// Finds the heaviest such edge at the current estimates: in a sum with it, double precision drops the other,
-/// so a step can ignore what the other measures. O(edges); linearizes only if weights differ that much.
+/// Finds the heaviest such edge at the current estimates. In a sum with its contribution, double precision
+/// loses that of the other edge, so a step can ignore the other measurement. O(edges); linearizes only if
+/// weights differ that much.
 std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

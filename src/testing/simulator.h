@@ -13,7 +13,7 @@
 
 namespace boxplus {
 
-/// Standard deviations of relative poses: per axis, in metres and radians.
+/// Standard deviations of relative poses: per axis, in meters and radians.
 struct PoseNoise {
   double translation, rotation;
 };
@@ -50,7 +50,7 @@ class Simulator {
   }
 
   /// A loop closure between two poses of the trajectory. An outlier takes another place for that of `from`.
-  void recognise(int from, int to) {
+  void recognize(int from, int to) {
     const Between<Pose> edge = measure(truth(from), truth(to));
     const double least_distance = kOutlierDistance * deviation_[0];
     const int mistaken = mistake([&] {

@@ -14,7 +14,7 @@ namespace {
 constexpr int kNone = -1;
 constexpr double kJitter = 0.1, kBend = 0.35, kMostBow = 0.06;  // in blocks
 constexpr double kMissing = 0.2;                                // of the streets that are no avenues
-constexpr double kLane = 1.5;                                   // metres right of the middle
+constexpr double kLane = 1.5;                                   // meters right of the middle
 constexpr int kLaneChange = 12;                                 // steps
 
 /// Every fifth column and row.
@@ -85,7 +85,7 @@ void StreetNetwork::lay_crossings(int block, RandomNumbers& random) {
   }
 }
 
-/// Between neighbours of the lattice. What is missing leaves two streets at each crossing, and a way from
+/// Between neighbors of the lattice. What is missing leaves two streets at each crossing, and a way from
 /// each crossing to each other.
 void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   std::vector<Street> spare;

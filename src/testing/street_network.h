@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// A slightly bowed way between two crossings, driven in steps of about a metre.
+/// A slightly bowed way between two crossings, driven in steps of about a meter.
 struct Street {
   int from = 0, to = 0;  ///< crossings
   int steps = 0;         ///< positions are 0 (at `from`) … steps (at `to`)
@@ -43,7 +43,7 @@ class StreetNetwork {
 
   /// On the right-hand side of the street, looking along the drive; `position` counts from `from` always.
   SE2 pose(const Leg& leg, int position) const;
-  /// The point `left` metres left of the street's middle line, seen from `from`.
+  /// The point `left` meters left of the street's middle line, seen from `from`.
   Vector2 beside(const Street& street, double position, double left) const;
   double length(const Street& street) const;
 

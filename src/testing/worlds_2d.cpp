@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// A walk along the streets of a square town, in steps of one metre.
+/// A walk along the streets of a square town, in steps of one meter.
 class StreetWalk {
  public:
   StreetWalk(int half_size, int block) : half_size_(half_size), block_(block) {}
@@ -50,15 +50,15 @@ int half_size_for(int poses, int block) {
 
 Simulation simulate_manhattan(const SimulationOptions& options) {
   constexpr int kBlock = 5, kLeastGap = 30;
-  constexpr double kRecognised = 0.5;
+  constexpr double kRecognized = 0.5;
   Simulator<SE2> simulator(options, {0.05, 0.015});
   StreetWalk walk(half_size_for(options.poses, kBlock), kBlock);
   std::map<std::pair<int, int>, int> last_visit;
   for (int k = 0; k < options.poses; ++k) {
     simulator.drive_to(walk.pose());
     const auto [visit, fresh] = last_visit.try_emplace({walk.x(), walk.y()}, k);
-    if (!fresh && k - visit->second >= kLeastGap && simulator.random.uniform() < kRecognised) {
-      simulator.recognise(visit->second, k);
+    if (!fresh && k - visit->second >= kLeastGap && simulator.random.uniform() < kRecognized) {
+      simulator.recognize(visit->second, k);
     }
     visit->second = k;
     walk.step(simulator.random);

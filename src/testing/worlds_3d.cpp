@@ -29,7 +29,7 @@ Simulation simulate_sphere(const SimulationOptions& options) {
     const double longitude = 2 * kPi * k / per_lap, latitude = kPi * ((k + 0.5) / count - 0.5);
     const SE3 turn = turned(Vector3(0, 0, 1), longitude) * turned(Vector3(0, 1, 0), -latitude);
     simulator.drive_to(turn * SE3(Vector3(kRadius, 0, 0), Quaternion<double>::identity()));
-    if (k >= per_lap) simulator.recognise(k - per_lap, k);
+    if (k >= per_lap) simulator.recognize(k - per_lap, k);
   }
   return simulator.take();
 }
@@ -44,8 +44,8 @@ Simulation simulate_torus(const SimulationOptions& options) {
         turned(Vector3(0, 0, 1), around) * SE3(Vector3(kMajorRadius, 0, 0), Quaternion<double>::identity());
     simulator.drive_to(ring * turned(Vector3(0, 1, 0), tube) *
                        SE3(Vector3(kMinorRadius, 0, 0), Quaternion<double>::identity()));
-    if (k >= per_lap) simulator.recognise(k - per_lap, k);
-    if (k >= count - per_lap) simulator.recognise(k - (count - per_lap), k);
+    if (k >= per_lap) simulator.recognize(k - per_lap, k);
+    if (k >= count - per_lap) simulator.recognize(k - (count - per_lap), k);
   }
   return simulator.take();
 }
@@ -64,10 +64,10 @@ Simulation simulate_grid(const SimulationOptions& options) {
     const double heading = line % 2 == 0 ? 0 : kPi;
     simulator.drive_to(SE3(Vector3(x, y, z), turned(Vector3(0, 0, 1), heading).quaternion()));
     at(x, y, z) = k;
-    if (y > 0 && at(x, y - 1, z) >= 0 && at(x, y - 1, z) != k - 1) simulator.recognise(at(x, y - 1, z), k);
+    if (y > 0 && at(x, y - 1, z) >= 0 && at(x, y - 1, z) != k - 1) simulator.recognize(at(x, y - 1, z), k);
     if (y + 1 < side && at(x, y + 1, z) >= 0 && at(x, y + 1, z) != k - 1)
-      simulator.recognise(at(x, y + 1, z), k);
-    if (z > 0 && at(x, y, z - 1) != k - 1) simulator.recognise(at(x, y, z - 1), k);
+      simulator.recognize(at(x, y + 1, z), k);
+    if (z > 0 && at(x, y, z - 1) != k - 1) simulator.recognize(at(x, y, z - 1), k);
   }
   return simulator.take();
 }

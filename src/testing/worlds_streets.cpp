@@ -55,7 +55,7 @@ class PlaceMemory {
 
   void arrive_at_crossing(int crossing) {
     int& last = visited_[static_cast<std::size_t>(crossing)];
-    if (last != kNever) simulator_.recognise(last, simulator_.size() - 1);
+    if (last != kNever) simulator_.recognize(last, simulator_.size() - 1);
     last = simulator_.size() - 1;
   }
 
@@ -69,7 +69,7 @@ class PlaceMemory {
       for (int sighting : kSightings) {
         const int at = position + sighting;
         if (at <= 0 || at >= steps) continue;
-        simulator_.recognise(passes[k].first_pose + (passes[k].forward ? at : steps - at), pose);
+        simulator_.recognize(passes[k].first_pose + (passes[k].forward ? at : steps - at), pose);
       }
     }
   }

@@ -40,7 +40,7 @@ class InfoTest(CommandCase):
                          {"odometry": 3, "loop_closures": 1, "observations": 1, "priors": 0, "others": 0})
         self.assertEqual(facts["extent"], [6, 6])
         poses, points = facts["vertex_types"]
-        self.assertEqual((poses["word"], poses["count"], poses["fixed"], poses["unknowns"]), ("VERTEX_SE2", 5, 1, 12))
+        self.assertEqual((poses["tag"], poses["count"], poses["fixed"], poses["unknowns"]), ("VERTEX_SE2", 5, 1, 12))
         self.assertEqual((poses["degree_min"], poses["degree_mean"], poses["degree_max"]), (1, 1.8, 3))
         self.assertEqual((points["role"], points["degree_min"]), ("landmark", 0))
 
@@ -48,8 +48,8 @@ class InfoTest(CommandCase):
         facts = facts_of(GRAPH, "--worst", 2)
         self.assertEqual(facts["chi2"], 10)
         poses, points = facts["edge_types"]
-        self.assertEqual((poses["word"], poses["count"], poses["chi2"]), ("EDGE_SE2", 4, 9))
-        self.assertEqual((points["word"], points["count"], points["chi2"]), ("EDGE_SE2_XY", 1, 1))
+        self.assertEqual((poses["tag"], poses["count"], poses["chi2"]), ("EDGE_SE2", 4, 9))
+        self.assertEqual((points["tag"], points["count"], points["chi2"]), ("EDGE_SE2_XY", 1, 1))
         self.assertEqual([(edge["vertices"], edge["chi2"], edge["line"]) for edge in facts["worst_edges"]],
                          [([0, 4], 9, 11), ([0, 3], 1, 12)])
         self.assertEqual(poses["worst"], facts["worst_edges"][0])

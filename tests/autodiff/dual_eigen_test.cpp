@@ -32,7 +32,7 @@ TEST(DualInEigen, EvaluatesAQuadraticForm) {
   EXPECT_EQ(same.value, f.value);
 }
 
-TEST(DualInEigen, ScalesAddsAndNormalises) {
+TEST(DualInEigen, ScalesAddsAndNormalizes) {
   const Vector<double, 2> c(1, 1);
   Vector<D2, 2> y = 2.0 * kPoint - kPoint * 3 + c;
   y += c;

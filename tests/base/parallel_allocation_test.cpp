@@ -13,7 +13,7 @@ namespace {
 TEST(AllocationCounter, SeesNewAndEigen) {
   if (!testing::allocations_are_counted()) GTEST_SKIP();
   const long before = testing::allocation_count();
-  ::operator delete(::operator new(1));  // a new-expression might be optimised away
+  ::operator delete(::operator new(1));  // a new-expression might be optimized away
   EXPECT_EQ(testing::allocation_count() - before, 1);
   const Eigen::VectorXd vector = Eigen::VectorXd::Ones(before + 100);
   EXPECT_EQ(testing::allocation_count() - before, 2);

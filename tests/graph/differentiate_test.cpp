@@ -79,7 +79,7 @@ Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
   return exact;
 }
 
-/// Errors and Jacobians of edges of one row, linearised `at_once` at a time.
+/// Errors and Jacobians of edges of one row, linearized `at_once` at a time.
 std::vector<double> linearize(const EdgePool& pool, std::span<const std::uint32_t> edges,
                               std::size_t at_once) {
   std::vector<double> numbers;

@@ -24,7 +24,7 @@ std::string complaint(std::string_view line) {
 
 TEST(FieldReader, ReadsFieldsThatAnyBlanksSeparate) {
   FieldReader in("file", 1, "  A\t12 -1.5e3 +2\r");
-  EXPECT_EQ(in.word("a word"), "A");
+  EXPECT_EQ(in.token("a tag"), "A");
   EXPECT_EQ(in.integer("an id"), 12);
   EXPECT_EQ(in.number("x"), -1500);
   EXPECT_EQ(in.number("y"), 2);

@@ -24,7 +24,7 @@ TEST(InformationFields, OfAnIndefiniteMatrixAreRefusedAtTheirPlace) {
   const std::vector<double> values{7, 1, 2, 1};
   const std::string line = "TAG 7 1 2 1";
   FieldReader text("g", 1, line), numbers("g", 1, line, {.values = values, .integers = 4});
-  text.word("a tag");
+  text.token("a tag");
   for (FieldReader in : {text, numbers}) {
     in.integer("an id");
     try {

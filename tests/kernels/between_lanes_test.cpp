@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels that linearise several relative-pose edges at a time, against the plain functions.
+// The kernels that linearize several relative-pose edges at a time, against the plain functions.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -107,7 +107,7 @@ TEST_P(BetweenLanes, WrapAnglesAsThePlainFunctionDoes) {
 }
 
 /// Whether a tile holds edges whose Ω are of one kind depends on the number of workers.
-TEST_P(BetweenLanes, TheChi2OfAnEdgeIsTheSameBitsWhateverItsNeighboursAre) {
+TEST_P(BetweenLanes, TheChi2OfAnEdgeIsTheSameBitsWhateverItsNeighborsAre) {
   Graph graph;
   const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(pose(std::type_identity<SE3>()));
   std::vector<std::uint32_t> edges;

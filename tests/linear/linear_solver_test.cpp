@@ -464,7 +464,7 @@ TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
   EXPECT_EQ(analyzed(bytes - 1)->name(), "pcg");
 }
 
-TEST(TheAutomaticSolver, IsPcgWhereAFactorisationIsPredictedToTakeFarLonger) {
+TEST(TheAutomaticSolver, IsPcgWhereAFactorizationIsPredictedToTakeFarLonger) {
   const BlockStructure structure = cube(30, 6);
   const auto solver =
       automatic_solver({.max_factor_bytes = std::uint64_t{1} << 60}, {.ordering = Ordering::kMinimumDegree});
@@ -499,7 +499,7 @@ TEST(TheAutomaticSolver, SolvesNoMoreExactlyThanItsOptionsSay) {
   const AssembledSystem view = system.view();
   int iterations[2];
   for (const double least : {0.0, 0.1}) {
-    const auto solver = automatic_solver({.max_factor_bytes = 1, .least_tolerance = least});
+    const auto solver = automatic_solver({.max_factor_bytes = 1, .min_tolerance = least});
     solver->analyze(system.structure, {});
     ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
     MatrixXd b = right_hand_sides(system, 1), x = b;

@@ -19,7 +19,7 @@ class Pivots : public ::testing::TestWithParam<LinearSolverKind> {
   }
 };
 
-/// A 2-D pose graph (x, y, angle): a random walk of unit steps with loops, linearised where it stands.
+/// A 2-D pose graph (x, y, angle): a random walk of unit steps with loops, linearized where it stands.
 TestSystem pose_graph(std::uint32_t poses, std::uint32_t loops, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> turn(-0.5, 0.5);

@@ -43,7 +43,7 @@ inline SE3 camera_pose(int k) {
 }
 
 /// Every third point is seen by two cameras only, the others by all. The first camera is fixed; odometry
-/// between neighbours fixes the scale and joins kept vertices. Estimates and sightings are disturbed.
+/// between neighbors fixes the scale and joins kept vertices. Estimates and sightings are disturbed.
 inline Bundle make_bundle(int cameras, int points, bool eliminate) {
   Bundle bundle;
   Graph& graph = bundle.graph;

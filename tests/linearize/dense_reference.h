@@ -100,7 +100,7 @@ inline DenseSystem dense_reference(const Graph& graph, const Plan& plan, bool tr
   return system;
 }
 
-/// Checks the lineariser's H and gradient against the dense reference.
+/// Checks the linearizer's H and gradient against the dense reference.
 inline void expect_equals_reference(const Graph& graph, const Plan& plan,
                                     const LinearizeOptions& options = {}) {
   Linearizer linearizer(graph, plan);

@@ -19,7 +19,7 @@ struct Waypoint {
 /// A generic one.
 template <class S>
 struct Interval {
-  S centre, log_width;
+  S center, log_width;
 };
 
 }  // namespace vendor
@@ -44,13 +44,13 @@ struct boxplus::Manifold<vendor::Interval<S>> {
   using Rebind = vendor::Interval<T>;
   template <class T>
   static vendor::Interval<T> cast(const vendor::Interval<S>& x) {
-    return {T(x.centre), T(x.log_width)};
+    return {T(x.center), T(x.log_width)};
   }
   static vendor::Interval<S> oplus(const vendor::Interval<S>& x, const S* delta) {
-    return {x.centre + delta[0], x.log_width + delta[1]};
+    return {x.center + delta[0], x.log_width + delta[1]};
   }
   static void ominus(const vendor::Interval<S>& y, const vendor::Interval<S>& x, S* delta) {
-    delta[0] = y.centre - x.centre;
+    delta[0] = y.center - x.center;
     delta[1] = y.log_width - x.log_width;
   }
 };

@@ -50,7 +50,7 @@ TEST(S2, FindsAWayToTheOppositeDirection) {
   EXPECT_LT((Manifold<S2>::oplus(up, delta).vector() - down.vector()).norm(), 1e-15);
 }
 
-TEST(S2, NormalisesItsArgument) {
+TEST(S2, NormalizesItsArgument) {
   EXPECT_LT((S2(Vector<double, 3>(0, 3, 4)).vector() - Vector<double, 3>(0, 0.6, 0.8)).norm(), 1e-15);
 }
 

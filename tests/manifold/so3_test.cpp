@@ -103,15 +103,15 @@ TEST(SO3, RecoversTheQuaternionOfEveryRotationMatrix) {
   }
 }
 
-TEST(SO3, KeepsAUnitQuaternionBitForBitAndNormalisesOthers) {
+TEST(SO3, KeepsAUnitQuaternionBitForBitAndNormalizesOthers) {
   const SO3 kept(Quaternion<double>{0.1, 0.2, 0.3, std::sqrt(1 - 0.14)});
   EXPECT_EQ(kept.data()[0], 0.1);
-  const SO3 normalised(Quaternion<double>{0, 0, 3, 4});
-  EXPECT_DOUBLE_EQ(normalised.data()[2], 0.6);
+  const SO3 normalized(Quaternion<double>{0, 0, 3, 4});
+  EXPECT_DOUBLE_EQ(normalized.data()[2], 0.6);
   EXPECT_EQ(SO3(Quaternion<double>{0, 0, 0, 0}).data()[3], 1);
 }
 
-TEST(QuaternionChart, NormalisesStepsBeyondHalfATurnAndDropsNone) {
+TEST(QuaternionChart, NormalizesStepsBeyondHalfATurnAndDropsNone) {
   const double far[3] = {0, 3, 4};
   const SO3 x = Manifold<SO3>::oplus(SO3(), far);
   EXPECT_DOUBLE_EQ(x.data()[1], 0.6);

@@ -18,14 +18,14 @@ class CountingSolver final : public LinearSolver {
   }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control) override {
-    ++factorisations;
+    ++factorizations;
     return dense_->factorize(system, damping, control);
   }
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override {
     return dense_->solve(b, columns, x, control);
   }
 
-  int analyses = 0, factorisations = 0;
+  int analyses = 0, factorizations = 0;
 
  private:
   std::unique_ptr<LinearSolver> dense_ = make_linear_solver(LinearSolverKind::kDense);
@@ -37,11 +37,11 @@ TEST(AnOwnLinearSolver, SolvesAllSystemsOfOptimizeAndIsNamedInTheReport) {
   add_noisy_circle(library, 20);
   const auto solver = std::make_shared<CountingSolver>();
   Options options;
-  options.own_linear_solver = solver;
+  options.custom_linear_solver = solver;
   const Report report = optimize(own, options);
   EXPECT_TRUE(report.converged()) << report;
   EXPECT_EQ(report.linear_solver, "counting");
-  EXPECT_GE(solver->factorisations, report.iterations);
+  EXPECT_GE(solver->factorizations, report.iterations);
   const double chi2 = optimize(library).chi2_final;
   EXPECT_NEAR(report.chi2_final, chi2, 1e-9 * chi2);
 }
@@ -52,7 +52,7 @@ TEST(AnOwnLinearSolver, ServesSeveralGraphsInTurn) {
   add_noisy_circle(large, 30);
   const auto solver = std::make_shared<CountingSolver>();
   Options options;
-  options.own_linear_solver = solver;
+  options.custom_linear_solver = solver;
   const double chi2 = optimize(small, options).chi2_final;
   EXPECT_TRUE(optimize(large, options).converged());
   small.set_estimate(first[3], SE2(1, 2, 0.1));
@@ -113,7 +113,7 @@ TEST_P(AnInexactOwnSolver, HasThePredictedDecreaseOfItsStepsNotThatOfExactOnes) 
   const auto solver = std::make_shared<RoughSolver>();
   Options options;
   options.algorithm = GetParam();
-  options.own_linear_solver = solver;
+  options.custom_linear_solver = solver;
   options.linear_tolerance = 0.3;
   options.noise_tolerance = 0;
   const Report report = optimize(graph, options);
@@ -131,7 +131,7 @@ TEST_P(AnInexactOwnSolver, IsGivenTheToleranceInBothCalls) {
   const auto solver = std::make_shared<RoughSolver>();
   Options options;
   options.algorithm = GetParam();
-  options.own_linear_solver = solver;
+  options.custom_linear_solver = solver;
   options.linear_tolerance = 0.01;
   optimize(graph, options);
   EXPECT_EQ(solver->factorize_tolerance, 0.01);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optimising when the program ends, after main() and the thread's own memory have gone.
+// Optimizing when the program ends, after main() and the thread's own memory have gone.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace boxplus {
 namespace {
 
 /// Poses, and an edge over a tail of points that is differentiated automatically.
-void optimise_a_small_graph() {
+void optimize_a_small_graph() {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
   std::vector<VertexHandle<Vector2>> points;
@@ -21,16 +21,16 @@ void optimise_a_small_graph() {
   if (!optimize(graph).converged()) std::_Exit(2);
 }
 
-struct OptimisesAtTheEnd {
-  ~OptimisesAtTheEnd() { optimise_a_small_graph(); }
+struct OptimizesAtTheEnd {
+  ~OptimizesAtTheEnd() { optimize_a_small_graph(); }
 };
 
 TEST(OptimizeInTheDestructorOfAGlobalObject, WorksAfterMainUsedIt) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(
       {
-        static const OptimisesAtTheEnd last;
-        optimise_a_small_graph();
+        static const OptimizesAtTheEnd last;
+        optimize_a_small_graph();
         std::exit(0);
       },
       ::testing::ExitedWithCode(0), "");

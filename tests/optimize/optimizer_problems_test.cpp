@@ -168,7 +168,7 @@ TEST(Optimize, SaysWhereTheJacobiansOfEachEdgeTypeComeFrom) {
   graph.add_edge(East{}, poses[0]);
   graph.add_edge(North{}, poses[0]);
   EXPECT_THAT(to_string(optimize(graph)),
-              HasSubstr("  Jacobians       own: Between<SE2>; exact: North; numeric: East\n"));
+              HasSubstr("  Jacobians       analytic: Between<SE2>; exact: North; numeric: East\n"));
 }
 
 TEST(Optimize, WithDynamicCovarianceScalingReachesAMeasurementFarAway) {

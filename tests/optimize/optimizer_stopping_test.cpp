@@ -117,7 +117,7 @@ TEST_P(EveryAlgorithm, MakesNoGuessOnceItIsToStop) {
   }
 }
 
-TEST_P(EveryAlgorithm, IsStoppedBetweenTheLinearisationAndTheStep) {
+TEST_P(EveryAlgorithm, IsStoppedBetweenTheLinearizationAndTheStep) {
   for (const LinearSolverKind solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg}) {
     Graph graph;
     const auto poses = add_noisy_circle(graph, 10);
@@ -166,7 +166,7 @@ TEST_P(EveryAlgorithm, TakesPcgWhereTheFactorWouldNotFitIntoMemory) {
     EXPECT_TRUE(report.converged()) << report;
     EXPECT_NEAR(report.chi2_final, expected.chi2_final, 1e-6 * expected.chi2_final);
     EXPECT_EQ(report.start.used, start);
-    EXPECT_THAT(to_string(report), HasSubstr("pcg (since the factor would take "));
+    EXPECT_THAT(to_string(report), HasSubstr("pcg (because the factor would take "));
   }
 }
 
@@ -317,7 +317,7 @@ TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
     };
     EXPECT_THROW(optimize(graph, options), InvalidArgument);
     options.callback = nullptr;
-    EXPECT_TRUE(optimize(graph, options).converged()) << "the graph can be optimised again";
+    EXPECT_TRUE(optimize(graph, options).converged()) << "the graph can be optimized again";
   }
 }
 

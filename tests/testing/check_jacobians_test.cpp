@@ -44,7 +44,7 @@ TEST(CheckJacobians, AWrongEntryIsCaughtAndNamed) {
   const JacobianCheck check = check_jacobians(WrongPointObservation(Vector2(1, 2)), kPose, kPoint);
   EXPECT_FALSE(check.ok);
   EXPECT_THAT(check.message, HasSubstr("∂e/∂x_2 (Vector2), row 1, column 2: expected 0.644217687"));
-  EXPECT_THAT(check.message, HasSubstr("own against exact"));
+  EXPECT_THAT(check.message, HasSubstr("analytic against exact"));
   EXPECT_THAT(check.message, Not(HasSubstr("x_1")));
 }
 
@@ -52,7 +52,7 @@ TEST(CheckJacobians, AWrongEntryIsCaughtWithoutDualNumbers) {
   const JacobianCheck check = check_jacobians(WrongPlainObservation{}, kPose, kPoint);
   EXPECT_FALSE(check.ok);
   EXPECT_THAT(check.message, HasSubstr("∂e/∂x_1 (SE2), row 2, column 3"));
-  EXPECT_THAT(check.message, HasSubstr("own against numeric"));
+  EXPECT_THAT(check.message, HasSubstr("analytic against numeric"));
 }
 
 TEST(CheckJacobians, ALambdaIsCheckedAgainstNumericDerivatives) {
@@ -71,7 +71,7 @@ TEST(CheckJacobians, SaysWhichJacobiansOptimizeTakes) {
   const auto source = [](const auto& edge, const auto&... x) {
     return to_string(check_jacobians(edge, x...).source);
   };
-  EXPECT_EQ(source(PointObservation2(Vector2(1, 2)), kPose, kPoint), "own");
+  EXPECT_EQ(source(PointObservation2(Vector2(1, 2)), kPose, kPoint), "analytic");
   EXPECT_EQ(source([](const auto& x) { return x[0] * x[1]; }, kPoint), "exact");
   EXPECT_EQ(source([](const Vector2& x) { return x[0] * x[1]; }, kPoint), "numeric");
 }

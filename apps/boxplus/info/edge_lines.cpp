@@ -12,9 +12,9 @@ namespace {
 bool begins_edge(std::string_view line, const ReadOptions& reading) {
   FieldReader in("", 0, line);
   if (in.at_end()) return false;
-  const std::string_view word = in.word("a word");
-  const auto renamed = reading.renames.find(word);
-  const Tag* tag = default_registry().find(renamed == reading.renames.end() ? word : renamed->second);
+  const std::string_view name = in.token("a tag");
+  const auto renamed = reading.renames.find(name);
+  const Tag* tag = default_registry().find(renamed == reading.renames.end() ? name : renamed->second);
   return tag && tag->kind == Tag::Kind::kEdge;
 }
 

@@ -12,12 +12,12 @@
 namespace boxplus::app {
 namespace {
 
-std::string word_of(const Graph& graph, VertexRef vertex) {
+std::string tag_or_type(const Graph& graph, VertexRef vertex) {
   const Tag* tag = default_registry().tag_of(graph, vertex);
   return tag ? tag->name : std::string(graph.vertex_pools()[vertex.pool]->type_name());
 }
 
-std::string word_of(const Graph& graph, EdgeRef edge) {
+std::string tag_or_type(const Graph& graph, EdgeRef edge) {
   const Tag* tag = default_registry().tag_of(graph, edge);
   return tag ? tag->name : std::string(graph.edge_pools()[edge.pool]->type_name());
 }
@@ -28,7 +28,7 @@ double badness(double chi2) {
 }
 
 EdgeFacts facts_of(const Graph& graph, EdgeRef edge) {
-  EdgeFacts facts{edge, word_of(graph, edge), {}, graph.chi2(edge), 0};
+  EdgeFacts facts{edge, tag_or_type(graph, edge), {}, graph.chi2(edge), 0};
   for (const VertexRef& vertex : graph.vertices(edge)) {
     if (!graph.vertex_pools()[vertex.pool]->parameter(vertex.slot))
       facts.vertices.push_back(graph.id(vertex));
@@ -61,7 +61,7 @@ void find_vertex_types(const Graph& graph, GraphFacts& facts) {
   std::map<std::pair<bool, std::string>, VertexTypeFacts> types;
   const auto add_all = [&](const std::vector<VertexRef>& vertices, bool parameters) {
     for (const VertexRef& vertex : vertices) {
-      VertexTypeFacts& type = types[{parameters, word_of(graph, vertex)}];
+      VertexTypeFacts& type = types[{parameters, tag_or_type(graph, vertex)}];
       type.role = role_of(graph, vertex);
       const auto degree = degrees.find(vertex);
       add_vertex(graph, vertex, degree == degrees.end() ? 0 : degree->second, type);
@@ -70,7 +70,7 @@ void find_vertex_types(const Graph& graph, GraphFacts& facts) {
   add_all(graph.all_vertices(), false);
   add_all(graph.all_parameters(), true);
   for (auto& [key, type] : types) {
-    std::tie(type.parameter, type.word) = key;
+    std::tie(type.parameter, type.tag) = key;
     type.degrees.mean /= static_cast<double>(type.count);
     facts.unknowns += type.unknowns;
     facts.vertex_types.push_back(std::move(type));
@@ -96,13 +96,13 @@ void find_extent(const Graph& graph, GraphFacts& facts) {
 void find_edge_types(const Graph& graph, const std::vector<EdgeFacts>& edges, GraphFacts& facts) {
   std::map<std::string, EdgeTypeFacts> types;
   for (const EdgeFacts& edge : edges) {
-    EdgeTypeFacts& type = types[edge.word];
+    EdgeTypeFacts& type = types[edge.tag];
     if (type.count++ == 0 || badness(edge.chi2) > badness(type.worst.chi2)) type.worst = edge;
     type.rows += static_cast<std::size_t>(graph.edge_pools()[edge.edge.pool]->shape(edge.edge.slot).rows);
     type.chi2 += edge.chi2;
   }
-  for (auto& [word, type] : types) {
-    type.word = word;
+  for (auto& [tag, type] : types) {
+    type.tag = tag;
     facts.rows += type.rows;
     facts.edge_types.push_back(std::move(type));
   }

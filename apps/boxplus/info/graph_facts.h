@@ -18,7 +18,7 @@ struct Degrees {
 };
 
 struct VertexTypeFacts {
-  std::string word;  ///< the tag in the file, or the name of the type if it has no tag
+  std::string tag;  ///< the tag in the file, or the name of the type if it has no tag
   VertexRole role = VertexRole::kOther;
   bool parameter = false;
   std::size_t count = 0, fixed = 0, unknowns = 0;
@@ -27,14 +27,14 @@ struct VertexTypeFacts {
 
 struct EdgeFacts {
   EdgeRef edge;
-  std::string word;
+  std::string tag;
   std::vector<Id> vertices;  ///< without parameters
   double chi2 = 0;
   std::int64_t line = 0;  ///< of the file; 0: unknown
 };
 
 struct EdgeTypeFacts {
-  std::string word;
+  std::string tag;
   std::size_t count = 0, rows = 0;  ///< rows of error, summed over all edges
   double chi2 = 0;
   EdgeFacts worst;

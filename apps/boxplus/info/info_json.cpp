@@ -20,7 +20,7 @@ const char* name_of(VertexRole role) {
 }
 
 Json edge_json(const EdgeFacts& edge) {
-  return {{"word", edge.word},
+  return {{"tag", edge.tag},
           {"vertices", edge.vertices},
           {"chi2", edge.chi2},
           {"line", edge.line > 0 ? Json(edge.line) : Json(nullptr)}};
@@ -29,7 +29,7 @@ Json edge_json(const EdgeFacts& edge) {
 Json vertex_types_json(const GraphFacts& facts) {
   Json result = Json::array();
   for (const VertexTypeFacts& type : facts.vertex_types) {
-    result.push_back({{"word", type.word},
+    result.push_back({{"tag", type.tag},
                       {"role", type.parameter ? "parameter" : name_of(type.role)},
                       {"count", type.count},
                       {"fixed", type.fixed},
@@ -44,7 +44,7 @@ Json vertex_types_json(const GraphFacts& facts) {
 Json edge_types_json(const GraphFacts& facts) {
   Json result = Json::array();
   for (const EdgeTypeFacts& type : facts.edge_types) {
-    result.push_back({{"word", type.word},
+    result.push_back({{"tag", type.tag},
                       {"count", type.count},
                       {"rows", type.rows},
                       {"chi2", type.chi2},

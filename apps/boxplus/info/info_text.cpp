@@ -92,7 +92,7 @@ std::string vertex_types_text(const GraphFacts& facts) {
   if (facts.vertex_types.empty()) return {};
   Table table({"<vertices", "count", "fixed", "unknowns", "degree: min", "mean", "max"});
   for (const VertexTypeFacts& type : facts.vertex_types) {
-    table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.fixed),
+    table.add({escaped(type.tag), fmt::format("{}", type.count), fmt::format("{}", type.fixed),
                fmt::format("{}", type.unknowns), fmt::format("{}", type.degrees.min),
                fmt::format("{:.2f}", type.degrees.mean), fmt::format("{}", type.degrees.max)});
   }
@@ -103,7 +103,7 @@ std::string edge_types_text(const GraphFacts& facts) {
   if (facts.edge_types.empty()) return {};
   Table table({"<edges", "count", "rows", "chi2", "chi2/row", "worst chi2", "<worst between"});
   for (const EdgeTypeFacts& type : facts.edge_types) {
-    table.add({escaped(type.word), fmt::format("{}", type.count), fmt::format("{}", type.rows),
+    table.add({escaped(type.tag), fmt::format("{}", type.count), fmt::format("{}", type.rows),
                number(type.chi2, 6),
                number(type.chi2 / static_cast<double>(std::max<std::size_t>(type.rows, 1)), 4),
                number(type.worst.chi2, 4), list(type.worst.vertices)});
@@ -116,7 +116,7 @@ std::string worst_text(const GraphFacts& facts) {
   Table table({"<worst edges", "chi2", "share", "line", "<between"});
   for (const EdgeFacts& edge : facts.worst) {
     const double share = facts.chi2 > 0 ? 100 * edge.chi2 / facts.chi2 : 0;
-    table.add({escaped(edge.word), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
+    table.add({escaped(edge.tag), number(edge.chi2, 6), fmt::format("{:.1f} %", share),
                edge.line > 0 ? fmt::format("{}", edge.line) : "?", list(edge.vertices)});
   }
   return "\n" + table.text();

@@ -104,7 +104,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"precision", to_string(report.linear.precision)},
-                     {"left_mixed", report.linear.left_mixed},
+                     {"fell_back_to_double", report.linear.fell_back_to_double},
                      {"refused_factor_bytes", unless_zero(report.linear.refused_factor_bytes)},
                      {"predicted_factor_s", report.linear.factor_seconds},
                      {"predicted_pcg_s", report.linear.pcg_seconds},

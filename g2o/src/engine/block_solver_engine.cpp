@@ -26,7 +26,7 @@ struct BlockSolverEngine::State {
   std::vector<OptimizableGraph::Vertex*>
       vertices;                            // by Hessian index; deleted where `revision` is an old one
   std::vector<int> ids;                    // of the vertices
-  std::uint64_t revision = 0;              // of the optimiser's active vertices and edges
+  std::uint64_t revision = 0;              // of the optimizer's active vertices and edges
   std::uint32_t kept = 0, eliminated = 0;  // blocks
   BlockStructure structure;                // of H, the eliminated blocks first
   std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
@@ -37,7 +37,7 @@ struct BlockSolverEngine::State {
   EngineSettings settings;
   std::vector<double> engine_b, engine_x;
   bool ready = false;   // the solvers are made for the structure
-  bool filled = false;  // H is that of a linearisation
+  bool filled = false;  // H is that of a linearization
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -228,7 +228,7 @@ void BlockSolverEngine::buildSystem(SparseOptimizer& optimizer, double* b) {
   s.filled = true;
 }
 
-bool BlockSolverEngine::isLinearised(const SparseOptimizer& optimizer) const {
+bool BlockSolverEngine::isLinearized(const SparseOptimizer& optimizer) const {
   return isCurrent(optimizer) && state_->filled;
 }
 

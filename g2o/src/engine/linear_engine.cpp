@@ -14,7 +14,7 @@ struct LinearEngine::State {
   boxplus::BlockStructure structure;
   std::vector<double> values;
   std::unique_ptr<boxplus::AssembledSystem> system;  // of these; iterative solvers look into it
-  std::unique_ptr<boxplus::LinearSolver> solver;     // analysed for the structure
+  std::unique_ptr<boxplus::LinearSolver> solver;     // analyzed for the structure
   int iterations = 0;
 };
 

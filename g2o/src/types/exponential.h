@@ -8,7 +8,7 @@
 #include "g2o/types/slam3d/se3quat.h"
 
 namespace g2o {
-namespace native {
+namespace formulas {
 
 inline boxplus::Sim3 similarity(const Quaternion& r, const Vector3& t, double s) {
   return boxplus::Sim3::from_unit({r.x(), r.y(), r.z(), r.w()}, t, s);
@@ -37,5 +37,5 @@ inline Matrix6 left_jacobian_of_log(const SE3Quat& x) {
   return left_jacobian_of_log(similarity(x.rotation(), x.translation(), 1)).topLeftCorner<6, 6>();
 }
 
-}  // namespace native
+}  // namespace formulas
 }  // namespace g2o

@@ -10,7 +10,7 @@
 #include "g2o/types/slam3d/se3_ops.h"
 
 namespace g2o {
-namespace native {
+namespace formulas {
 
 inline Matrix3 camera_matrix(double fx, double fy, double cx, double cy) {
   Matrix3 K;
@@ -98,5 +98,5 @@ inline Eigen::Matrix<double, 3, 6> stereo_image_by_motion(const Pinhole& camera,
   return J;
 }
 
-}  // namespace native
+}  // namespace formulas
 }  // namespace g2o

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "g2o/core/hyper_graph.h"
-#include "types/native.h"
+#include "types/adapters.h"
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 /// `Types` has the engine's edges to One point and to Many points and its Pose. It also has PoseVertex and
 /// PointVertex of the g2o API, and pose() and point(), which convert their estimates.
@@ -42,8 +42,8 @@ struct LotsOfPoints {
     boxplus::Matrix<double, kDim, PoseVertex::Dimension> J_pose;
     boxplus::Matrix<double, kDim, kDim> J_point;
     for (std::size_t i = 1; i < vertices.size(); ++i) {
-      native::linearize(one(z, i), Argument<Pose>{x, J_pose.data()},
-                        Argument<Point>{point(vertices, i), J_point.data()});
+      adapters::linearize(one(z, i), Argument<Pose>{x, J_pose.data()},
+                          Argument<Point>{point(vertices, i), J_point.data()});
       rows(J[0], i) = J_pose;
       J[i].setZero();
       rows(J[i], i) = J_point;
@@ -84,5 +84,5 @@ struct LotsOfPoints {
   static One one(const VectorX& z, std::size_t i) { return One(Point(rows(z, i))); }
 };
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

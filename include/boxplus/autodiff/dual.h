@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dual numbers with all that belongs to them: arithmetic, functions, Eigen.
+// Dual numbers with their arithmetic, their functions, and support for Eigen.
 #pragma once
 
 #include "boxplus/autodiff/dual_eigen.h"

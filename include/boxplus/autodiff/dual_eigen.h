@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Dual numbers as Eigen scalars: Vector<Dual<double, 3>, 2>, also mixed with matrices of double.
 //
-// Mixed products of two run-time-size matrices (not vectors) go beyond Eigen's blocked product: write
+// Eigen's blocked product does not support mixed products of two run-time-size matrices (vectors work): write
 // A.lazyProduct(B), or cast one side.
 #pragma once
 

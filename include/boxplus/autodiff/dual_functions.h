@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of <cmath> on dual numbers, found by argument-dependent lookup: `using std::sin; sin(x)`
-// in any namespace; boxplus::sin(x) takes both duals and plain numbers.
+// The functions of <cmath> on dual numbers. They are found by argument-dependent lookup: write `using
+// std::sin; sin(x)` in any namespace. boxplus::sin(x) takes both duals and plain scalars.
 //
-// Where the derivative is infinite (sqrt at 0, asin at 1, log at 0), directions in which the argument does
-// not change keep derivative zero: the norm of a constant zero vector has derivative 0, not NaN. Where a
-// function has a kink, one of its one-sided derivatives is returned: abs at 0 the right one; fmin and fmax
-// that of their first argument.
+// If the derivative is infinite (sqrt at 0, asin at 1, log at 0), directions in which the argument does not
+// change keep derivative zero: the norm of a constant zero vector has derivative 0, not NaN. At a kink, a
+// function has one of its one-sided derivatives: abs at 0 has the right one; fmin and fmax have the
+// derivative of their first argument.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace boxplus {
 
-// Unqualified calls in generic code of this namespace serve double and duals alike.
+// With these, unqualified calls in generic code of this namespace work for double and for duals.
 using std::abs;
 using std::cbrt;
 using std::ceil;
@@ -40,7 +40,7 @@ using std::signbit;
 using std::sqrt;
 using std::trunc;
 
-/// f(x) from the value f and the slope f′ at x.value.
+/// f(x), given the value f and the slope f′ at x.value.
 template <class S, int N>
 constexpr Dual<S, N> chain(const S& value, const S& slope, const Dual<S, N>& x) {
   Dual<S, N> r;
@@ -49,7 +49,7 @@ constexpr Dual<S, N> chain(const S& value, const S& slope, const Dual<S, N>& x) 
   return r;
 }
 
-/// f(x, y) from the value and both partial slopes.
+/// f(x, y), given the value and both partial slopes.
 template <class S, int N>
 constexpr Dual<S, N> chain(const S& value, const S& slope_x, const Dual<S, N>& x, const S& slope_y,
                            const Dual<S, N>& y) {

@@ -5,7 +5,7 @@
 // its exact derivatives (Clifford 1873; Griewank & Walther, "Evaluating Derivatives", 2008, §3.1). Nesting
 // gives higher orders: Dual<Dual<double, 1>, N>.
 //
-// Comparisons look at the value only. A default-initialised dual is indeterminate, like a double; Dual{} is
+// Comparisons look at the value only. A default-initialized dual is indeterminate, like a double; Dual{} is
 // zero.
 #pragma once
 
@@ -18,7 +18,8 @@ namespace boxplus {
 template <class S, int N>
 struct Dual;
 
-/// Whether T is a constant beside duals over S: arithmetic, S itself, or a scalar that S nests.
+/// Whether a T is a constant in expressions with duals over S: an arithmetic type, S itself, or a scalar that
+/// S nests.
 template <class T, class S>
 struct IsLowerScalar : std::bool_constant<std::is_arithmetic_v<T> || std::is_same_v<T, S>> {};
 template <class T, class S, int N>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numeric differentiation that chooses its own step: Ridders, "Accurate computation of F′(x) and F′(x)F″(x)",
+// Numeric differentiation with an automatic step: Ridders, "Accurate computation of F′(x) and F′(x)F″(x)",
 // Advances in Engineering Software 4(2), 1982.
 //
-// Central differences with shrinking steps are extrapolated to step zero by Neville's scheme; of all entries
-// of the tableau, each component keeps the one whose neighbours agree best. About 1e-11 relative on smooth
-// functions, where a single central difference reaches 1e-6 … 1e-10 and only with the right step.
+// Central differences with shrinking steps are extrapolated to step zero by Neville's scheme. Each component
+// keeps the entry of the tableau that agrees best with its neighbors. The relative error is about 1e-11 on
+// smooth functions. A single central difference reaches 1e-6 … 1e-10, and only with the right step.
 #pragma once
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace boxplus {
 struct NumericOptions {
   double initial_step = 0.1;  ///< first (largest) step, in the units of the argument
   double shrink = 2;          ///< ratio of consecutive steps, > 1
-  int max_rows = 14;          ///< at most so many steps, two evaluations each
-  double tolerance = 1e-13;   ///< stop once the estimated error, relative to the derivative, is below
+  int max_rows = 14;          ///< the most steps, of two evaluations each
+  double tolerance = 1e-13;   ///< stops when the estimated error, relative to the derivative, is below this
 };
 
-/// Derivative at 0 of a function of one real with several results. Keeps its memory between calls.
+/// Differentiates functions of one real with several results at 0. Keeps its memory between calls.
 class NumericDerivative {
  public:
   explicit NumericDerivative(const NumericOptions& options = {}) : options_(options) {}
@@ -51,8 +51,8 @@ class NumericDerivative {
     row_.assign(static_cast<std::size_t>(size) * options_.max_rows, 0.0);
   }
 
-  /// Appends one row to the tableau of component i. tableau[k] holds order k of the previous row and is
-  /// replaced.
+  /// Appends one row to the tableau of component i: tableau[k] holds order k of the previous row, and is
+  /// overwritten.
   void extrapolate(int i, int row, double step) {
     double* tableau = row_.data() + static_cast<std::size_t>(i) * options_.max_rows;
     double entry = (plus_[i] - minus_[i]) / (2 * step);
@@ -73,7 +73,7 @@ class NumericDerivative {
     if (row == 0) best_[i] = entry;
   }
 
-  /// Whether every component is accurate, or as accurate as rounding permits at this and smaller steps.
+  /// Whether every component is accurate, or as accurate as rounding permits at this step and smaller ones.
   bool converged(double step) const {
     double slope = 0, value = 0, error = 0;
     for (std::size_t i = 0; i < best_.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// Misuse of the library: the message says what was expected and what came.
+/// Misuse of the library. The message says what was expected and what was given.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -21,7 +21,7 @@ class InvalidArgument : public Error {
   using Error::Error;
 };
 
-/// Bad input in a file: what() is "file:line:column: what was expected, what came".
+/// Bad input in a file: what() is "file:line:column: expected …, got …".
 class InputError : public Error {
  public:
   InputError(const std::string& file, std::int64_t line, std::int64_t column, const std::string& message)

@@ -18,7 +18,7 @@ template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
  public:
   template <OtherThan<FunctionRef> Callable>
-  // NOLINTNEXTLINE(google-explicit-constructor): as implicit as a reference
+  // NOLINTNEXTLINE(google-explicit-constructor): implicit, like a reference
   FunctionRef(Callable&& callable) noexcept
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_([](void* object, Arguments... arguments) -> Result {

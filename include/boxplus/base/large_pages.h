@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fewer, larger pages for large memory.
+// Large pages for large blocks of memory.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace boxplus {
 
-/// Tells the system that memory that was just allocated will be used from end to end, so that it may give
-/// pages of 2 MiB rather than 4 KiB: fewer page faults, fewer misses. A hint; small memory is left alone.
+/// Tells the system that newly allocated memory will be used as a whole. The system may then use pages of 2
+/// MiB instead of 4 KiB, which saves page faults and TLB misses. A hint; does nothing for small blocks.
 void prefer_large_pages(const void* memory, std::size_t bytes);
 
 }  // namespace boxplus

@@ -10,7 +10,7 @@ namespace boxplus {
 
 inline constexpr int kDynamic = Eigen::Dynamic;
 
-/// Column-major matrix without alignment requirement (row-major where Eigen demands it: one row, several
+/// Column-major matrix without alignment requirement (row-major if Eigen demands it: one row, several
 /// columns).
 template <class Scalar, int Rows, int Cols>
 using Matrix =

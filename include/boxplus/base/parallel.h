@@ -13,12 +13,12 @@ int hardware_threads() noexcept;
 /// Runs task(0) … task(count − 1), task i on worker i (worker 0 is the caller), and returns when all have
 /// ended.
 ///
-/// Workers are made on first use, shared by the process, spin for 50 µs after their last task and then sleep.
-/// A call allocates nothing once `count` workers exist. Calls from several threads are run one after the
-/// other. A call from inside a task runs its tasks in order on the calling worker; where the system grants
+/// Workers start on first use and are shared by the process. They spin for 50 µs after their last task, and
+/// then sleep. A call allocates nothing once `count` workers exist. Calls from several threads run one after
+/// the other. A call from inside a task runs its tasks in order on the calling worker. If the system grants
 /// fewer threads than `count`, the caller runs the rest. So tasks of one call must not wait for each other.
 ///
-/// All tasks run, whatever some of them throw; then the exception of the lowest index is rethrown here.
+/// All tasks run, even if some of them throw. The exception of the lowest index is then rethrown.
 void parallel_tasks(int count, FunctionRef<void(int)> task);
 
 }  // namespace boxplus

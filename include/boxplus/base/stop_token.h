@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// Thrown by a computation whose token is raised, when it has no status to return. optimize() catches it and
+/// Thrown by a computation whose token is raised, if it has no status to return. optimize() catches it and
 /// reports the reason.
 class Stopped : public Error {
  public:
@@ -23,15 +23,16 @@ class Stopped : public Error {
   bool by_flag_;
 };
 
-/// Raised by a flag, by a deadline, or never. Cheap to ask: it reads the clock only if there is a deadline.
+/// A token that is raised by a flag, by a deadline, or never. It is cheap to check, because it reads the
+/// clock only if there is a deadline.
 class StopToken {
  public:
   using Clock = std::chrono::steady_clock;
 
   /// Never raised.
   StopToken() = default;
-  /// Raised while `*flag` is true (null: never), which must outlive the token, and from `seconds` after
-  /// `begin` on.
+  /// Raised while `*flag` is true, and from `seconds` after `begin` on. `flag` may be null; otherwise it must
+  /// outlive the token.
   explicit StopToken(const std::atomic<bool>* flag, Clock::time_point begin = {}, double seconds = kUnlimited)
       : flag_(flag), deadline_(deadline(begin, seconds)) {}
 
@@ -41,8 +42,8 @@ class StopToken {
   void check() const {
     if (raised()) throw Stopped(flag_raised());
   }
-  /// Throws Stopped if the token is raised, or if the deadline is fewer than `seconds` away: for a call that
-  /// cannot be interrupted and would take so long.
+  /// Throws Stopped if the token is raised or the deadline is less than `seconds` away. Call it before a
+  /// computation that takes so long and cannot be interrupted.
   void check_room_for(double seconds) const {
     check();
     if (deadline_ == kNever) return;
@@ -50,7 +51,7 @@ class StopToken {
   }
 
  private:
-  static constexpr double kUnlimited = 1e9;  // seconds, some thirty years
+  static constexpr double kUnlimited = 1e9;  // seconds, about thirty years
   static constexpr Clock::time_point kNever = Clock::time_point::max();
 
   static Clock::time_point deadline(Clock::time_point begin, double seconds) {

@@ -4,8 +4,9 @@
 
 namespace boxplus {
 
-/// One T per thread and Tag, made on first use and freed when its thread ends. Unlike a thread_local T it may
-/// be used after that: in destructors of global objects, which run when those of the main thread have gone.
+/// One T per thread and Tag, made on first use and freed when its thread ends. Unlike a thread_local T, it
+/// may be used later too: in destructors of global objects, which run after the main thread's objects are
+/// freed.
 template <class T, class Tag>
 T& thread_scratch() {
   struct Owner {

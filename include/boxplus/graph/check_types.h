@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the compiler says about a type that is no vertex or no edge: one sentence per mistake.
+// Compile-time checks of vertex and edge types. The compiler prints one sentence per mistake.
 #pragma once
 
 #include <concepts>
@@ -24,14 +24,15 @@ concept JacobiansForSomeTypes = requires {
   requires E::kJacobiansForSomeTypes;
 };
 
-/// No member function is named like a Jacobian and yet not used.
+/// Whether E uses its Jacobians: false if a member function has the name of a Jacobian but the wrong
+/// signature.
 template <class E, class... V>
 inline constexpr bool kUsesItsJacobians =
     kAnalytic<E, V...> || JacobiansForSomeTypes<E> || !kNamesJacobianFunction<E>;
 
 }  // namespace edge
 
-/// True. Does not compile unless a graph can hold estimates of type T.
+/// Returns true. Does not compile unless a graph can hold estimates of type T.
 template <class T>
 consteval bool check_vertex_type() {
   static_assert(ManifoldType<T>,
@@ -40,8 +41,8 @@ consteval bool check_vertex_type() {
   return true;
 }
 
-/// True. Does not compile unless E is an error function of the vertex types V..., which uses all that it
-/// brings.
+/// Returns true. Does not compile unless E is an error function of the vertex types V..., and the Jacobians
+/// that E defines can be called.
 template <class E, class... V>
 consteval bool check_edge_type() {
   using edge::Argument, edge::Parameters;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Jacobians of an error function through ⊞: exact by dual numbers, or numeric.
 //
-// Both fill a column-major rows × cols block; the columns of x_1 come first, then those of x_2, …
+// Both fill a column-major block of rows × cols. The columns of x_1 come first, then those of x_2, …
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace boxplus::edge {
 
-/// Tangent size of an argument: that of its estimate, or the sum over a tail.
+/// The tangent size of an argument; for a tail, the sum over its elements.
 template <class V>
 int argument_dim(Argument<V> x) {
   if constexpr (kIsTail<V>) {
@@ -30,8 +30,8 @@ int argument_dim(Argument<V> x) {
   }
 }
 
-/// x ⊞ δ over dual numbers, where δ = 0 and the derivative of its k-th entry is unit vector `column + k −
-/// first`. Entries outside of the dual's window are constant.
+/// x ⊞ δ over dual numbers. δ is 0, and the derivative of its k-th entry is the unit vector with index
+/// `column + k − first`. Entries outside of the dual's window are constant.
 template <class S, class T>
 boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
   constexpr int kWindow = static_cast<int>(std::tuple_size<decltype(S::derivative)>::value);
@@ -59,12 +59,13 @@ boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
   }
 }
 
-/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. An estimate that
-/// consecutive edges share is lifted once.
+/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. If consecutive edges
+/// share an estimate, it is lifted once.
 template <class V, class S>
 class LiftedArgument {
  public:
-  /// `slot` says which vertex it is; it takes its columns from `column` on.
+  /// Lifts the estimate x of the vertex in `slot`, whose columns begin at `column`. Advances `column` to the
+  /// next argument.
   void lift(const V& x, std::uint32_t slot, int& column, int first) {
     if (!value_ || slot_ != slot || column_ != column || first_ != first) {
       value_.emplace(edge::lift<S>(x, column, first));
@@ -98,21 +99,21 @@ class LiftedArgument<Tail<T>, S> {
   std::vector<boxplus::Rebind<T, S>> values_;
 };
 
-/// Jacobians by forward-mode dual numbers, exact up to rounding, of edges that are differentiated one after
-/// the other while no estimate changes.
+/// Jacobians by forward-mode dual numbers, exact up to rounding. One object differentiates several edges in
+/// turn; no estimate may change in between.
 template <class... V>
 class AutomaticJacobian {
  public:
   using Scalar = DualFor<V...>;
   static constexpr int kWindow = kDualSize<V...>;
 
-  /// error ← e(x), and columns [first, first + kWindow) of J ← ∂e(x ⊞ δ)/∂δ. `slots` names the vertices that
-  /// the arguments are the estimates of.
+  /// error ← e(x), and columns [first, first + kWindow) of J ← ∂e(x ⊞ δ)/∂δ. `slots` are the slots of the
+  /// vertices whose estimates the arguments are.
   template <class E>
   void columns(const E& e, double* error, double* jacobian, int rows, int cols, int first,
                std::span<const std::uint32_t> slots, Argument<V>... x) {
     int column = 0;
-    std::size_t position = 0;  // a tail may be empty, and has no use for it
+    std::size_t position = 0;  // in `slots`; a tail ignores its slot, and may be empty
     const auto next_slot = [&] { return position < slots.size() ? slots[position++] : 0; };
     std::apply([&](auto&... a) { (a.lift(x, next_slot(), column, first), ...); }, lifted_);
     const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted_);
@@ -145,9 +146,9 @@ void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, i
   } while (first < cols);
 }
 
-/// J ← what e.jacobians() says.
+/// J ← the Jacobians that e.jacobians() returns.
 template <class... V, class E>
-void own_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
+void analytic_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
   constexpr int kRowsOfEdge = kRows<Result<E, V...>>;
   const auto next = [&]<class A>(std::type_identity<A>, Argument<A> a) {
     const int cols = argument_dim<A>(a);
@@ -155,12 +156,12 @@ void own_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
     jacobian += static_cast<std::ptrdiff_t>(rows) * cols;
     return block;
   };
-  // Braced initialisation evaluates from left to right.
+  // Braced initialization evaluates from left to right.
   std::tuple<JacobianBlock<V, kRowsOfEdge>...> blocks{next(std::type_identity<V>{}, x)...};
   std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
 }
 
-/// The memory of numeric_jacobian(), which each thread keeps.
+/// The memory of numeric_jacobian(). Each thread keeps one.
 struct NumericMemory {
   std::vector<double> delta;
   NumericDerivative differentiate = NumericDerivative();
@@ -182,7 +183,7 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
     std::apply([&](const auto&... a) { copy_rows(evaluate(e, Argument<V>(a)...), rows, out); }, moved);
   };
   auto& kept = thread_scratch<NumericMemory, struct OfNumericJacobian>();
-  NumericMemory memory = std::exchange(kept, {});  // an error function that comes here again gets its own
+  NumericMemory memory = std::exchange(kept, {});  // an error function may call this function again
   std::vector<double>& delta = memory.delta;
   NumericDerivative& differentiate = memory.differentiate;
   delta.assign(static_cast<std::size_t>(cols), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All edges of one type, side by side, and the tile through which everybody reads their Jacobians.
+// All edges of one type, side by side, and the tile that holds their errors and Jacobians.
 #pragma once
 
 #include <algorithm>
@@ -28,16 +28,16 @@ struct EdgeShape {
 
 /// Errors and Jacobians of a few edges of one shape, in memory that one worker owns and that stays in cache.
 ///
-/// Both blocks of edge k, of n = rows or rows · cols numbers, lie at k · n; or, where the tile is `in_lanes`,
-/// number m of edge k lies at ((k / kLanes) · n + m) · kLanes + k % kLanes, so that kLanes edges are worked
-/// on at a time.
+/// A block of edge k has n values: n = rows for the error, n = rows · cols for the Jacobian. It begins at k ·
+/// n. If the tile is `in_lanes`, value m of edge k lies at ((k / kLanes) · n + m) · kLanes + k % kLanes
+/// instead, so that kernels can process kLanes edges at a time.
 struct EdgeTile {
   static constexpr int kCapacity = 64, kLanes = 8;
   int count = 0, rows = 0, cols = 0;
   double* error = nullptr;     ///< not whitened
   double* jacobian = nullptr;  ///< rows × cols, column-major; the columns of its vertices in order
-  /// Set before linearize() where the reader takes lanes, too; then by linearize() where it wrote lanes. The
-  /// last lanes of a tile that is not full are copies of its last edge.
+  /// The caller sets this before linearize() if it can read lanes; linearize() clears it if it wrote no
+  /// lanes. If the number of edges is no multiple of kLanes, the remaining lanes are copies of the last edge.
   bool in_lanes = false;
 };
 
@@ -51,7 +51,7 @@ class EdgePool {
       std::span<const std::unique_ptr<VertexPool>> vertex_pools) const = 0;
   virtual std::string_view type_name() const = 0;
   virtual EdgeShape shape(std::uint32_t edge) const = 0;
-  /// True where all edges of the pool have one shape. Others are linearised one at a time.
+  /// Whether all edges of the pool have one shape. Otherwise they are linearized one at a time.
   virtual bool uniform_shape() const = 0;
   /// The errors of the listed edges, one after the other.
   virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
@@ -61,18 +61,18 @@ class EdgePool {
   /// shape). May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
-  /// The errors of at most EdgeTile::kCapacity edges in lanes; false, and nothing done, where there is no
-  /// kernel that evaluates several edges of this type at a time.
+  /// The errors of at most EdgeTile::kCapacity edges in lanes. Returns false, and does nothing, if no kernel
+  /// evaluates several edges of this type at a time.
   virtual bool errors_in_lanes(std::span<const std::uint32_t> /*edges*/, double* /*out*/) const {
     return false;
   }
   /// True if all edges of this type measure poses or points fully relative to a pose, or a pose relative to
   /// the world (graph/error_function.h, kRigid).
   virtual bool is_rigid() const { return false; }
-  /// What the edge says about the frames of its vertices, for initial guesses; false where it says nothing.
+  /// The relative frame that the edge measures, for initial guesses. Returns false if it measures none.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
-  /// Makes room for `edges` edges in all, like those that are there. A hint: it changes nothing else.
+  /// Makes room for a total of `edges` edges like the present ones. A hint that changes nothing else.
   virtual void reserve(std::size_t edges) = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
@@ -80,7 +80,7 @@ class EdgePool {
   bool alive(std::uint32_t edge) const { return (flags_[edge] & kAlive) != 0; }
   bool enabled(std::uint32_t edge) const { return (flags_[edge] & kEnabled) != 0; }
   int level(std::uint32_t edge) const { return levels_.empty() ? 0 : levels_[edge]; }
-  /// The edge's robust kernel or nullptr.
+  /// The edge's robust kernel, or nullptr.
   const RobustKernel* kernel(std::uint32_t edge) const {
     return kernels_.empty() ? nullptr : kernels_[edge].get();
   }
@@ -99,30 +99,33 @@ class EdgePool {
     return vertex_pools_[std::min(static_cast<std::size_t>(i), vertex_pools_.size() - 1)];
   }
   InformationView information(std::uint32_t edge) const { return information(edge, shape(edge).rows); }
-  /// The same where the caller knows the number of rows.
+  /// The same if the caller knows the number of rows.
   InformationView information(std::uint32_t edge, int rows) const { return information_.view(edge, rows); }
-  /// Where the numbers of each listed edge's Ω lie, all of the kind that is returned: where they differ, in
-  /// full, written to `full`, which has room for rows (rows + 1) / 2 numbers per edge.
+  /// Sets omegas[k] to the values of the Ω of edges[k], and returns the kind of all of them. If their kinds
+  /// differ, writes each Ω in full to `full`, which has room for rows (rows + 1) / 2 values per edge.
   InformationKind informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
                                double* full) const;
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
 
  protected:
-  /// `vertex_pools`: the pool of each argument of the error function, of which the last `tails` stand for any
-  /// number of vertices.
+  /// `vertex_pools`: the pool of each argument of the error function. The last `tails` arguments stand for
+  /// any number of vertices.
   EdgePool(std::vector<std::uint32_t> vertex_pools, int tails);
   std::uint32_t argument_pool(int i) const { return vertex_pools_[static_cast<std::size_t>(i)]; }
-  /// How many vertices each tail of an edge has; empty where one tail, if any, has all that are left.
+  /// The number of vertices in each tail of an edge. Empty if there is at most one tail, which then has all
+  /// vertices that are left.
   std::span<const std::uint32_t> tail_sizes(std::uint32_t edge) const {
     if (tails_ <= 1) return {};
     const auto tails = static_cast<std::size_t>(tails_);
     return {tail_sizes_.data() + edge * tails, tails};
   }
   void reserve_slots(std::size_t edges);
-  /// The slot that acquire_slot() will return for an edge of this arity: that of a removed one, or slots().
+  /// The slot that acquire_slot() will return for an edge of this arity: the slot of a removed edge, or
+  /// slots().
   std::uint32_t next_slot(std::size_t arity) const;
-  /// Bookkeeping of a new edge. Returns its slot: that of a removed edge of the same arity, or slots() as it
-  /// was, in which case the derived pool grows too. Where it throws, nothing has changed.
+  /// Registers a new edge and returns its slot. This is the slot of a removed edge of the same arity, or the
+  /// previous value of slots(); in the second case the derived pool grows as well. If it throws, nothing has
+  /// changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots,
                              std::span<const std::uint32_t> tail_sizes, const Information& information,
                              int rows);
@@ -148,15 +151,15 @@ class EdgePool {
   std::vector<std::uint32_t> vertex_pools_;
   int uniform_arity_ = -1, tails_ = 0;
   std::vector<std::uint32_t> vertex_slots_;
-  std::vector<std::uint32_t> vertex_start_;  // only where the arity is chosen at run time
-  std::vector<std::uint32_t> tail_sizes_;    // tails_ per edge, only where there are several
+  std::vector<std::uint32_t> vertex_start_;  // only if the arity is chosen at run time
+  std::vector<std::uint32_t> tail_sizes_;    // tails_ per edge, only if there are several
   InformationStore information_;
   std::vector<std::uint8_t> flags_;
   std::vector<int> levels_;  // empty while all are 0
   std::vector<std::uint32_t> generations_;
   std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while none is set
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // of the next edge, whichever slot it takes
+  std::uint32_t next_generation_ = 0;  // of the next edge, in any slot
 };
 
 }  // namespace boxplus

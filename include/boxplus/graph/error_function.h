@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes a type an edge: an error function of the estimates of its vertices.
+// The error function that makes a type an edge: a function of the estimates of the edge's vertices.
 //
 // Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
-// arrive by const reference; the last arguments may be std::span<const T>, each of a type of its own, for
-// edges whose arity is chosen at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes
-// Eigen::Matrix<S, N, 1> is given copies (of a tail in new memory). The result is a scalar, a std::array, or
-// an Eigen vector, of fixed or run-time size.
+// arrive by const reference. The last arguments may be std::span<const T>, with a different T each, for edges
+// whose arity is chosen at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes
+// Eigen::Matrix<S, N, 1> gets copies, and a copied tail allocates memory. The result is a scalar, a
+// std::array, or an Eigen vector, of fixed or run-time size.
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
 // Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
 // must protect it.
 //
-//   - A function that is generic in the scalar of its arguments is differentiated exactly, by dual numbers.
-//   - One that takes plain estimates only is differentiated numerically, and the Report says so.
-//   - One with `jacobians(x_1, …, x_q, J_1, …, J_q) const`, where J_i is an Eigen::Ref/Map of rows ×
-//     dim(x_i), brings its own. J_i = ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0; every entry must be set. That of
-//     a span has the columns of all its elements, side by side. What is known at compile time, rows or
-//     columns, is fixed in the type of J_i; the rest is Eigen::Dynamic.
-//     A member function named `jacobians` or `jacobian` that cannot be called so does not compile
-//     (graph/check_types.h). An edge template that brings Jacobians for some of its types only says `static
-//     constexpr bool kJacobiansForSomeTypes = true`.
+//   - If the function is generic in the scalar of its arguments, it is differentiated exactly, by dual
+//   numbers.
+//   - If it takes plain estimates only, it is differentiated numerically, and the Report says so.
+//   - If the type has a member `jacobians(x_1, …, x_q, J_1, …, J_q) const`, that function computes the
+//     Jacobians. J_i is an Eigen::Ref or Map of rows × dim(x_i) for ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0; the
+//     function must set every entry. The J_i of a span has the columns of all elements, side by side. A
+//     number of rows or columns that is known at compile time is fixed in the type of J_i; otherwise it is
+//     Eigen::Dynamic.
+//     If a member function is named `jacobians` or `jacobian` but cannot be called like this, the edge does
+//     not compile (graph/check_types.h). An edge template that has Jacobians for some of its types only
+//     declares `static constexpr bool kJacobiansForSomeTypes = true`.
 #pragma once
 
 #include <array>
@@ -46,7 +48,7 @@ template <class V>
 inline constexpr bool kIsTail = false;
 template <class T>
 inline constexpr bool kIsTail<Tail<T>> = true;
-/// No tail stands before a type that is none.
+/// Whether all tails come after all other types.
 template <class... V>
 inline constexpr bool kTailsAreLast = true;
 template <class V, class W, class... Rest>
@@ -74,7 +76,7 @@ template <class T>
 struct ArgumentOf<Tail<T>> {
   using Type = std::span<const T>;
 };
-/// How an estimate is handed to the error function.
+/// The type as which the error function receives an estimate.
 template <class V>
 using Argument = typename ArgumentOf<V>::Type;
 
@@ -98,8 +100,8 @@ concept HasErrorMember = requires(const E& e, A&&... a) {
 template <class E, class... A>
 concept CallableAsIs = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
 
-/// An argument with Eigen's own alignment, if it is a vector or a span of vectors: what templates over
-/// Eigen::Matrix<S, N, 1> ask for.
+/// A copy of an argument with Eigen's default alignment, if it is a vector or a span of vectors. Templates
+/// over Eigen::Matrix<S, N, 1> require it.
 template <class T>
 struct AlignedCopy {};
 template <class S, int N>
@@ -171,10 +173,10 @@ int row_count(const R& result) {
   }
 }
 
-/// A result that owns its numbers. An unevaluated Eigen expression does not: it refers to temporaries that
-/// died with the function that returned it.
+/// Whether a result owns its values. An unevaluated Eigen expression does not: it refers to temporaries that
+/// were destroyed when the function returned.
 template <class R>
-inline constexpr bool kOwnsItsNumbers = [] {
+inline constexpr bool kOwnsItsValues = [] {
   if constexpr (requires { typename R::PlainObject; }) {
     return std::derived_from<R, Eigen::PlainObjectBase<R>>;
   } else {
@@ -186,13 +188,13 @@ template <class E, class... A>
 auto evaluate(const E& e, A&&... a) {
   using R = std::remove_cvref_t<decltype(call(e, std::forward<A>(a)...))>;
   static_assert(
-      kOwnsItsNumbers<R>,
-      "the error function returns an unevaluated Eigen expression, which refers to dead temporaries: "
+      kOwnsItsValues<R>,
+      "the error function returns an unevaluated Eigen expression, which refers to destroyed temporaries: "
       "give it a return type, or end it with .eval()");
   return call(e, std::forward<A>(a)...);
 }
 
-/// Row i of a result that may be a scalar.
+/// Row i of a result. The result may be a scalar.
 template <class R>
 decltype(auto) row(const R& result, int i) {
   if constexpr (requires { result.size(); }) {
@@ -202,7 +204,7 @@ decltype(auto) row(const R& result, int i) {
   }
 }
 
-/// Throws InvalidArgument: an error function changed its number of rows.
+/// Throws InvalidArgument, because an error function changed its number of rows.
 [[noreturn]] void throw_row_count(int expected, int actual);
 
 template <class R>
@@ -229,7 +231,7 @@ inline constexpr int kCols = [] {
   return dynamic ? kDynamic : sum;
 }();
 
-/// Dual numbers carry all columns at once up to this many; more columns go in passes of kDualChunk.
+/// Up to this many columns are differentiated at once; more columns take passes of kDualChunk.
 inline constexpr int kDualLimit = 24;
 inline constexpr int kDualChunk = 8;
 template <class... V>
@@ -240,7 +242,7 @@ inline constexpr int kDualSize = (kCols<V...> != kDynamic && kCols<V...> <= kDua
 template <class... V>
 using DualFor = Dual<double, kDualSize<V...>>;
 
-/// What the rows of a result are.
+/// The scalar type of the rows of a result.
 template <class R>
 struct RowScalar {
   using Type = R;
@@ -259,7 +261,8 @@ requires requires {
   using Type = typename R::value_type;
 };
 
-/// What a call would return, found without compiling the call: Eigen's conversions do not survive that.
+/// The type that a call would return. The call itself is not compiled, because Eigen's conversions between
+/// vectors of different scalars are declared but do not compile.
 template <class E, class... A>
 struct UnevaluatedResult {
   using Type = std::invoke_result_t<const E&, A...>;
@@ -273,8 +276,8 @@ template <class E, class... A>
 requires(!CallableAsIs<E, A...>) struct UnevaluatedResult<E, A...> : UnevaluatedResult<E, Aligned<A>...> {
 };
 
-/// The function carries S from its arguments to its result. (One that takes plain Eigen vectors can be called
-/// with vectors of S, since Eigen offers to convert them, but what it returns is plain.)
+/// If the arguments have the scalar S, so has the result. (A function of plain Eigen vectors accepts vectors
+/// of S, because Eigen declares a conversion, but returns plain values.)
 template <class E, class S, class... A>
 concept Carries = Callable<E, A...> &&
     std::is_same_v<typename RowScalar<std::remove_cvref_t<typename UnevaluatedResult<E, A...>::Type>>::Type,
@@ -284,15 +287,16 @@ template <class E, class S, class... V>
 concept DifferentiableWith =
     (LiftableManifold<ElementOf<V>, S> && ...) && Carries<E, S, Argument<Lifted<V, S>>...>;
 
-/// E asks for numeric Jacobians (see Numeric).
+/// E requests numeric Jacobians (see Numeric).
 template <class E>
 concept WantsNumeric = requires {
   requires E::kNumeric;
 };
 
-/// E declares `static constexpr bool kRigid = true`: its error tells all about the position of one vertex in
-/// the frame of another, or of one in the world; so it changes with every similarity of some of its vertices,
-/// but for a rigid motion of all of them. Spares the search for gauge freedom.
+/// Whether E declares `static constexpr bool kRigid = true`. Such an error measures the position of one
+/// vertex completely, in the frame of another vertex or in the world. So every similarity of some of its
+/// vertices changes the error, except for a rigid motion of all of them. The search for gauge freedom can
+/// then skip the edge.
 template <class E>
 inline constexpr bool kIsRigid = [] {
   if constexpr (requires { E::kRigid; }) {
@@ -302,7 +306,7 @@ inline constexpr bool kIsRigid = [] {
   }
 }();
 
-/// Exact Jacobians are available.
+/// Whether exact Jacobians are available.
 template <class E, class... V>
 inline constexpr bool kDifferentiable = [] {
   if constexpr (WantsNumeric<E>) {
@@ -314,7 +318,7 @@ inline constexpr bool kDifferentiable = [] {
   }
 }();
 
-/// The columns of one argument.
+/// The columns of one argument in the Jacobian.
 template <class V, int Rows>
 using JacobianBlock = Eigen::Map<Matrix<double, Rows, kIsTail<V> ? kDynamic : Manifold<ElementOf<V>>::kDim>>;
 
@@ -324,7 +328,7 @@ inline constexpr bool kAnalytic = requires(const E& e, Argument<V>... x,
   e.jacobians(x..., J...);
 };
 
-/// What optimize() takes unless it is told to differentiate numerically.
+/// The Jacobians that optimize() uses, unless Options::numeric_jacobians is set.
 template <class E, class... V>
 inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? JacobianSource::kAnalytic
                                                   : kDifferentiable<E, V...> ? JacobianSource::kAutomatic
@@ -336,7 +340,7 @@ inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? J
 template <class E, class... V>
 concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
 
-/// Wraps an error function whose Jacobians shall be numeric.
+/// Wraps an error function, so that its Jacobians are numeric.
 template <class E>
 struct Numeric {
   static constexpr bool kNumeric = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses and points as initial guesses see them: a rotation and a translation in 2 or 3 dimensions.
+// The frame of a pose or point, for initial guesses: a rotation and a translation in 2 or 3 dimensions.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ struct Frame {
   int dimension = 0;                    ///< 2 or 3
   bool has_rotation = false;            ///< false: a point
   std::array<double, 9> rotation{};     ///< dimension × dimension, row-major
-  std::array<double, 3> translation{};  ///< metres
+  std::array<double, 3> translation{};  ///< meters
 };
 
-/// Specialise for a vertex type that is a pose or a point, so that initial guesses can set it:
+/// Specialize for a vertex type that is a pose or a point, so that initial guesses can set it:
 ///   static Frame get(const T&);   static void set(T&, const Frame&);
 template <class T>
 struct FrameTrait {};
@@ -26,13 +26,14 @@ concept FrameType = requires(const T& x, T& out, const Frame& frame) {
   FrameTrait<T>::set(out, frame);
 };
 
-/// What an edge says about the frames of two of its vertices: T_to ≈ T_from · (rotation, translation).
+/// A measured relation between the frames of two vertices of an edge: T_to ≈ T_from · (rotation,
+/// translation).
 struct RelativeFrame {
   static constexpr int kWorld = -1;
   int from = 0;  ///< position of the vertex within the edge, or kWorld
   int to = 1;
   Frame motion;  ///< without rotation: only the position of `to` is measured
-  /// Which rows of the error are metres and which are angles, as [first, first + count).
+  /// The rows [first, first + count) of the error that are in meters, and those that are angles.
   int translation_row = 0, translation_rows = 0;
   int rotation_row = 0, rotation_rows = 0;
   double rotation_unit = 1;  ///< error units per radian (½ for quaternion vectors)

@@ -71,9 +71,9 @@ concept Attachable = requires {
 
 /// A hyper-graph: vertices of any manifold type, edges over any number of them.
 ///
-/// Handles stay valid until their element is removed. A stale handle, or one of another graph, throws
-/// InvalidArgument. Methods that take a handle are O(1) unless they say otherwise. A Graph is used by one
-/// thread at a time.
+/// Handles stay valid until their element is removed. All methods throw InvalidArgument for a stale handle
+/// and for a handle of another graph. Methods that take a handle are O(1) unless they say otherwise. Only one
+/// thread may use a Graph at a time.
 ///
 /// Eigen's column vectors of doubles are kept as Vector<double, N> (graph/stored_estimate.h). Every method
 /// takes either type.
@@ -81,18 +81,17 @@ class Graph {
  public:
   Graph();
   ~Graph();
-  /// A deep copy, in which the handles of `other` name the same elements; handles that either graph gives out
-  /// later belong to that graph alone. Estimates, error functions and the stack of push() are copied; robust
-  /// kernels are shared. An Optimizer of `other` stays with `other`. O(vertices + edges).
+  /// A deep copy. The handles of `other` name the same elements in the copy; handles that either graph
+  /// creates later belong to that graph alone. Estimates, error functions and the stack of push() are copied;
+  /// robust kernels are shared. An Optimizer of `other` stays with `other`. O(vertices + edges).
   Graph(const Graph& other);
   Graph& operator=(const Graph& other);
   Graph(Graph&&) noexcept;
   Graph& operator=(Graph&&) noexcept;
 
-  /// ── Vertices
-  /// ────────────────────────────────────────────────────────────────────────────────────────────────
+  // ---- Vertices ----
 
-  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument where the id is taken or
+  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument if the id is taken or
   /// negative.
   template <class T>
   VertexHandle<StoredEstimate<T>> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
@@ -101,8 +100,8 @@ class Graph {
     return register_vertex<StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
   }
 
-  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed from the start, never fixes
-  /// the gauge and has its own ids. Calibrating it is unfix()ing it.
+  /// Adds a shared constant (a sensor offset, a camera). It is a vertex that begins fixed, does not fix the
+  /// gauge, and has an id among the parameters. To calibrate it, unfix() it.
   template <class T>
   VertexHandle<StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
     static_assert(check_vertex_type<StoredEstimate<T>>());
@@ -112,7 +111,7 @@ class Graph {
     return handle;
   }
 
-  /// The vertex (parameter) with that id. Throws InvalidArgument where there is none or its type is another.
+  /// The vertex (parameter) with that id. Throws InvalidArgument if there is none, or if it has another type.
   template <ManifoldType T>
   VertexHandle<StoredEstimate<T>> vertex(Id id) const {
     return typed<T>(lookup(vertex_ids_, id, "vertex"));
@@ -123,7 +122,7 @@ class Graph {
   }
   std::optional<VertexRef> find_vertex(Id id) const;
   std::optional<VertexRef> find_parameter(Id id) const;
-  /// `vertex` as a handle of its type. Throws InvalidArgument where the estimate is no T.
+  /// `vertex` as a handle of its type. Throws InvalidArgument if the estimate is no T.
   template <ManifoldType T>
   VertexHandle<StoredEstimate<T>> typed(VertexRef vertex) const {
     typed_pool<T>(vertex);
@@ -134,8 +133,8 @@ class Graph {
   const StoredEstimate<T>& estimate(VertexHandle<T> vertex) const {
     return typed_pool<T>(vertex).value(vertex.slot);
   }
-  /// Moves a vertex. Where a run-time-size estimate changes its size, the errors of its edges must follow
-  /// suit.
+  /// Sets the estimate of a vertex. If a run-time-size estimate changes its size, the error functions of its
+  /// edges must accept the new size.
   template <ManifoldType T>
   void set_estimate(VertexHandle<T> vertex, std::type_identity_t<StoredEstimate<T>> estimate) {
     StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
@@ -145,25 +144,25 @@ class Graph {
   }
 
   Id id(VertexRef vertex) const;
-  /// Throws InvalidArgument where the new id is taken or negative.
+  /// Throws InvalidArgument if the new id is taken or negative.
   void change_id(VertexRef vertex, Id new_id);
   bool contains(VertexRef vertex) const;
   int tangent_dim(VertexRef vertex) const;
 
-  /// A fixed vertex keeps its estimate in every optimisation.
+  /// A fixed vertex keeps its estimate in every optimization.
   void fix(VertexRef vertex) { set_fixed(vertex, true); }
   void unfix(VertexRef vertex) { set_fixed(vertex, false); }
   void set_fixed(VertexRef vertex, bool fixed);
   bool is_fixed(VertexRef vertex) const;
 
-  /// The vertex stays in these directions of its tangent space, numbered from 0; in the others it moves. For
-  /// SE3, {2, 3, 4} keeps a vehicle in the plane: the tangent is (Δt, Δq) in the body frame. A second call
-  /// replaces the directions of the first; none lets the vertex go.
+  /// Fixes some directions of a vertex in its tangent space, numbered from 0; the vertex moves in the others.
+  /// For SE3, {2, 3, 4} keeps a vehicle in the plane: the tangent is (Δt, Δq) in the body frame. A second
+  /// call replaces the directions of the first; an empty list releases the vertex.
   ///
-  /// The step of every optimization is exactly zero there, with any edges, kernels, solvers and elimination,
-  /// and so is the covariance. Which numbers of the estimate keep their bits is up to ⊞ of its type: all
-  /// entries of a vector or a Product do; z of an SE3 does while the body's z axis is that of the world.
-  /// Throws InvalidArgument if a direction is not in [0, tangent_dim).
+  /// Every optimization step is exactly zero in fixed directions, with any edges, kernels, solvers and
+  /// elimination, and so is the covariance. It depends on ⊞ of the type which values of the estimate keep
+  /// their bits: the entries of a vector or a Product do; z of an SE3 does while the z axis of the body is
+  /// parallel to that of the world. Throws InvalidArgument if a direction is not in [0, tangent_dim).
   void fix_directions(VertexRef vertex, std::span<const int> directions);
   void fix_directions(VertexRef vertex, std::initializer_list<int> directions) {
     fix_directions(vertex, std::span(directions.begin(), directions.size()));
@@ -171,8 +170,8 @@ class Graph {
   /// Ascending; valid until the next call for any vertex.
   std::span<const int> fixed_directions(VertexRef vertex) const;
 
-  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). No
-  /// edge may join two eliminated vertices; optimize() throws InvalidArgument where one does.
+  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). If an
+  /// edge joins two eliminated vertices, optimize() throws InvalidArgument.
   void set_eliminated(VertexRef vertex, bool eliminated);
   bool is_eliminated(VertexRef vertex) const;
 
@@ -180,18 +179,17 @@ class Graph {
   /// edges().
   void remove(VertexRef vertex);
 
-  /// ── Edges
-  /// ───────────────────────────────────────────────────────────────────────────────────────────────────
+  // ---- Edges ----
 
   /// Adds an edge with the identity as information. The vertices are handles; the last ones may be ranges of
-  /// handles, each of any type. Throws InvalidArgument where a vertex appears twice or is stale.
+  /// handles, each of any type. Throws InvalidArgument if a vertex appears twice or is stale.
   template <class E, class... H>
   requires(edge::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
   }
 
-  /// Adds an edge with information Ω (a number, an Eigen matrix, an Information). Throws InvalidArgument
-  /// where Ω does not fit the error, is not symmetric positive semi-definite or not finite.
+  /// Adds an edge with information Ω (a number, an Eigen matrix, an Information). Throws InvalidArgument if Ω
+  /// does not fit the size of the error, is not symmetric positive semi-definite, or is not finite.
   template <class E, class... H>
   requires(sizeof...(H) > 0 &&
            (edge::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
@@ -216,7 +214,7 @@ class Graph {
     return handle;
   }
 
-  /// Makes room for `count` edges in all of the type of this one: a hint, which saves time where many follow.
+  /// Makes room for a total of `count` edges of the type of `like`. A hint, which saves time if many follow.
   void reserve_edges(EdgeRef like, std::size_t count);
 
   /// The error function (measurement) of an edge.
@@ -224,7 +222,7 @@ class Graph {
   const E& measurement(EdgeHandle<E> edge) const {
     return *static_cast<const E*>(edge_access<E>(edge).value(*edge_pools_[edge.pool], edge.slot));
   }
-  /// Replaces the error function; its number of rows must stay.
+  /// Replaces the error function. The number of rows must stay the same.
   template <class E>
   void set_measurement(EdgeHandle<E> edge, E error) {
     edge_access<E>(edge).replace(*edge_pools_[edge.pool], edge.slot, &error);
@@ -244,37 +242,36 @@ class Graph {
   requires std::derived_from<K, RobustKernel>
   void set_kernel(EdgeRef edge, const K& kernel) { set_kernel(edge, std::make_shared<const K>(kernel)); }
   const RobustKernel* kernel(EdgeRef edge) const;
-  /// A disabled edge weighs nothing; the structure of the problem stays. So it still counts as what holds its
-  /// part of the graph in place (GaugePolicy), like an edge whose Ω is zero.
+  /// A disabled edge has zero weight, but stays in the structure of the problem. So it still holds its part
+  /// of the graph in place for GaugePolicy, like an edge whose Ω is zero.
   void set_enabled(EdgeRef edge, bool enabled);
   bool is_enabled(EdgeRef edge) const;
-  /// Options::level chooses which edges take part.
+  /// Options::level selects the edges that take part.
   void set_level(EdgeRef edge, int level);
   int level(EdgeRef edge) const;
   void remove(EdgeRef edge);
 
-  /// eᵀΩe of one edge, before its kernel; the same without Ω: its error.
+  /// eᵀΩe of one edge, without its kernel; and its error e.
   double chi2(EdgeRef edge) const;
   std::vector<double> error(EdgeRef edge) const;
   /// The factor by which an optimizer multiplies Ω of one edge at the current estimates: ρ′(eᵀΩe) of its
   /// kernel, but at least 0; 1 without a kernel; 0 for a disabled edge. The weighted information of the edge
   /// is weight(edge) * information(edge).matrix().
   double weight(EdgeRef edge) const;
-  /// The Jacobian of one edge's error at the current estimates: for the i-th of vertices(edge), fixed ones
-  /// included, ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, which has rows × tangent_dim(x_i) entries. Neither Ω nor
-  /// the kernel is applied.
+  /// The Jacobian of one edge's error at the current estimates, in one block per vertex, fixed vertices
+  /// included. Block i belongs to the i-th of vertices(edge): ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, with rows
+  /// × tangent_dim(x_i) entries. Neither Ω nor the kernel is applied.
   std::vector<Eigen::MatrixXd> jacobian(EdgeRef edge) const;
   /// Σ ρ(eᵀΩe) over all enabled edges. O(edges).
   double chi2() const;
 
-  /// ── State
-  /// ───────────────────────────────────────────────────────────────────────────────────────────────────
+  // ---- State ----
 
-  /// Saves the estimates of all (the given) vertices on a stack, those of parameters too; calls nest.
+  /// Saves the estimates of all vertices and parameters, or of the given ones, on a stack. Calls nest.
   void push();
   void push(std::span<const VertexRef> vertices);
-  /// Restores (forgets) what the matching push() saved. Vertices removed since are skipped. Throws
-  /// InvalidArgument where nothing was pushed.
+  /// pop() restores the estimates that the matching push() saved; discard_top() drops them. Vertices that
+  /// were removed since are skipped. Both throw InvalidArgument if nothing was pushed.
   void pop();
   void discard_top();
   int stack_size() const { return static_cast<int>(stack_.size()); }
@@ -288,27 +285,25 @@ class Graph {
   std::vector<EdgeRef> all_edges() const;
   void clear();
 
-  /// ── For the engine
-  /// ──────────────────────────────────────────────────────────────────────────────────────────
+  // ---- For the engine ----
 
   std::span<const std::unique_ptr<VertexPool>> vertex_pools() const { return vertex_pools_; }
   std::span<const std::unique_ptr<EdgePool>> edge_pools() const { return edge_pools_; }
-  /// Changes whenever the structure of the problem does: elements, fixed and eliminated flags, fixed
-  /// directions, levels, sizes.
-  /// Values, weights, kernels and enabled flags do not count.
+  /// Changes when the structure of the problem changes: elements, fixed and eliminated flags, fixed
+  /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are no part of the structure.
   std::uint64_t revision() const { return revision_; }
   /// The revision of the last change of the structure that did more than append elements to the ends of their
-  /// pools. Whoever knows the structure of this or a later revision finds all changes behind the slots that
-  /// the pools had then.
+  /// pools. If a caller knows the structure of this or a later revision, all changes since then lie beyond
+  /// the slots that the pools had at that revision.
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
-  /// Whether this still is the graph that an observer knows, and whether it is in use.
+  /// Tells an observer whether this is still the same graph, and whether it is in use.
   const std::shared_ptr<detail::LifeState>& life() const { return lifetime_.state(); }
 
  private:
   /// The edges of each vertex.
   class Incidence;
-  /// All but the life of `other`.
+  /// Takes everything from `other` except its lifetime.
   void take_elements(Graph& other) noexcept;
 
   /// One entry of the stack of push().
@@ -324,9 +319,9 @@ class Graph {
     std::vector<Part> parts;  // per pool
   };
 
-  /// Where the generations of a graph's pools begin to count. Each call gives another number, and numbers
-  /// given so far lie as far apart as they can: handles of another graph, and handles from before clear(),
-  /// are recognized. Thread-safe.
+  /// The first generation of a graph's pools. Each call returns a different number, and the numbers lie as
+  /// far apart as possible. So handles of another graph, and handles from before clear(), are recognized.
+  /// Thread-safe.
   static std::uint32_t new_epoch() noexcept;
   void note_rewrite() { last_rewrite_ = ++revision_; }
   void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
@@ -341,7 +336,7 @@ class Graph {
   void mark_parameter(VertexRef vertex);
   std::vector<EdgeRef> find_edges(VertexRef vertex) const;
   void index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexcept;
-  /// The blocks of jacobian(), one behind the other; each column-major.
+  /// The blocks of jacobian(), one after the other; each is column-major.
   std::vector<double> stacked_jacobian(EdgeRef edge) const;
   void save(Saved saved);
 
@@ -376,7 +371,7 @@ class Graph {
     }
     return static_cast<TypedVertexPool<StoredEstimate<T>>&>(pool);
   }
-  /// The index of T's pool, which is made where it is missing.
+  /// The index of the pool of T. Makes the pool if there is none.
   template <class T>
   std::uint32_t require_vertex_pool() {
     if (last_vertex_pool_.type == &typeid(T)) return last_vertex_pool_.index;
@@ -402,7 +397,7 @@ class Graph {
     return handle;
   }
 
-  /// How the error functions of an edge pool are reached by one who knows E, but not the types of the
+  /// Access to the error functions of an edge pool for callers that know E, but not the types of the
   /// vertices.
   struct EdgeAccess {
     const std::type_info* type;
@@ -428,7 +423,7 @@ class Graph {
     return access;
   }
 
-  /// The index of the edges' pool, which is made where it is missing.
+  /// The index of the pool of these edges. Makes the pool if there is none.
   template <class E, class... V>
   std::uint32_t edge_pool_for() {
     using Pool = TypedEdgePool<E, V...>;
@@ -447,8 +442,8 @@ class Graph {
     return entry->second;
   }
 
-  /// The pool that was added to last: most elements come in runs of one type, and a type is hashed by its
-  /// name.
+  /// The pool to which the last element was added. It saves most look-ups, which hash the name of the type,
+  /// because most elements come in runs of one type.
   struct LastPool {
     const std::type_info* type = nullptr;
     std::uint32_t index = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light references to elements of a Graph. They stay valid until their element is removed. A stale one is
-// detected, and so is one of another graph.
+// Light references to elements of a Graph. They stay valid until their element is removed. Stale handles and
+// handles of another graph are detected.
 #pragma once
 
 #include <compare>
@@ -11,12 +11,12 @@
 
 namespace boxplus {
 
-/// The integer name of a vertex: chosen by the user or the file, else the next free one.
+/// The integer name of a vertex: chosen by the user or read from a file, otherwise the next free one.
 using Id = std::int64_t;
 
-/// A vertex of any type: slot `slot` of vertex pool `pool`. `generation` tells a re-used slot from its
-/// predecessor, and the slot of one graph from that of another: graphs count generations from different
-/// numbers.
+/// A vertex of any type: slot `slot` of vertex pool `pool`. `generation` tells the elements apart that have
+/// used a slot one after the other. It also tells graphs apart, because each counts generations from another
+/// number.
 struct VertexRef {
   std::uint32_t pool = 0xFFFFFFFFu;
   std::uint32_t slot = 0;
@@ -38,8 +38,8 @@ struct VertexHandle : VertexRef {
   using Estimate = T;
 };
 
-/// The same vertex type under another name: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert
-/// into each other.
+/// Another name of the same vertex type: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert into
+/// each other.
 template <class T>
 requires(!std::same_as<T, StoredEstimate<T>>) struct VertexHandle<T> : VertexHandle<StoredEstimate<T>> {
   VertexHandle() = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which vertex has which id.
+// A map from ids to vertices.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace boxplus {
 
-/// A hash table in one piece of memory, made for ids that count up from a number: such ids lie side by side,
-/// as the vertices of an edge mostly do. Where an entry is taken, a stride that the id's hash gives leads to
-/// the next, so that no pattern of ids makes it slow. All calls O(1), on average over the ids; growth
-/// amortised.
+/// A hash table in one piece of memory, made for consecutive ids. These lie side by side, which suits edges,
+/// because the ids of an edge's vertices are mostly close to each other. If an entry is taken, the search
+/// goes on with a stride that depends on the hash of the id, so that no pattern of ids makes it slow. All
+/// calls are O(1) on average over the ids; growth is amortized.
 class IdMap {
  public:
   std::size_t size() const { return size_; }
   bool contains(Id id) const { return find(id) != nullptr; }
-  /// nullptr where there is none. Valid until the next change.
+  /// The vertex with that id, or nullptr if there is none. Valid until the next change.
   const VertexRef* find(Id id) const;
-  /// After it, insert() does not allocate.
+  /// After this call, the next insert() does not allocate.
   void make_room();
   /// The id must be ≥ 0 and new.
   void insert(Id id, VertexRef vertex);

@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-/// How the values of an Ω of n rows are laid out: 1 number, n numbers, or the n(n+1)/2 numbers of the upper
+/// The layout of the values of an Ω of n rows: 1 value, n values, or the n(n+1)/2 values of the upper
 /// triangle row by row (Ω11 Ω12 … Ω1n Ω22 …).
 enum class InformationKind : std::uint8_t { kScalar, kDiagonal, kFull };
 
@@ -23,7 +23,7 @@ struct InformationView {
   const double* values = nullptr;
 
   double operator()(int i, int j) const;
-  /// y = Ω x for `columns` columns of `rows` numbers each (column-major). y must not alias x.
+  /// y = Ω x for `columns` columns of `rows` values each (column-major). y must not alias x.
   void apply(const double* x, int columns, double* y) const;
   /// eᵀ Ω e.
   double squared_norm(const double* e) const {
@@ -46,25 +46,25 @@ struct InformationView {
   double weighted_squared_norm(const double* e) const;  // diagonal or full
 };
 
-/// An Ω on its way into a graph.
+/// An Ω that is passed to a graph.
 class Information {
  public:
   /// value · I, for an error of any size.
   Information(double value) : Information(InformationKind::kScalar, 0, std::span(&value, 1)) {}
-  /// A symmetric n × n matrix. Throws InvalidArgument where it is not square or not symmetric.
+  /// A symmetric n × n matrix. Throws InvalidArgument if it is not square or not symmetric.
   template <class Derived>
   Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
   static Information diagonal(std::span<const double> values);
-  /// n(n+1)/2 numbers, row by row; scalar and diagonal matrices are recognised and stored as such.
+  /// n(n+1)/2 values, row by row. Scalar and diagonal matrices are recognized and stored as such.
   static Information upper_triangle(std::span<const double> values, int rows);
 
   InformationKind kind() const { return kind_; }
   std::span<const double> values() const {
     return count_ <= kNear ? std::span(near_.data(), count_) : std::span(far_);
   }
-  /// Number of rows, or 0 for a scalar, which fits any.
+  /// The number of rows, or 0 for a scalar, which fits an error of any size.
   int rows() const { return rows_; }
-  /// What is wrong with this Ω for an error of `rows` rows (size, NaN, indefinite), or an empty string.
+  /// The reason why this Ω does not suit an error of `rows` rows (size, NaN, indefinite); empty if it does.
   std::string complaint(int rows) const;
 
  private:
@@ -77,13 +77,13 @@ class Information {
   int rows_;
   std::size_t count_;
   std::array<double, kNear> near_;
-  std::vector<double> far_;  // all values, where they are more
+  std::vector<double> far_;  // all values, if they are more than kNear
 };
 
 /// The Ω of all edges of a pool, one after the other.
 class InformationStore {
  public:
-  /// Makes room for `growth` times as many as there are.
+  /// Makes room for `growth` times the present number of values.
   void reserve(double growth);
   void append(const Information& information, int rows);
   void set(std::uint32_t edge, const Information& information, int rows);
@@ -98,8 +98,8 @@ class InformationStore {
   static constexpr std::uint64_t kCapacityMask = (std::uint64_t{1} << kCapacityBits) - 1;
   static std::uint64_t entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset);
 
-  // From the top: 2 bits for the kind, 22 for the numbers that fit at the offset, 40 for the offset into
-  // values_.
+  // From the top: 2 bits for the kind, 22 for the number of values that fit at the offset, 40 for the offset
+  // into values_.
   std::vector<std::uint64_t> entries_;
   std::vector<double> values_;
 };

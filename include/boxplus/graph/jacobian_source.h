@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the Jacobians of an edge type come from.
+// The source of the Jacobians of an edge type.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace boxplus {
 
 enum class JacobianSource : std::uint8_t {
-  kAnalytic,   ///< "own": the type's member jacobians()
-  kAutomatic,  ///< "exact": dual numbers through error()
+  kAnalytic,   ///< "analytic": the member jacobians() of the edge type
+  kAutomatic,  ///< "exact": error() on dual numbers
   kNumeric     ///< "numeric": differences of error()
 };
 std::string_view to_string(JacobianSource source);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells an object's observers whether the object still is what they observed.
+// Tells the observers of an object whether the object still exists.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@ namespace boxplus::detail {
 /// Shared by an object and its observers. It outlives the object.
 struct LifeState {
   bool is_over = false;
-  bool is_in_use = false;  ///< for observers that must have the object for themselves
+  bool is_in_use = false;  ///< set by an observer that needs exclusive access
 };
 
 /// A member of the observed object. The life of the object ends when it is destroyed, moved from or assigned
-/// to. A copy, and the target of a move, begins a life of its own.
+/// to. A copy begins a new life, and so does the target of a move.
 class Lifetime {
  public:
   Lifetime() = default;
@@ -32,7 +32,7 @@ class Lifetime {
   }
   ~Lifetime() { end(); }
 
-  /// The state of the current life. Allocates at the first call of a life.
+  /// The state of the current life. The first call of each life allocates.
   const std::shared_ptr<LifeState>& state() const {
     if (!state_) state_ = std::make_shared<LifeState>();
     return state_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Growth in two steps, so that an element is added to several vectors or to none.
+// Growth in two steps (reserve, then append), so that an element is added to all of several vectors or to
+// none.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace boxplus {
 
-/// Room for `count` elements in all, in large pages where that is much.
+/// Makes room for a total of `count` elements, in large pages if this is much memory.
 template <class T>
 void reserve(std::vector<T>& vector, std::size_t count) {
   if (count <= vector.capacity()) return;
@@ -18,7 +19,7 @@ void reserve(std::vector<T>& vector, std::size_t count) {
   prefer_large_pages(vector.data(), vector.capacity() * sizeof(T));
 }
 
-/// After it, `extra` elements can be appended without allocation. Amortised O(extra).
+/// After this call, `extra` elements can be appended without allocation. Amortized O(extra).
 template <class T>
 void make_room(std::vector<T>& vector, std::size_t extra = 1) {
   const std::size_t needed = vector.size() + extra;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames of the manifold types: SE2 and SE3 are poses, vectors of two or three numbers are points, and a
+// The frames of the manifold types: SE2 and SE3 are poses, vectors of two or three scalars are points, and a
 // product has the frame of its first part.
 //
-// Included by the vertex pools, so that every translation unit sees the same pools.
+// The vertex pools include this file, so that every translation unit sees the same specializations.
 #pragma once
 
 #include <algorithm>
@@ -39,10 +39,9 @@ struct FrameTrait<BasicSE3<double, Chart>> {
   static void set(Pose& x, const Frame& frame) {
     const Matrix<double, 3, 3> r =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.rotation.data());
-    // ⊞ and frames keep the norm of the quaternion as it was read (see Manifold<BasicSE3>).
+    // A new frame keeps the norm of the quaternion, as ⊞ does (see Manifold<BasicSE3>).
     const double n2 = x.quaternion().squared_norm();
-    const double norm =
-        n2 > 0.5 && n2 < 2 ? std::sqrt(n2) : 1;  // 1 also where the old estimate is not finite
+    const double norm = n2 > 0.5 && n2 < 2 ? std::sqrt(n2) : 1;  // 1 also if the old estimate is not finite
     x = Pose::from_unit(Vector3(frame.translation.data()), scaled(normalized(quaternion_of(r)), norm));
   }
 };
@@ -59,7 +58,7 @@ requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options
   static void set(Point& x, const Frame& frame) { std::copy_n(frame.translation.begin(), N, x.data()); }
 };
 
-/// A pose with more about it: a camera with its intrinsics, a robot with its velocity.
+/// A pose with more parts: a camera with its intrinsics, a robot with its velocity.
 template <FrameType First, class... Rest>
 struct FrameTrait<Product<First, Rest...>> {
   static Frame get(const Product<First, Rest...>& x) { return FrameTrait<First>::get(x.template get<0>()); }

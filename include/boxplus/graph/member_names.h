@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which names the members of an error function have, whatever their signatures: to tell a mistake from
-// absence.
+// Finds out whether an error function has a member of a given name, with any signature. A member with a wrong
+// signature is a mistake; a missing one is not.
 #pragma once
 
 #include <type_traits>
 
 namespace boxplus::edge {
 
-/// A second member of the same name makes a name ambiguous, be it that of a template or of overloads.
+/// A base class with a member of the same name makes the name ambiguous in a derived class. This also finds
+/// templates and overloads, whose address cannot be taken.
 struct NamedError {
   int error;
 };
@@ -50,7 +51,7 @@ inline constexpr bool kNamesJacobians<E> = !requires {
   &Both<E, NamedJacobians>::jacobians;
 };
 
-/// A member error, an operator(), or a type that cannot be asked.
+/// Whether E has a member error or an operator(). True if it cannot be found out.
 template <class E>
 inline constexpr bool kHasFunction = true;
 template <CanBeBase E>
@@ -58,7 +59,7 @@ inline constexpr bool kHasFunction<E> = kNamesError<E> || !requires {
   &Both<E, NamedCall>::operator();
 };
 
-/// A member function named like a Jacobian. Members that hold data may have any name.
+/// Whether E has a member function with the name of a Jacobian. Data members may have any name.
 template <class E>
 inline constexpr bool kNamesJacobianFunction = (kNamesJacobian<E> &&
                                                 !requires(const E& e) { sizeof(e.jacobian); }) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The type as which a graph holds an estimate.
+// The type as which a graph stores an estimate.
 #pragma once
 
 #include <concepts>
@@ -25,8 +25,8 @@ struct StoredAs<T> {
   using Type = Vector<double, T::RowsAtCompileTime>;
 };
 
-/// Vector<double, N> for every Eigen column vector of N doubles, whatever its alignment, and for expressions
-/// of one; T itself for all other types. So Eigen::Vector2d and Vector2 are one vertex type.
+/// Vector<double, N> for every Eigen column vector of N doubles, with any alignment, and for expressions of
+/// such vectors; T itself for all other types. So Eigen::Vector2d and Vector2 are one vertex type.
 template <class T>
 using StoredEstimate = typename StoredAs<T>::Type;
 

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// `mangled` in plain C++, or itself where that fails.
+/// The C++ name for `mangled`, or `mangled` itself if it cannot be demangled.
 std::string demangle(const char* mangled);
 
 template <class T>
@@ -19,7 +19,7 @@ inline constexpr bool kIsRealVector = false;
 template <int N, int Options, int MaxRows, int MaxCols>
 inline constexpr bool kIsRealVector<Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>> = true;
 
-/// T::kName where T has one, "Vector2" and the like for Eigen's column vectors, else T's C++ name.
+/// T::kName if T has one, "Vector2" and the like for Eigen's column vectors, otherwise T's C++ name.
 template <class T>
 std::string_view type_name() {
   if constexpr (requires { std::string_view(T::kName); }) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges of one error function over one list of vertex types, by value.
+// A pool of edges with one error function type and one list of vertex types, stored by value.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace boxplus {
 
-/// Specialised for edge types that the library has a kernel for, which linearises several edges at a time
+/// Specialized for edge types for which the library has a kernel that linearizes several edges at a time
 /// (types/between.h).
 template <class E, class... V>
 struct LaneKernel {
@@ -41,7 +41,7 @@ class TypedEdgePool final : public EdgePool {
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kTails), pools_(pools) {}
 
-  /// `tail_sizes`: how many vertices each tail has. Where it throws, nothing has changed.
+  /// `tail_sizes`: the number of vertices in each tail. If it throws, nothing has changed.
   std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots,
                     std::span<const std::uint32_t> tail_sizes = {}) {
     const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots, tail_sizes);
@@ -64,8 +64,8 @@ class TypedEdgePool final : public EdgePool {
     return slot;
   }
 
-  /// Puts another error function into a slot. A lambda with captures cannot be assigned, only constructed
-  /// anew.
+  /// Puts another error function into a slot. A lambda with captures cannot be assigned, so a copy is
+  /// constructed in its place.
   void replace(std::uint32_t slot, E edge) {
     if constexpr (std::is_move_assignable_v<E>) {
       edges_[slot] = std::move(edge);
@@ -167,7 +167,7 @@ class TypedEdgePool final : public EdgePool {
   }
 
  private:
-  /// An argument on its way to the error function; a tail is gathered into memory of the worker.
+  /// An argument of the error function. A tail is gathered into memory of the worker.
   template <class A>
   struct Loaded {
     const edge::ElementOf<A>* value;
@@ -221,8 +221,8 @@ class TypedEdgePool final : public EdgePool {
     return with_slots(vertex_slots(edge), tail_sizes(edge), std::forward<F>(f));
   }
 
-  /// f(edge, its arguments…) for each edge. If consecutive edges have one and the same vertex, they get one
-  /// copy of its estimate, which can stay in registers: nothing that f writes can change it.
+  /// Calls f(edge, its arguments…) for each edge. If consecutive edges have the same vertex, they get one
+  /// copy of its estimate. The copy can stay in registers, because nothing that f writes can change it.
   template <class F>
   void for_each_with_arguments(std::span<const std::uint32_t> edges, F&& f) const {
     if constexpr (kArguments == 1 && kTails == 0 && (std::is_trivially_destructible_v<V> && ...)) {
@@ -237,13 +237,14 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  /// f of where the numbers of each edge lie, and those of its vertices: an array per position.
+  /// Calls f with arrays of pointers: to the values of each edge, and to the estimates of its first, second,
+  /// … vertex.
   template <class F>
   void with_lane_sources(std::span<const std::uint32_t> edges, F&& f) const {
     std::array<const double*, EdgeTile::kCapacity> sources[kArguments + 1];
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto slots = vertex_slots(edges[k]);
-      sources[0][k] = LaneKernel<E, V...>::numbers(edges_[edges[k]]);
+      sources[0][k] = LaneKernel<E, V...>::values(edges_[edges[k]]);
       [&]<std::size_t... I>(std::index_sequence<I...>) {
         ((sources[I + 1][k] = std::get<I>(pools_)->value(slots[I]).data()), ...);
       }
@@ -269,7 +270,7 @@ class TypedEdgePool final : public EdgePool {
                       [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
   }
 
-  /// f(edge, its error, its Jacobian) for each edge of a tile.
+  /// Calls f(edge, its error, its Jacobian) for each edge of a tile.
   template <class F>
   static void for_each_of_tile(std::span<const std::uint32_t> edges, const EdgeTile& tile, F&& f) {
     double* error = tile.error;
@@ -281,7 +282,7 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  /// A template, so that an explicit instantiation of the pool leaves it out for other edges.
+  /// A template, so that an explicit instantiation of the pool leaves it out for edges without Jacobians.
   template <class Edge = E>
   requires(edge::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
                                                                     const EdgeTile& tile) const {
@@ -290,14 +291,14 @@ class TypedEdgePool final : public EdgePool {
     const int n = kRows != kDynamic ? kRows : tile.rows;
     for_each_with_arguments(edges, [&](std::uint32_t edge, const auto&... x) {
       edge::copy_rows(edge::evaluate(edges_[edge], x...), n, error);
-      edge::own_jacobian<V...>(edges_[edge], jacobian, n, x...);
+      edge::analytic_jacobian<V...>(edges_[edge], jacobian, n, x...);
       error += n;
       jacobian += static_cast<std::ptrdiff_t>(n) * tile.cols;
     });
   }
 
-  /// All edges of the tile for one window of columns, then for the next: so an estimate that consecutive
-  /// edges share is lifted once.
+  /// Differentiates all edges of the tile for one window of columns, then for the next. So an estimate that
+  /// consecutive edges share is lifted once per window.
   template <class Edge = E>
   requires(edge::kDifferentiable<Edge, V...>) void linearize_automatically(
       std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
@@ -325,7 +326,7 @@ class TypedEdgePool final : public EdgePool {
 
   VertexPools pools_;
   std::vector<E> edges_;
-  std::vector<int> rows_;  // only where the error's size is chosen at run time
+  std::vector<int> rows_;  // only if the size of the error is chosen at run time
 };
 
 }  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertices of one C++ type, by value.
+// A pool of vertices of one C++ type, stored by value.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace boxplus {
 template <ManifoldType T>
 class TypedVertexPool final : public VertexPool {
  public:
-  /// Where it throws, nothing has changed.
+  /// If it throws, nothing has changed.
   std::uint32_t add(T estimate, Id id) {
     if (next_slot() < values_.size()) {
       values_[next_slot()] = std::move(estimate);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does an error function take other vectors than its vertices hold?
+// Finds out whether an error function takes vectors of other types than those of its vertices.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ struct ParametersOf<R (C::*)(P...) const> {
 template <class R, class C, class... P>
 struct ParametersOf<R (C::*)(P...) const noexcept> : ParametersOf<R (C::*)(P...) const> {};
 
-/// Those of an error function that is neither a template nor overloaded; void for others.
+/// The parameters of an error function that is neither a template nor overloaded; void for others.
 template <class E>
 struct KnownParameters {
   using Type = void;
@@ -49,7 +49,8 @@ concept PlainEigen = requires {
   requires std::derived_from<P, Eigen::PlainObjectBase<P>>;
 };
 
-/// False where P and V are vectors of different sizes or scalars: Eigen offers to convert them, but cannot.
+/// False if P and V are vectors of different sizes or scalars. Eigen declares a conversion between them, but
+/// it does not compile.
 template <class P, class V>
 inline constexpr bool kFits = true;
 template <PlainEigen P, EigenColumn V>
@@ -63,7 +64,8 @@ template <class... P, class... V>
 requires(sizeof...(P) == sizeof...(V)) inline constexpr bool kAllFit<Parameters<P...>, V...> = (kFits<P, V> &&
                                                                                                 ...);
 
-/// E could be called if argument A, between others, were a vector (a tail of vectors) of another size.
+/// Whether E could be called if A, the argument between Before and After, were a vector (or a tail of
+/// vectors) of another size.
 template <class E, class Before, class A, class After, class Sizes = std::make_integer_sequence<int, 12>>
 inline constexpr bool kTakesAnother = false;
 template <class E, class... B, EigenColumn A, class... C, int... N>

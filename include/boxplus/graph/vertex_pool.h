@@ -14,7 +14,7 @@
 
 namespace boxplus {
 
-/// Estimates of some vertices of one pool, as a value apart from the pool.
+/// A copy of the estimates of some vertices of one pool.
 class SavedEstimates {
  public:
   virtual ~SavedEstimates() = default;
@@ -24,12 +24,12 @@ class SavedEstimates {
 /// The erased interface of the vertices of one type: one virtual call per pool and list, never one per
 /// vertex.
 ///
-/// Slots are stable; a removed vertex leaves a tombstone whose slot may be used again under a new generation.
+/// Slots are stable. A removed vertex leaves a free slot, which a new vertex may use with a new generation.
 class VertexPool {
  public:
   virtual ~VertexPool() = default;
 
-  /// In a list of slots: restore() skips this entry.
+  /// An entry in a list of slots that restore() skips.
   static constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
 
   /// A copy with the same slots and generations.
@@ -40,17 +40,17 @@ class VertexPool {
   /// x ← x ⊞ δ for every listed slot; the δ of slots[k] begins at delta[offsets[k]].
   virtual void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
                      const double* delta) = 0;
-  /// Copies the listed estimates to `saved`, which is made if it is null. Allocates nothing if `saved` holds
-  /// as many estimates of the same sizes already.
+  /// Copies the listed estimates to `saved`, and creates it if it is null. Allocates nothing if `saved`
+  /// already holds as many estimates of the same sizes.
   virtual void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const = 0;
   /// Copies the k-th estimate of `saved` to slots[k]. `saved` was filled by save() with a list of as many
   /// slots.
   virtual void restore(std::span<const std::uint32_t> slots, const SavedEstimates& saved) = 0;
-  /// The pose or point in `slot`; false where the type is neither.
+  /// The frame of the pose or point in `slot`. Returns false if the type is neither.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}
-  /// δ such that the estimate ⊞ δ has the given frame; nothing else about it changes. Zero if the type is
-  /// neither pose nor point.
+  /// The δ for which the estimate ⊞ δ has the given frame, with its other parts unchanged. Zero if the type
+  /// is neither pose nor point.
   virtual void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
@@ -59,7 +59,7 @@ class VertexPool {
   bool fixed(std::uint32_t slot) const { return (flags_[slot] & kFixed) != 0; }
   bool eliminated(std::uint32_t slot) const { return (flags_[slot] & kEliminated) != 0; }
   bool parameter(std::uint32_t slot) const { return (flags_[slot] & kParameter) != 0; }
-  /// The directions of its tangent in which the vertex stays (Graph::fix_directions()), ascending.
+  /// The fixed directions of the vertex in its tangent space (Graph::fix_directions()), ascending.
   std::span<const int> fixed_directions(std::uint32_t slot) const {
     if (slot >= fixed_directions_.size()) return {};
     return fixed_directions_[slot];
@@ -69,10 +69,10 @@ class VertexPool {
   std::uint32_t generation(std::uint32_t slot) const { return generations_[slot]; }
 
  protected:
-  /// The slot that acquire_slot() will return: that of a removed vertex, or slots().
+  /// The slot that acquire_slot() will return: the slot of a removed vertex, or slots().
   std::uint32_t next_slot() const { return free_.empty() ? slots() : free_.back(); }
-  /// Slot for a new vertex: a tombstone or one past the end, in which case the derived pool grows too. Where
-  /// it throws, nothing has changed.
+  /// Returns the slot for a new vertex: a free one, or one past the end; in the second case the derived pool
+  /// grows as well. If it throws, nothing has changed.
   std::uint32_t acquire_slot(Id id);
 
  private:
@@ -88,7 +88,7 @@ class VertexPool {
   std::vector<std::uint8_t> flags_;
   std::vector<std::vector<int>> fixed_directions_;  // empty while no vertex has any; may be shorter than ids_
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // of the next vertex, whichever slot it takes
+  std::uint32_t next_generation_ = 0;  // of the next vertex, in any slot
 };
 
 }  // namespace boxplus

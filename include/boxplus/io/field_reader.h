@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The blank-separated fields of one line of a text file. Complaints about them name file, line and column.
+// Reads and writes the blank-separated fields of a line of a text file. Errors name file, line and column.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,10 @@ namespace boxplus {
 /// The fields of a line after its tag, if all of them are finite numbers.
 struct NumericFields {
   std::span<const double> values;
-  std::size_t integers = 0;  ///< the first so many are written as integers
+  std::size_t integers = 0;  ///< the number of fields at the beginning that are written as integers
 };
 
-/// The place of a field in its line: cheap to remember. FieldReader::fail() finds the column, if it is
-/// needed.
+/// The place of a field in its line. It is cheap to store; FieldReader::fail() computes the column from it.
 class FieldPlace {
  public:
   /// The first field, which is the tag.
@@ -32,14 +31,14 @@ class FieldPlace {
   std::size_t fields_before_ = 0;
 };
 
-/// Reads a line from left to right. A field that cannot be read throws InputError, which says file, line,
-/// column, what was expected and what came. The texts must outlive the reader.
+/// Reads a line from left to right. Throws InputError if a field cannot be read; the message has file, line,
+/// column, the expected field, and the text that was found. The texts must outlive the reader.
 class FieldReader {
  public:
   FieldReader(std::string_view file, std::int64_t line_number, std::string_view line)
       : file_(file), line_(line), line_number_(line_number) {}
-  /// The same line, if its fields have been converted already: the reader stands behind the tag. It goes on
-  /// with the text as soon as it is asked for something that the numbers do not tell.
+  /// For a line whose fields have been converted already. The reader begins after the tag. When a caller
+  /// needs more than the converted values, the reader continues with the text.
   FieldReader(std::string_view file, std::int64_t line_number, std::string_view line, NumericFields fields)
       : file_(file),
         line_(line),
@@ -53,12 +52,13 @@ class FieldReader {
 
   /// Whether nothing, or a comment, is left.
   bool at_end();
-  /// The next field, any text. `what` names it in complaints.
-  std::string_view word(std::string_view what);
-  /// The next field, a finite number.
+  /// The next field, with any text. `what` names the field in errors.
+  std::string_view token(std::string_view what);
+  /// The next field, which must be a finite number.
   double number(std::string_view what) { return next_ != end_ ? *next_++ : number_from_text(what); }
   void numbers(double* out, int count, std::string_view what);
-  /// The next `count` fields if they have been converted already; otherwise nothing, and no field is passed.
+  /// The next `count` fields, if they have been converted already; otherwise returns an empty span and skips
+  /// nothing.
   std::span<const double> converted(std::size_t count) {
     if (static_cast<std::size_t>(end_ - next_) < count) return {};
     return {std::exchange(next_, next_ + count), count};
@@ -74,7 +74,7 @@ class FieldReader {
   /// The place of the next field.
   FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
-  /// Remembers something odd about this line that is no error.
+  /// Records something unusual about this line that is no error.
   void note(std::string text);
   const std::string& noted() const { return note_; }
   /// Throws InputError at a place of this line.
@@ -93,7 +93,7 @@ class FieldReader {
   std::string_view file_, line_;
   std::int64_t line_number_;
   std::size_t position_ = 0;  // in line_, unless the fields have been converted
-  std::size_t passed_ = 0;    // fields, not counting converted ones
+  std::size_t passed_ = 0;    // number of fields that were read from the text
   const double *first_ = nullptr, *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;
   bool is_converted_ = false;
   std::string note_;
@@ -103,7 +103,7 @@ class FieldReader {
 class FieldWriter {
  public:
   explicit FieldWriter(std::string& out) : out_(&out) {}
-  void word(std::string_view text);
+  void token(std::string_view text);
   /// The shortest text that reads back to the same double.
   void number(double value);
   void integer(std::int64_t value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How values stand in a file: of vertices, of parameters and of measurements. Specialize FileFields for your
-// own types:
+// The representation of values in a file: estimates of vertices and parameters, and measurements. Specialize
+// FileFields for your types:
 //
 //     template <> struct boxplus::FileFields<Pose> {
 //       static Pose read(FieldReader& in);                     // throws InputError through `in`
@@ -47,10 +47,10 @@ struct FileFields<SE2> {
   static void write(const SE2& x, FieldWriter& out);
 };
 
-/// x y z qx qy qz qw. The quaternion's length must be within kNormTolerance of 1. If it is within kRounding
-/// of 1, which rounding to few digits explains, the pose is kept as read, bit for bit: the chi2 of a file is
-/// then the one that other programs find, and the file is written as it was read. Otherwise the quaternion
-/// is normalized.
+/// x y z qx qy qz qw. The length of the quaternion must be within kNormTolerance of 1. If it is within
+/// kRounding of 1, the difference may come from rounding to few digits, and the pose is kept bit for bit as
+/// it was read. The chi2 of the file is then the same as in other programs, and the file is written as it was
+/// read. Otherwise the quaternion is normalized.
 template <>
 struct FileFields<SE3> {
   static constexpr double kNormTolerance = 1e-3, kRounding = 1e-5;
@@ -72,13 +72,13 @@ struct FileFields<WheelSpeeds> {
   static void write(const WheelSpeeds& x, FieldWriter& out);
 };
 
-/// A measured pose, as FileFields<SE3> reads it, normalized; written with the fewest digits that read back to
-/// the same.
+/// Writes a measured pose, which was read by FileFields<SE3> and normalized, with the fewest digits that read
+/// back to the same pose.
 void write_measurement(const SE3& z, FieldWriter& out);
 
-/// How an edge stands in a file between the ids of its vertices and Ω: by default as its member
-/// `measurement`. Quaternions of measurements are normalized. A type that lists Ω in another order or scale
-/// than the upper triangle by rows also has
+/// The fields of an edge in a file, between the ids of its vertices and Ω: by default those of its member
+/// `measurement`. Quaternions of measurements are normalized. If files list Ω in another order or scale than
+/// the upper triangle by rows, the specialization also has
 ///
 ///     static void to_upper_triangle(std::span<double> listed);
 template <class E>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File formats of graphs. A format is three functions; a table of formats is all that read_graph(),
-// write_graph() and the `boxplus` command know of them. Your own format:
+// File formats of graphs. A format is three functions. read_graph(), write_graph() and the `boxplus` command
+// know formats only through a table. To add a custom format:
 //
 //     FileFormats formats = default_formats();
 //     formats.add({.name = "mine", .ending = ".mine", .recognize = …, .read = …, .write = …});
@@ -25,23 +25,24 @@ using TextSink = FunctionRef<void(std::string_view)>;
 /// The graph that a format writes. A graph that was not read from a file has no lists.
 struct GraphFileView {
   const Graph& graph;
-  std::span<const EdgeRef> edges = {};  ///< in the order of the file; some may be gone since, others new
+  std::span<const EdgeRef> edges =
+      {};  ///< in the order of the file; may lack new edges and list removed ones
   std::span<const KeptLine> kept = {};
 };
 
 struct FileFormat {
   std::string name;    ///< for messages: "TORO"
-  std::string ending;  ///< of the names of its files: ".graph"
+  std::string ending;  ///< of the file names: ".graph"
   /// Whether a text is in this format. `beginning` is its first block (TextSource): whole lines, at least
   /// 128 KiB unless the text is shorter.
   std::function<bool(std::string_view beginning)> recognize;
-  /// Throws InputError if the text is wrong. Options that make no sense for the format are ignored.
+  /// Throws InputError if the text is invalid. Ignores options that do not apply to the format.
   std::function<GraphFile(const TextSource& text, const ReadOptions& options)> read;
-  /// Without this function, files of the format are only read. Throws InvalidArgument if the format cannot
-  /// hold the graph.
+  /// Throws InvalidArgument if the format cannot represent the graph. Without this function, the format is
+  /// read-only.
   std::function<void(const GraphFileView& file, const WriteOptions& options, TextSink sink)> write = {};
 
-  /// For help texts: "TORO's .graph"; ".g2o" if the ending tells the name.
+  /// For help texts: "TORO's .graph"; or ".g2o", if the ending is the name.
   std::string label() const;
 };
 
@@ -55,10 +56,10 @@ class FileFormats {
   std::span<const FileFormat> all() const { return formats_; }
   /// By name; nullptr if there is none.
   const FileFormat* find(std::string_view name) const;
-  /// By the ending of a path; nullptr if no format has it.
+  /// By the ending of a path; nullptr if no format has this ending.
   const FileFormat* of_path(std::string_view path) const;
-  /// The format that recognizes a text by its beginning, or nullptr. The format that was added last is asked
-  /// first: .g2o, which takes any text, is asked after all others.
+  /// The format that recognizes a text by its beginning, or nullptr. The format that was added last is tried
+  /// first. So .g2o, which accepts any text, is tried after all others.
   const FileFormat* recognize(std::string_view beginning) const;
 
  private:

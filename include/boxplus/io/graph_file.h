@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading and writing graphs, in any of the formats of a FileFormats: .g2o, and TORO's .graph (reading only).
 //
-// Both have one element per line: a tag (see Registry), ids, values separated by blanks. `#` begins a
-// comment, `FIX id…` fixes vertices. Elements may come in any order. Positions are meters, angles radians, Ω
-// the upper triangle by rows.
+// Both have one element per line: a tag (see Registry), ids and values, separated by blanks. `#` begins a
+// comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters, angles in
+// radians, and Ω is listed as its upper triangle by rows.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Registry;
 
 struct ReadOptions {
   const Registry* registry = nullptr;  ///< nullptr: default_registry()
-  /// Tags to take for others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
+  /// Tags to read as others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
   std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
   int threads = 0;       ///< at most; 0: one per hardware thread. The graph does not depend on it.
@@ -31,17 +31,17 @@ struct ReadOptions {
 struct WriteOptions {
   const Registry* registry = nullptr;    ///< nullptr: default_registry()
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
-  /// The name of a format. If it is empty, the ending of the file's name decides, and a name with the ending
-  /// of no format that can be written gets the first one, .g2o.
+  /// The name of a format. If it is empty, the ending of the file's name selects the format; if no format
+  /// that can be written has this ending, the first one is used, .g2o.
   std::string format = {};
 };
 
-/// A line that is no element (a comment, an unknown tag, an edge with an unassigned vertex). It is written
+/// A line that is no element (a comment, an unknown tag, an edge with an unassigned vertex). Writing puts it
 /// back after the element that it followed.
 struct KeptLine {
   enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
   Place place = Place::kBegin;
-  std::int64_t after = 0;  ///< the id of the vertex; the position in GraphFile::edges, or −1: before them
+  std::int64_t after = 0;  ///< a vertex id, or a position in GraphFile::edges (−1: before all edges)
   std::string text;
 };
 
@@ -51,44 +51,44 @@ struct GraphFile {
     std::int64_t line = 0;  ///< 0: the file as a whole
     std::string text;
     std::int64_t column = 0;  ///< 0: the line as a whole
-    bool skipped = false;     ///< the line was skipped (lenient reading): `text` tells the reason
+    bool skipped = false;     ///< the line was skipped (lenient reading); `text` is the reason
   };
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
-  std::vector<Note> notes = {};  ///< oddities that are no errors
+  std::vector<Note> notes = {};  ///< unusual things that are no errors
   std::int64_t lines = 0;        ///< of the file
   std::int64_t skipped = 0;      ///< lines that were skipped (lenient reading)
   bool vertices_created =
       false;  ///< the file lists edges only: the estimates mean nothing, and need an initial guess
 };
 
-/// Reads a file in the format that recognizes its beginning; its name does not matter. Throws FileError if it
-/// cannot be opened, and InputError ("file:line:column: expected …, got …") for truncated lines, fields that
-/// are no finite numbers, ids that are taken or unknown, vertices of the wrong type, indefinite Ω,
-/// quaternions that are far from unit length. Unknown tags never are an error: their lines are kept and
+/// Reads a file in the format that recognizes its beginning; its name does not matter. Throws FileError if
+/// the file cannot be opened. Throws InputError ("file:line:column: expected …, got …") for truncated lines,
+/// fields that are no finite numbers, ids that are taken or unknown, vertices of the wrong type, indefinite
+/// Ω, and quaternions that are far from unit length. Unknown tags are no error: their lines are kept and
 /// noted.
 GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
-/// The same from memory; `name` stands for the file in messages.
+/// The same from memory. Messages use `name` as the name of the file.
 GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options = {});
 
-/// Writes a file. A .g2o file lists parameters by id, vertices by id, each followed by its FIX line, edges in
-/// the order of the file (those added since: by type). Every number is the shortest text that reads back to
-/// the same double. The file is replaced at once, or not at all. Throws FileError if it cannot be written,
-/// and InvalidArgument if an element has no tag, or the format is unknown or only read.
+/// Writes a file. A .g2o file lists parameters by id, then vertices by id, each followed by its FIX line,
+/// then edges in the order of the file, then edges that were added since, by type. Every number is the
+/// shortest text that reads back to the same double. The file is replaced atomically. Throws FileError if it
+/// cannot be written, and InvalidArgument if an element has no tag, or if the format is unknown or read-only.
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});
-/// The text that write_graph() writes to a file whose name has no ending.
+/// The text that write_graph() would write to a file whose name has no ending.
 std::string format_graph(const GraphFile& file, const WriteOptions& options = {});
 
-/// Replaces a file at once, or not at all. Throws FileError.
+/// Replaces a file atomically. Throws FileError.
 void write_file(const std::string& path, std::string_view text);
-/// Throws the FileError that write_file() would throw for this path, as far as can be told without writing:
-/// called before long work, so that it is not in vain.
+/// Throws the FileError that write_file() would throw for this path, as far as this can be checked without
+/// writing. Call it before a long computation, whose result could otherwise not be saved.
 void require_writable(const std::string& path);
 /// Removes the files that these functions have begun and not finished. Only for handlers of signals that end
-/// the process, which may call it at any time. If the file system supports it, such files have no name, and
-/// vanish by themselves.
+/// the process; it may be called at any time. If the file system supports it, unfinished files have no name
+/// and vanish by themselves.
 void remove_temporary_files() noexcept;
 
 }  // namespace boxplus

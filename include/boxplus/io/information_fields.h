@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the information matrix Ω of an edge stands in a file: the n(n+1)/2 values of its upper triangle by
-// rows, 11 12 … 1n 22 …
+// The information matrix Ω of an edge in a file: the n(n+1)/2 values of its upper triangle by rows, Ω11 Ω12 …
+// Ω1n Ω22 …
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ void write_information(const InformationView& information, FieldWriter& out);
 
 namespace detail {
 
-/// An Ω as it was read. The graph checks it when the edge is added, which is enough: a check takes longer
-/// than reading.
+/// An Ω that was read and not checked. The graph checks it when the edge is added; a second check would take
+/// longer than reading.
 struct UncheckedInformation {
   Information value;
   int rows;
@@ -27,7 +27,7 @@ struct UncheckedInformation {
   void check(const FieldReader& in) const;
 };
 
-/// Brings the values of Ω as a file lists them into the upper triangle by rows.
+/// Converts the values of Ω, as a file lists them, to the upper triangle by rows.
 using ToUpperTriangle = void (*)(std::span<double> listed);
 
 /// `to_upper_triangle`: nullptr if the file lists the upper triangle. Throws InputError if Ω is zero.

@@ -17,7 +17,7 @@
 namespace boxplus {
 
 /// Maps tags to types and types to tags. If several tags stand for one type, the first is written. All
-/// functions that add a tag throw InvalidArgument if it is taken or could not stand in a file.
+/// functions that add a tag throw InvalidArgument if it is taken, or is no valid tag for a file.
 class Registry {
  public:
   template <class T>
@@ -28,18 +28,18 @@ class Registry {
   void parameter(std::string name) {
     add(detail::parameter_tag<T>(std::move(name)));
   }
-  /// V: a vertex type, Tail<T> in the last place, or Parameter<T> after all vertices.
+  /// Each V is a vertex type, Tail<T> (in the last place), or Parameter<T> (after all vertices).
   template <class E, class... V>
   void edge(std::string name) {
     add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
   }
-  /// The type of an edge with that tag whose last two parameters are one and the same: V names it once.
+  /// The type for lines with that tag that name the same parameter twice at their end: V… lists it once.
   template <class E, class... V>
   void edge_with_shared_parameter(const std::string& name) {
     add_shared(name, detail::edge_tag<EdgeFields<E>, E, V...>(name));
   }
-  /// An old tag for vertices (edges) that are written under another one. Fields: how they stand in the file,
-  /// like FileFields (EdgeFields), but reading only.
+  /// An old tag for vertices (edges) that are written with another tag. Fields reads them, with the interface
+  /// of FileFields (EdgeFields) without write().
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name) {
     add_old(detail::vertex_tag<Fields, T>(std::move(name)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tag, the first field of a line, with the functions that read and write the elements of its type. Registry
-// makes tags.
+// A tag, the first field of a line, with the functions that read and write elements of its type. Registry
+// creates tags.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,15 @@
 
 namespace boxplus {
 
-/// Stands in the vertex types of an edge for a shared constant of the graph (a PARAMS_ line of the file).
+/// Marks a parameter among the vertex types of an edge: a shared constant of the graph (a PARAMS_ line of the
+/// file).
 template <class T>
 struct Parameter {
   using Element = T;
 };
 
-/// A tag, and the type that it stands for. The functions that read throw InputError, and add nothing if they
-/// do; they read to the end of the line.
+/// A tag, and the type that it stands for. The functions that read do so to the end of the line. They throw
+/// InputError, and then add nothing.
 struct Tag {
   enum class Kind : std::uint8_t { kVertex, kParameter, kEdge };
   /// A vertex of an edge.
@@ -34,21 +35,21 @@ struct Tag {
     std::type_index pool;
     std::string_view type_name;
     bool is_parameter, is_tail;
-    VertexRef (*create)(Graph&, Id);  ///< adds a vertex of the type, at its default value
+    VertexRef (*create)(Graph&, Id);  ///< adds a vertex of the type, with the default estimate
   };
 
   std::string name;
   Kind kind;
-  std::type_index pool;  ///< of its elements
+  std::type_index pool;  ///< type of the pool of its elements
   std::vector<Argument> arguments;
   VertexRef (*read_vertex)(Graph&, Id, FieldReader&) = nullptr;
   void (*write_vertex)(const Graph&, VertexRef, FieldWriter&) = nullptr;
   void (*check_edge)(FieldReader&) = nullptr;  ///< reads measurement and Ω, and adds nothing
   EdgeRef (*read_edge)(Graph&, std::span<const VertexRef>, FieldReader&) = nullptr;
   void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
-  /// The type to use if the last two parameters are one and the same (an edge lists no vertex twice).
+  /// The type to use if the last two parameters are the same vertex, because an edge cannot list it twice.
   std::shared_ptr<const Tag> shared_parameter = nullptr;
-  bool written = true;  ///< false: an old tag that is only read
+  bool written = true;  ///< false for an old tag that is only read
 };
 
 namespace detail {
@@ -90,7 +91,7 @@ auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
   }
 }
 
-/// An edge as it was read.
+/// An edge that was read and not yet added.
 template <class E>
 struct ListedEdge {
   E edge;
@@ -118,7 +119,7 @@ void check_edge(FieldReader& in) {
 template <class Fields, class E, class... V>
 EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
   ListedEdge<E> listed = read_listed_edge<Fields, E, V...>(in);
-  if (!in.at_end()) {  // a wrong Ω comes first: it may be the cause
+  if (!in.at_end()) {  // report a wrong Ω first, because it may be the cause
     listed.information.check(in);
     in.expect_end();
   }

@@ -13,23 +13,23 @@ namespace boxplus {
 
 class FileDescriptor;
 
-/// A text in blocks of whole lines, for several workers. Block k holds the lines that begin in bytes
-/// [k s, (k + 1) s) of the text, where s is the block size. A file is read block by block, so that it never
-/// lies in memory as a whole; a pipe or a device does.
+/// A text in blocks of whole lines, for several workers. Block k holds the lines that begin in bytes [k s, (k
+/// + 1) s) of the text; s is the block size. A file is read block by block, so that it is never in memory as
+/// a whole. A pipe or a device is read as a whole.
 class TextSource {
  public:
   static constexpr std::size_t kBlockSize = std::size_t{1} << 17;
 
-  /// The text must outlive the source; `name` stands for it in messages.
+  /// The text must outlive the source. Messages use `name` as the name of the file.
   TextSource(std::string_view text, std::string name, std::size_t block_size = kBlockSize);
   /// Throws FileError if the file cannot be opened or read.
   static TextSource of_file(const std::string& path, std::size_t block_size = kBlockSize);
 
   const std::string& name() const { return name_; }
   std::size_t block_count() const { return (size_ + block_size_ - 1) / block_size_; }
-  /// The lines of block k, each with its newline; `memory` may hold them. Several threads may read at once.
+  /// The lines of block k, each with its newline. May use `memory` to hold them. Thread-safe.
   std::string_view block(std::size_t k, std::string& memory) const;
-  /// The whole text; `memory` may hold it.
+  /// The whole text. May use `memory` to hold it.
   std::string_view text(std::string& memory) const { return bytes(0, size_, memory); }
 
  private:

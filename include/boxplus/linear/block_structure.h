@@ -10,12 +10,12 @@
 
 namespace boxplus {
 
-/// Lower triangle, diagonal included, of a symmetric matrix of blocks in compressed block columns.
+/// The lower triangle, diagonal included, of a symmetric matrix of blocks in compressed block columns.
 ///
-/// Block i spans the scalars [offset[i], offset[i+1]). Column j holds the blocks k in
-/// [column_start[j], column_start[j+1]): block k lies in row row[k] (ascending; the first is the diagonal,
-/// row j) and its dim(row[k]) × dim(j) values lie column-major at values[value_start[k]]. Diagonal blocks
-/// hold both of their triangles. The columns' values are contiguous and in order.
+/// Block row or column i spans the scalars [offset[i], offset[i+1]). Column j holds the blocks k in
+/// [column_start[j], column_start[j+1]). Block k lies in row row[k]; rows ascend, and the first is the
+/// diagonal, row j. The dim(row[k]) × dim(j) values of block k begin at values[value_start[k]], column-major.
+/// Diagonal blocks hold both of their triangles. The values of the columns are contiguous and in order.
 struct BlockStructure {
   std::vector<std::uint32_t> offset{0};
   std::vector<std::uint32_t> column_start{0};
@@ -28,7 +28,7 @@ struct BlockStructure {
   std::uint32_t nonzero_values() const { return value_start.back(); }
   std::uint32_t dim(std::uint32_t block) const { return offset[block + 1] - offset[block]; }
 
-  /// Index k of block (row, column), row ≥ column, or kAbsent. O(log column length).
+  /// The index k of block (row, column), row ≥ column, or kAbsent. O(log column length).
   std::uint32_t find(std::uint32_t row_block, std::uint32_t column_block) const;
 
   static constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
@@ -37,7 +37,7 @@ struct BlockStructure {
 
 /// Builds the structure of `dims.size()` blocks from the coordinates of its lower off-diagonal blocks
 /// (row > column; any order, duplicates allowed). Diagonal blocks are always present. O(blocks + pairs log).
-/// Throws Stopped once the token is raised.
+/// Throws Stopped when the token is raised.
 struct BlockCoordinate {
   std::uint32_t row, column;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a linear solver sees of the left-hand side: block values, an operator, or both.
+// The matrix of a linear system as a solver sees it: block values, an operator, or both.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ class BlockSystem {
  public:
   virtual ~BlockSystem() = default;
   virtual const BlockStructure& structure() const = 0;
-  /// The values in the layout of structure(), or empty where A exists only as an operator.
+  /// The values in the layout of structure(), or empty if A exists only as an operator.
   virtual std::span<const double> values() const = 0;
   /// y = A x.
   virtual void multiply(const double* x, double* y) const = 0;
@@ -21,7 +21,7 @@ class BlockSystem {
   virtual void block_diagonal(double* out) const = 0;
 };
 
-/// A BlockSystem over values held elsewhere. Both referents must outlive it.
+/// A BlockSystem over a structure and values that it does not own. Both must outlive it.
 class AssembledSystem final : public BlockSystem {
  public:
   AssembledSystem(const BlockStructure& structure, std::span<const double> values)

@@ -6,11 +6,11 @@
 
 namespace boxplus {
 
-/// Which instructions the dense kernels are made for: "baseline", "avx2" or "avx512". The best that the
-/// processor can run, or what the environment variable BOXPLUS_ISA names; where it names none of
-/// instruction_sets(), it has no effect.
+/// The instruction set of the dense kernels in use: "baseline", "avx2" or "avx512". It is the best that the
+/// processor can run, or the one that the environment variable BOXPLUS_ISA names. The variable has no effect
+/// if its value is not one of instruction_sets().
 std::string_view instruction_set();
-/// Those that this processor can run, the best one last.
+/// The instruction sets that this processor can run, the best one last.
 std::vector<std::string_view> instruction_sets();
 
 }  // namespace boxplus

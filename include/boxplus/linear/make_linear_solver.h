@@ -22,26 +22,26 @@ std::string_view to_string(LinearSolverKind kind);
 struct BlockCholeskyOptions {
   Ordering ordering = Ordering::kAutomatic;
   Precision precision = Precision::kAutomatic;
-  /// Solutions by a factor in float are refined to SolveControl::relative_tolerance, or to this if it is
+  /// With a factor in float, solutions are refined to SolveControl::relative_tolerance, or to this if it is
   /// larger.
-  double least_tolerance = 0;
+  double min_tolerance = 0;
 };
 
-/// When kAutomatic takes pcg rather than the block Cholesky: if the factor is predicted not to fit into
-/// memory, or a factorization to take several times as long as a rough solution by pcg.
+/// kAutomatic uses pcg instead of the block Cholesky in two cases: if the factor is predicted not to fit into
+/// memory, or if a factorization is predicted to take several times as long as a rough solution by pcg.
 struct AutomaticSolverOptions {
-  std::uint64_t max_factor_bytes = 0;  ///< the most memory for a factor; 0: half of the machine's
+  std::uint64_t max_factor_bytes = 0;  ///< the most memory for a factor; 0: half of the machine's memory
   /// Pcg then solves to SolveControl::relative_tolerance, or to this if it is larger.
-  double least_tolerance = 0;
+  double min_tolerance = 0;
 };
 
-/// Those of all kinds; each solver reads its own.
+/// The options of all solvers; each solver reads its own.
 struct LinearSolverOptions {
   BlockCholeskyOptions block_cholesky = {};
   AutomaticSolverOptions automatic = {};
 };
 
-/// The same options, with solutions only as exact as steps of Newton's method can use.
+/// The same options, with solutions that are only as accurate as steps of Newton's method need.
 LinearSolverOptions for_newton_steps(LinearSolverOptions options);
 
 /// Throws InvalidArgument if there is no such kind.
@@ -55,9 +55,9 @@ enum class SchurMode : std::uint8_t {
   kImplicit
 };
 
-/// A solver that eliminates the blocks that AnalyzeHints::eliminated_blocks says by the Schur complement, and
-/// lets `inner`, by whose name it goes, solve for the others. If there are none, or no others, it is `inner`
-/// and no more.
+/// A solver that eliminates the first AnalyzeHints::eliminated_blocks blocks by the Schur complement, and
+/// lets `inner` solve for the others. It has the name of `inner`. If no blocks, or all of them, are to be
+/// eliminated, `inner` solves for all blocks.
 std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner,
                                                 SchurMode mode = SchurMode::kAutomatic);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can move without changing any error, and what to do about it.
+// Gauge freedom: motions of a graph that change no error, and the policies that remove them.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace boxplus {
 
-/// What to do about a connected component that can move without changing any error.
+/// How to treat a connected component that can move without changing any error.
 enum class GaugePolicy : std::uint8_t {
-  /// Hold its lowest-id vertex of largest dimension for the solve, if all of that vertex is gauge; its
-  /// estimate and flag stay untouched. Of other freedom (a scale, a heading) hold single directions, unless
-  /// damping does.
+  /// Of the vertices with the largest dimension, hold the one with the lowest id during the solve, if all of
+  /// its directions are gauge freedom. Its estimate and flag do not change. For other freedom (a scale, a
+  /// heading), hold single directions, unless the algorithm damps H anyway.
   kFixFirst,
   kDamp,  ///< add 1e-10 of itself to each diagonal entry of H
   kError  ///< stop with Status::kGaugeFreedom
 };
 
-/// Motions of a component, with all of its poses and points, that change no error.
+/// Motions of all poses and points of a component that change no error.
 struct GaugeFreedom {
   VertexRef vertex;  ///< of the component
   Id id = 0;

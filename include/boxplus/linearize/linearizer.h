@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills H and the gradient of F(x) = Σ ρ(eᵀΩe) at the current estimates, tile by tile.
+// Computes H and the gradient of F(x) = Σ ρ(eᵀΩe) at the current estimates, tile by tile.
 #pragma once
 
 #include <atomic>
@@ -27,28 +27,28 @@ struct LinearizeOptions {
 /// The values that change from iteration to iteration, and the loops that fill them. Allocates only when
 /// constructed.
 ///
-/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0; so F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and
-/// the Gauss-Newton step solves H δ = −gradient. Same bits for any number of workers.
+/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0. So F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and
+/// the Gauss-Newton step solves H δ = −gradient. The bits are the same for any number of workers.
 class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
   ~Linearizer();
 
-  /// Takes over the plan after extend_plan() (src/linearize/extend_plan.h). Allocates.
+  /// Adapts to the plan after extend_plan() (src/linearize/extend_plan.h). Allocates.
   void extend();
 
   void linearize(const LinearizeOptions& options);
-  /// Σ ρ(eᵀΩe) over the active, enabled edges; not finite where an edge's is not.
+  /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not.
   double chi2();
-  /// Once the token is raised, both calls end soon: H and the gradient are then not usable, chi2() is NaN,
-  /// and stopped() is true until the next call.
+  /// When the token is raised, linearize() and chi2() end soon. H and the gradient are then not usable,
+  /// chi2() returns NaN, and stopped() is true until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }
   bool stopped() const { return stopped_; }
   /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (whose Jacobian or weight) is not finite.
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 
-  /// Not initialised before the first linearize().
+  /// The values of H. Not initialized before the first linearize().
   std::span<const double> values() const { return {values_.get(), plan_->structure.nonzero_values()}; }
   std::span<const double> gradient() const { return gradient_; }
   int workers() const { return static_cast<int>(plan_->chunks.size()); }
@@ -67,7 +67,8 @@ class Linearizer {
   StopToken stop_;
   std::atomic<bool> stopped_ = false;
   std::size_t values_room_ = 0;
-  std::unique_ptr<double[]> values_;  // large: their pages are touched by the first linearize()
+  std::unique_ptr<double[]>
+      values_;  // not initialized, so that the workers of linearize() touch the pages first
   std::vector<double> gradient_, edge_chi2_;
   std::vector<TileMemory> memory_;
 };

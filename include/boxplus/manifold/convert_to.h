@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions between the motions of boxplus, those of Eigen, and types with the interface of Sophus.
+// Conversions between the motion types of boxplus, those of Eigen, and types with the interface of Sophus.
 //
 //     SE3 x = convert_to<SE3>(isometry);  // an Eigen::Isometry3d
 //     auto isometry = convert_to<Eigen::Isometry3d>(x);
@@ -13,10 +13,10 @@
 //   Sim3                     Affine3, of the form s R    quaternion(), scale(), translation(),
 //                                                        T(√scale · unit quaternion, translation)
 //
-// Every type of a row converts into the others and into those of the rows below in the same space: a rotation
-// into a motion without translation, a motion into one of scale 1. A conversion that would lose a part does
-// not compile. Numbers of Eigen and T may be float. A rotation by a matrix or quaternion that is one up to
-// rounding is expected; it is normalized. Nothing of Eigen or T is stored (see base/matrix.h).
+// Every type converts to the other types of its row, and to those of the rows below in the same space: a
+// rotation to a motion without translation, a motion to a similarity of scale 1. A conversion that would lose
+// a part does not compile. The scalars of Eigen and T may be float. A matrix or quaternion must be a rotation
+// up to rounding; the conversion normalizes it. Nothing of Eigen or T is stored (see base/matrix.h).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -43,10 +43,10 @@ struct SpaceMotion {
   double scale = 1;
 };
 
-/// Which parts a type has.
+/// The parts that a type has.
 enum class Parts { kRotation, kRigid, kSimilar };
 
-/// How a type is read and written: M is PlaneMotion or SpaceMotion.
+/// Reads and writes a type. M is PlaneMotion or SpaceMotion.
 template <class M, Parts kHas>
 struct FormOf {
   using Motion = M;
@@ -134,7 +134,7 @@ struct Form<Eigen::AngleAxis<S>> : FormOf<SpaceMotion, Parts::kRotation> {
     return Eigen::AngleAxis<S>(eigen_quaternion<S>(m));
   }
 };
-/// Of x ↦ linear · x + translation: the scale is the cube root of the determinant.
+/// The similarity x ↦ linear · x + translation. Its scale is the cube root of the determinant.
 template <class S, int Mode, int Options>
 requires(Mode != Eigen::Projective) struct Form<Eigen::Transform<S, 3, Mode, Options>>
     : FormOf<SpaceMotion, Mode == Eigen::Isometry ? Parts::kRigid : Parts::kSimilar> {
@@ -225,7 +225,7 @@ typename Form<To>::Motion > &&(Form<From>::kParts <= Form<To>::kParts);
 
 }  // namespace conversion
 
-/// `x` as a To; see the table above. Exact up to rounding; between types of boxplus bit for bit.
+/// Converts `x` to a To; see the table above. Exact up to rounding; bit for bit between types of boxplus.
 template <class To, class From>
 requires conversion::Fits<From, To> To convert_to(const From& x) {
   return conversion::Form<To>::write(conversion::Form<From>::read(x));

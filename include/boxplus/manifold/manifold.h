@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes a type a vertex: the manifold trait and its laws.
+// The trait that makes a type a manifold, and so a vertex type, with its laws.
 //
-// The trait is specialised beside a type, also one that its user cannot change:
+// Specialize the trait for a type, which can also be a type of another library:
 //
 //     template <> struct boxplus::Manifold<Pose> {
 //       static constexpr int kDim = 3;                                      // tangent size, or kDynamic
@@ -10,7 +10,7 @@
 //     };
 //
 // A run-time size (kDim == kDynamic) adds `static int dim(const Pose& x)`. Exact Jacobians of edges that use
-// the type ask for three more members, which let an estimate be lifted to another scalar S (a dual number):
+// the type need three more members, which lift an estimate to another scalar S (a dual number):
 //
 //     template <class S> using Rebind = BasicPose<S>;
 //     template <class S> static BasicPose<S> cast(const Pose& x);
@@ -21,7 +21,7 @@
 // Laws, for all x, y and all small δ (testing/check_manifold.h checks them):
 //   (1) x ⊞ 0 = x                  (2) x ⊞ (y ⊟ x) = y
 //   (3) (x ⊞ δ) ⊟ x = δ            (4) ⊞ is smooth in δ at 0, with a Jacobian of full rank kDim there
-// where y ⊟ x is what ominus(y, x, ·) computes. Law 2 may fail on the cut locus of the chart (a rotation by
+// Here y ⊟ x is the result of ominus(y, x, ·). Law 2 may fail on the cut locus of the chart (a rotation by
 // π).
 #pragma once
 
@@ -45,7 +45,7 @@ concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, cons
   };
 };
 
-/// Tangent size of x.
+/// The tangent size of x.
 template <ManifoldType T>
 constexpr int tangent_dim(const T& x) {
   if constexpr (Manifold<T>::kDim == kDynamic) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Unit quaternions (Hamilton convention), coefficients in the order x y z w of the files.
+// Unit quaternions (Hamilton convention), with coefficients in the order x y z w as in files.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// x i + y j + z k + w. A rotation where its norm is one.
+/// x i + y j + z k + w. A rotation if its norm is one.
 template <class S>
 struct Quaternion {
   S x, y, z, w;
@@ -38,11 +38,11 @@ Quaternion<S> scaled(const Quaternion<S>& q, const S& factor) {
   return {q.x * factor, q.y * factor, q.z * factor, q.w * factor};
 }
 
-/// Squared norms this close to one are taken for rounding, and the numbers left bit for bit: values read from
-/// a file survive, and a zero step changes nothing.
+/// If a squared norm is this close to one, the difference counts as rounding, and the coefficients are kept
+/// bit for bit: values from a file do not change, and neither does a zero step change them.
 inline constexpr double kUnitNormTolerance = 1e-15;
 
-/// q of unit norm. The zero quaternion becomes the identity.
+/// q, scaled to unit norm. The zero quaternion becomes the identity.
 template <class S>
 Quaternion<S> normalized(const Quaternion<S>& q) {
   using std::sqrt;
@@ -52,14 +52,14 @@ Quaternion<S> normalized(const Quaternion<S>& q) {
   return scaled(q, S(S(1) / sqrt(n2)));
 }
 
-/// The factor that removes the drift of one product from a unit vector: one Newton step towards 1/√n2, or
-/// exactly 1.
+/// The factor that removes the drift of one product from a vector of squared norm n2 ≈ 1: one Newton step
+/// towards 1/√n2, or exactly 1.
 inline double renormalizing_factor(double n2) {
   return std::abs(n2 - 1) < kUnitNormTolerance ? 1.0 : 1.5 - 0.5 * n2;
 }
 
-/// Removes the drift of one product of unit quaternions. Dual numbers are left as they are: on the unit
-/// sphere the step has no derivative along the sphere.
+/// Removes the drift of one product of unit quaternions. Does not change dual numbers: at unit norm, the
+/// Newton step has no derivative along the sphere.
 template <class S>
 Quaternion<S> renormalized(const Quaternion<S>& q) {
   if constexpr (std::is_floating_point_v<S>) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two charts of rotations in space: how three numbers become a unit quaternion, and back.
 //
-// Both are exactly differentiable at 0 on dual numbers. They differ by a factor two in units, which decides
-// what an information matrix means: the quaternion chart measures about half the angle per axis.
+// Both are exactly differentiable at 0 on dual numbers. Their units differ by a factor of two, and so does
+// the meaning of an information matrix: the quaternion chart measures about half the angle per axis.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). Where |δ| ≥ 1 it is normalised, with w = 0.
-/// Covers every rotation once, with w ≥ 0. The chart of VERTEX_SE3:QUAT.
+/// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). If |δ| ≥ 1, q = (δ/|δ|, 0). Covers every
+/// rotation once, with w ≥ 0. The chart of VERTEX_SE3:QUAT.
 struct QuaternionChart {
   template <class S>
   static Quaternion<S> exp(const S& x, const S& y, const S& z) {

@@ -21,7 +21,8 @@ class BasicS2 {
 
   /// The direction of the z axis.
   BasicS2() : coefficients_{S(0), S(0), S(1)} {}
-  /// The direction of v, which must not be zero. A unit vector to rounding is kept bit for bit.
+  /// The direction of v, which must not be zero. If v is a unit vector up to rounding, it is kept bit for
+  /// bit.
   template <class Derived>
   explicit BasicS2(const Eigen::MatrixBase<Derived>& v) : coefficients_{S(v[0]), S(v[1]), S(v[2])} {
     using std::sqrt;
@@ -31,7 +32,7 @@ class BasicS2 {
     for (S& c : coefficients_) c = c * f;
   }
 
-  /// For v known to be a unit vector.
+  /// (x, y, z) must be a unit vector.
   static BasicS2 from_unit(const S& x, const S& y, const S& z) {
     BasicS2 d;
     d.coefficients_ = {x, y, z};
@@ -41,9 +42,10 @@ class BasicS2 {
   Vector<S, 3> vector() const { return {coefficients_[0], coefficients_[1], coefficients_[2]}; }
   const S* data() const { return coefficients_.data(); }
 
-  /// Orthonormal basis of the tangent plane: the images of e_x and e_y (up to sign) under the Householder
-  /// reflection that maps ∓e_z to the direction, with the sign of z chosen so that nothing cancels (cf. Duff
-  /// et al., "Building an orthonormal basis, revisited", JCGT 2017). Smooth except where z changes sign.
+  /// An orthonormal basis of the tangent plane: the images of e_x and e_y (up to sign) under the Householder
+  /// reflection that maps ∓e_z to the direction. The sign of e_z is chosen so that nothing cancels (cf. Duff
+  /// et al., "Building an orthonormal basis, revisited", JCGT 2017). Smooth except at points where z changes
+  /// sign.
   Matrix<S, 3, 2> tangent_basis() const {
     const S &x = coefficients_[0], &y = coefficients_[1], &z = coefficients_[2];
     const double sign = z < S(0) ? -1 : 1;
@@ -65,8 +67,8 @@ class BasicS2 {
 
 using S2 = BasicS2<double>;
 
-/// ⊞ walks |δ| radians along the great circle that leaves x in direction B δ (B = tangent_basis); ⊟ is its
-/// inverse, except for opposite directions, where one of the shortest ways is returned.
+/// ⊞ walks |δ| radians along the great circle that leaves x in direction B δ (B = tangent_basis). ⊟ is its
+/// inverse; for opposite directions it returns one of the shortest paths.
 template <class S>
 struct Manifold<BasicS2<S>> {
   template <class T>
@@ -128,7 +130,7 @@ struct Manifold<BasicS2<S>> {
   }
 
  private:
-  /// One Newton step towards unit norm; dual numbers are left alone (see renormalized() in quaternion.h).
+  /// One Newton step towards unit norm. Does not change dual numbers (see renormalized() in quaternion.h).
   template <class R>
   static BasicS2<R> without_drift(const BasicS2<R>& d) {
     if constexpr (std::is_floating_point_v<R>) {

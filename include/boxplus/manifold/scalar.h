@@ -11,7 +11,7 @@ namespace boxplus {
 template <class A, class B>
 using Promoted = std::decay_t<decltype(std::declval<const A&>() * std::declval<const B&>())>;
 
-/// The scalar that X is made of: X::Scalar, or X itself where it is a scalar.
+/// The scalar of X: X::Scalar, or X itself if it is a scalar.
 template <class X>
 struct ScalarOfType {
   using Type = X;
@@ -25,8 +25,8 @@ requires requires {
 template <class X>
 using ScalarOf = typename ScalarOfType<X>::Type;
 
-/// Squared angle (rad²) below which the functions of it switch to their Taylor series. With the terms that
-/// are kept, value and first derivatives stay exact to rounding on both sides.
+/// Below this squared angle (rad²), functions of the angle use their Taylor series. The series have enough
+/// terms for values and first derivatives to be exact to rounding on both sides.
 inline constexpr double kSmallSquaredAngle = 1e-4;
 
 }  // namespace boxplus

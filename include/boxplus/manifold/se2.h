@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid motions of the plane: position (metres) and heading (radians).
+// Rigid motions of the plane: position (meters) and heading (radians).
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace boxplus {
 
 /// A pose (x, y, θ) with θ in (−π, π]. A heading in that range is kept bit for bit.
 /// T_world_body * p_body = p_world. Tangent: (Δx, Δy, Δθ) in the body frame.
-/// The cosine and sine of θ are kept with it: they are taken once per estimate, and products of poses and
-/// points need no trigonometric function.
+/// The cosine and sine of θ are stored as well. They are computed once per estimate, so products of poses and
+/// points need no trigonometric functions.
 template <class S>
 class BasicSE2 {
  public:
@@ -34,7 +34,7 @@ class BasicSE2 {
   BasicSE2(const Eigen::MatrixBase<Derived>& translation, const S& theta)
       : BasicSE2(S(translation[0]), S(translation[1]), theta) {}
 
-  /// The pose of (x, y, θ): t2v's inverse, v2t in the document.
+  /// The pose (x, y, θ): v2t in the g2o document, the inverse of t2v.
   template <class Derived>
   static BasicSE2 from_vector(const Eigen::MatrixBase<Derived>& v) {
     return {S(v[0]), S(v[1]), S(v[2])};
@@ -48,7 +48,7 @@ class BasicSE2 {
   /// x y θ and its cosine and sine, contiguous.
   const S* data() const { return coefficients_.data(); }
 
-  /// (x, y, θ): t2v in the document.
+  /// (x, y, θ): t2v in the g2o document.
   Vector<S, 3> vector() const { return {x(), y(), theta()}; }
   Vector<S, 2> translation() const { return {x(), y()}; }
   Matrix<S, 2, 2> rotation() const {
@@ -70,14 +70,14 @@ class BasicSE2 {
     return {x() + (c * b.x() - s * b.y()), y() + (s * b.x() + c * b.y()), theta() + b.theta(),
             c * b.cos_theta() - s * b.sin_theta(), s * b.cos_theta() + c * b.sin_theta()};
   }
-  /// The point p of the body frame, in the frame of the pose.
+  /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
   template <class Derived>
   Vector<Promoted<S, typename Derived::Scalar>, 2> operator*(const Eigen::MatrixBase<Derived>& p) const {
     const S &c = cos_theta(), &s = sin_theta();
     return {x() + (c * p[0] - s * p[1]), y() + (s * p[0] + c * p[1])};
   }
 
-  /// inverse() * b with one rotation less.
+  /// inverse() * b, with one rotation fewer.
   template <class T>
   BasicSE2<Promoted<S, T>> inverse_times(const BasicSE2<T>& b) const {
     const S &c = cos_theta(), &s = sin_theta();

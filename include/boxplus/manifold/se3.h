@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid motions of space: translation (metres) and unit quaternion.
+// Rigid motions of space: translation (meters) and unit quaternion.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace boxplus {
 
-/// A pose, in the order x y z qx qy qz qw of the files. T_world_body * p_body = p_world.
-/// Chart chooses the tangent of the rotation: (Δt, q_v) with QuaternionChart, which is what VERTEX_SE3:QUAT
-/// and the information of EDGE_SE3:QUAT mean, or (Δt, ω) with RotationVectorChart, both in the body frame.
+/// A pose, stored as x y z qx qy qz qw like in files. T_world_body * p_body = p_world. Chart chooses the
+/// tangent, in the body frame: (Δt, q_v) with QuaternionChart, or (Δt, ω) with RotationVectorChart.
+/// VERTEX_SE3:QUAT and the information of EDGE_SE3:QUAT use QuaternionChart.
 template <class S, class Chart = QuaternionChart>
 class BasicSE3 {
  public:
@@ -23,7 +23,7 @@ class BasicSE3 {
 
   /// The identity.
   BasicSE3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1)} {}
-  /// Normalises q unless it is a unit quaternion to rounding.
+  /// Normalizes q unless it is a unit quaternion up to rounding.
   template <class Derived>
   BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q)
       : BasicSE3(from_unit(translation, normalized(q))) {}
@@ -34,7 +34,7 @@ class BasicSE3 {
   BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Matrix<S, 3, 3>& rotation)
       : BasicSE3(translation, quaternion_of(rotation)) {}
 
-  /// For q known to be a unit quaternion.
+  /// q must be a unit quaternion.
   template <class Derived>
   static BasicSE3 from_unit(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q) {
     BasicSE3 x;
@@ -81,7 +81,7 @@ class BasicSE3 {
     return BasicSE3<Promoted<S, T>, Chart>::from_unit(*this * b.translation(),
                                                       renormalized(quaternion() * b.quaternion()));
   }
-  /// The point p of the body frame, in the frame of the pose.
+  /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
   template <class Derived>
   Vector<Promoted<S, typename Derived::Scalar>, 3> operator*(const Eigen::MatrixBase<Derived>& p) const {
     using P = typename Derived::Scalar;
@@ -89,8 +89,8 @@ class BasicSE3 {
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
-  /// inverse() * b with one rotation less. Unlike the product it does not remove rounding drift of the
-  /// quaternion, so that errors are the same function over every scalar.
+  /// inverse() * b, with one rotation fewer. Unlike the product, it does not remove rounding drift from the
+  /// quaternion, so that errors are the same function for every scalar.
   template <class T>
   BasicSE3<Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
     return BasicSE3<Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
@@ -116,9 +116,9 @@ class BasicSE3 {
 using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, RotationVectorChart>;
 
-/// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart.
-/// The step is a unit quaternion, so ⊞ keeps the norm of x's: a pose read from rounded digits (from_unit)
-/// stays the pose that the file means, and its chi2 the file's. y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
+/// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. The step is a unit quaternion,
+/// so ⊞ keeps the norm of x's quaternion. A pose that was read from rounded digits (from_unit) thus keeps its
+/// meaning, and the chi2 of the file stays the same. y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
 template <class S, class Chart>
 struct Manifold<BasicSE3<S, Chart>> {
   template <class T>

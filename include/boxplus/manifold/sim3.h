@@ -19,12 +19,12 @@ class BasicSim3 {
 
   /// The identity.
   BasicSim3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1), S(1)} {}
-  /// Normalises q unless it is a unit quaternion to rounding.
+  /// Normalizes q unless it is a unit quaternion up to rounding.
   template <class Derived>
   BasicSim3(const Quaternion<S>& q, const Eigen::MatrixBase<Derived>& translation, const S& scale)
       : BasicSim3(from_unit(normalized(q), translation, scale)) {}
 
-  /// For q known to be a unit quaternion.
+  /// q must be a unit quaternion.
   template <class Derived>
   static BasicSim3 from_unit(const Quaternion<S>& q, const Eigen::MatrixBase<Derived>& t, const S& scale) {
     BasicSim3 x;

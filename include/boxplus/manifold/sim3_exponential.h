@@ -2,12 +2,12 @@
 // The 3×3 matrix W that couples translation with rotation and scale in the exponential of Sim(3).
 //
 // Exp(ω, υ, σ) = (R, s, t) with R = Exp(ω), s = e^σ and t = W υ (Strasdat, "Local Accuracy and Global
-// Consistency for Efficient Visual SLAM", PhD thesis, 2012, §2.4), where
+// Consistency for Efficient Visual SLAM", PhD thesis, 2012, §2.4), with
 //     W = ∫₀¹ e^{σu} Exp(uω) du = C I + A [ω]× + B [ω]×².
 // With θ = |ω|, z = σ + iθ and φ(z) = (e^z − 1)/z = Σ zⁿ/(n+1)! the coefficients are
 //     C = φ(σ),   A = Im φ(z) / θ,   B = (φ(σ) − Re φ(z)) / θ²,
-// all of them entire functions of (σ, θ²). The series is summed for |z| < 4, with the terms that |z| asks
-// for, so that there is no small-angle hole to patch; beyond, the closed form is used.
+// which are entire functions of (σ, θ²). For |z| < 4 the series is summed, with as many terms as |z| needs,
+// so small angles are no special case. For |z| ≥ 4 the closed form is used.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ template <class S>
 struct Sim3Coupling {
   S a, b, c;
 
-  /// As many terms as |z|² = z2 < 16 asks for: the rest of a, b, c and of their derivatives, for which
-  /// N³ |z|ᴺ⁻³ / (N + 1)! is a bound, is below 1e-17.
+  /// The number of terms N for |z|² = z2 < 16. The remainder of a, b, c and of their derivatives is bounded
+  /// by N³ |z|ᴺ⁻³ / (N + 1)!, which is then below 1e-17.
   static int series_terms(const S& z2) {
     if (z2 < S(1.0 / 256)) return 12;
     return z2 < S(1) ? 22 : kSeriesTerms;
   }
 
-  /// Sums the series. With zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ²:
-  /// pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, rₙ₊₁ = σ rₙ + qₙ; nothing is divided by θ.
+  /// Sums the series. With zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ²: pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, rₙ₊₁
+  /// = σ rₙ + qₙ, without a division by θ.
   static Sim3Coupling from_series(const S& sigma, const S& theta2) {
     S p(1), q(0), r(0), power(1);
     Sim3Coupling sum{S(0), S(0), S(1)};
@@ -51,8 +51,8 @@ struct Sim3Coupling {
     return sum;
   }
 
-  /// φ(z) in closed form, for |z| ≥ 4. θ² < 1/400 with a large |σ| needs B from the moments Iₙ = ∫ uⁿ e^{σu}
-  /// du.
+  /// φ(z) in closed form, for |z| ≥ 4. If θ² < 1/400, |σ| is large, and B is computed from the moments Iₙ = ∫
+  /// uⁿ e^{σu} du.
   static Sim3Coupling from_closed_form(const S& sigma, const S& theta2) {
     using std::cos;
     using std::exp;
@@ -82,8 +82,8 @@ struct Sim3Coupling {
     return sigma * sigma + theta2 < S(16) ? from_series(sigma, theta2) : from_closed_form(sigma, theta2);
   }
 
-  /// The coefficients of W⁻¹. W acts as c along ω and as the complex number (c − bθ²) + iaθ on the plane
-  /// across it.
+  /// The coefficients of W⁻¹. W acts as the factor c along ω, and as the complex number (c − bθ²) + iaθ on
+  /// the plane perpendicular to ω.
   Sim3Coupling inverse(const S& theta2) const {
     const S p = c - b * theta2;
     const S determinant = p * p + a * a * theta2;

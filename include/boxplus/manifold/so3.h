@@ -12,7 +12,7 @@
 namespace boxplus {
 
 /// A rotation. Chart chooses the tangent: QuaternionChart (vector part of the quaternion) or
-/// RotationVectorChart. q and −q are the same rotation; the sign given is kept.
+/// RotationVectorChart. q and −q are the same rotation; the given sign is kept.
 template <class S, class Chart = QuaternionChart>
 class BasicSO3 {
  public:
@@ -22,11 +22,11 @@ class BasicSO3 {
 
   /// The identity.
   BasicSO3() : coefficients_{S(0), S(0), S(0), S(1)} {}
-  /// Normalises q unless it is a unit quaternion to rounding.
+  /// Normalizes q unless it is a unit quaternion up to rounding.
   explicit BasicSO3(const Quaternion<S>& q) : BasicSO3(normalized(q), Unit{}) {}
   explicit BasicSO3(const Matrix<S, 3, 3>& rotation) : BasicSO3(quaternion_of(rotation)) {}
 
-  /// For q known to be a unit quaternion.
+  /// q must be a unit quaternion.
   static BasicSO3 from_unit(const Quaternion<S>& q) { return BasicSO3(q, Unit{}); }
   /// The rotation by |ω| radians around ω.
   template <class Derived>

@@ -10,26 +10,27 @@
 namespace boxplus {
 
 enum class IterationOutcome : std::uint8_t {
-  kAccepted,           ///< moved to lower chi2 (Gauss-Newton: moved)
-  kAcceptedShort,      ///< the same by a step that damping or a trust radius cut short: that it is small, or
-                       ///< lowers chi2 by little, is no sign of a minimum
-  kNoFurtherDecrease,  ///< no step lowers chi2, and none is expected to by more than rounding
-  kNoStepFound,        ///< no step lowers chi2 although one is expected to
+  kAccepted,       ///< took a step that lowers chi2 (Gauss-Newton: took a step)
+  kAcceptedShort,  ///< the same, but damping or a trust region shortened the step: a small step or a small
+                   ///< decrease is then no sign of a minimum
+  kNoFurtherDecrease,  ///< no step lowers chi2, and the predicted decrease is below rounding error
+  kNoStepFound,        ///< no step lowers chi2, although the model predicts a decrease
   kNotPositiveDefinite,
   kNotFinite,
   kStopped
 };
 
-/// Called as: reset() once, then iterate() until the caller or the outcome stops. Allocates only in reset().
+/// The caller calls reset() once, and then iterate() until it or the outcome ends the run. Allocates only in
+/// reset().
 class Algorithm {
  public:
   virtual ~Algorithm() = default;
   virtual std::string_view name() const = 0;
   virtual void reset(const Options& options, std::size_t scalars) = 0;
-  /// From estimates with cost `chi2`: linearises, finds a step, takes it. Fills all of the record but
-  /// iteration and time; record.chi2 is the cost afterwards.
+  /// Linearizes at the current estimates, whose cost is `chi2`, finds a step and takes it. Fills the record,
+  /// except for iteration and time; record.chi2 is the cost afterwards.
   virtual IterationOutcome iterate(System& system, double chi2, IterationRecord& record) = 0;
-  /// How many steps needed a damped H because H was not positive definite.
+  /// The number of steps for which H had to be damped because it was not positive definite.
   virtual int regularized_steps() const { return 0; }
 };
 

@@ -13,8 +13,8 @@ namespace boxplus::detail {
 struct AlgorithmEntry {
   AlgorithmKind kind;
   std::string_view name;  ///< for command lines: "gauss-newton"
-  std::unique_ptr<Algorithm> (
-      *make)();  ///< null for kAutomatic, which becomes another when the plan is known
+  /// Null for kAutomatic, which stands for another kind, chosen when the plan is known.
+  std::unique_ptr<Algorithm> (*make)();
 };
 
 /// One entry per AlgorithmKind, in the order of help texts.
@@ -24,7 +24,7 @@ std::span<const AlgorithmEntry> algorithm_table();
 
 namespace boxplus {
 
-/// Throws InvalidArgument for kAutomatic and for values that the table does not have.
+/// Throws InvalidArgument for kAutomatic and for values that are not in the table.
 std::unique_ptr<Algorithm> make_algorithm(AlgorithmKind kind);
 
 }  // namespace boxplus

@@ -23,11 +23,11 @@ enum class CovarianceStatus : std::uint8_t {
   kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
 };
 
-/// Blocks of H⁻¹, where H = Σ ρ′JᵀΩJ at the estimates at which they were computed.
+/// Blocks of H⁻¹ with H = Σ ρ′JᵀΩJ, at the estimates for which they were computed.
 ///
-/// The covariance of a vertex x is that of δ in x ⊞ δ: it has the tangent's order, units and frame. For SE2
-/// that is (Δx, Δy, Δθ) in the body frame. For SE3 it is (Δt, Δq), also in the body frame, where Δq is the
-/// vector part of a quaternion: half of an angle. (SE3RotationVector has whole angles.)
+/// The covariance of a vertex x is the covariance of δ in x ⊞ δ. It has the order, units and frame of the
+/// tangent: for SE2 (Δx, Δy, Δθ) in the body frame, for SE3 (Δt, Δq) in the body frame. Δq is the vector part
+/// of a quaternion, which is half of an angle. (SE3RotationVector has whole angles.)
 class [[nodiscard]] Covariance {
  public:
   CovarianceStatus status() const { return status_; }
@@ -36,17 +36,17 @@ class [[nodiscard]] Covariance {
   const std::string& message() const { return message_; }
   std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
   /// The vertices that were held because nothing else holds their component of the graph (GaugePolicy). Their
-  /// covariance is zero, and that of the other vertices is relative to them. (If the scale of the component
-  /// is open, too, one direction of another vertex is held and has zero variance.)
+  /// covariance is zero, and the covariances of other vertices are relative to them. (If the scale of the
+  /// component is free as well, one direction of another vertex is held and has zero variance.)
   const std::vector<VertexRef>& held() const { return held_; }
 
-  /// The covariance of one of the vertices that were asked for; symmetric. Throws InvalidArgument if it was
-  /// not asked for, and Error with message() if there is no covariance. O(block), plus a search.
+  /// The covariance of one of the requested vertices; symmetric. Throws InvalidArgument if the vertex was not
+  /// requested, and Error with message() if there is no covariance. O(block), plus a search.
   Eigen::MatrixXd of(VertexRef vertex) const;
   /// The cross-covariance E[δ_a δ_bᵀ], of tangent_dim(a) × tangent_dim(b) entries. Throws as of(vertex) does,
-  /// and InvalidArgument if a and b differ and only marginal covariances were asked for.
+  /// and InvalidArgument if a and b differ and only marginal covariances were requested.
   Eigen::MatrixXd of(VertexRef a, VertexRef b) const;
-  /// The covariance of all vertices that were asked for, in their order. Throws as of(a, b) does.
+  /// The joint covariance of all requested vertices, in the order of the request. Throws as of(a, b) does.
   Eigen::MatrixXd joint() const;
 
  private:
@@ -69,27 +69,29 @@ class [[nodiscard]] Covariance {
   std::vector<std::vector<double>> blocks_;
 };
 
-/// The covariances of `vertices` at the current estimates, each with each. Nothing is damped, and no estimate
-/// changes.
+/// The covariances of `vertices` at the current estimates, with all cross-covariances. Nothing is damped, and
+/// no estimate changes.
 ///
-/// Fixed vertices, fixed directions (Graph::fix_directions()), parameters that are not unfixed and vertices
-/// outside of Options::vertices have zero covariance, and so have those that are held for the gauge: fix a
-/// vertex, or add a prior, to choose what the others are relative to. Whether a vertex is eliminated changes
-/// nothing. A robust edge counts with its weight at the estimates. Of the options, `level`, `vertices`,
-/// `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction` are used, as optimize() does.
+/// Fixed vertices, fixed directions (Graph::fix_directions()), fixed parameters and vertices outside of
+/// Options::vertices have zero covariance. So have the vertices that are held for the gauge, and the others
+/// are relative to these; to choose the reference yourself, fix a vertex or add a prior. It makes no
+/// difference whether a vertex is eliminated. A robust edge counts with its weight at the estimates. Reads
+/// the options `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction`,
+/// which mean the same as for optimize().
 ///
-/// If H is singular, or not finite, the status says so and names a vertex, even when that vertex was not
-/// asked for: fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
+/// If H is singular or not finite, the status says so and names a vertex, which need not be a requested one:
+/// fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
 ///
-/// Takes one linearization, the analysis and one factorization of H by a block Cholesky in double; then two
-/// triangular solves per tangent dimension of `vertices` or, if that is less, the inverse on the pattern of
-/// the factor, which takes about three factorizations and as much memory as the factor.
+/// The cost is one linearization, and the analysis and one factorization of H by a block Cholesky in double.
+/// To these come two triangular solves per tangent dimension of `vertices` or, if that is cheaper, the
+/// inverse on the pattern of the factor, which costs about three factorizations and as much memory as the
+/// factor.
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options = {});
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices,
                       const Options& options = {});
 
-/// The same without the cross-covariances: the covariance of each vertex with itself. Suited to all vertices
-/// of a large graph.
+/// The same without the cross-covariances: only the covariance of each vertex with itself. It suits all
+/// vertices of a large graph.
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options = {});
 

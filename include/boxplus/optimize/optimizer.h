@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What optimizes a graph, again and again: it keeps the plan, the memory and the algorithms between runs.
+// An optimizer of a graph, which keeps its plan, memory and algorithms between runs.
 #pragma once
 
 #include <memory>
@@ -25,10 +25,10 @@ namespace boxplus {
 /// Numerical trouble is a status in the report, never an exception. The estimates are then the best that were
 /// found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated vertices
 /// in one edge, tolerances that are not numbers, a run inside of a run on the same graph, and a graph that
-/// was moved, assigned to or destroyed since the optimizer was made. An exception of an error function passes
-/// through, and the estimates are as before its step.
+/// was moved, assigned to or destroyed since the optimizer was made. If an error function throws, its
+/// exception passes through, and the estimates are those from before the current step.
 ///
-/// The same bits for any number of threads. An Optimizer is used by one thread at a time.
+/// Results are the same bits for any number of threads. Only one thread may use an Optimizer at a time.
 class Optimizer {
  public:
   /// Keeps a reference to the graph, which must outlive the optimizer. Does not plan yet.
@@ -38,21 +38,22 @@ class Optimizer {
   Optimizer& operator=(Optimizer&&) noexcept;
 
   const Options& options() const;
-  /// From the next run on. The plan stays unless it depends on an option that changed: level, vertices,
+  /// Takes effect at the next run. The plan is kept unless one of these options changes: level, vertices,
   /// edges, gauge, threads, linear solver, Schur mode, precision, memory.
   void set_options(Options options);
 
   [[nodiscard]] Report run();
-  /// The same into a report that is used again: if the plan is reused and all edges have a fixed size, this
-  /// allocates no memory. (LinearSolverKind::kEigenSparse does.)
+  /// Fills a report that the caller uses again. Allocates no memory if the plan is reused and all edges have
+  /// a fixed size. (LinearSolverKind::kEigenSparse always allocates.)
   void run(Report& report);
 
-  /// Runs a custom algorithm instead of Options::algorithm. If each step has to be exact, choose
-  /// Precision::kDouble: kAutomatic may refine a step from a factor in float, to a residual of 1e-6.
+  /// Runs a custom algorithm instead of Options::algorithm. If the algorithm needs exact steps, choose
+  /// Precision::kDouble: with kAutomatic, a step may come from a factor in float and be refined only to a
+  /// relative residual of 1e-6.
   [[nodiscard]] Report run(Algorithm& algorithm);
   void run(Algorithm& algorithm, Report& report);
 
-  /// Covariances at the current estimates, as boxplus::covariance() with the options of this optimizer.
+  /// Covariances at the current estimates: boxplus::covariance() with the options of this optimizer.
   [[nodiscard]] Covariance covariance(std::span<const VertexRef> vertices) const;
   /// The cross-covariance of two vertices; if a is b, the marginal covariance. Throws Error with the reason
   /// if there is none.

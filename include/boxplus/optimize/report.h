@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What optimize() did, without anything left out: status, reason, start, gauge, iterations, fallbacks,
-// timings.
+// The report of a run: status, reason, start, gauge, iterations, fallbacks, timings.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +16,9 @@ namespace boxplus {
 
 enum class Status : std::uint8_t {
   kConverged,     ///< a minimum to within the tolerances
-  kNotConverged,  ///< stopped before: `reason` tells why; the estimates are the best found (Gauss-Newton: the
-                  ///< last)
-  kFailed         ///< no step could be computed; the estimates as for kNotConverged
+  kNotConverged,  ///< stopped before a minimum, for `reason`; the estimates are the best found (Gauss-Newton:
+                  ///< the last)
+  kFailed         ///< no step could be computed; the estimates are as for kNotConverged
 };
 std::string_view to_string(Status status);
 
@@ -27,7 +26,7 @@ enum class Reason : std::uint8_t {
   kCostTolerance,
   kStepTolerance,
   kGradientTolerance,
-  kNoFurtherDecrease,  ///< no step lowers chi2 any more; the predicted decrease is below rounding
+  kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
   kNothingToOptimize,  ///< no active edge touches a vertex that may move
   kMaxIterations,
   kTimeLimit,
@@ -36,33 +35,34 @@ enum class Reason : std::uint8_t {
   kNoStepFound,          ///< every damped step raised chi2
   kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
   kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
-  kWeightSpan,           ///< the Ω of an edge leaves no digit of another's in H; `message` names the edge
-  kGaugeFreedom          ///< GaugePolicy::kError and a component that nothing holds
+  kWeightSpan,   ///< the Ω of one edge is so large that others round to nothing in H; `message` names it
+  kGaugeFreedom  ///< GaugePolicy::kError, and nothing holds a component of the graph
 };
 std::string_view to_string(Reason reason);
 
-/// Which start was asked for, which was used, and how they compared.
+/// The requested start, the one that was used, and how they compared.
 struct StartReport {
   Start requested = Start::kCurrent;
   Start used = Start::kCurrent;
-  double chi2_current = 0;  ///< of the estimates as they came
-  /// kAutomatic: the decrease of chi2 by the first step from there, as a fraction of the predicted decrease;
-  /// NaN if no step was tried.
+  double chi2_current = 0;  ///< of the estimates before the run
+  /// kAutomatic: the decrease of chi2 by the first step from these estimates, as a fraction of the predicted
+  /// decrease; NaN if no step was tried.
   double first_step_kept = std::numeric_limits<double>::quiet_NaN();
-  double chi2_guess = -1;        ///< of the initial guess; negative where none was made
-  bool ran_both = false;         ///< automatic: both starts were run
-  double chi2_other_final = -1;  ///< where the run that was not kept ended; negative where there was none
-  std::string_view note;         ///< why a guess could not be made, or empty
+  double chi2_guess = -1;        ///< of the initial guess; negative if none was made
+  bool ran_both = false;         ///< kAutomatic: both starts were run
+  double chi2_other_final = -1;  ///< at the end of the run that was not kept; negative if there was none
+  std::string_view note;         ///< the reason why a guess could not be made, or empty
 };
 
 struct GaugeReport {
-  std::vector<Id> held;            ///< vertices held for the solve, one per component that nothing else holds
-  std::vector<GaugeFreedom> free;  ///< what is free beyond these: a scale, a heading, or by GaugePolicy all
+  std::vector<Id> held;  ///< vertices held for the solve, one per component that nothing else holds
+  /// The freedom that remains: a scale, a heading, or (depending on GaugePolicy) all of it.
+  std::vector<GaugeFreedom> free;
   /// Single directions of vertices of unknown type that were held because nothing measured them.
   int held_directions = 0;
 };
 
-/// Where the Jacobians of one edge type came from.
+/// The source of the Jacobians of one edge type.
 struct EdgeJacobians {
   std::string_view edge_type;
   JacobianSource source;
@@ -77,10 +77,10 @@ struct Report {
   Reason reason = Reason::kMaxIterations;
   std::string message;  ///< one sentence for people
 
-  /// F = Σ ρ(eᵀΩe) over the active edges, at the estimates as they came. NaN if Options::time_limit_s or
-  /// Options::stop ended the call before it was evaluated; the estimates are then as they came.
+  /// F = Σ ρ(eᵀΩe) over the active edges, at the estimates before the run. NaN if Options::time_limit_s or
+  /// Options::stop ended the run before F was evaluated; the estimates are then unchanged.
   double chi2_initial = 0;
-  double chi2_final = 0;  ///< the same at the estimates as they are left
+  double chi2_final = 0;  ///< the same at the estimates after the run
   int iterations = 0;     ///< of all runs together
   StartReport start;
   GaugeReport gauge;
@@ -91,10 +91,10 @@ struct Report {
   std::vector<EdgeJacobians> jacobians;  ///< of each edge type that takes part
   LinearStatistics linear;
   int regularized_steps = 0;   ///< steps for which H had to be damped to be positive definite
-  int threads = 1;             ///< the bound asked for
-  int workers = 1;             ///< that linearise or factorise: small problems leave threads alone
-  bool plan_reused = false;    ///< nothing has changed since the last call
-  bool plan_extended = false;  ///< vertices and edges were added since the last call, to a plan that was kept
+  int threads = 1;             ///< the most threads that the options allow
+  int workers = 1;             ///< threads that linearize or factorize; fewer for small problems
+  bool plan_reused = false;    ///< the structure has not changed since the last run
+  bool plan_extended = false;  ///< only vertices and edges were added since, and the plan was extended
   Timings time;
 
   bool converged() const { return status == Status::kConverged; }

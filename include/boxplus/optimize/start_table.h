@@ -13,7 +13,7 @@ namespace boxplus::detail {
 struct StartEntry {
   Start start;
   std::string_view name;  ///< for command lines: "spanning-tree"
-  /// Null for kCurrent and kAutomatic, which are not one guess.
+  /// Null for kCurrent, which makes no guess, and for kAutomatic, which chooses one.
   GuessResult (*guess)(Graph&, const Plan&, const GuessLimits&);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that an algorithm sees of a problem.
+// The problem as an algorithm sees it.
 #pragma once
 
 #include <cstdint>
@@ -18,31 +18,32 @@ struct StepDamping {
 struct [[nodiscard]] StepResult {
   LinearStatus status = LinearStatus::kOk;
   int linear_iterations = 0;
-  bool exact = false;  ///< SolveResult::exact: then δᵀ(H + λD)δ = −gᵀδ for the step δ
+  bool exact = false;  ///< SolveResult::exact; if true, the step δ satisfies δᵀ(H + λD)δ = −gᵀδ
 };
 
 /// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.
 ///
-/// Called per iteration: linearize(); then any number of solve() and try_step(), each try_step() answered by
-/// accept() or reject(). Spans stay valid until the next linearize().
+/// An iteration calls linearize(), and then solve() and try_step() any number of times. It answers each
+/// try_step() by accept() or reject(). Spans stay valid until the next linearize().
 class System {
  public:
   virtual ~System() = default;
   /// F at the current estimates.
   virtual double chi2() = 0;
-  /// Computes g and H. False if they are not finite.
+  /// Computes g and H. Returns false if they are not finite.
   virtual bool linearize() = 0;
-  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s):
-  /// linearize() returned false then, the others NaN. Answer a stopped try_step() by reject().
+  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s). In
+  /// this case linearize() returned false, and the others returned NaN. Answer a stopped try_step() by
+  /// reject().
   virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;
   /// The diagonal of H, which scales trust regions and damping.
   virtual std::span<const double> diagonal() const = 0;
-  /// dᵀHd.
+  /// Returns dᵀHd.
   virtual double curvature(std::span<const double> d) = 0;
-  /// (H + λD) step = −g. `step` has as many entries as the gradient.
+  /// Solves (H + λD) step = −g. `step` has as many entries as the gradient.
   virtual StepResult solve(const StepDamping& damping, std::span<double> step) = 0;
-  /// x ← x ⊞ step; returns F there.
+  /// Sets x ← x ⊞ step, and returns F at the new x.
   virtual double try_step(std::span<const double> step) = 0;
   virtual void accept() = 0;
   virtual void reject() = 0;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Barron's general and adaptive robust loss (CVPR 2019): one family with a shape α.
+// Barron's general and adaptive robust loss (CVPR 2019): a family of kernels with a shape α.
 #pragma once
 
 #include "boxplus/robust/kernel_base.h"
 
 namespace boxplus {
 
-/// ρ(e²) = 2c² · (|α−2|/α) · ((e²/(c²|α−2|) + 1)^(α/2) − 1), which is twice Barron's (eq. 13), with the
-/// squared scale put back, so that ρ(e²) ≈ e² near 0 like every other kernel. Smooth in e² and continuous in
-/// α: α = 2 squared error · 1 pseudo-Huber · 0 Cauchy · −2 Geman-McClure · −∞ Welsch (widths differ by
-/// constants). α > 2 punishes outliers more than least squares (+∞ is allowed), and overflows for large
+/// ρ(e²) = 2c² · (|α−2|/α) · ((e²/(c²|α−2|) + 1)^(α/2) − 1). This is Barron's loss (eq. 13) times 2c², so
+/// that ρ(e²) ≈ e² near 0 as for every other kernel. It is smooth in e² and continuous in α: α = 2 squared
+/// error · 1 pseudo-Huber · 0 Cauchy · −2 Geman-McClure · −∞ Welsch (their widths differ by constant
+/// factors). α > 2 weights outliers more than least squares does (+∞ is allowed), and overflows for large
 /// errors.
 class Barron final : public RobustKernel {
  public:
-  /// The shape may be any number or ±∞; c > 0 is the width in units of √e².
+  /// The shape may be any number or ±∞. c > 0 is the width in units of √e².
   Barron(double shape, double c);
   Rho operator()(double e2) const override;
   std::string_view name() const override { return "Barron"; }

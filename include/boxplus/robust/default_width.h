@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How wide a robust kernel should be when nothing better is known.
+// Default widths of robust kernels.
 #pragma once
 
 namespace boxplus {
 
-/// The value that a chi2-distributed variable of `rows` degrees of freedom stays below with this probability.
-/// chi2 = eᵀΩe of a good measurement with `rows` rows is such a variable. Exact to
-/// 12 digits, for any number of rows. Throws InvalidArgument unless rows ≥ 1 and
+/// The quantile of the chi-squared distribution with `rows` degrees of freedom: a variable of this
+/// distribution is below it with the given probability. The chi2 = eᵀΩe of an inlier with `rows` rows has
+/// this distribution. Exact to 12 digits, for any number of rows. Throws InvalidArgument unless rows ≥ 1 and
 /// 0 < probability ≤ 1 − 1e-9. O(√rows).
 double chi2_quantile(int rows, double probability);
 
-/// √chi2_quantile(rows, 0.95): 95 % of good measurements have a whitened error √e² below it. 1.96 for one
-/// row, 2.45 for two, 2.80 for three, 3.55 for six. A fixed width suits one number of rows only: the error of
-/// a good measurement grows like √rows.
+/// √chi2_quantile(rows, 0.95): 95 % of inliers have a whitened error √e² below it. It is 1.96 for one row,
+/// 2.45 for two, 2.80 for three, 3.55 for six. A fixed width suits only one number of rows, because the error
+/// of an inlier grows like √rows.
 ///
 ///     graph.set_kernel(edge, Cauchy(default_width(3)));
 ///
-/// GemanMcClure and DCS, whose widths are in units of e², take chi2_quantile(3, 0.95).
+/// The widths of GemanMcClure and DCS are in units of e², so use chi2_quantile(3, 0.95) for these.
 double default_width(int rows);
 
 }  // namespace boxplus

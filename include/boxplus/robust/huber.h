@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernels that are quadratic near zero and linear in the error far away. They are convex in the error, so
-// they add no local minima if errors are linear in the estimates. Errors with rotations are not: no such
-// promise holds.
+// Kernels that are quadratic for small errors and linear for large ones. They are convex in the error, so
+// they add no local minima if errors are linear in the estimates. There is no such guarantee for errors with
+// rotations, which are not linear.
 #pragma once
 
 #include "boxplus/robust/kernel_base.h"
 
 namespace boxplus {
 
-/// Huber (1964): e² within δ, 2δ|e| − δ² beyond.
+/// Huber (1964): e² if |e| ≤ δ, otherwise 2δ|e| − δ².
 class Huber final : public KernelBase<Huber> {
  public:
   static constexpr std::string_view kName = "Huber";
@@ -24,8 +24,8 @@ class PseudoHuber final : public KernelBase<PseudoHuber> {
   Rho operator()(double e2) const override;
 };
 
-/// Fair: 2δ²(|e|/δ − ln(1 + |e|/δ)). Its ρ″ = −1/(2δ|e|(1 + |e|/δ)²) is unbounded at 0; below |e| = 1e-6 δ
-/// the value at 1e-6 δ is returned, so that it stays finite.
+/// Fair: 2δ²(|e|/δ − ln(1 + |e|/δ)). ρ″ = −1/(2δ|e|(1 + |e|/δ)²) is unbounded at 0. To keep it finite, the ρ″
+/// at |e| = 1e-6 δ is also used for smaller errors.
 class Fair final : public KernelBase<Fair> {
  public:
   static constexpr std::string_view kName = "Fair";

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the kernels with one width have in common.
+// The common base of kernels with one width.
 #pragma once
 
 #include "boxplus/robust/robust_kernel.h"
 
 namespace boxplus {
 
-/// `delta`, if it is finite and positive; throws InvalidArgument otherwise.
+/// Returns `delta` if it is finite and positive; throws InvalidArgument otherwise.
 double checked_kernel_width(double delta, std::string_view kernel);
 
 /// Base of a kernel K with a width: K provides kName and operator().

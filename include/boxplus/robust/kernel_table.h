@@ -13,14 +13,15 @@ namespace boxplus::detail {
 struct KernelEntry {
   /// For command lines: "Huber"; "Barron:ALPHA" takes a parameter, the shape.
   std::string_view name;
-  /// `parameter` is the text behind the colon. Throws InvalidArgument if it or the width is wrong.
+  /// `parameter` is the text after the colon. Throws InvalidArgument if the parameter or the width is
+  /// invalid.
   std::unique_ptr<RobustKernel> (*make)(std::string_view parameter, double delta);
   bool width_is_squared = false;  ///< the width is in units of e², not of √e²
 
   bool takes_parameter() const { return name.find(':') != std::string_view::npos; }
 };
 
-/// In the order of help texts, which is that of the alphabet.
+/// One entry per kernel, in alphabetical order, which is the order of help texts.
 std::span<const KernelEntry> kernel_table();
 
 }  // namespace boxplus::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernels whose influence falls off again with the error: gross outliers hardly pull, at the price of
-// convexity.
+// Kernels whose influence decreases again for large errors. Gross outliers have almost no influence, but the
+// kernels are not convex.
 #pragma once
 
 #include "boxplus/robust/kernel_base.h"
@@ -15,7 +15,7 @@ class Cauchy final : public KernelBase<Cauchy> {
   Rho operator()(double e2) const override;
 };
 
-/// Geman & McClure (1985): δ e²/(δ + e²). δ is in units of e², not squared.
+/// Geman & McClure (1985): δ e²/(δ + e²). δ is in units of e².
 class GemanMcClure final : public KernelBase<GemanMcClure> {
  public:
   static constexpr std::string_view kName = "GemanMcClure";
@@ -31,7 +31,7 @@ class Welsch final : public KernelBase<Welsch> {
   Rho operator()(double e2) const override;
 };
 
-/// Tukey's biweight: δ²/3 (1 − (1 − e²/δ²)³) within δ, the constant δ²/3 beyond.
+/// Tukey's biweight: δ²/3 (1 − (1 − e²/δ²)³) if |e| ≤ δ, otherwise the constant δ²/3.
 class Tukey final : public KernelBase<Tukey> {
  public:
   static constexpr std::string_view kName = "Tukey";
@@ -39,7 +39,7 @@ class Tukey final : public KernelBase<Tukey> {
   Rho operator()(double e2) const override;
 };
 
-/// Truncated least squares: e² within δ, the constant δ² beyond.
+/// Truncated least squares: e² if |e| ≤ δ, otherwise the constant δ².
 class Saturated final : public KernelBase<Saturated> {
  public:
   static constexpr std::string_view kName = "Saturated";
@@ -47,9 +47,9 @@ class Saturated final : public KernelBase<Saturated> {
   Rho operator()(double e2) const override;
 };
 
-/// Dynamic covariance scaling (Agarwal et al., ICRA 2013): the weight is s² = min(1, 2Φ/(Φ + e²))², so that ρ
-/// is its integral: e² up to Φ, 3Φ − 4Φ²/(Φ + e²) beyond. δ is Φ, in units of e², not squared. (The paper's
-/// own s²e² is not the integral of its weight, and falls again beyond Φ.)
+/// Dynamic covariance scaling (Agarwal et al., ICRA 2013). The weight is s² = min(1, 2Φ/(Φ + e²))², and ρ is
+/// its integral: e² if e² ≤ Φ, otherwise 3Φ − 4Φ²/(Φ + e²). δ is Φ, in units of e². (The paper's s²e² is not
+/// the integral of the weight, and decreases beyond Φ.)
 class DCS final : public KernelBase<DCS> {
  public:
   static constexpr std::string_view kName = "DCS";

@@ -4,9 +4,9 @@
 // A kernel is a function of the SQUARED error. Contract, for 0 ≤ e² ≤ 1e100 δ² (testing/check_kernel.h checks
 // it):
 //   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e²
-//   wherever these exist. At a kink, the values of the inner side are returned.
-// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization would take 0, so that
-// an edge far away would never pull.
+//   wherever these exist. At a kink, the kernel returns the derivatives of the side with smaller errors.
+// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization would use 0 instead,
+// so that the edge would have no influence.
 #pragma once
 
 #include <memory>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Are the Jacobians of an edge right? For users' own tests; needs no test framework:
+// Checks the Jacobians of an edge, for the tests of users. Needs no test framework:
 //
 //     const JacobianCheck check = check_jacobians(MyEdge{…}, x_1, x_2);
 //     if (!check.ok) std::cerr << check.message;
 //
-// The type's own Jacobians (if it has any) are compared with exact ones from dual numbers (if the error is
-// generic in its scalar), and those with numeric ones. The estimates should be away from kinks and far from
-// all-zero errors, so that no term vanishes.
+// The check compares the member jacobians() (if the edge has one) with exact Jacobians from dual numbers (if
+// the error is generic in its scalar), and these with numeric ones. Choose estimates away from kinks and away
+// from zero errors, so that no term of the Jacobians vanishes.
 #pragma once
 
 #include <array>
@@ -21,17 +21,18 @@
 namespace boxplus {
 
 struct JacobianTolerances {
-  double analytic = 1e-10;  ///< own against exact ones, relative to the largest entry (at least 1)
-  double numeric = 1e-7;    ///< anything against numeric derivatives, likewise
+  double analytic =
+      1e-10;              ///< of analytic against exact Jacobians, relative to the largest entry (at least 1)
+  double numeric = 1e-7;  ///< of both against numeric Jacobians, likewise
 };
 
 struct [[nodiscard]] JacobianCheck {
   bool ok = true;
-  /// The Jacobians that optimize() takes: the type's own, exact ones, or numeric ones. to_string(source) is
-  /// "own", "exact" or "numeric".
+  /// The Jacobians that optimize() uses. to_string(source) is "analytic" (member jacobians()), "exact" or
+  /// "numeric".
   JacobianSource source = JacobianSource::kNumeric;
-  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (own against
-  /// exact)". Rows, columns and vertices count from 1. Empty where ok.
+  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
+  /// against exact)". Rows, columns and vertices count from 1. Empty if ok.
   std::string message;
   double largest_difference = 0;  ///< relative to the largest entry of the Jacobian (at least 1)
 };
@@ -44,12 +45,12 @@ struct ArgumentColumns {
   int first = 0, count = 0;
 };
 
-/// Adds what differs between two column-major Jacobians of `rows` rows to `check`.
+/// Adds the differences of two column-major Jacobians of `rows` rows to `check`.
 void compare_jacobians(std::span<const double> expected, std::span<const double> actual, int rows,
                        double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
                        JacobianCheck& check);
 
-/// How an estimate that is given to the check arrives at the edge: as in a graph.
+/// The type as which the edge receives an estimate, which is the same as in a graph.
 template <class A>
 struct CheckedType {
   using Type = StoredEstimate<A>;
@@ -89,12 +90,13 @@ JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerance
                       check);
   }
   if constexpr (kAnalytic<E, V...>) {
-    own_jacobian<V...>(e, analytic.data(), rows, x...);
+    analytic_jacobian<V...>(e, analytic.data(), rows, x...);
     if constexpr (kDifferentiable<E, V...>) {
-      compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments, "own against exact",
+      compare_jacobians(automatic, analytic, rows, tolerances.analytic, arguments, "analytic against exact",
                         check);
     } else {
-      compare_jacobians(numeric, analytic, rows, tolerances.numeric, arguments, "own against numeric", check);
+      compare_jacobians(numeric, analytic, rows, tolerances.numeric, arguments, "analytic against numeric",
+                        check);
     }
   }
   return check;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the contract of a robust kernel, also a user's own (see robust/robust_kernel.h). Needs no test
+// Checks the contract of a robust kernel (see robust/robust_kernel.h), also of a custom one. Needs no test
 // framework.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-/// ok, or what is violated: where, and by how much.
+/// ok, or a message that names the violated law, the error at which it fails, and the amount.
 struct [[nodiscard]] KernelCheck {
   bool ok = true;
   std::string message;
@@ -42,8 +42,8 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
   if (options.monotone && rho.first < 0) return fail("ρ′ ≥ 0", 0, rho.first);
   if (e2 == 0) return rho.value == 0 ? KernelCheck{} : fail("ρ(0) = 0", 0, rho.value);
 
-  // Derivatives with respect to ln e2, so that one step serves all magnitudes. At a kink the numeric error
-  // estimate is large and excuses the difference.
+  // Derivatives with respect to ln e2, so that one step suits all magnitudes. At a kink the estimated numeric
+  // error is large, so the difference is allowed.
   const auto along = [&](double h, double* values) {
     const Rho moved = kernel(e2 * std::exp(h));
     values[0] = moved.value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the laws of manifold.h on a type, also a user's own. Needs no test framework:
+// Checks the laws of manifold.h for a type, also for a custom one. Needs no test framework:
 //
 //     const ManifoldCheck check = check_manifold<Pose>({Pose(…), Pose(…)});
 //     if (!check.ok) std::puts(check.message.c_str());
@@ -18,7 +18,7 @@
 
 namespace boxplus {
 
-/// ok, or the law that fails: where, and by how much.
+/// ok, or a message that names the law that fails, the sample, and the amount.
 struct [[nodiscard]] ManifoldCheck {
   bool ok = true;
   std::string message;
@@ -65,7 +65,7 @@ class ManifoldChecker {
                         options_.tolerance * (1 + largest(delta)));
   }
 
-  /// (4) ⊞ is smooth at 0 with full rank, seen from a point y = x ⊞ η beside x.
+  /// (4) ⊞ is smooth at 0 with full rank. Differentiates (x ⊞ δ) ⊟ y for a point y = x ⊞ η near x.
   bool plus_is_smooth(const T& x, const Tangent& eta) {
     const T y = plus(x, eta);
     const int n = tangent_dim(x);
@@ -80,8 +80,8 @@ class ManifoldChecker {
     return pivot > 1e-6 ? true : fail("law 4, the Jacobian of ⊞ has full rank: relative pivot", pivot);
   }
 
-  /// ⊞ on dual numbers has the value and the derivative of ⊞ on double. Skipped for types without lifting or
-  /// without ⊟ on the lifted type.
+  /// ⊞ on dual numbers has the value and the derivative of ⊞ on double. Skipped if the type cannot be lifted,
+  /// or if the lifted type has no ⊟.
   bool lifted_agrees(const T& x, const Tangent& delta) {
     if constexpr (LiftableManifold<T, D>) {
       if constexpr (requires(const Rebind<T, D>& z, D* out) { Manifold<Rebind<T, D>>::ominus(z, z, out); }) {
@@ -141,7 +141,7 @@ class ManifoldChecker {
     return largest;
   }
 
-  /// Of Gaussian elimination with full pivoting, relative to the first.
+  /// The smallest pivot of Gaussian elimination with full pivoting, relative to the first.
   static double smallest_pivot(Matrix<double, kDynamic, kDynamic> a) {
     if (a.size() == 0) return 1;
     double first = 0, pivot = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs with a known truth, for tests, benchmarks and demonstrations.
+// Simulated graphs with known true estimates, for tests, benchmarks and demonstrations.
 //
-// The same options give the same graph with every compiler: random numbers are our own. Noise is drawn from
-// the information matrices of the edges, so that chi2 at the truth is about the number of rows of all errors
-// (but for outliers).
-// The first pose is fixed at its true place; the other estimates begin at the odometry.
+// The same options give the same graph with every compiler, because the random number generator is part of
+// the library. Noise is drawn according to the information matrices of the edges, so chi2 at the true
+// estimates is about the number of rows of all errors (without outliers). The first pose is fixed at its true
+// place; the other estimates begin at the odometry.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ namespace boxplus {
 enum class World : std::uint8_t {
   kSphere,     ///< a robot winds around a sphere from pole to pole, and sees where it was one lap ago
   kTorus,      ///< the same around a torus; the last lap meets the first
-  kGrid,       ///< it fills a cubic lattice, and sees its neighbours there
-  kManhattan,  ///< it walks at random through the streets of a plane, and knows crossings again
+  kGrid,       ///< it fills a cubic lattice, and sees its neighbors there
+  kManhattan,  ///< it walks at random through the streets of a plane, and recognizes crossings
   kStreets,  ///< it drives every street of a town 2 to 4 times, at least 100 poses from crossing to crossing,
              ///< and sees where it drove before: about 4 edges per pose
   kCity      ///< the same in short streets, where it sees lampposts and corners of houses instead
@@ -34,26 +34,26 @@ struct SimulationOptions {
   std::uint64_t seed = 1;
   double noise =
       1;  ///< factor on all standard deviations; 0: perfect measurements (with the weights of noise 1)
-  /// Share of the loop closures and observations that take a place (a landmark) for another, at random.
-  /// Odometry is never wrong, and the other measurements stay as they are without.
+  /// The fraction of loop closures and observations that mistake a place (a landmark) for another one, at
+  /// random. Odometry is never mistaken, and the other measurements are the same as without outliers.
   double outliers = 0;
 };
 
 enum class EdgeKind : std::uint8_t {
   kOdometry,     ///< from a pose to the next
-  kRecognition,  ///< a loop closure, or a landmark seen
+  kRecognition,  ///< a loop closure, or an observed landmark
   kOutlier       ///< the same, of a wrong place
 };
 
 struct Simulation {
   Graph graph;
   Graph truth;                              ///< the same vertices at their true places, with the same edges
-  std::vector<EdgeRef> edges, truth_edges;  ///< in the order of their making
+  std::vector<EdgeRef> edges, truth_edges;  ///< in the order of creation
   std::vector<EdgeKind> kinds;              ///< of each of them
 };
 
-/// Takes time and memory in proportion to the poses. Throws InvalidArgument for fewer than 2 poses, a
-/// negative noise, and outliers that are no share in [0, 1].
+/// Takes time and memory in proportion to the number of poses. Throws InvalidArgument for fewer than 2 poses,
+/// negative noise, and a fraction of outliers outside [0, 1].
 Simulation simulate(World world, const SimulationOptions& options = {});
 
 }  // namespace boxplus

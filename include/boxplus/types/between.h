@@ -23,9 +23,9 @@ struct BetweenText {
 ///   SE3  (t, q_v) of z⁻¹ a⁻¹ b, with the sign of q that has w ≥ 0     EDGE_SE3:QUAT
 ///   Vector2, Vector3  (b − a) − z                                     EDGE_POINTXY, EDGE_POINTXYZ
 /// and likewise for every other T whose trait Manifold<T> has kDim, ominus, cast and Rebind. The motion from
-/// a to b is a.inverse_times(b), b − a or a.inverse() * b, whichever T has first in this order; it must be a
-/// T again. These functions must accept T over dual numbers (Rebind) for the Jacobians to be exact, and such
-/// types must name their scalar (T::Scalar). Product has none of these motions.
+/// a to b is a.inverse_times(b), b − a or a.inverse() * b: the first of these that T has. It must be a T. For
+/// exact Jacobians, these functions must accept T over dual numbers (Rebind), and the types must have a
+/// member type Scalar. Product has none of these functions.
 template <class T>
 struct Between {
   static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
@@ -54,8 +54,8 @@ struct Between {
 template <class T>
 Between(T) -> Between<StoredEstimate<T>>;
 
-/// What the kernels do for Between<SE2> and Between<SE3>: errors and, unless `jacobian` is null, Jacobians in
-/// lanes. The arguments point to the numbers of each edge's measurement and poses.
+/// Computes errors and, unless `jacobian` is null, Jacobians of Between<SE2> and Between<SE3> in lanes, with
+/// the dense kernels. The arguments point to the values of each edge's measurement and poses.
 void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian);
 void linearize_between(std::type_identity<SE3>, int count, const double* const* measurement,
@@ -65,7 +65,7 @@ template <class T>
 requires std::is_same_v<T, SE2> || std::is_same_v<T, SE3>
 struct LaneKernel<Between<T>, T, T> {
   static constexpr bool kExists = true;
-  static const double* numbers(const Between<T>& edge) { return edge.measurement.data(); }
+  static const double* values(const Between<T>& edge) { return edge.measurement.data(); }
   static void linearize(int count, const double* const* measurement, const double* const* from,
                         const double* const* to, double* error, double* jacobian) {
     linearize_between(std::type_identity<T>(), count, measurement, from, to, error, jacobian);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A prior on any number of vertices of several types, with all correlations between them: what is left of a
-// problem whose other vertices were marginalized.
+// A prior on any number of vertices of several types, with all correlations between them. Marginalizing the
+// other vertices of a problem leaves such a prior.
 #pragma once
 
 #include <span>
@@ -23,44 +23,46 @@ struct Rows {
   std::vector<double> root, offset;
 };
 
-/// Throws InvalidArgument unless `root` has `cols` columns and `offset`, if it is not empty, its rows.
+/// Throws InvalidArgument unless `root` has `cols` columns, and `offset` is empty or has as many rows as
+/// `root`.
 Rows from_root(const Eigen::MatrixXd& root, const Eigen::VectorXd& offset, int cols);
-/// RᵀR = H and Rᵀr = b. Directions in which H is zero to within rounding get no row. Throws InvalidArgument
-/// unless H is symmetric and positive semi-definite, with `cols` columns, and b, if it is not empty, has as
-/// many entries. O(cols³).
+/// R and r with RᵀR = H and Rᵀr = b. Directions in which H is zero to within rounding get no row. Throws
+/// InvalidArgument unless H is symmetric and positive semi-definite with `cols` columns, and b is empty or
+/// has `cols` entries. O(cols³).
 Rows from_information(const Eigen::MatrixXd& H, const Eigen::VectorXd& b, int cols);
 
 /// e ← R δ + r.
 void evaluate(const Rows& rows, const double* delta, double* error);
-/// J ← R[:, first … first + dim) D, with D dim × dim.
+/// J ← R[:, first … first + dim) D, with D of dim × dim.
 void multiply(const Rows& rows, int first, int dim, const double* D, double* jacobian);
 
-/// Throws InvalidArgument: the edge has another number of vertices than there are means.
+/// Throws InvalidArgument, because the number of vertices of the edge is not the number of means.
 [[noreturn]] void throw_count(std::string_view type, std::size_t expected, std::size_t actual);
 
 }  // namespace dense_prior
 
-/// Error: R δ + r, where δ stacks x_k ⊟ mean_k: first of all vertices of the first type, in the order of the
-/// edge, then of those of the second, …
+/// Error: R δ + r. δ stacks x_k ⊟ mean_k: first those of all vertices of the first type, in the order of the
+/// edge, then those of the second type, …
 ///
 ///     graph.add_edge(DensePrior<SE3, Vector3>({pose_means, point_means}, R), poses, points);
 ///
-/// With Ω = 1 (the default) its cost is ‖Rδ + r‖². The means stay where the problem was linearized, as fixed
-/// lag smoothers and consistent filters want it; the Jacobian is R ∂δ at the current estimates, formed in
-/// O(rows · cols · dim), so one iteration costs about the dense product RᵀR, O(rows · cols²).
+/// With Ω = 1 (the default) its cost is ‖Rδ + r‖². The means stay at the estimates at which the problem was
+/// linearized, as fixed-lag smoothers and consistent filters require. The Jacobian is R ∂δ at the current
+/// estimates and is computed in O(rows · cols · dim). So an iteration costs about as much as the dense
+/// product RᵀR, O(rows · cols²).
 template <class... T>
 class DensePrior {
  public:
   static constexpr std::string_view kName = "DensePrior";
   using Means = std::tuple<std::vector<T>...>;
 
-  /// `root`: R, of any number of rows; `offset`: r, or empty for zero. Throws InvalidArgument where sizes do
-  /// not fit.
+  /// `root`: R, with any number of rows; `offset`: r, or empty for zero. Throws InvalidArgument if the sizes
+  /// do not match.
   DensePrior(Means means, const Eigen::MatrixXd& root, const Eigen::VectorXd& offset = Eigen::VectorXd())
       : means_(std::move(means)), rows_(dense_prior::from_root(root, offset, dim())) {}
 
-  /// The prior whose cost is δᵀHδ + 2 bᵀδ, up to a constant: H and b as they are left after marginalization.
-  /// Throws InvalidArgument where sizes do not fit and unless H is symmetric positive semi-definite.
+  /// The prior whose cost is δᵀHδ + 2 bᵀδ, up to a constant. H and b are the results of marginalization.
+  /// Throws InvalidArgument if the sizes do not match, or if H is not symmetric positive semi-definite.
   static DensePrior from_information(Means means, const Eigen::MatrixXd& H,
                                      const Eigen::VectorXd& b = Eigen::VectorXd()) {
     DensePrior prior(std::move(means));
@@ -111,7 +113,7 @@ class DensePrior {
     return sum;
   }
 
-  /// f(estimate, mean) of each vertex.
+  /// Calls f(estimate, mean) for each vertex.
   template <class F>
   void for_each_vertex(F&& f, std::span<const T>... x) const {
     const auto visit = [&]<class V>(std::span<const V> estimates, const std::vector<V>& means) {
@@ -122,7 +124,7 @@ class DensePrior {
     std::apply([&](const auto&... means) { (visit(x, means), ...); }, means_);
   }
 
-  /// ⊟ takes estimates over dual numbers.
+  /// Whether ⊟ takes estimates over dual numbers.
   template <class V>
   static constexpr bool kHasGenericMinus = [] {
     if constexpr (requires { requires LiftableManifold<V, edge::DualFor<V>>; }) {

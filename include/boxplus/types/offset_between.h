@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The relative measurement between two sensors that sit on two poses.
+// The relative measurement between two sensors that are mounted on two poses.
 #pragma once
 
 #include "boxplus/types/pose_math.h"
@@ -11,9 +11,9 @@ struct OffsetBetweenText {
   static constexpr std::string_view kText = "OffsetBetween";
 };
 
-/// z measures sensor (xj·pj) from sensor (xi·pi), where pi and pj are poses on the body: parameters, or
-/// vertices that are calibrated. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj (EDGE_SE2_OFFSET,
-/// EDGE_SE3_OFFSET), or xi, xj, p where both ends carry the same sensor (EDGE_SE2_CALIB).
+/// z measures sensor (xj·pj) from sensor (xi·pi). pi and pj are the poses of the sensors on the body:
+/// parameters, or vertices that are calibrated. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj
+/// (EDGE_SE2_OFFSET, EDGE_SE3_OFFSET), or xi, xj, p if both ends have the same sensor (EDGE_SE2_CALIB).
 template <class T>
 struct OffsetBetween {
   static constexpr std::string_view kName = TypeLabel<OffsetBetweenText, T>::kValue;

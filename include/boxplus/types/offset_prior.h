@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The absolute measurement of a sensor that sits on a pose.
+// The absolute measurement of a sensor that is mounted on a pose.
 #pragma once
 
 #include "boxplus/types/pose_math.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The few operations that edge types share over poses and points of either dimension.
+// Operations on poses and points of both dimensions that several edge types use.
 #pragma once
 
 #include "boxplus/graph/manifold_frames.h"
@@ -14,7 +14,7 @@ inline constexpr bool kIsPose = requires(const T& x) {
   x.translation();
 };
 
-/// b seen from a: a⁻¹ b for poses and rotations, b − a for vectors.
+/// b relative to a: a⁻¹ b for poses and rotations, b − a for vectors.
 template <class X>
 X motion_between(const X& a, const X& b) {
   if constexpr (requires { a.inverse_times(b); }) {
@@ -26,7 +26,7 @@ X motion_between(const X& a, const X& b) {
   }
 }
 
-/// e = x ⊟ z over x's scalar: vec(z⁻¹ x) for poses, x − z for vectors.
+/// e = x ⊟ z over the scalar of x: vec(z⁻¹ x) for poses, x − z for vectors.
 template <class X, class T>
 auto difference(const X& x, const T& z) {
   using S = ScalarOf<X>;
@@ -35,7 +35,7 @@ auto difference(const X& x, const T& z) {
   return e;
 }
 
-/// Where a pose or point is.
+/// The position of a pose or point.
 template <class X>
 auto position(const X& x) {
   if constexpr (requires { x.translation(); }) {
@@ -45,8 +45,8 @@ auto position(const X& x) {
   }
 }
 
-/// "T_to = T_from · motion", measured with an error whose first rows are metres, and whose last are the
-/// rotation. Quaternion vectors are half angles.
+/// The relation T_to = T_from · motion, measured with an error whose first rows are in meters and whose last
+/// rows are the rotation. Vector parts of quaternions are half angles.
 template <class T>
 RelativeFrame relative_pose(int from, int to, const T& motion) {
   RelativeFrame result{from, to, FrameTrait<T>::get(motion)};

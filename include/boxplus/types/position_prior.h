@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The absolute measurement of where a pose is, such as by GPS.
+// The absolute measurement of the position of a pose, for example by GPS.
 #pragma once
 
 #include "boxplus/graph/stored_estimate.h"
@@ -13,8 +13,8 @@ struct PositionPriorText {
 };
 
 /// z measures the position of a pose in the world. Error: t(x) − z. EDGE_PRIOR_SE2_XY, EDGE_SE3_XYZ_PRIOR.
-/// EDGE_SE3_XYZ_PRIOR names a sensor offset that its error does not use; it is the second vertex here, so
-/// that files keep it.
+/// EDGE_SE3_XYZ_PRIOR names a sensor offset that its error does not use. The offset is the second vertex
+/// here, so that it is written back to files.
 template <class V>
 struct PositionPrior {
   static constexpr std::string_view kName = TypeLabel<PositionPriorText, V>::kValue;

@@ -6,8 +6,8 @@
 
 namespace boxplus {
 
-/// z measures the distance (metres) between the positions of a and b, each a pose or a point. Error: |b − a|
-/// − z. It has no derivative where a and b coincide: 0 is taken for it there, so do not begin there.
+/// z measures the distance (meters) between the positions of a and b, each a pose or a point. Error: |b − a|
+/// − z. If a and b coincide, the error has no derivative, and 0 is used; so do not start from such estimates.
 struct Range {
   static constexpr std::string_view kName = "Range";
   double measurement;

@@ -9,7 +9,7 @@
 
 namespace boxplus {
 
-/// The short name of a vertex type, at compile time; empty where it has none.
+/// The short name of a vertex type, at compile time; empty if it has none.
 template <class T>
 constexpr std::string_view short_name() {
   if constexpr (requires { std::string_view(T::kName); }) {
@@ -21,7 +21,7 @@ constexpr std::string_view short_name() {
   }
 }
 
-/// "Edge<T>" as a constant, where `Edge::kText` is the name of the template.
+/// "Edge<T>" as a constant. `Edge::kText` is the name of the template.
 template <class Edge, class T>
 struct TypeLabel {
   static constexpr std::size_t kSize = Edge::kText.size() + short_name<T>().size() + 2;

@@ -156,7 +156,7 @@ class GraphReader {
   FieldReader fields_of(const Line& line) const {
     if (line.is_numeric) return {text_.name(), line.number, line.text, line.fields};
     FieldReader in(text_.name(), line.number, line.text);
-    in.word("a tag");
+    in.token("a tag");
     return in;
   }
 

@@ -72,13 +72,13 @@ class GraphWriter {
     if (!tag) throw_no_tag("vertices", pool.type_name());
     const Id id = graph_.id(vertex);
     FieldWriter out(text);
-    out.word(tag->name);
+    out.token(tag->name);
     out.integer(id);
     tag->write_vertex(graph_, vertex, out);
     out.end_line();
     if (pool.parameter(vertex.slot)) return;
     if (graph_.is_fixed(vertex)) {
-      out.word("FIX");
+      out.token("FIX");
       out.integer(id);
       out.end_line();
     }
@@ -90,12 +90,12 @@ class GraphWriter {
     const Tag* tag = registry_.tag_of(graph_, edge);
     if (!tag) throw_no_tag("edges", graph_.edge_pools()[edge.pool]->type_name());
     FieldWriter out(text);
-    out.word(tag->name);
+    out.token(tag->name);
     const std::vector<VertexRef> vertices = graph_.vertices(edge);
     for (const VertexRef& vertex : vertices) out.integer(graph_.id(vertex));
     const Tag* named = registry_.find(tag->name);
     if (named != tag && named->shared_parameter.get() == tag) out.integer(graph_.id(vertices.back()));
-    if (tag->arguments.back().is_tail) out.word("||");
+    if (tag->arguments.back().is_tail) out.token("||");
     tag->write_edge(graph_, edge, out);
     out.end_line();
   }
@@ -111,7 +111,7 @@ class GraphWriter {
 
   [[noreturn]] static void throw_no_tag(const char* what, std::string_view type) {
     throw InvalidArgument(
-        fmt::format("cannot write {} of type {}: no word of a file is registered for them", what, type));
+        fmt::format("cannot write {} of type {}: no tag is registered for them", what, type));
   }
 
   static constexpr EdgeRef kNoEdge{};

@@ -13,11 +13,11 @@ namespace boxplus {
 
 void UnknownTags::add(std::string_view line, std::int64_t number) {
   FieldReader in({}, number, line);
-  const std::string_view tag = in.word("a tag");
+  const std::string_view tag = in.token("a tag");
   const auto entry = tags_.try_emplace(quoted(tag)).first;
   if (entry->second.count++ == 0) entry->second.first_line = number;
   if (tag.starts_with("EDGE") || in.at_end()) return;
-  const std::string_view field = in.word("an id");
+  const std::string_view field = in.token("an id");
   const char* const end = field.data() + field.size();
   Id id = 0;
   if (const auto [stop, error] = std::from_chars(field.data(), end, id); error == std::errc() && stop == end)
@@ -35,7 +35,7 @@ void UnknownTags::append_notes(std::vector<GraphFile::Note>& notes) const {
   for (const auto& [tag, lines] : tags_) {
     const bool is_one = lines.count == 1;
     notes.push_back(
-        {lines.first_line, fmt::format("{} line{} with the unknown word {}: kept as {}", lines.count,
+        {lines.first_line, fmt::format("{} line{} with the unknown tag {}: kept as {}", lines.count,
                                        is_one ? "" : "s", tag, is_one ? "it is" : "they are")});
   }
 }

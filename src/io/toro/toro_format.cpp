@@ -16,7 +16,7 @@ bool begins_with_tag_of_toro(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     FieldReader line({}, 0, text.substr(0, end));
-    if (!line.at_end()) return std::find(kTags.begin(), kTags.end(), line.word("a tag")) != kTags.end();
+    if (!line.at_end()) return std::find(kTags.begin(), kTags.end(), line.token("a tag")) != kTags.end();
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;

@@ -53,7 +53,7 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
 SolveControl AutomaticSolver::control_for_chosen(const SolveControl& control) const {
   SolveControl result = control;
   if (refused_)
-    result.relative_tolerance = std::max(control.relative_tolerance, options_.automatic.least_tolerance);
+    result.relative_tolerance = std::max(control.relative_tolerance, options_.automatic.min_tolerance);
   return result;
 }
 

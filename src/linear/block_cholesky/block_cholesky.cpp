@@ -41,7 +41,7 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
   analyzed_blocks_ = structure.blocks();
   extensions_ = 0;
   batch_ = std::max(1, hints.right_hand_sides);
-  left_mixed_ = false;
+  fell_back_to_double_ = false;
   factor_.release();
   mixed_.release();
   const Precision precision = hints.may_be_singular ? Precision::kDouble : options_.precision;
@@ -79,7 +79,7 @@ bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*sto
 /// Goes on in double until the next analysis.
 void BlockCholesky::leave_mixed() {
   mixed_.release();
-  left_mixed_ = true;
+  fell_back_to_double_ = true;
   factor_.allocate(symbolic_, structure_->scalars(), batch_);
 }
 
@@ -95,7 +95,7 @@ FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& 
   inverse_.clear();
   if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
-    throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analysed structure");
+    throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analyzed structure");
   }
   if (control.stop.raised()) return {LinearStatus::kStopped};
   if (mixed_.allocated() && !mixed_.pays()) leave_mixed();
@@ -138,7 +138,7 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
   if (!all_finite(b, scalars * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite};
   SolveControl refinement = control;
-  refinement.relative_tolerance = std::max(control.relative_tolerance, options_.least_tolerance);
+  refinement.relative_tolerance = std::max(control.relative_tolerance, options_.min_tolerance);
   SolveResult result{.exact = true};
   for (; mixed_.allocated() && columns > 0; --columns, b += scalars, x += scalars) {
     const SolveResult refined = mixed_.solve(b, x, refinement);
@@ -203,7 +203,7 @@ LinearStatistics BlockCholesky::statistics() const {
   statistics.ordering = ordering_;
   statistics.factor_seconds = forecast_seconds_;
   statistics.precision = mixed_.allocated() ? Precision::kMixed : Precision::kDouble;
-  statistics.left_mixed = left_mixed_;
+  statistics.fell_back_to_double = fell_back_to_double_;
   if (symbolic_.schedule.is_parallel())
     statistics.workers = static_cast<int>(symbolic_.schedule.threads.size());
   statistics.supernodes = static_cast<std::uint32_t>(symbolic_.fronts.size());

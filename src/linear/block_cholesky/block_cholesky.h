@@ -31,7 +31,7 @@ class BlockCholesky final : public LinearSolver {
   /// What the factor is predicted to take.
   struct Forecast {
     std::uint64_t bytes = 0;
-    double seconds = 0;  // for one factorisation on one thread
+    double seconds = 0;  // for one factorization on one thread
   };
   /// analyze(), if `accepts` does the prediction; else nothing but the prediction.
   template <class Accepts>
@@ -72,7 +72,7 @@ class BlockCholesky final : public LinearSolver {
   MixedFactor mixed_;  // instead of factor_, if it has memory
   InverseOnPattern inverse_;
   int batch_ = 1;  // right-hand sides that factor_ has room for
-  bool factorized_ = false, left_mixed_ = false;
+  bool factorized_ = false, fell_back_to_double_ = false;
 };
 
 }  // namespace boxplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A symbolic factorisation that grows with its structure.
+// A symbolic factorization that grows with its structure.
 #pragma once
 
 #include "linear/block_cholesky/symbolic_factor.h"
@@ -14,7 +14,7 @@ namespace boxplus {
 /// ones is not in the pattern of the factor.
 bool extend_factor(const BlockStructure& structure, const StructureGrowth& growth, SymbolicFactor& factor);
 
-/// Predicted for one factorisation on one thread.
+/// Predicted for one factorization on one thread.
 double predicted_nanoseconds(const SymbolicFactor& factor, const AmalgamationRule& rule);
 
 }  // namespace boxplus

@@ -13,7 +13,7 @@ namespace boxplus {
 /// supernode to the first: with S = L21 L11⁻¹ and Z22 the part of Z on the rows below (known from the
 /// ancestors),
 ///   Z21 = −Z22 S,   Z11 = L11⁻ᵀ L11⁻¹ − Sᵀ Z21.
-/// Costs about three factorisations and the memory of one L.
+/// Costs about three factorizations and the memory of one L.
 class InverseOnPattern {
  public:
   void compute(const SymbolicFactor& symbolic, const double* panels);

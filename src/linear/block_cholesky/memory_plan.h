@@ -7,8 +7,8 @@
 
 namespace boxplus {
 
-/// First-fit allocation played through once, when the structure is analysed: the addresses are then used in
-/// every factorisation. Buffers that live at the same time never overlap.
+/// First-fit allocation played through once, when the structure is analyzed: the addresses are then used in
+/// every factorization. Buffers that live at the same time never overlap.
 class MemoryPlan {
  public:
   /// Address of `size` free numbers, from here until release().

@@ -21,7 +21,7 @@ class MixedFactor {
   void allocate(const SymbolicFactor& symbolic, const BlockStructure& structure, double steps_that_pay);
   /// Takes over a factor and a structure that have grown, in the same objects.
   void extend(const SymbolicFactor& symbolic) { allocate(symbolic, *structure_, steps_that_pay_); }
-  /// Gives the memory of the factor back; what was factorised last is still known.
+  /// Gives the memory of the factor back; what was factorized last is still known.
   void release();
   bool allocated() const { return factor_.allocated(); }
   /// Whether no solution has taken more steps than pay.
@@ -33,7 +33,7 @@ class MixedFactor {
   /// One right-hand side. Where the status is not kOk (the factor is too rough, as a rule), x stays as it
   /// was.
   SolveResult solve(const double* b, double* x, const SolveControl& control);
-  /// What was factorised last.
+  /// What was factorized last.
   std::span<const double> values() const { return system_->values(); }
   Damping damping() const { return {1, damping_.data()}; }
 
@@ -52,7 +52,7 @@ class MixedFactor {
 inline constexpr double kUsualSteps = 3;
 
 /// The steps of refinement with which a factor in float is predicted to take as long as one in double, of one
-/// factorisation and one solution. `seconds` and `flops` are those of the factor in double, `numbers` those
+/// factorization and one solution. `seconds` and `flops` are those of the factor in double, `numbers` those
 /// of its panels.
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure);
 

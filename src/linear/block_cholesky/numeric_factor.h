@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numerical multifrontal factorisation (Duff and Reid 1983; Liu 1992).
+// The numerical multifrontal factorization (Duff and Reid 1983; Liu 1992).
 #pragma once
 
 #include <array>
@@ -66,14 +66,14 @@ struct FrontsResult {
   std::uint32_t lost_pivot = 0;             // where not positive definite: the first, as a permuted scalar
 };
 
-/// Factorises A + λD into the panels. Reads only the lower triangle of `values`. Asks `stop` before every
+/// Factorizes A + λD into the panels. Reads only the lower triangle of `values`. Asks `stop` before every
 /// front, and within large ones.
 template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor);
 
-/// Applies the test of kLostPivot to the suspects of a factorisation; returns the first lost one, as a
+/// Applies the test of kLostPivot to the suspects of a factorization; returns the first lost one, as a
 /// permuted scalar, or the number of scalars.
 template <class Scalar>
 std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,

@@ -16,7 +16,7 @@ namespace boxplus {
 struct SupernodePartition {
   std::vector<std::uint32_t> start{0};
   std::vector<std::uint32_t> order;
-  double nanoseconds = 0;  ///< predicted for a factorisation on one thread
+  double nanoseconds = 0;  ///< predicted for a factorization on one thread
   double numbers = 0;      ///< of all panels and, on one thread, of the update matrices that live at one time
 };
 

@@ -200,7 +200,7 @@ class Builder {
   std::vector<Entry> entries_;
 };
 
-/// An order, postordered, and what a factorisation in it takes.
+/// An order, postordered, and what a factorization in it takes.
 struct Ordered {
   std::vector<std::uint32_t> order, parent, dims;
   ColumnCounts counts;
@@ -237,10 +237,10 @@ void check_order(std::span<const std::uint32_t> order, std::uint32_t blocks) {
 /// Whether nested dissection is predicted to save more time than it takes, in nanoseconds. Where it wins, it
 /// saves a fifth to a third of the operations.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
-  constexpr double kFactorisations = 8, kSaving = 0.2, kPerEntry = 500;
+  constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500;
   const double blocks = structure.blocks(), entries = static_cast<double>(structure.row.size());
   const double levels = std::log2(std::max(2.0, blocks / 100));
-  return kFactorisations * kSaving * rule.per_flop * flops > kPerEntry * entries * levels;
+  return kFactorizations * kSaving * rule.per_flop * flops > kPerEntry * entries * levels;
 }
 
 }  // namespace

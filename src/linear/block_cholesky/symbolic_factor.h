@@ -44,7 +44,7 @@ struct Front {
   std::uint32_t rows() const { return columns + below; }
 };
 
-/// The symbolic factorisation.
+/// The symbolic factorization.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order, position;  // position → block of the structure, and back
   std::vector<std::uint32_t> offset;           // first permuted scalar of each position; one more at the end

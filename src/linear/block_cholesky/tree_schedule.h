@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which fronts are factorised by which thread.
+// Which fronts are factorized by which thread.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct TreeSchedule {
   bool is_parallel() const { return !threads.empty(); }
 };
 
-/// No thread gets work where the whole factorisation is predicted to take less than a few hundred µs.
+/// No thread gets work where the whole factorization is predicted to take less than a few hundred µs.
 TreeSchedule make_schedule(std::span<const Front> fronts, const AmalgamationRule& rule, int threads);
 
 }  // namespace boxplus

@@ -74,7 +74,7 @@ FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& da
   factorized_ = inverted_ = false;
   if (!structure_) throw InvalidArgument("DenseSolver::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
-    throw InvalidArgument("DenseSolver::factorize: expected the block values of the analysed structure");
+    throw InvalidArgument("DenseSolver::factorize: expected the block values of the analyzed structure");
   }
   if (control.stop.raised()) return {LinearStatus::kStopped};
   load(system, damping);

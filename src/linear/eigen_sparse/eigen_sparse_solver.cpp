@@ -91,7 +91,7 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
   if (!structure_) throw InvalidArgument("EigenSparseSolver::factorize: expected a call of analyze() before");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument(
-        "EigenSparseSolver::factorize: expected the block values of the analysed structure");
+        "EigenSparseSolver::factorize: expected the block values of the analyzed structure");
   }
   if (control.stop.raised()) return {LinearStatus::kStopped};
   const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);

@@ -11,7 +11,7 @@ namespace boxplus {
 
 /// An exception to the seam's contract: Eigen's factorize() and solve() allocate temporaries on every call.
 ///
-/// Eigen reports only that a pivot was ≤ 0, not which. The block is then named by factorising once more with
+/// Eigen reports only that a pivot was ≤ 0, not which. The block is then named by factorizing once more with
 /// BlockCholesky, whose elimination order differs: of several bad blocks it may name another. Pivots that
 /// lost their digits without becoming ≤ 0 are found and named in Eigen's own order (see kLostPivot).
 class EigenSparseSolver final : public LinearSolver {

@@ -27,7 +27,7 @@ inline constexpr int kIsLast = -1;
 std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last);
 
 /// Constrained approximate minimum degree: blocks of a lower rank (0 … blocks − 1) before those of a higher
-/// one, and within a rank by degree, counting the neighbours of all ranks. `stop` as above.
+/// one, and within a rank by degree, counting the neighbors of all ranks. `stop` as above.
 std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of,
                                                     const StopToken& stop = {});
 

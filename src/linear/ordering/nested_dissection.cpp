@@ -40,10 +40,10 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
   };
   for_each_edge([&](std::uint32_t a, std::uint32_t) { ++degree[a]; });
   for (std::size_t v = 0; v < block_of.size(); ++v) graph.start.push_back(graph.start.back() + degree[v]);
-  graph.neighbour.resize(graph.start.back());
+  graph.neighbor.resize(graph.start.back());
   graph.edge_weight.assign(graph.start.back(), 1);
   std::vector<std::uint32_t> next(graph.start.begin(), graph.start.end() - 1);
-  for_each_edge([&](std::uint32_t a, std::uint32_t b) { graph.neighbour[next[a]++] = b; });
+  for_each_edge([&](std::uint32_t a, std::uint32_t b) { graph.neighbor[next[a]++] = b; });
   for (const std::uint32_t block : block_of) graph.weight.push_back(structure.dim(block));
   return graph;
 }
@@ -60,13 +60,13 @@ WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side,
   WeightedGraph part;
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
     if (side[v] != wanted) continue;
-    for (const std::uint32_t u : graph.neighbours(v)) {
+    for (const std::uint32_t u : graph.neighbors(v)) {
       pace.step();
       if (vertex[u] == kAbsent) continue;
-      part.neighbour.push_back(vertex[u]);
+      part.neighbor.push_back(vertex[u]);
       part.edge_weight.push_back(1);
     }
-    part.start.push_back(static_cast<std::uint32_t>(part.neighbour.size()));
+    part.start.push_back(static_cast<std::uint32_t>(part.neighbor.size()));
     part.weight.push_back(graph.weight[v]);
     part_block_of.push_back(block_of[v]);
   }

@@ -24,7 +24,7 @@ Side other(Side side) {
   return side == kLeft ? kRight : kLeft;
 }
 
-/// Numbers without a pattern, the same in every run (the finaliser of MurmurHash3, Appleby 2011).
+/// Numbers without a pattern, the same in every run (the finalizer of MurmurHash3, Appleby 2011).
 std::uint32_t scramble(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85ebca6bu;
   x = (x ^ (x >> 13)) * 0xc2b2ae35u;
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
     std::int64_t heaviest = 0;
     for (std::uint32_t k = graph.start[v]; k < graph.start[v + 1]; ++k) {
       pace.step();
-      const std::uint32_t u = graph.neighbour[k];
+      const std::uint32_t u = graph.neighbor[k];
       const std::int64_t weight = graph.edge_weight[k];
       if (partner[u] != kNone || graph.weight[u] + graph.weight[v] > limit) continue;
       if (weight > heaviest || (weight == heaviest && luck[u] < luck[best])) best = u, heaviest = weight;
@@ -79,7 +79,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   }
   WeightedGraph coarse;
   coarse.weight.assign(count, 0);
-  std::vector<std::uint32_t> place(count, kNone);  // of a neighbour, while its vertex is built
+  std::vector<std::uint32_t> place(count, kNone);  // of a neighbor, while its vertex is built
   for (std::uint32_t v = 0; v < n; ++v) {
     if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // the partner came before
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
@@ -87,11 +87,11 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
       coarse.weight[c] += graph.weight[fine];
       for (std::uint32_t k = graph.start[fine]; k < graph.start[fine + 1]; ++k) {
         pace.step();
-        const std::uint32_t u = coarse_of[graph.neighbour[k]];
+        const std::uint32_t u = coarse_of[graph.neighbor[k]];
         if (u == c) continue;
         if (place[u] == kNone || place[u] < first) {
-          place[u] = static_cast<std::uint32_t>(coarse.neighbour.size());
-          coarse.neighbour.push_back(u);
+          place[u] = static_cast<std::uint32_t>(coarse.neighbor.size());
+          coarse.neighbor.push_back(u);
           coarse.edge_weight.push_back(0);
         }
         coarse.edge_weight[place[u]] += graph.edge_weight[k];
@@ -99,7 +99,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
     };
     add(v);
     if (partner[v] != v) add(partner[v]);
-    coarse.start.push_back(static_cast<std::uint32_t>(coarse.neighbour.size()));
+    coarse.start.push_back(static_cast<std::uint32_t>(coarse.neighbor.size()));
   }
   return coarse;
 }
@@ -141,7 +141,7 @@ class Refiner {
   /// side.
   std::int64_t gain(std::uint32_t v, Side to) {
     std::int64_t pulled = 0;
-    for (const std::uint32_t u : graph_.neighbours(v)) {
+    for (const std::uint32_t u : graph_.neighbors(v)) {
       pace_.step();
       if (side_[u] == other(to)) pulled += graph_.weight[u];
     }
@@ -172,11 +172,11 @@ class Refiner {
   void move(std::uint32_t v, Side to) {
     set_side(v, to);
     locked_[v] = 1;
-    for (const std::uint32_t u : graph_.neighbours(v)) {
+    for (const std::uint32_t u : graph_.neighbors(v)) {
       if (side_[u] == other(to)) {
         set_side(u, kSeparator);
         propose(u);
-        for (const std::uint32_t w : graph_.neighbours(u)) propose(w);
+        for (const std::uint32_t w : graph_.neighbors(u)) propose(w);
       } else {
         propose(u);
       }
@@ -253,14 +253,14 @@ std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, Pace
     const std::uint32_t v = front[k];
     side[v] = kLeft;
     grown += graph.weight[v];
-    for (const std::uint32_t u : graph.neighbours(v)) {
+    for (const std::uint32_t u : graph.neighbors(v)) {
       pace.step();
       if (!seen[u]) seen[u] = 1, front.push_back(u);
     }
   }
   for (std::uint32_t v = 0; v < n; ++v) {
     if (side[v] != kRight) continue;
-    for (const std::uint32_t u : graph.neighbours(v)) {
+    for (const std::uint32_t u : graph.neighbors(v)) {
       if (side[u] == kLeft) {
         side[v] = kSeparator;
         break;

@@ -10,16 +10,16 @@
 
 namespace boxplus {
 
-/// An undirected graph: vertex v has the neighbours neighbour[start[v]] … neighbour[start[v + 1] − 1], never
+/// An undirected graph: vertex v has the neighbors neighbor[start[v]] … neighbor[start[v + 1] − 1], never
 /// itself, each once.
 struct WeightedGraph {
-  std::vector<std::uint32_t> start{0}, neighbour;
-  std::vector<std::int64_t> edge_weight;  // of each neighbour
+  std::vector<std::uint32_t> start{0}, neighbor;
+  std::vector<std::int64_t> edge_weight;  // of each neighbor
   std::vector<std::int64_t> weight;       // of each vertex
 
   std::uint32_t vertices() const { return static_cast<std::uint32_t>(weight.size()); }
-  std::span<const std::uint32_t> neighbours(std::uint32_t v) const {
-    return std::span(neighbour).subspan(start[v], start[v + 1] - start[v]);
+  std::span<const std::uint32_t> neighbors(std::uint32_t v) const {
+    return std::span(neighbor).subspan(start[v], start[v + 1] - start[v]);
   }
   std::int64_t total() const;
 };

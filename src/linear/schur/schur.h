@@ -32,7 +32,7 @@ class Schur {
   std::uint32_t eliminated_blocks() const { return eliminated_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
 
-  /// Factorises V + λD and, if asked for at construction, forms S without the λD of the kept blocks, which
+  /// Factorizes V + λD and, if asked for at construction, forms S without the λD of the kept blocks, which
   /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H,
   /// and the scalar, that is not positive definite. Returns LinearStatus::kStopped soon after the token is
   /// raised.

@@ -27,7 +27,7 @@ struct Measurement {
   bool leads_forward;         ///< the frame of `to` follows from that of `from`
   bool leads_backward;        ///< the frame of `from` follows from that of `to`
   double rotation_weight;     ///< mean information per squared radian
-  double translation_weight;  ///< mean information per squared metre
+  double translation_weight;  ///< mean information per squared meter
 };
 
 class FrameGraph {

@@ -21,7 +21,7 @@ class ShortestPaths {
         arrival_(frames.nodes(), kNone) {}
 
   void run() {
-    relax_neighbours(FrameGraph::kWorld, 0);
+    relax_neighbors(FrameGraph::kWorld, 0);
     for (Node node = 0; node < frames_.nodes(); ++node) {
       if (frames_.used(node) && !frames_.movable(node)) start_at(node);
     }
@@ -48,7 +48,7 @@ class ShortestPaths {
 
   void start_at(Node root) {
     distance_[root] = 0;
-    relax_neighbours(root, 0);
+    relax_neighbors(root, 0);
   }
 
   void settle_all() {
@@ -58,11 +58,11 @@ class ShortestPaths {
       pace_.step();
       if (distance > distance_[node]) continue;
       set_from_arrival(node);
-      relax_neighbours(node, distance);
+      relax_neighbors(node, distance);
     }
   }
 
-  void relax_neighbours(Node node, double distance) {
+  void relax_neighbors(Node node, double distance) {
     for (std::uint32_t k : frames_.touching(node)) {
       const Measurement& m = frames_.measurements()[k];
       const bool forward = m.from == node;

@@ -12,7 +12,7 @@
 
 namespace boxplus::guess {
 
-/// Minimises Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns numbers.
+/// Minimizes Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns numbers.
 ///
 /// Called as: join() every pair of blocks that share a term, then add() the terms, then solve().
 class SeparableLeastSquares {

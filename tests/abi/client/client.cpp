@@ -79,8 +79,8 @@ bool dynamic_matrices_survive() {
   return sum.trace() == 28;
 }
 
-/// Vertices and edges with aligned members go through the library's optimiser.
-bool graphs_of_eigen_structs_are_optimised() {
+/// Vertices and edges with aligned members go through the library's optimizer.
+bool graphs_of_eigen_structs_are_optimized() {
   boxplus::Graph graph;
   std::vector<boxplus::VertexHandle<Mount>> mounts;
   for (int i = 0; i < 50; ++i) {
@@ -130,7 +130,7 @@ bool exceptions_arrive() {
 // Each new kind of exchange between a client and the library is one more line here.
 int main() {
   const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() &&
-                    graphs_of_eigen_structs_are_optimised() && conversions_survive() && exceptions_arrive();
+                    graphs_of_eigen_structs_are_optimized() && conversions_survive() && exceptions_arrive();
   std::puts(good ? "good" : "bad");
   return good ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest program that optimises a graph with the installed library.
+// The smallest program that optimizes a graph with the installed library.
 #include <boxplus/boxplus.h>
 
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "boxplus::boxplus passes its definitions on");

@@ -59,7 +59,7 @@ std::vector<double> edge_numbers(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     FieldReader in("text", 0, line);
-    if (in.at_end() || !in.word("a word").starts_with("EDGE_")) continue;
+    if (in.at_end() || !in.token("a tag").starts_with("EDGE_")) continue;
     while (!in.at_end()) numbers.push_back(in.number("a number"));
   }
   return numbers;

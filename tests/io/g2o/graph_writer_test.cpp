@@ -89,7 +89,7 @@ TEST(GraphWriter, WritesEdgesThatWereAddedAfterThoseOfTheFile) {
               testing::EndsWith("EDGE_POINTXY 0 1 1 0 1 0 1\nEDGE_PRIOR_XY 0 0.5 0 2 0 2\n"));
 }
 
-TEST(GraphWriter, OfAnOptimisedGraphReadsBackBitForBit) {
+TEST(GraphWriter, OfAnOptimizedGraphReadsBackBitForBit) {
   Simulation simulation = simulate(World::kSphere, {.poses = 100, .seed = 7});
   optimize(simulation.graph);
   const std::string path = temporary("sphere.g2o");

@@ -32,7 +32,7 @@ TEST(UnknownTags, AreNotedOnceAndTheirLinesAreKept) {
   const GraphFile file = parse_graph("VERTEX_SE2 0 0 0 0\nROBOTLASER1 x y\nROBOTLASER1 z\n", "g");
   EXPECT_THAT(file.kept, SizeIs(2));
   ASSERT_THAT(file.notes, SizeIs(1));
-  EXPECT_THAT(file.notes[0].text, HasSubstr("2 lines with the unknown word 'ROBOTLASER1'"));
+  EXPECT_THAT(file.notes[0].text, HasSubstr("2 lines with the unknown tag 'ROBOTLASER1'"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-TEST(MemoryPlan, ReusesReleasedSpaceAndJoinsNeighbours) {
+TEST(MemoryPlan, ReusesReleasedSpaceAndJoinsNeighbors) {
   MemoryPlan plan;
   const auto a = plan.reserve(10), b = plan.reserve(5), c = plan.reserve(1);
   plan.release(a, 10);

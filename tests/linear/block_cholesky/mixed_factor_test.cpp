@@ -49,7 +49,7 @@ TEST(AMixedFactor, IsRefinedToTheTolerance) {
     EXPECT_EQ(solution.result.status, LinearStatus::kOk);
     EXPECT_LE(solution.residual, 1.01 * tolerance);
     EXPECT_EQ(solution.statistics.precision, Precision::kMixed);
-    EXPECT_FALSE(solution.statistics.left_mixed);
+    EXPECT_FALSE(solution.statistics.fell_back_to_double);
     EXPECT_GT(solution.result.iterations, 0);
   }
 }
@@ -65,7 +65,7 @@ TEST(AMixedFactor, IsLeftForDoubleWhereFloatHasNoDigits) {
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
   EXPECT_LT(solution.residual, 1e-6);  // what a factor in double reaches, too
   EXPECT_EQ(solution.statistics.precision, Precision::kDouble);
-  EXPECT_TRUE(solution.statistics.left_mixed);
+  EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
 TEST(AMixedFactor, IsLeftForDoubleWhereNumbersAreTooLargeForFloat) {
@@ -74,7 +74,7 @@ TEST(AMixedFactor, IsLeftForDoubleWhereNumbersAreTooLargeForFloat) {
   const Solution solution = solve(system, Precision::kMixed);
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
   EXPECT_LT(solution.residual, 1e-10);
-  EXPECT_TRUE(solution.statistics.left_mixed);
+  EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
 TEST(AMixedFactor, IsLeftWithinASolveWhoseToleranceItDoesNotReach) {
@@ -82,7 +82,7 @@ TEST(AMixedFactor, IsLeftWithinASolveWhoseToleranceItDoesNotReach) {
   const Solution solution = solve(system, Precision::kMixed, {.relative_tolerance = 1e-17});
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
   EXPECT_LT(solution.residual, 1e-12);
-  EXPECT_TRUE(solution.statistics.left_mixed);
+  EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
 TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
@@ -90,7 +90,7 @@ TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
   TestSystem system(std::vector<std::uint32_t>(400, 3), chain_edges(400));
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d lever = identity;
-  lever(1, 2) = 1;  // x moves with the angle of its neighbour
+  lever(1, 2) = 1;  // x moves with the angle of its neighbor
   for (std::uint32_t k = 0; k + 1 < 400; ++k) {
     if (k == 200) {
       system.add_edge(k, k + 1, identity.topRows(2), -identity.topRows(2));
@@ -104,7 +104,7 @@ TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
     BlockCholesky solver({.precision = precision});
     solver.analyze(system.structure, {});
     results.push_back(solver.factorize(system.view(), {}, {}));
-    EXPECT_EQ(solver.statistics().left_mixed, precision == Precision::kMixed);
+    EXPECT_EQ(solver.statistics().fell_back_to_double, precision == Precision::kMixed);
   }
   EXPECT_EQ(results[0].status, LinearStatus::kNotPositiveDefinite);
   EXPECT_EQ(results[1].status, LinearStatus::kNotPositiveDefinite);
@@ -116,7 +116,7 @@ TEST(AMixedFactor, IsTakenAgainAfterANewAnalysis) {
   BlockCholesky solver({.precision = Precision::kMixed});
   solver.analyze(bad.structure, {});
   ASSERT_EQ(solver.factorize(bad.view(), {}, {}).status, LinearStatus::kOk);
-  EXPECT_TRUE(solver.statistics().left_mixed);
+  EXPECT_TRUE(solver.statistics().fell_back_to_double);
   solver.analyze(good.structure, {});
   ASSERT_EQ(solver.factorize(good.view(), {}, {}).status, LinearStatus::kOk);
   EXPECT_EQ(solver.statistics().precision, Precision::kMixed);

@@ -23,7 +23,7 @@ TEST(AmdOrdering, NamesEveryBlockOnce) {
   EXPECT_EQ(sorted(amd_ordering(system.structure)), all);
 }
 
-TEST(AmdOrdering, EliminatesTheLeavesOfAStarBeforeItsCentre) {
+TEST(AmdOrdering, EliminatesTheLeavesOfAStarBeforeItsCenter) {
   std::vector<BlockCoordinate> edges;
   for (std::uint32_t leaf = 1; leaf < 30; ++leaf) edges.push_back({leaf, 0});
   const auto order = amd_ordering(make_block_structure(std::vector<std::uint32_t>(30, 3), edges));

@@ -70,17 +70,17 @@ TEST(TheAutomaticOrdering, TakesTheDissectionOfLargeCubesAndMinimumDegreeElsewhe
 TEST(ASeparator, PartsAGridInHalvesByAboutOneRow) {
   const std::uint32_t height = 30, width = 50;
   WeightedGraph graph;
-  std::vector<std::vector<std::uint32_t>> neighbours(height * width);
-  for (const auto& [a, b] : grid_edges(height, width)) neighbours[a].push_back(b), neighbours[b].push_back(a);
-  for (const auto& list : neighbours) {
-    graph.neighbour.insert(graph.neighbour.end(), list.begin(), list.end());
-    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbour.size()));
+  std::vector<std::vector<std::uint32_t>> neighbors(height * width);
+  for (const auto& [a, b] : grid_edges(height, width)) neighbors[a].push_back(b), neighbors[b].push_back(a);
+  for (const auto& list : neighbors) {
+    graph.neighbor.insert(graph.neighbor.end(), list.begin(), list.end());
+    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbor.size()));
     graph.weight.push_back(3);
   }
-  graph.edge_weight.assign(graph.neighbour.size(), 1);
+  graph.edge_weight.assign(graph.neighbor.size(), 1);
   const std::vector<Side> side = find_separator(graph);
   for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
-    for (const std::uint32_t u : graph.neighbours(v))
+    for (const std::uint32_t u : graph.neighbors(v))
       EXPECT_FALSE(side[v] == kLeft && side[u] == kRight) << v << " touches " << u;
   }
   const auto count = [&](Side wanted) { return std::count(side.begin(), side.end(), wanted); };

@@ -15,7 +15,7 @@
 namespace boxplus {
 namespace {
 
-/// The linearised problem, its damping, and the dense counterpart.
+/// The linearized problem, its damping, and the dense counterpart.
 struct Problem {
   Bundle bundle;
   Plan plan;

@@ -44,7 +44,7 @@ TEST(OffsetPointObservation3, TakesItsOffsetFromAParameterOfTheGraph) {
   EXPECT_TRUE(graph.is_fixed(p));
 }
 
-TEST(BearingObservation3, NormalisesItsDirectionAndIgnoresTheDistance) {
+TEST(BearingObservation3, NormalizesItsDirectionAndIgnoresTheDistance) {
   const BearingObservation3 edge(Vector3(0, 0, 5));
   EXPECT_LT(edge.error(SE3(), Vector3(0, 0, 7)).norm(), 1e-15);
   EXPECT_NEAR(edge.error(SE3(), Vector3(0.01, 0, 1)).norm(), 0.01, 1e-6);

@@ -16,7 +16,7 @@
 
 namespace g2o {
 
-/// The dimensions of poses and of landmarks, which are eliminated where they are marginalised.
+/// The dimensions of poses and of landmarks, which are eliminated where they are marginalized.
 template <int _PoseDim, int _LandmarkDim>
 struct BlockSolverTraits {
   static constexpr int PoseDim = _PoseDim;
@@ -58,7 +58,7 @@ class G2O_CORE_API BlockSolverBase : public Solver {
 };
 
 /// H lies in the engine's memory whatever the traits; they say what LinearSolver fits, and which dimension
-/// marginalised vertices must have. Owns the linear solver.
+/// marginalized vertices must have. Owns the linear solver.
 template <typename Traits>
 class BlockSolver : public BlockSolverBase {
  public:
@@ -81,7 +81,7 @@ class BlockSolver : public BlockSolverBase {
 
   bool init(SparseOptimizer* optimizer, bool online = false) override;
   bool buildStructure(bool zeroBlocks = false) override;
-  /// Lays everything out anew: what is not new costs little beside a factorisation. Where nothing was laid
+  /// Lays everything out anew: what is not new costs little beside a factorization. Where nothing was laid
   /// out yet, the next optimize() does.
   bool updateStructure(const std::vector<HyperGraph::Vertex*>&, const HyperGraph::EdgeSet&) override {
     return !engine_.hasStructure() || buildStructure();
@@ -120,7 +120,7 @@ class BlockSolver : public BlockSolverBase {
   bool _doSchur = true;
 
   /// For derived classes: copies of the blocks of H, undamped, as buildSystem() left them. The upper triangle
-  /// of the poses; the marginalised landmarks; and between poses (rows) and landmarks (columns). A
+  /// of the poses; the marginalized landmarks; and between poses (rows) and landmarks (columns). A
   /// BlockSolver itself has none. Writing to them does not change H.
   std::unique_ptr<PoseHessianType> _Hpp;
   std::unique_ptr<LandmarkHessianType> _Hll;

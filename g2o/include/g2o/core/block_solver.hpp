@@ -22,7 +22,7 @@ bool BlockSolver<Traits>::init(SparseOptimizer* optimizer, bool online) {
 template <typename Traits>
 bool BlockSolver<Traits>::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                            const std::vector<std::pair<int, int>>& blockIndices) {
-  if (this->_optimizer != nullptr && engine_.isLinearised(*this->_optimizer))
+  if (this->_optimizer != nullptr && engine_.isLinearized(*this->_optimizer))
     return engine_.inverse(blockIndices, spinv);
   G2O_ERROR("computeMarginals: what takes part has changed since it was linearized: optimize() first");
   return false;

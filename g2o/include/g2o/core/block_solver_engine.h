@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Hessian of an optimiser's active vertices and edges in the engine's memory.
+// The Hessian of an optimizer's active vertices and edges in the engine's memory.
 #pragma once
 #ifndef G2O_BLOCK_SOLVER_ENGINE_H
 #define G2O_BLOCK_SOLVER_ENGINE_H
@@ -27,7 +27,7 @@ using ClientLinearSolver = std::function<bool(const std::vector<int>& dims,
 /// constructQuadraticForm() adds to them where they lie. λ is an argument of solve() and never written into
 /// H.
 ///
-/// Vectors are in the order of Hessian indices: marginalised vertices last.
+/// Vectors are in the order of Hessian indices: marginalized vertices last.
 class G2O_CORE_API BlockSolverEngine {
  public:
   BlockSolverEngine();
@@ -35,15 +35,15 @@ class G2O_CORE_API BlockSolverEngine {
   BlockSolverEngine& operator=(const BlockSolverEngine&) = delete;
   ~BlockSolverEngine();
 
-  /// False, with a message, where two marginalised vertices share an edge.
+  /// False, with a message, where two marginalized vertices share an edge.
   bool buildStructure(SparseOptimizer& optimizer, bool schur, const EngineSettings& settings);
   bool hasStructure() const;
   /// Whether what takes part is what the structure was built for.
   bool isCurrent(const SparseOptimizer& optimizer) const;
-  /// Whether H is that of a linearisation of what takes part.
-  bool isLinearised(const SparseOptimizer& optimizer) const;
+  /// Whether H is that of a linearization of what takes part.
+  bool isLinearized(const SparseOptimizer& optimizer) const;
   size_t scalars() const;
-  /// Linearises the active edges and fills H and b.
+  /// Linearizes the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);
   /// x ← (H + λI)⁻¹ b; false if that is not positive definite or not finite. With EngineSolver::kNone
   /// `client` solves what is left after the elimination.

@@ -33,7 +33,7 @@ struct EngineBlock {
   const double* values;
 };
 
-/// Factorises and solves; keeps the analysis while the structure stays.
+/// Factorizes and solves; keeps the analysis while the structure stays.
 class G2O_CORE_API LinearEngine {
  public:
   explicit LinearEngine(const EngineSettings& settings);
@@ -91,7 +91,7 @@ class G2O_CORE_API LinearEngine {
   std::vector<double> transposed_;
 };
 
-/// spinv ← the blocks (i, j) of the inverse of what `engine` factorised.
+/// spinv ← the blocks (i, j) of the inverse of what `engine` factorized.
 G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
                               const std::vector<std::pair<int, int>>& blockIndices,
                               SparseBlockMatrix<MatrixX>& spinv);

@@ -3,7 +3,7 @@
 
 #include "g2o/core/factory.h"
 #include "types/images.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 
@@ -68,7 +68,7 @@ Edge_V_V_GICP::Edge_V_V_GICP(const Edge_V_V_GICP* e) : pl_pl(e->pl_pl), cov0(e->
 void Edge_V_V_GICP::computeError() {
   const VertexSE3 &first = *vertexXn<0>(), &second = *vertexXn<1>();
   _error = Native(_measurement.pos0)
-               .error(native::pose(first), boxplus::Vector3(native::pose(second) * _measurement.pos1));
+               .error(adapters::pose(first), boxplus::Vector3(adapters::pose(second) * _measurement.pos1));
   if (!pl_pl) return;
   const Matrix3 R = first.estimate().linear().transpose() * second.estimate().linear();
   _information = (cov0 + R * cov1 * R.transpose()).inverse();
@@ -76,18 +76,19 @@ void Edge_V_V_GICP::computeError() {
 
 // A step (Δt, u) of x₁ moves x₁ p₁ by R₁ (Δt − 2 [p₁]× u).
 void Edge_V_V_GICP::linearizeOplus() {
-  const boxplus::SE3 first = native::pose(*vertexXn<0>()), second = native::pose(*vertexXn<1>());
+  const boxplus::SE3 first = adapters::pose(*vertexXn<0>()), second = adapters::pose(*vertexXn<1>());
   const boxplus::Vector3 point = second * _measurement.pos1;
   Matrix3 J_point;
-  native::linearize(Native(_measurement.pos0), native::Argument<boxplus::SE3>{first, _jacobianOplusXi.data()},
-                    native::Argument<boxplus::Vector3>{point, J_point.data()});
+  adapters::linearize(Native(_measurement.pos0),
+                      adapters::Argument<boxplus::SE3>{first, _jacobianOplusXi.data()},
+                      adapters::Argument<boxplus::Vector3>{point, J_point.data()});
   _jacobianOplusXj.leftCols<3>() = J_point * second.rotation();
   _jacobianOplusXj.rightCols<3>() = -2 * _jacobianOplusXj.leftCols<3>() * skew(_measurement.pos1);
 }
 
 bool Edge_V_V_GICP::read(std::istream& is) {
   boxplus::Vector<double, 12> v;
-  if (!native::read_value(is, 12, v)) return false;
+  if (!adapters::read_value(is, 12, v)) return false;
   EdgeGICP z;
   z.pos0 = v.segment<3>(0);
   z.normal0 = v.segment<3>(3);
@@ -103,7 +104,7 @@ bool Edge_V_V_GICP::read(std::istream& is) {
 bool Edge_V_V_GICP::write(std::ostream& os) const {
   boxplus::Vector<double, 12> v;
   v << _measurement.pos0, _measurement.normal0, _measurement.pos1, _measurement.normal1;
-  return native::write_value(os, v);
+  return adapters::write_value(os, v);
 }
 
 namespace {
@@ -117,7 +118,7 @@ const Native kInCamera{boxplus::Vector3(0, 0, 0)};
 
 }  // namespace
 
-Matrix3 VertexSCam::Kcam = native::camera_matrix(1, 1, 0, 0);
+Matrix3 VertexSCam::Kcam = formulas::camera_matrix(1, 1, 0, 0);
 double VertexSCam::baseline = 0;
 
 VertexSCam::VertexSCam() {
@@ -133,7 +134,7 @@ void VertexSCam::transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& tra
 }
 
 void VertexSCam::setKcam(double fx, double fy, double cx, double cy, double tx) {
-  Kcam = native::camera_matrix(fx, fy, cx, cy);
+  Kcam = formulas::camera_matrix(fx, fy, cx, cy);
   baseline = tx;
 }
 
@@ -146,7 +147,7 @@ void VertexSCam::setProjection() {
 }
 
 void VertexSCam::setDr() {
-  native::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
+  formulas::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 void VertexSCam::setAll() {
@@ -156,8 +157,8 @@ void VertexSCam::setAll() {
 }
 
 void VertexSCam::mapPoint(Vector3& res, const Vector3& pt3) const {
-  res = native::stereo_image(Kcam, baseline_times_focal_length(),
-                             kInCamera.error(native::pose(*this), boxplus::Vector3(pt3)));
+  res = formulas::stereo_image(Kcam, baseline_times_focal_length(),
+                               kInCamera.error(adapters::pose(*this), boxplus::Vector3(pt3)));
 }
 
 Edge_XYZ_VSC::Edge_XYZ_VSC() {
@@ -171,23 +172,23 @@ void Edge_XYZ_VSC::computeError() {
 }
 
 void Edge_XYZ_VSC::linearizeOplus() {
-  const boxplus::SE3 pose = native::pose(*vertexXn<1>());
-  const boxplus::Vector3 point = native::point(*vertexXn<0>());
-  native::linearize(kInCamera, native::Argument<boxplus::SE3>{pose, _jacobianOplusXj.data()},
-                    native::Argument<boxplus::Vector3>{point, _jacobianOplusXi.data()});
-  const Matrix3 D = native::stereo_image_jacobian(VertexSCam::Kcam, baseline_times_focal_length(),
-                                                  kInCamera.error(pose, point));
+  const boxplus::SE3 pose = adapters::pose(*vertexXn<1>());
+  const boxplus::Vector3 point = adapters::point(*vertexXn<0>());
+  adapters::linearize(kInCamera, adapters::Argument<boxplus::SE3>{pose, _jacobianOplusXj.data()},
+                      adapters::Argument<boxplus::Vector3>{point, _jacobianOplusXi.data()});
+  const Matrix3 D = formulas::stereo_image_jacobian(VertexSCam::Kcam, baseline_times_focal_length(),
+                                                    kInCamera.error(pose, point));
   _jacobianOplusXi = (D * _jacobianOplusXi).eval();
   _jacobianOplusXj = (D * _jacobianOplusXj).eval();
 }
 
 bool Edge_XYZ_VSC::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                    [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                      [this](const auto& z) { setMeasurement(z); });
 }
 
 bool Edge_XYZ_VSC::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
 }
 
 }  // namespace g2o

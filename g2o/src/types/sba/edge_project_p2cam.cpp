@@ -3,7 +3,7 @@
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 namespace {
@@ -37,23 +37,23 @@ EdgeProjectP2MC::EdgeProjectP2MC() {
 
 void EdgeProjectP2MC::computeError() {
   const SBACam& cam = vertexXn<1>()->estimate();
-  _error = native::image(cam.Kcam, in_camera(cam, vertexXn<0>()->estimate())) - _measurement;
+  _error = formulas::image(cam.Kcam, in_camera(cam, vertexXn<0>()->estimate())) - _measurement;
 }
 
 void EdgeProjectP2MC::linearizeOplus() {
   const SBACam& cam = vertexXn<1>()->estimate();
   const Vector3& point = vertexXn<0>()->estimate();
-  linearize(cam, point, native::image_jacobian(cam.Kcam, in_camera(cam, point)), _jacobianOplusXi,
+  linearize(cam, point, formulas::image_jacobian(cam.Kcam, in_camera(cam, point)), _jacobianOplusXi,
             _jacobianOplusXj);
 }
 
 bool EdgeProjectP2MC::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                    [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                      [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeProjectP2MC::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
 
 EdgeProjectP2SC::EdgeProjectP2SC() {
@@ -62,26 +62,27 @@ EdgeProjectP2SC::EdgeProjectP2SC() {
 
 void EdgeProjectP2SC::computeError() {
   const SBACam& cam = vertexXn<1>()->estimate();
-  _error = native::stereo_image(cam.Kcam, baseline_times_focal_length(cam),
-                                in_camera(cam, vertexXn<0>()->estimate())) -
+  _error = formulas::stereo_image(cam.Kcam, baseline_times_focal_length(cam),
+                                  in_camera(cam, vertexXn<0>()->estimate())) -
            _measurement;
 }
 
 void EdgeProjectP2SC::linearizeOplus() {
   const SBACam& cam = vertexXn<1>()->estimate();
   const Vector3& point = vertexXn<0>()->estimate();
-  linearize(cam, point,
-            native::stereo_image_jacobian(cam.Kcam, baseline_times_focal_length(cam), in_camera(cam, point)),
-            _jacobianOplusXi, _jacobianOplusXj);
+  linearize(
+      cam, point,
+      formulas::stereo_image_jacobian(cam.Kcam, baseline_times_focal_length(cam), in_camera(cam, point)),
+      _jacobianOplusXi, _jacobianOplusXj);
 }
 
 bool EdgeProjectP2SC::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                    [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                      [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeProjectP2SC::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
 }
 
 }  // namespace g2o

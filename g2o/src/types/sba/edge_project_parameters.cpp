@@ -5,12 +5,12 @@
 #include "g2o/types/sba/edge_project_xyz2uvu.h"
 #include "types/exponential.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 namespace {
 
-native::Pinhole pinhole(const CameraParameters& cam) {
+formulas::Pinhole pinhole(const CameraParameters& cam) {
   return {cam.focal_length, cam.focal_length, cam.principle_point[0], cam.principle_point[1]};
 }
 
@@ -34,18 +34,18 @@ void EdgeProjectXYZ2UV::computeError() {
 void EdgeProjectXYZ2UV::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const native::Pinhole camera = pinhole(*_cam);
-  _jacobianOplusXi.noalias() = native::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -native::image_by_motion(camera, p);
+  const formulas::Pinhole camera = pinhole(*_cam);
+  _jacobianOplusXi.noalias() = formulas::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -formulas::image_by_motion(camera, p);
 }
 
 bool EdgeProjectXYZ2UV::read(std::istream& is) {
-  return readParamIds(is) && native::read_measurement<boxplus::Vector2>(
+  return readParamIds(is) && adapters::read_measurement<boxplus::Vector2>(
                                  is, 2, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeProjectXYZ2UV::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
 
 EdgeProjectXYZ2UVU::EdgeProjectXYZ2UVU() {
@@ -61,20 +61,20 @@ void EdgeProjectXYZ2UVU::computeError() {
 void EdgeProjectXYZ2UVU::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const native::Pinhole camera = pinhole(*_cam);
+  const formulas::Pinhole camera = pinhole(*_cam);
   const double bf = _cam->focal_length * _cam->baseline;
   _jacobianOplusXi.noalias() =
-      native::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -native::stereo_image_by_motion(camera, bf, p);
+      formulas::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -formulas::stereo_image_by_motion(camera, bf, p);
 }
 
 bool EdgeProjectXYZ2UVU::read(std::istream& is) {
-  return readParamIds(is) && native::read_measurement<boxplus::Vector3>(
+  return readParamIds(is) && adapters::read_measurement<boxplus::Vector3>(
                                  is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeProjectXYZ2UVU::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
 }
 
 EdgeProjectPSI2UV::EdgeProjectPSI2UV() {
@@ -94,23 +94,23 @@ void EdgeProjectPSI2UV::linearizeOplus() {
   const Vector3& psi = vertexXn<0>()->estimate();
   const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();
   const Vector3 q = invert_depth(psi), p = motion.map(q);
-  const native::Pinhole camera = pinhole(*_cam);
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(camera, p);
+  const formulas::Pinhole camera = pinhole(*_cam);
+  const Eigen::Matrix<double, 2, 3> D = formulas::image_jacobian(camera, p);
   const Eigen::Matrix<double, 2, 3> DR = D * motion.rotation().toRotationMatrix();
   Matrix3 dq_dpsi = Matrix3::Identity() / psi[2];
   dq_dpsi.col(2) = -q / psi[2];
   std::get<0>(_jacobianOplus) = -DR * dq_dpsi;
-  std::get<1>(_jacobianOplus) = -native::image_by_motion(camera, p);
-  std::get<2>(_jacobianOplus) = DR * native::motion_of_point(q);
+  std::get<1>(_jacobianOplus) = -formulas::image_by_motion(camera, p);
+  std::get<2>(_jacobianOplus) = DR * formulas::motion_of_point(q);
 }
 
 bool EdgeProjectPSI2UV::read(std::istream& is) {
-  return readParamIds(is) && native::read_measurement<boxplus::Vector2>(
+  return readParamIds(is) && adapters::read_measurement<boxplus::Vector2>(
                                  is, 2, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeProjectPSI2UV::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
 
 }  // namespace g2o

@@ -4,7 +4,7 @@
 
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 
@@ -19,10 +19,10 @@ void EdgeStereoSE3ProjectXYZ::computeError() {
 void EdgeStereoSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const native::Pinhole camera{fx, fy, cx, cy};
+  const formulas::Pinhole camera{fx, fy, cx, cy};
   _jacobianOplusXi.noalias() =
-      native::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -native::stereo_image_by_motion(camera, bf, p);
+      formulas::stereo_image_jacobian(camera, bf, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -formulas::stereo_image_by_motion(camera, bf, p);
 }
 
 bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
@@ -30,18 +30,18 @@ bool EdgeStereoSE3ProjectXYZ::isDepthPositive() {
 }
 
 Vector3 EdgeStereoSE3ProjectXYZ::cam_project(const Vector3& trans_xyz, const double& baseline_fx) const {
-  return native::stereo_image(native::Pinhole{fx, fy, cx, cy}, baseline_fx, trans_xyz);
+  return formulas::stereo_image(formulas::Pinhole{fx, fy, cx, cy}, baseline_fx, trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZ::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                    [this](const auto& z) { setMeasurement(z); }) &&
-         native::read_rest(is, {&fx, &fy, &cx, &cy, &bf});
+  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                      [this](const auto& z) { setMeasurement(z); }) &&
+         adapters::read_rest(is, {&fx, &fy, &cx, &cy, &bf});
 }
 
 bool EdgeStereoSE3ProjectXYZ::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
-         native::write_rest(os, {fx, fy, cx, cy, bf});
+  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
+         adapters::write_rest(os, {fx, fy, cx, cy, bf});
 }
 
 EdgeStereoSE3ProjectXYZOnlyPose::EdgeStereoSE3ProjectXYZOnlyPose() {
@@ -54,7 +54,7 @@ void EdgeStereoSE3ProjectXYZOnlyPose::computeError() {
 
 void EdgeStereoSE3ProjectXYZOnlyPose::linearizeOplus() {
   const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  _jacobianOplusXi = -native::stereo_image_by_motion({fx, fy, cx, cy}, bf, p);
+  _jacobianOplusXi = -formulas::stereo_image_by_motion({fx, fy, cx, cy}, bf, p);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -62,18 +62,18 @@ bool EdgeStereoSE3ProjectXYZOnlyPose::isDepthPositive() {
 }
 
 Vector3 EdgeStereoSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return native::stereo_image(native::Pinhole{fx, fy, cx, cy}, bf, trans_xyz);
+  return formulas::stereo_image(formulas::Pinhole{fx, fy, cx, cy}, bf, trans_xyz);
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector3>(is, 3, _information,
-                                                    [this](const auto& z) { setMeasurement(z); }) &&
-         native::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy, &bf});
+  return adapters::read_measurement<boxplus::Vector3>(is, 3, _information,
+                                                      [this](const auto& z) { setMeasurement(z); }) &&
+         adapters::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy, &bf});
 }
 
 bool EdgeStereoSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
-         native::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy, bf});
+  return adapters::write_measurement(os, boxplus::Vector3(_measurement), _information) &&
+         adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy, bf});
 }
 
 }  // namespace g2o

@@ -4,7 +4,7 @@
 
 #include "g2o/types/sba/edge_project_xyz_onlypose.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 
@@ -19,9 +19,9 @@ void EdgeSE3ProjectXYZ::computeError() {
 void EdgeSE3ProjectXYZ::linearizeOplus() {
   const SE3Quat& T = vertexXn<1>()->estimate();
   const Vector3 p = T.map(vertexXn<0>()->estimate());
-  const native::Pinhole camera{fx, fy, cx, cy};
-  _jacobianOplusXi.noalias() = native::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
-  _jacobianOplusXj = -native::image_by_motion(camera, p);
+  const formulas::Pinhole camera{fx, fy, cx, cy};
+  _jacobianOplusXi.noalias() = formulas::image_jacobian(camera, p) * -T.rotation().toRotationMatrix();
+  _jacobianOplusXj = -formulas::image_by_motion(camera, p);
 }
 
 bool EdgeSE3ProjectXYZ::isDepthPositive() {
@@ -29,18 +29,18 @@ bool EdgeSE3ProjectXYZ::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZ::cam_project(const Vector3& trans_xyz) const {
-  return native::image(native::Pinhole{fx, fy, cx, cy}, trans_xyz);
+  return formulas::image(formulas::Pinhole{fx, fy, cx, cy}, trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZ::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                    [this](const auto& z) { setMeasurement(z); }) &&
-         native::read_rest(is, {&fx, &fy, &cx, &cy});
+  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                      [this](const auto& z) { setMeasurement(z); }) &&
+         adapters::read_rest(is, {&fx, &fy, &cx, &cy});
 }
 
 bool EdgeSE3ProjectXYZ::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
-         native::write_rest(os, {fx, fy, cx, cy});
+  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
+         adapters::write_rest(os, {fx, fy, cx, cy});
 }
 
 EdgeSE3ProjectXYZOnlyPose::EdgeSE3ProjectXYZOnlyPose() {
@@ -53,7 +53,7 @@ void EdgeSE3ProjectXYZOnlyPose::computeError() {
 
 void EdgeSE3ProjectXYZOnlyPose::linearizeOplus() {
   const Vector3 p = vertexXn<0>()->estimate().map(Xw);
-  _jacobianOplusXi = -native::image_by_motion({fx, fy, cx, cy}, p);
+  _jacobianOplusXi = -formulas::image_by_motion({fx, fy, cx, cy}, p);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
@@ -61,18 +61,18 @@ bool EdgeSE3ProjectXYZOnlyPose::isDepthPositive() {
 }
 
 Vector2 EdgeSE3ProjectXYZOnlyPose::cam_project(const Vector3& trans_xyz) const {
-  return native::image(native::Pinhole{fx, fy, cx, cy}, trans_xyz);
+  return formulas::image(formulas::Pinhole{fx, fy, cx, cy}, trans_xyz);
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                    [this](const auto& z) { setMeasurement(z); }) &&
-         native::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy});
+  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                      [this](const auto& z) { setMeasurement(z); }) &&
+         adapters::read_rest(is, {&Xw[0], &Xw[1], &Xw[2], &fx, &fy, &cx, &cy});
 }
 
 bool EdgeSE3ProjectXYZOnlyPose::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
-         native::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
+  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information) &&
+         adapters::write_rest(os, {Xw[0], Xw[1], Xw[2], fx, fy, cx, cy});
 }
 
 }  // namespace g2o

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "g2o/types/sba/edge_sba_scale.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 namespace {
@@ -26,28 +26,28 @@ SBACam moved(const SBACam& cam, const SE3Quat& pose) {
 EdgeSBACam::EdgeSBACam() = default;
 
 void EdgeSBACam::computeError() {
-  _error = Native(native::pose(_measurement))
-               .error(native::pose(vertexXn<0>()->estimate()), native::pose(vertexXn<1>()->estimate()));
+  _error = Native(adapters::pose(_measurement))
+               .error(adapters::pose(vertexXn<0>()->estimate()), adapters::pose(vertexXn<1>()->estimate()));
 }
 
 // A step adds to the translation of a camera in the world frame, but to that of an engine pose in its body
 // frame.
 void EdgeSBACam::linearizeOplus() {
   const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
-  native::linearize(Native(native::pose(_measurement)),
-                    native::Argument<boxplus::SE3>{native::pose(from), _jacobianOplusXi.data()},
-                    native::Argument<boxplus::SE3>{native::pose(to), _jacobianOplusXj.data()});
+  adapters::linearize(Native(adapters::pose(_measurement)),
+                      adapters::Argument<boxplus::SE3>{adapters::pose(from), _jacobianOplusXi.data()},
+                      adapters::Argument<boxplus::SE3>{adapters::pose(to), _jacobianOplusXj.data()});
   _jacobianOplusXi.leftCols<3>() *= from.w2n.leftCols<3>();
   _jacobianOplusXj.leftCols<3>() *= to.w2n.leftCols<3>();
 }
 
 bool EdgeSBACam::read(std::istream& is) {
-  return native::read_edge<Native>(is, 7, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_se3quat(z)); });
+  return adapters::read_edge<Native>(is, 7, _information,
+                                     [this](const auto& z) { setMeasurement(adapters::to_se3quat(z)); });
 }
 
 bool EdgeSBACam::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::pose(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::pose(_measurement)), _information);
 }
 
 void EdgeSBACam::setMeasurement(const SE3Quat& meas) {
@@ -101,11 +101,11 @@ void EdgeSBAScale::linearizeOplus() {
 }
 
 bool EdgeSBAScale::read(std::istream& is) {
-  return native::read_measurement<double>(is, 1, _information, [this](double z) { setMeasurement(z); });
+  return adapters::read_measurement<double>(is, 1, _information, [this](double z) { setMeasurement(z); });
 }
 
 bool EdgeSBAScale::write(std::ostream& os) const {
-  return native::write_measurement(os, _measurement, _information);
+  return adapters::write_measurement(os, _measurement, _information);
 }
 
 bool EdgeSBAScale::setMeasurementData(const double* d) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "types/exponential.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 
@@ -18,19 +18,19 @@ void EdgeSE3Expmap::computeError() {
 // with Ad of T₂⁻¹.
 void EdgeSE3Expmap::linearizeOplus() {
   const SE3Quat inverse = vertexXn<1>()->estimate().inverse(), left = inverse * _measurement;
-  const Matrix6 J = native::left_jacobian_of_log(left * vertexXn<0>()->estimate());
+  const Matrix6 J = formulas::left_jacobian_of_log(left * vertexXn<0>()->estimate());
   _jacobianOplusXi = J * left.adj();
   _jacobianOplusXj = -J * inverse.adj();
 }
 
 bool EdgeSE3Expmap::read(std::istream& is) {
-  return native::read_measurement<boxplus::SE3>(is, 7, _information, [this](const boxplus::SE3& z) {
-    setMeasurement(native::to_se3quat(z).inverse());
+  return adapters::read_measurement<boxplus::SE3>(is, 7, _information, [this](const boxplus::SE3& z) {
+    setMeasurement(adapters::to_se3quat(z).inverse());
   });
 }
 
 bool EdgeSE3Expmap::write(std::ostream& os) const {
-  return native::write_measurement(os, native::pose(_measurement.inverse()), _information);
+  return adapters::write_measurement(os, adapters::pose(_measurement.inverse()), _information);
 }
 
 bool EdgeSE3Expmap::setMeasurementData(const double* d) {

@@ -5,7 +5,7 @@
 
 #include "g2o/types/sba/vertex_intrinsics.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 
@@ -38,7 +38,7 @@ void SBACam::transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, 
 }
 
 void SBACam::setKcam(double fx, double fy, double cx, double cy, double tx) {
-  Kcam = native::camera_matrix(fx, fy, cx, cy);
+  Kcam = formulas::camera_matrix(fx, fy, cx, cy);
   baseline = tx;
   setTransform();
   setProjection();
@@ -54,7 +54,7 @@ void SBACam::setProjection() {
 }
 
 void SBACam::setDr() {
-  native::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
+  formulas::rotation_derivatives(w2n.leftCols<3>(), dRdx, dRdy, dRdz);
 }
 
 std::ostream& operator<<(std::ostream& os, const SBACam& cam) {
@@ -86,10 +86,10 @@ void VertexCam::oplusImpl(double* update) {
 
 bool VertexCam::read(std::istream& is) {
   boxplus::SE3 x;
-  if (!native::read_value(is, 7, x)) return false;
+  if (!adapters::read_value(is, 7, x)) return false;
   double fx = 300, fy = 300, cx = 320, cy = 320, baseline = 0.1;
-  if (!native::read_rest(is, {&fx, &fy, &cx, &cy, &baseline})) return false;
-  SBACam cam(native::to_se3quat(x));
+  if (!adapters::read_rest(is, {&fx, &fy, &cx, &cy, &baseline})) return false;
+  SBACam cam(adapters::to_se3quat(x));
   cam.setKcam(fx, fy, cx, cy, baseline);
   setEstimate(cam);
   return true;
@@ -97,8 +97,8 @@ bool VertexCam::read(std::istream& is) {
 
 bool VertexCam::write(std::ostream& os) const {
   const Matrix3& K = _estimate.Kcam;
-  return native::write_value(os, native::pose(_estimate)) &&
-         native::write_rest(os, {K(0, 0), K(1, 1), K(0, 2), K(1, 2), _estimate.baseline});
+  return adapters::write_value(os, adapters::pose(_estimate)) &&
+         adapters::write_rest(os, {K(0, 0), K(1, 1), K(0, 2), K(1, 2), _estimate.baseline});
 }
 
 bool VertexCam::getEstimateData(double* est) const {
@@ -141,13 +141,13 @@ void VertexIntrinsics::oplusImpl(double* update) {
 
 bool VertexIntrinsics::read(std::istream& is) {
   boxplus::Vector<double, 5> v;
-  if (!native::read_value(is, 5, v)) return false;
+  if (!adapters::read_value(is, 5, v)) return false;
   setEstimate(v);
   return true;
 }
 
 bool VertexIntrinsics::write(std::ostream& os) const {
-  return native::write_value(os, boxplus::Vector<double, 5>(_estimate));
+  return adapters::write_value(os, boxplus::Vector<double, 5>(_estimate));
 }
 
 }  // namespace g2o

@@ -5,7 +5,7 @@
 #include "g2o/types/sba/vertex_sba_pointxyz.h"
 #include "g2o/types/sba/vertex_se3_expmap.h"
 #include "types/images.h"
-#include "types/sba/native_sba.h"
+#include "types/sba/adapters_sba.h"
 
 namespace g2o {
 
@@ -19,13 +19,13 @@ void VertexSE3Expmap::oplusImpl(double* update) {
 
 bool VertexSE3Expmap::read(std::istream& is) {
   boxplus::SE3 x;
-  if (!native::read_value(is, 7, x)) return false;
-  setEstimate(native::to_se3quat(x).inverse());
+  if (!adapters::read_value(is, 7, x)) return false;
+  setEstimate(adapters::to_se3quat(x).inverse());
   return true;
 }
 
 bool VertexSE3Expmap::write(std::ostream& os) const {
-  return native::write_value(os, native::pose(_estimate.inverse()));
+  return adapters::write_value(os, adapters::pose(_estimate.inverse()));
 }
 
 bool VertexSE3Expmap::getEstimateData(double* est) const {
@@ -56,19 +56,19 @@ CameraParameters::CameraParameters(double focalLength, const Vector2& principleP
     : focal_length(focalLength), principle_point(principlePoint), baseline(baseLine) {}
 
 Vector2 CameraParameters::cam_map(const Vector3& trans_xyz) const {
-  return native::image(native::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
-                       trans_xyz);
+  return formulas::image(
+      formulas::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]}, trans_xyz);
 }
 
 Vector3 CameraParameters::stereocam_uvu_map(const Vector3& trans_xyz) const {
-  return native::stereo_image(
-      native::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
+  return formulas::stereo_image(
+      formulas::Pinhole{focal_length, focal_length, principle_point[0], principle_point[1]},
       focal_length * baseline, trans_xyz);
 }
 
 bool CameraParameters::read(std::istream& is) {
   boxplus::Vector<double, 4> v;
-  if (!native::read_value(is, 4, v)) return false;
+  if (!adapters::read_value(is, 4, v)) return false;
   focal_length = v[0];
   principle_point = v.segment<2>(1);
   baseline = v[3];
@@ -76,7 +76,7 @@ bool CameraParameters::read(std::istream& is) {
 }
 
 bool CameraParameters::write(std::ostream& os) const {
-  return native::write_value(
+  return adapters::write_value(
       os, boxplus::Vector<double, 4>(focal_length, principle_point[0], principle_point[1], baseline));
 }
 

@@ -2,8 +2,8 @@
 #include "g2o/types/sim3/edge_sim3.h"
 
 #include "g2o/core/factory.h"
+#include "types/adapters.h"
 #include "types/exponential.h"
-#include "types/native.h"
 #include "types/sim3/usable_sim3.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
@@ -37,7 +37,7 @@ void EdgeSim3::linearizeOplus() {
   const VertexSim3Expmap *first = vertexXn<0>(), *second = vertexXn<1>();
   const Sim3 E = _measurement * first->estimate() * second->estimate().inverse();
   const Matrix7 J =
-      native::left_jacobian_of_log(native::similarity(E.rotation(), E.translation(), E.scale()));
+      formulas::left_jacobian_of_log(formulas::similarity(E.rotation(), E.translation(), E.scale()));
   _jacobianOplusXi = J * adjoint(_measurement);
   _jacobianOplusXj = -J * adjoint(E);
   if (first->_fix_scale) _jacobianOplusXi.col(6).setZero();
@@ -45,17 +45,17 @@ void EdgeSim3::linearizeOplus() {
 }
 
 bool EdgeSim3::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& z) {
+  return adapters::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& z) {
     const Sim3 measured(Vector7{z});
-    if (!native::is_usable(measured)) throw boxplus::Error(native::kExpectedUsableSim3);
+    if (!adapters::is_usable(measured)) throw boxplus::Error(adapters::kExpectedUsableSim3);
     setMeasurement(measured.inverse());
   });
 }
 
 bool EdgeSim3::write(std::ostream& os) const {
-  if (!native::is_usable(_measurement)) return false;
-  return native::write_measurement(os, boxplus::Vector<double, 7>(_measurement.inverse().log()),
-                                   _information);
+  if (!adapters::is_usable(_measurement)) return false;
+  return adapters::write_measurement(os, boxplus::Vector<double, 7>(_measurement.inverse().log()),
+                                     _information);
 }
 
 bool EdgeSim3::setMeasurementFromState() {

@@ -2,27 +2,27 @@
 #include "g2o/types/sim3/edge_sim3_project_xyz.h"
 
 #include "g2o/core/factory.h"
+#include "types/adapters.h"
 #include "types/exponential.h"
 #include "types/images.h"
-#include "types/native.h"
 
 G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
 
 namespace g2o {
 namespace {
 
-native::Pinhole first_camera(const VertexSim3Expmap& v) {
+formulas::Pinhole first_camera(const VertexSim3Expmap& v) {
   return {v._focal_length1[0], v._focal_length1[1], v._principle_point1[0], v._principle_point1[1]};
 }
 
-native::Pinhole second_camera(const VertexSim3Expmap& v) {
+formulas::Pinhole second_camera(const VertexSim3Expmap& v) {
   return {v._focal_length2[0], v._focal_length2[1], v._principle_point2[0], v._principle_point2[1]};
 }
 
 /// ∂(exp(δ) p)/∂δ for a point p, without the scale if it is fixed.
 Eigen::Matrix<double, 3, 7> motion_of_point(const VertexSim3Expmap& v, const Vector3& p) {
   Eigen::Matrix<double, 3, 7> J;
-  J << native::motion_of_point(p), v._fix_scale ? Vector3::Zero() : p;
+  J << formulas::motion_of_point(p), v._fix_scale ? Vector3::Zero() : p;
   return J;
 }
 
@@ -34,25 +34,25 @@ EdgeSim3ProjectXYZ::EdgeSim3ProjectXYZ() {
 
 void EdgeSim3ProjectXYZ::computeError() {
   const VertexSim3Expmap& v = *vertexXn<1>();
-  _error = _measurement - native::image(first_camera(v), v.estimate().map(vertexXn<0>()->estimate()));
+  _error = _measurement - formulas::image(first_camera(v), v.estimate().map(vertexXn<0>()->estimate()));
 }
 
 void EdgeSim3ProjectXYZ::linearizeOplus() {
   const VertexSim3Expmap& v = *vertexXn<1>();
   const Sim3& S = v.estimate();
   const Vector3 p = S.map(vertexXn<0>()->estimate());
-  const Eigen::Matrix<double, 2, 3> D = native::image_jacobian(first_camera(v), p);
+  const Eigen::Matrix<double, 2, 3> D = formulas::image_jacobian(first_camera(v), p);
   _jacobianOplusXi = -S.scale() * D * S.rotation().toRotationMatrix();
   _jacobianOplusXj = -D * motion_of_point(v, p);
 }
 
 bool EdgeSim3ProjectXYZ::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                    [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                      [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSim3ProjectXYZ::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
 
 EdgeInverseSim3ProjectXYZ::EdgeInverseSim3ProjectXYZ() {
@@ -62,7 +62,7 @@ EdgeInverseSim3ProjectXYZ::EdgeInverseSim3ProjectXYZ() {
 void EdgeInverseSim3ProjectXYZ::computeError() {
   const VertexSim3Expmap& v = *vertexXn<1>();
   _error =
-      _measurement - native::image(second_camera(v), v.estimate().inverse().map(vertexXn<0>()->estimate()));
+      _measurement - formulas::image(second_camera(v), v.estimate().inverse().map(vertexXn<0>()->estimate()));
 }
 
 // A step δ changes the point to S⁻¹ exp(−δ) p.
@@ -71,19 +71,19 @@ void EdgeInverseSim3ProjectXYZ::linearizeOplus() {
   const Sim3 inverse = v.estimate().inverse();
   const Vector3& point = vertexXn<0>()->estimate();
   const Eigen::Matrix<double, 2, 3> D = inverse.scale() *
-                                        native::image_jacobian(second_camera(v), inverse.map(point)) *
+                                        formulas::image_jacobian(second_camera(v), inverse.map(point)) *
                                         inverse.rotation().toRotationMatrix();
   _jacobianOplusXi = -D;
   _jacobianOplusXj = D * motion_of_point(v, point);
 }
 
 bool EdgeInverseSim3ProjectXYZ::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector2>(is, 2, _information,
-                                                    [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector2>(is, 2, _information,
+                                                      [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeInverseSim3ProjectXYZ::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector2(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector2(_measurement), _information);
 }
 
 }  // namespace g2o

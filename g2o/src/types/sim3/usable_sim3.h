@@ -4,7 +4,7 @@
 #include "g2o/types/sim3/sim3.h"
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 /// Whether a similarity, its inverse and their logarithms are finite. They overflow at scales beyond e^±230.
 inline bool is_usable(const Sim3& x) {
@@ -17,5 +17,5 @@ inline bool is_usable(const Sim3& x) {
 inline constexpr const char* kExpectedUsableSim3 =
     "expected a similarity with a scale between 1e-100 and 1e100 and a finite translation";
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -17,24 +17,24 @@ const ThreadSafe<EdgeSE2> kThreadSafe;
 EdgeSE2::EdgeSE2() = default;
 
 void EdgeSE2::computeError() {
-  _error =
-      Native(native::pose(_measurement)).error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()));
+  _error = Native(adapters::pose(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*vertexXn<1>()));
 }
 
 void EdgeSE2::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::pose(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2::read(std::istream& is) {
-  return native::read_edge<Native>(is, 3, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_g2o(z)); });
+  return adapters::read_edge<Native>(is, 3, _information,
+                                     [this](const auto& z) { setMeasurement(adapters::to_g2o(z)); });
 }
 
 bool EdgeSE2::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::pose(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::pose(_measurement)), _information);
 }
 
 void EdgeSE2::setMeasurement(const SE2& m) {

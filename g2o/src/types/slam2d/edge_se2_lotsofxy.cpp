@@ -2,7 +2,7 @@
 #include "g2o/types/slam2d/edge_se2_lotsofxy.h"
 
 #include "types/lots_of_points.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -13,10 +13,10 @@ struct Types {
   using Pose = boxplus::SE2;
   using PoseVertex = VertexSE2;
   using PointVertex = VertexPointXY;
-  static Pose pose(const PoseVertex& v) { return native::pose(v); }
-  static boxplus::Vector2 point(const PointVertex& v) { return native::point(v); }
+  static Pose pose(const PoseVertex& v) { return adapters::pose(v); }
+  static boxplus::Vector2 point(const PointVertex& v) { return adapters::point(v); }
 };
-using Native = native::LotsOfPoints<Types>;
+using Native = adapters::LotsOfPoints<Types>;
 
 }  // namespace
 

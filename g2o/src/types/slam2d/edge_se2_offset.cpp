@@ -5,7 +5,7 @@
 #include <typeinfo>
 
 #include "g2o/core/cache.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -28,28 +28,28 @@ bool EdgeSE2Offset::resolveCaches() {
 }
 
 void EdgeSE2Offset::computeError() {
-  _error = Native(native::pose(_measurement))
-               .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()),
-                      native::pose(_offsetFrom->offset()), native::pose(_offsetTo->offset()));
+  _error = Native(adapters::pose(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*vertexXn<1>()),
+                      adapters::pose(_offsetFrom->offset()), adapters::pose(_offsetTo->offset()));
 }
 
 void EdgeSE2Offset::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(_offsetFrom->offset()), nullptr},
-      native::Argument<boxplus::SE2>{native::pose(_offsetTo->offset()), nullptr});
+  adapters::linearize(
+      Native(adapters::pose(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE2>{adapters::pose(_offsetFrom->offset()), nullptr},
+      adapters::Argument<boxplus::SE2>{adapters::pose(_offsetTo->offset()), nullptr});
 }
 
 bool EdgeSE2Offset::read(std::istream& is) {
-  return readParamIds(is) && native::read_edge<Native>(is, 3, _information, [this](const auto& z) {
-           setMeasurement(native::to_g2o(z));
+  return readParamIds(is) && adapters::read_edge<Native>(is, 3, _information, [this](const auto& z) {
+           setMeasurement(adapters::to_g2o(z));
          });
 }
 
 bool EdgeSE2Offset::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_edge(os, Native(native::pose(_measurement)), _information);
+  return writeParamIds(os) && adapters::write_edge(os, Native(adapters::pose(_measurement)), _information);
 }
 
 void EdgeSE2Offset::setMeasurement(const SE2& m) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -19,24 +19,25 @@ EdgeSE2PointXY::EdgeSE2PointXY() {
 }
 
 void EdgeSE2PointXY::computeError() {
-  _error =
-      Native(native::point(_measurement)).error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()));
+  _error = Native(adapters::point(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()));
 }
 
 void EdgeSE2PointXY::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2PointXY::read(std::istream& is) {
-  return native::read_edge<Native>(is, 2, _information,
-                                   [this](const auto& z) { setMeasurement(Vector2(z)); });
+  return adapters::read_edge<Native>(is, 2, _information,
+                                     [this](const auto& z) { setMeasurement(Vector2(z)); });
 }
 
 bool EdgeSE2PointXY::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::point(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE2PointXY::setMeasurementData(const double* d) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -18,22 +18,23 @@ EdgeSE2PointXYBearing::EdgeSE2PointXYBearing() {
 }
 
 void EdgeSE2PointXYBearing::computeError() {
-  _error[0] = Native(_measurement).error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()));
+  _error[0] = Native(_measurement).error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()));
 }
 
 void EdgeSE2PointXYBearing::linearizeOplus() {
-  native::linearize(
+  adapters::linearize(
       Native(_measurement),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2PointXYBearing::read(std::istream& is) {
-  return native::read_edge<Native>(is, 1, _information, [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_edge<Native>(is, 1, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSE2PointXYBearing::write(std::ostream& os) const {
-  return native::write_edge(os, Native(_measurement), _information);
+  return adapters::write_edge(os, Native(_measurement), _information);
 }
 
 bool EdgeSE2PointXYBearing::setMeasurementData(const double* d) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -17,26 +17,27 @@ EdgeSE2PointXYCalib::EdgeSE2PointXYCalib() {
 }
 
 void EdgeSE2PointXYCalib::computeError() {
-  _error =
-      Native(native::point(_measurement))
-          .error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()), native::pose(*vertexXn<2>()));
+  _error = Native(adapters::point(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()),
+                      adapters::pose(*vertexXn<2>()));
 }
 
 void EdgeSE2PointXYCalib::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2PointXYCalib::read(std::istream& is) {
-  return native::read_edge<Native>(is, 2, _information,
-                                   [this](const auto& z) { setMeasurement(Vector2(z)); });
+  return adapters::read_edge<Native>(is, 2, _information,
+                                     [this](const auto& z) { setMeasurement(Vector2(z)); });
 }
 
 bool EdgeSE2PointXYCalib::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::point(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE2PointXYCalib::setMeasurementData(const double* d) {

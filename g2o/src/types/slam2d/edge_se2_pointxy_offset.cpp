@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -19,26 +19,27 @@ EdgeSE2PointXYOffset::EdgeSE2PointXYOffset() {
 }
 
 void EdgeSE2PointXYOffset::computeError() {
-  _error = Native(native::point(_measurement))
-               .error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()),
-                      native::pose(_offsets[0]->offset()));
+  _error = Native(adapters::point(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()),
+                      adapters::pose(_offsets[0]->offset()));
 }
 
 void EdgeSE2PointXYOffset::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE2>{native::pose(_offsets[0]->offset()), nullptr});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE2>{adapters::pose(_offsets[0]->offset()), nullptr});
 }
 
 bool EdgeSE2PointXYOffset::read(std::istream& is) {
-  return readParamIds(is) && native::read_edge<Native>(is, 2, _information,
-                                                       [this](const auto& z) { setMeasurement(Vector2(z)); });
+  return readParamIds(is) && adapters::read_edge<Native>(
+                                 is, 2, _information, [this](const auto& z) { setMeasurement(Vector2(z)); });
 }
 
 bool EdgeSE2PointXYOffset::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_edge(os, Native(native::point(_measurement)), _information);
+  return writeParamIds(os) && adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE2PointXYOffset::setMeasurementData(const double* d) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -17,22 +17,22 @@ const ThreadSafe<EdgeSE2Prior> kThreadSafe;
 EdgeSE2Prior::EdgeSE2Prior() = default;
 
 void EdgeSE2Prior::computeError() {
-  _error = Native(native::pose(_measurement)).error(native::pose(*vertexXn<0>()));
+  _error = Native(adapters::pose(_measurement)).error(adapters::pose(*vertexXn<0>()));
 }
 
 void EdgeSE2Prior::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::pose(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2Prior::read(std::istream& is) {
-  return native::read_edge<Native>(is, 3, _information,
-                                   [this](const auto& z) { setMeasurement(native::to_g2o(z)); });
+  return adapters::read_edge<Native>(is, 3, _information,
+                                     [this](const auto& z) { setMeasurement(adapters::to_g2o(z)); });
 }
 
 bool EdgeSE2Prior::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::pose(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::pose(_measurement)), _information);
 }
 
 void EdgeSE2Prior::setMeasurement(const SE2& m) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -17,26 +17,28 @@ EdgeSE2TwoPointsXY::EdgeSE2TwoPointsXY() {
 }
 
 void EdgeSE2TwoPointsXY::computeError() {
-  _error =
-      Native(boxplus::Vector<double, 4>(_measurement))
-          .error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()), native::point(*vertexXn<2>()));
+  _error = Native(boxplus::Vector<double, 4>(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()),
+                      adapters::point(*vertexXn<2>()));
 }
 
 void EdgeSE2TwoPointsXY::linearizeOplus() {
-  native::linearize(
+  adapters::linearize(
       Native(boxplus::Vector<double, 4>(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<2>()),
+                                           std::get<2>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2TwoPointsXY::read(std::istream& is) {
-  return native::read_edge<Native>(is, 4, _information,
-                                   [this](const auto& z) { setMeasurement(Vector4(z)); });
+  return adapters::read_edge<Native>(is, 4, _information,
+                                     [this](const auto& z) { setMeasurement(Vector4(z)); });
 }
 
 bool EdgeSE2TwoPointsXY::write(std::ostream& os) const {
-  return native::write_edge(os, Native(boxplus::Vector<double, 4>(_measurement)), _information);
+  return adapters::write_edge(os, Native(boxplus::Vector<double, 4>(_measurement)), _information);
 }
 
 bool EdgeSE2TwoPointsXY::setMeasurementData(const double* d) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -17,22 +17,22 @@ EdgeSE2XYPrior::EdgeSE2XYPrior() {
 }
 
 void EdgeSE2XYPrior::computeError() {
-  _error = Native(native::point(_measurement)).error(native::pose(*vertexXn<0>()));
+  _error = Native(adapters::point(_measurement)).error(adapters::pose(*vertexXn<0>()));
 }
 
 void EdgeSE2XYPrior::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE2>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE2>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
 }
 
 bool EdgeSE2XYPrior::read(std::istream& is) {
-  return native::read_edge<Native>(is, 2, _information,
-                                   [this](const auto& z) { setMeasurement(Vector2(z)); });
+  return adapters::read_edge<Native>(is, 2, _information,
+                                     [this](const auto& z) { setMeasurement(Vector2(z)); });
 }
 
 bool EdgeSE2XYPrior::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::point(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE2XYPrior::setMeasurementData(const double* d) {

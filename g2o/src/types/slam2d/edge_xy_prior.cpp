@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 namespace {
@@ -19,22 +19,22 @@ EdgeXYPrior::EdgeXYPrior() {
 }
 
 void EdgeXYPrior::computeError() {
-  _error = Native(native::point(_measurement)).error(native::point(*vertexXn<0>()));
+  _error = Native(adapters::point(_measurement)).error(adapters::point(*vertexXn<0>()));
 }
 
 void EdgeXYPrior::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::Vector2>{native::point(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+  adapters::linearize(Native(adapters::point(_measurement)),
+                      adapters::Argument<boxplus::Vector2>{adapters::point(*vertexXn<0>()),
+                                                           std::get<0>(_jacobianOplus).data()});
 }
 
 bool EdgeXYPrior::read(std::istream& is) {
-  return native::read_edge<Native>(is, 2, _information,
-                                   [this](const auto& z) { setMeasurement(Vector2(z)); });
+  return adapters::read_edge<Native>(is, 2, _information,
+                                     [this](const auto& z) { setMeasurement(Vector2(z)); });
 }
 
 bool EdgeXYPrior::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::point(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeXYPrior::setMeasurementData(const double* d) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "g2o/types/slam2d/parameter_se2_offset.h"
-#include "types/slam2d/native_slam2d.h"
+#include "types/slam2d/adapters_slam2d.h"
 
 namespace g2o {
 
@@ -15,13 +15,13 @@ void VertexSE2::oplusImpl(double* update) {
 
 bool VertexSE2::read(std::istream& is) {
   boxplus::SE2 x;
-  if (!native::read_value(is, 3, x)) return false;
-  setEstimate(native::to_g2o(x));
+  if (!adapters::read_value(is, 3, x)) return false;
+  setEstimate(adapters::to_g2o(x));
   return true;
 }
 
 bool VertexSE2::write(std::ostream& os) const {
-  return native::write_value(os, native::pose(*this));
+  return adapters::write_value(os, adapters::pose(*this));
 }
 
 bool VertexSE2::getEstimateData(double* est) const {
@@ -45,13 +45,13 @@ void VertexPointXY::oplusImpl(double* update) {
 
 bool VertexPointXY::read(std::istream& is) {
   boxplus::Vector2 p;
-  if (!native::read_value(is, 2, p)) return false;
+  if (!adapters::read_value(is, 2, p)) return false;
   setEstimate(p);
   return true;
 }
 
 bool VertexPointXY::write(std::ostream& os) const {
-  return native::write_value(os, native::point(*this));
+  return adapters::write_value(os, adapters::point(*this));
 }
 
 bool VertexPointXY::getEstimateData(double* est) const {
@@ -77,13 +77,13 @@ void ParameterSE2Offset::setOffset(const SE2& offset) {
 
 bool ParameterSE2Offset::read(std::istream& is) {
   boxplus::SE2 x;
-  if (!native::read_value(is, 3, x)) return false;
-  setOffset(native::to_g2o(x));
+  if (!adapters::read_value(is, 3, x)) return false;
+  setOffset(adapters::to_g2o(x));
   return true;
 }
 
 bool ParameterSE2Offset::write(std::ostream& os) const {
-  return native::write_value(os, native::pose(_offset));
+  return adapters::write_value(os, adapters::pose(_offset));
 }
 
 CacheSE2Offset::CacheSE2Offset() = default;

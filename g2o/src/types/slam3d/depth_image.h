@@ -4,10 +4,10 @@
 #pragma once
 
 #include "types/images.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 /// An observation of zero: its error is the point in the frame of the camera.
 inline const boxplus::OffsetPointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
@@ -16,7 +16,7 @@ inline const boxplus::OffsetPointObservation3 kInCamera{boxplus::Vector3(0, 0, 0
 template <class Third>
 Vector3 depth_image(const Matrix3& K, const Vector3& p) {
   Vector3 z;
-  z << image(K, p), Third::of(p[2]);
+  z << formulas::image(K, p), Third::of(p[2]);
   return z;
 }
 
@@ -24,7 +24,7 @@ Vector3 depth_image(const Matrix3& K, const Vector3& p) {
 template <class Third>
 Matrix3 depth_image_jacobian(const Matrix3& K, const Vector3& p) {
   Matrix3 D;
-  D << image_jacobian(K, p), Third::derivative(p[2]) * Vector3::UnitZ().transpose();
+  D << formulas::image_jacobian(K, p), Third::derivative(p[2]) * Vector3::UnitZ().transpose();
   return D;
 }
 
@@ -46,5 +46,5 @@ void linearize_depth_image(const VertexSE3& robot, const VertexPointXYZ& point_v
   xj = (D * xj).eval();
 }
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -19,23 +19,24 @@ EdgePointXYZ::EdgePointXYZ() {
 }
 
 void EdgePointXYZ::computeError() {
-  _error =
-      Native(native::point(_measurement)).error(native::point(*vertexXn<0>()), native::point(*vertexXn<1>()));
+  _error = Native(adapters::point(_measurement))
+               .error(adapters::point(*vertexXn<0>()), adapters::point(*vertexXn<1>()));
 }
 
 void EdgePointXYZ::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::Vector3>{native::point(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector3>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+  adapters::linearize(Native(adapters::point(_measurement)),
+                      adapters::Argument<boxplus::Vector3>{adapters::point(*vertexXn<0>()),
+                                                           std::get<0>(_jacobianOplus).data()},
+                      adapters::Argument<boxplus::Vector3>{adapters::point(*vertexXn<1>()),
+                                                           std::get<1>(_jacobianOplus).data()});
 }
 
 bool EdgePointXYZ::read(std::istream& is) {
-  return native::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgePointXYZ::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::point(_measurement)), _information);
+  return adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgePointXYZ::setMeasurementData(const double* d) {

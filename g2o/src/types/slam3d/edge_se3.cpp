@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/thread_safe.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -20,27 +20,27 @@ EdgeSE3::EdgeSE3() {
 }
 
 void EdgeSE3::computeError() {
-  _error = Native(native::pose(_measurement, rotation_.get(_measurement)))
-               .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()));
+  _error = Native(adapters::pose(_measurement, rotation_.get(_measurement)))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*vertexXn<1>()));
 }
 
 void EdgeSE3::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement, rotation_.get(_measurement))),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()});
 }
 
 bool EdgeSE3::read(std::istream& is) {
-  return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-    setMeasurement(native::to_g2o(z));
-    rotation_.set(native::quaternion(z), _measurement.linear());
+  return adapters::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+    setMeasurement(adapters::to_g2o(z));
+    rotation_.set(adapters::quaternion(z), _measurement.linear());
   });
 }
 
 bool EdgeSE3::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
-                            _information);
+  return adapters::write_edge(os, Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+                              _information);
 }
 
 void EdgeSE3::setMeasurement(const Isometry3& m) {
@@ -55,7 +55,7 @@ bool EdgeSE3::setMeasurementData(const double* d) {
 }
 
 bool EdgeSE3::getMeasurementData(double* d) const {
-  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  std::copy_n(adapters::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
   return true;
 }
 

@@ -2,7 +2,7 @@
 #include "g2o/types/slam3d/edge_se3_lotsofxyz.h"
 
 #include "types/lots_of_points.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -13,10 +13,10 @@ struct Types {
   using Pose = boxplus::SE3;
   using PoseVertex = VertexSE3;
   using PointVertex = VertexPointXYZ;
-  static Pose pose(const PoseVertex& v) { return native::pose(v); }
-  static boxplus::Vector3 point(const PointVertex& v) { return native::point(v); }
+  static Pose pose(const PoseVertex& v) { return adapters::pose(v); }
+  static boxplus::Vector3 point(const PointVertex& v) { return adapters::point(v); }
 };
-using Native = native::LotsOfPoints<Types>;
+using Native = adapters::LotsOfPoints<Types>;
 
 }  // namespace
 

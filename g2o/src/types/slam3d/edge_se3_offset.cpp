@@ -5,7 +5,7 @@
 #include <typeinfo>
 
 #include "g2o/core/cache.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -30,31 +30,31 @@ bool EdgeSE3Offset::resolveCaches() {
 }
 
 void EdgeSE3Offset::computeError() {
-  _error = Native(native::pose(_measurement, rotation_.get(_measurement)))
-               .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()), native::pose(*_offsetFrom),
-                      native::pose(*_offsetTo));
+  _error = Native(adapters::pose(_measurement, rotation_.get(_measurement)))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*vertexXn<1>()),
+                      adapters::pose(*_offsetFrom), adapters::pose(*_offsetTo));
 }
 
 void EdgeSE3Offset::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement, rotation_.get(_measurement))),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*_offsetFrom), nullptr},
-      native::Argument<boxplus::SE3>{native::pose(*_offsetTo), nullptr});
+  adapters::linearize(
+      Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*_offsetFrom), nullptr},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*_offsetTo), nullptr});
 }
 
 bool EdgeSE3Offset::read(std::istream& is) {
-  return readParamIds(is) && native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-           setMeasurement(native::to_g2o(z));
-           rotation_.set(native::quaternion(z), _measurement.linear());
+  return readParamIds(is) && adapters::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+           setMeasurement(adapters::to_g2o(z));
+           rotation_.set(adapters::quaternion(z), _measurement.linear());
          });
 }
 
 bool EdgeSE3Offset::write(std::ostream& os) const {
   return writeParamIds(os) &&
-         native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
-                            _information);
+         adapters::write_edge(os, Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+                              _information);
 }
 
 void EdgeSE3Offset::setMeasurement(const Isometry3& m) {
@@ -69,7 +69,7 @@ bool EdgeSE3Offset::setMeasurementData(const double* d) {
 }
 
 bool EdgeSE3Offset::getMeasurementData(double* d) const {
-  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  std::copy_n(adapters::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
   return true;
 }
 

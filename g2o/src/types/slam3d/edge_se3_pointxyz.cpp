@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -19,26 +19,27 @@ EdgeSE3PointXYZ::EdgeSE3PointXYZ() {
 }
 
 void EdgeSE3PointXYZ::computeError() {
-  _error =
-      Native(native::point(_measurement))
-          .error(native::pose(*vertexXn<0>()), native::point(*vertexXn<1>()), native::pose(*offsetParam));
+  _error = Native(adapters::point(_measurement))
+               .error(adapters::pose(*vertexXn<0>()), adapters::point(*vertexXn<1>()),
+                      adapters::pose(*offsetParam));
 }
 
 void EdgeSE3PointXYZ::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::Vector3>{native::point(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*offsetParam), nullptr});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::Vector3>{adapters::point(*vertexXn<1>()),
+                                           std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*offsetParam), nullptr});
 }
 
 bool EdgeSE3PointXYZ::read(std::istream& is) {
   return readParamIds(is) &&
-         native::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
+         adapters::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSE3PointXYZ::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_edge(os, Native(native::point(_measurement)), _information);
+  return writeParamIds(os) && adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE3PointXYZ::setMeasurementData(const double* d) {

@@ -23,23 +23,23 @@ EdgeSE3PointXYZDepth::EdgeSE3PointXYZDepth() {
 }
 
 void EdgeSE3PointXYZDepth::computeError() {
-  _error = native::depth_image<Depth>(params->Kcam(),
-                                      native::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
+  _error = adapters::depth_image<Depth>(params->Kcam(),
+                                        adapters::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
            _measurement;
 }
 
 void EdgeSE3PointXYZDepth::linearizeOplus() {
-  native::linearize_depth_image<Depth>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
-                                       _jacobianOplusXj);
+  adapters::linearize_depth_image<Depth>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
+                                         _jacobianOplusXj);
 }
 
 bool EdgeSE3PointXYZDepth::read(std::istream& is) {
-  return readParamIds(is) && native::read_measurement<boxplus::Vector3>(
+  return readParamIds(is) && adapters::read_measurement<boxplus::Vector3>(
                                  is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSE3PointXYZDepth::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
 }
 
 bool EdgeSE3PointXYZDepth::setMeasurementData(const double* d) {
@@ -53,7 +53,7 @@ bool EdgeSE3PointXYZDepth::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE3PointXYZDepth::setMeasurementFromState() {
-  setMeasurement(native::depth_image<Depth>(
+  setMeasurement(adapters::depth_image<Depth>(
       params->Kcam(), (vertexXn<0>()->estimate() * params->offset()).inverse() * vertexXn<1>()->estimate()));
   return true;
 }

@@ -23,23 +23,23 @@ EdgeSE3PointXYZDisparity::EdgeSE3PointXYZDisparity() {
 }
 
 void EdgeSE3PointXYZDisparity::computeError() {
-  _error = native::depth_image<Disparity>(params->Kcam(),
-                                          native::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
+  _error = adapters::depth_image<Disparity>(
+               params->Kcam(), adapters::point_in_camera(*vertexXn<0>(), *vertexXn<1>(), *params)) -
            _measurement;
 }
 
 void EdgeSE3PointXYZDisparity::linearizeOplus() {
-  native::linearize_depth_image<Disparity>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
-                                           _jacobianOplusXj);
+  adapters::linearize_depth_image<Disparity>(*vertexXn<0>(), *vertexXn<1>(), *params, _jacobianOplusXi,
+                                             _jacobianOplusXj);
 }
 
 bool EdgeSE3PointXYZDisparity::read(std::istream& is) {
-  return readParamIds(is) && native::read_measurement<boxplus::Vector3>(
+  return readParamIds(is) && adapters::read_measurement<boxplus::Vector3>(
                                  is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSE3PointXYZDisparity::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_measurement(os, boxplus::Vector3(_measurement), _information);
+  return writeParamIds(os) && adapters::write_measurement(os, boxplus::Vector3(_measurement), _information);
 }
 
 bool EdgeSE3PointXYZDisparity::setMeasurementData(const double* d) {
@@ -53,7 +53,7 @@ bool EdgeSE3PointXYZDisparity::getMeasurementData(double* d) const {
 }
 
 bool EdgeSE3PointXYZDisparity::setMeasurementFromState() {
-  setMeasurement(native::depth_image<Disparity>(
+  setMeasurement(adapters::depth_image<Disparity>(
       params->Kcam(), (vertexXn<0>()->estimate() * params->offset()).inverse() * vertexXn<1>()->estimate()));
   return true;
 }

@@ -5,7 +5,7 @@
 #include <typeinfo>
 
 #include "g2o/core/cache.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -28,28 +28,28 @@ bool EdgeSE3Prior::resolveCaches() {
 }
 
 void EdgeSE3Prior::computeError() {
-  _error = Native(native::pose(_measurement, rotation_.get(_measurement)))
-               .error(native::pose(*vertexXn<0>()), native::pose(*offsetParam));
+  _error = Native(adapters::pose(_measurement, rotation_.get(_measurement)))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*offsetParam));
 }
 
 void EdgeSE3Prior::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement, rotation_.get(_measurement))),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*offsetParam), nullptr});
+  adapters::linearize(
+      Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*offsetParam), nullptr});
 }
 
 bool EdgeSE3Prior::read(std::istream& is) {
-  return readParamIds(is) && native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-           setMeasurement(native::to_g2o(z));
-           rotation_.set(native::quaternion(z), _measurement.linear());
+  return readParamIds(is) && adapters::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+           setMeasurement(adapters::to_g2o(z));
+           rotation_.set(adapters::quaternion(z), _measurement.linear());
          });
 }
 
 bool EdgeSE3Prior::write(std::ostream& os) const {
   return writeParamIds(os) &&
-         native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
-                            _information);
+         adapters::write_edge(os, Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+                              _information);
 }
 
 void EdgeSE3Prior::setMeasurement(const Isometry3& m) {
@@ -64,7 +64,7 @@ bool EdgeSE3Prior::setMeasurementData(const double* d) {
 }
 
 bool EdgeSE3Prior::getMeasurementData(double* d) const {
-  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  std::copy_n(adapters::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
   return true;
 }
 

@@ -5,7 +5,7 @@
 #include <typeinfo>
 
 #include "g2o/core/cache.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace {
@@ -27,22 +27,22 @@ bool EdgeSE3XYZPrior::resolveCaches() {
 }
 
 void EdgeSE3XYZPrior::computeError() {
-  _error = Native(native::point(_measurement)).error(native::pose(*vertexXn<0>()));
+  _error = Native(adapters::point(_measurement)).error(adapters::pose(*vertexXn<0>()));
 }
 
 void EdgeSE3XYZPrior::linearizeOplus() {
-  native::linearize(
-      Native(native::point(_measurement)),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::point(_measurement)),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()});
 }
 
 bool EdgeSE3XYZPrior::read(std::istream& is) {
   return readParamIds(is) &&
-         native::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
+         adapters::read_edge<Native>(is, 3, _information, [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgeSE3XYZPrior::write(std::ostream& os) const {
-  return writeParamIds(os) && native::write_edge(os, Native(native::point(_measurement)), _information);
+  return writeParamIds(os) && adapters::write_edge(os, Native(adapters::point(_measurement)), _information);
 }
 
 bool EdgeSE3XYZPrior::setMeasurementData(const double* d) {

@@ -2,13 +2,13 @@
 #include "g2o/types/slam3d/isometry3d_gradients.h"
 
 #include "boxplus/autodiff/dual.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace internal {
 namespace {
 
-boxplus::SE3 native_pose(const Isometry3& x) {
+boxplus::SE3 engine_pose(const Isometry3& x) {
   return {boxplus::Vector3(x.translation()), boxplus::Matrix<double, 3, 3>(x.linear())};
 }
 
@@ -30,19 +30,19 @@ void compute_dq_dR(Eigen::Matrix<double, 3, 9, Eigen::ColMajor>& dq_dR, const do
 void edgeSE3Gradient(Isometry3& E, Matrix6& Ji, Matrix6& Jj, const Isometry3& Z, const Isometry3& Xi,
                      const Isometry3& Xj, const Isometry3& Pi, const Isometry3& Pj) {
   E = Z.inverse() * (Xi * Pi).inverse() * (Xj * Pj);
-  native::linearize(boxplus::OffsetBetween<boxplus::SE3>(native_pose(Z)),
-                    native::Argument<boxplus::SE3>{native_pose(Xi), Ji.data()},
-                    native::Argument<boxplus::SE3>{native_pose(Xj), Jj.data()},
-                    native::Argument<boxplus::SE3>{native_pose(Pi), nullptr},
-                    native::Argument<boxplus::SE3>{native_pose(Pj), nullptr});
+  adapters::linearize(boxplus::OffsetBetween<boxplus::SE3>(engine_pose(Z)),
+                      adapters::Argument<boxplus::SE3>{engine_pose(Xi), Ji.data()},
+                      adapters::Argument<boxplus::SE3>{engine_pose(Xj), Jj.data()},
+                      adapters::Argument<boxplus::SE3>{engine_pose(Pi), nullptr},
+                      adapters::Argument<boxplus::SE3>{engine_pose(Pj), nullptr});
 }
 
 void edgeSE3PriorGradient(Isometry3& E, Matrix6& J, const Isometry3& Z, const Isometry3& X,
                           const Isometry3& P) {
   E = Z.inverse() * X * P;
-  native::linearize(boxplus::OffsetPrior<boxplus::SE3>(native_pose(Z)),
-                    native::Argument<boxplus::SE3>{native_pose(X), J.data()},
-                    native::Argument<boxplus::SE3>{native_pose(P), nullptr});
+  adapters::linearize(boxplus::OffsetPrior<boxplus::SE3>(engine_pose(Z)),
+                      adapters::Argument<boxplus::SE3>{engine_pose(X), J.data()},
+                      adapters::Argument<boxplus::SE3>{engine_pose(P), nullptr});
 }
 
 }  // namespace internal

@@ -9,7 +9,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-boxplus::SE3 native(const Isometry3& t) {
+boxplus::SE3 engine_pose(const Isometry3& t) {
   return {boxplus::Vector3(t.translation()), boxplus::Matrix<double, 3, 3>(t.linear())};
 }
 
@@ -55,7 +55,7 @@ Matrix3 fromCompactQuaternion(const Vector3& v) {
 }
 
 Vector6 toVectorMQT(const Isometry3& t) {
-  return native(t).minimal();
+  return engine_pose(t).minimal();
 }
 
 Vector6 toVectorET(const Isometry3& t) {
@@ -65,7 +65,7 @@ Vector6 toVectorET(const Isometry3& t) {
 }
 
 Vector7 toVectorQT(const Isometry3& t) {
-  return native(t).vector();
+  return engine_pose(t).vector();
 }
 
 Isometry3 fromVectorMQT(const Vector6& v) {

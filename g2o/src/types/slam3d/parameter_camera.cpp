@@ -3,7 +3,7 @@
 
 #include "g2o/types/slam3d/parameter_stereo_camera.h"
 #include "types/images.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 
@@ -12,7 +12,7 @@ ParameterCamera::ParameterCamera() {
 }
 
 void ParameterCamera::setKcam(double fx, double fy, double cx, double cy) {
-  _Kcam = native::camera_matrix(fx, fy, cx, cy);
+  _Kcam = formulas::camera_matrix(fx, fy, cx, cy);
   _invKcam = _Kcam.inverse();
   _Kcam_inverseOffsetR = _Kcam * inverseOffset().linear();
 }
@@ -24,14 +24,14 @@ void ParameterCamera::setOffset(const Isometry3& offset) {
 
 bool ParameterCamera::read(std::istream& is) {
   boxplus::Vector<double, 4> v;
-  if (!ParameterSE3Offset::read(is) || !native::read_value(is, 4, v)) return false;
+  if (!ParameterSE3Offset::read(is) || !adapters::read_value(is, 4, v)) return false;
   setKcam(v[0], v[1], v[2], v[3]);
   return true;
 }
 
 bool ParameterCamera::write(std::ostream& os) const {
   return ParameterSE3Offset::write(os) &&
-         native::write_rest(os, {_Kcam(0, 0), _Kcam(1, 1), _Kcam(0, 2), _Kcam(1, 2)});
+         adapters::write_rest(os, {_Kcam(0, 0), _Kcam(1, 1), _Kcam(0, 2), _Kcam(1, 2)});
 }
 
 CacheCamera::CacheCamera() = default;
@@ -51,13 +51,13 @@ ParameterStereoCamera::ParameterStereoCamera() = default;
 
 bool ParameterStereoCamera::read(std::istream& is) {
   double baseline = 0;
-  if (!ParameterCamera::read(is) || !native::read_value(is, 1, baseline)) return false;
+  if (!ParameterCamera::read(is) || !adapters::read_value(is, 1, baseline)) return false;
   setBaseline(baseline);
   return true;
 }
 
 bool ParameterStereoCamera::write(std::ostream& os) const {
-  return ParameterCamera::write(os) && native::write_rest(os, {_baseline});
+  return ParameterCamera::write(os) && adapters::write_rest(os, {_baseline});
 }
 
 }  // namespace g2o

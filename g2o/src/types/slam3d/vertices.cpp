@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 namespace g2o {
 namespace internal {
@@ -31,9 +31,9 @@ VertexSE3::VertexSE3() {
 }
 
 void VertexSE3::oplusImpl(double* update) {
-  const boxplus::SE3 moved = boxplus::Manifold<boxplus::SE3>::oplus(native::pose(*this), update);
+  const boxplus::SE3 moved = boxplus::Manifold<boxplus::SE3>::oplus(adapters::pose(*this), update);
   _estimate.translation() = moved.translation();
-  rotation_.set(native::quaternion(moved), _estimate.linear());
+  rotation_.set(adapters::quaternion(moved), _estimate.linear());
 }
 
 void VertexSE3::push() {
@@ -55,24 +55,24 @@ void VertexSE3::discardTop() {
 
 bool VertexSE3::read(std::istream& is) {
   boxplus::SE3 x;
-  if (!native::read_value(is, 7, x)) return false;
+  if (!adapters::read_value(is, 7, x)) return false;
   _estimate.translation() = x.translation();
-  rotation_.set(native::quaternion(x), _estimate.linear());
+  rotation_.set(adapters::quaternion(x), _estimate.linear());
   updateCache();
   return true;
 }
 
 bool VertexSE3::write(std::ostream& os) const {
-  return native::write_value(os, native::pose(*this));
+  return adapters::write_value(os, adapters::pose(*this));
 }
 
 bool VertexSE3::getEstimateData(double* est) const {
-  std::copy_n(native::pose(*this).data(), 7, est);
+  std::copy_n(adapters::pose(*this).data(), 7, est);
   return true;
 }
 
 bool VertexSE3::getMinimalEstimateData(double* est) const {
-  const Vector6 v = native::pose(*this).minimal();
+  const Vector6 v = adapters::pose(*this).minimal();
   std::copy_n(v.data(), 6, est);
   return true;
 }
@@ -97,13 +97,13 @@ void VertexPointXYZ::oplusImpl(double* update) {
 
 bool VertexPointXYZ::read(std::istream& is) {
   boxplus::Vector3 p;
-  if (!native::read_value(is, 3, p)) return false;
+  if (!adapters::read_value(is, 3, p)) return false;
   setEstimate(p);
   return true;
 }
 
 bool VertexPointXYZ::write(std::ostream& os) const {
-  return native::write_value(os, native::point(*this));
+  return adapters::write_value(os, adapters::point(*this));
 }
 
 bool VertexPointXYZ::getEstimateData(double* est) const {
@@ -129,15 +129,15 @@ void ParameterSE3Offset::setOffset(const Isometry3& offset) {
 
 bool ParameterSE3Offset::read(std::istream& is) {
   boxplus::SE3 x;
-  if (!native::read_value(is, 7, x)) return false;
-  Isometry3 offset = native::to_g2o(x);
-  rotation_.set(native::quaternion(x), offset.linear());
+  if (!adapters::read_value(is, 7, x)) return false;
+  Isometry3 offset = adapters::to_g2o(x);
+  rotation_.set(adapters::quaternion(x), offset.linear());
   setOffset(offset);
   return true;
 }
 
 bool ParameterSE3Offset::write(std::ostream& os) const {
-  return native::write_value(os, native::pose(*this));
+  return adapters::write_value(os, adapters::pose(*this));
 }
 
 CacheSE3Offset::CacheSE3Offset() = default;

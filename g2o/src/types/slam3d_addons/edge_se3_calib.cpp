@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "g2o/core/factory.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
 
@@ -20,29 +20,29 @@ EdgeSE3Calib::EdgeSE3Calib() {
 }
 
 void EdgeSE3Calib::computeError() {
-  _error =
-      Native(native::pose(_measurement, rotation_.get(_measurement)))
-          .error(native::pose(*vertexXn<0>()), native::pose(*vertexXn<1>()), native::pose(*vertexXn<2>()));
+  _error = Native(adapters::pose(_measurement, rotation_.get(_measurement)))
+               .error(adapters::pose(*vertexXn<0>()), adapters::pose(*vertexXn<1>()),
+                      adapters::pose(*vertexXn<2>()));
 }
 
 void EdgeSE3Calib::linearizeOplus() {
-  native::linearize(
-      Native(native::pose(_measurement, rotation_.get(_measurement))),
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
-      native::Argument<boxplus::SE3>{native::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
+  adapters::linearize(
+      Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<0>()), std::get<0>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<1>()), std::get<1>(_jacobianOplus).data()},
+      adapters::Argument<boxplus::SE3>{adapters::pose(*vertexXn<2>()), std::get<2>(_jacobianOplus).data()});
 }
 
 bool EdgeSE3Calib::read(std::istream& is) {
-  return native::read_edge<Native>(is, 7, _information, [this](const auto& z) {
-    setMeasurement(native::to_g2o(z));
-    rotation_.set(native::quaternion(z), _measurement.linear());
+  return adapters::read_edge<Native>(is, 7, _information, [this](const auto& z) {
+    setMeasurement(adapters::to_g2o(z));
+    rotation_.set(adapters::quaternion(z), _measurement.linear());
   });
 }
 
 bool EdgeSE3Calib::write(std::ostream& os) const {
-  return native::write_edge(os, Native(native::pose(_measurement, rotation_.get(_measurement))),
-                            _information);
+  return adapters::write_edge(os, Native(adapters::pose(_measurement, rotation_.get(_measurement))),
+                              _information);
 }
 
 bool EdgeSE3Calib::setMeasurementData(const double* d) {
@@ -51,7 +51,7 @@ bool EdgeSE3Calib::setMeasurementData(const double* d) {
 }
 
 bool EdgeSE3Calib::getMeasurementData(double* d) const {
-  std::copy_n(native::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
+  std::copy_n(adapters::pose(_measurement, rotation_.get(_measurement)).data(), 7, d);
   return true;
 }
 

@@ -2,7 +2,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/types/slam3d_addons/edge_se3_euler.h"
 #include "g2o/types/slam3d_addons/vertex_se3_euler.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
 
@@ -28,27 +28,28 @@ void scale_rotation(Matrix6& information, double factor) {
 }  // namespace
 
 bool VertexSE3Euler::read(std::istream& is) {
-  return native::read_fields(is, 6, [this](boxplus::FieldReader& in) { setEstimate(read_motion(in)); });
+  return adapters::read_fields(is, 6, [this](boxplus::FieldReader& in) { setEstimate(read_motion(in)); });
 }
 
 bool VertexSE3Euler::write(std::ostream& os) const {
-  return native::write_fields(os, [this](boxplus::FieldWriter& out) { write_motion(_estimate, out); });
+  return adapters::write_fields(os, [this](boxplus::FieldWriter& out) { write_motion(_estimate, out); });
 }
 
 bool EdgeSE3Euler::read(std::istream& is) {
-  return native::read_fields(is, 6 + native::omega_fields(_information), [this](boxplus::FieldReader& in) {
-    setMeasurement(read_motion(in));
-    native::read_omega(in, _information);
-    scale_rotation(_information, 2);
-  });
+  return adapters::read_fields(is, 6 + adapters::omega_fields(_information),
+                               [this](boxplus::FieldReader& in) {
+                                 setMeasurement(read_motion(in));
+                                 adapters::read_omega(in, _information);
+                                 scale_rotation(_information, 2);
+                               });
 }
 
 bool EdgeSE3Euler::write(std::ostream& os) const {
-  return native::write_fields(os, [this](boxplus::FieldWriter& out) {
+  return adapters::write_fields(os, [this](boxplus::FieldWriter& out) {
     write_motion(_measurement, out);
     Matrix6 omega = _information;
     scale_rotation(omega, 0.5);
-    native::write_omega(omega, out);
+    adapters::write_omega(omega, out);
   });
 }
 

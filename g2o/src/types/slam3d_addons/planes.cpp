@@ -4,7 +4,7 @@
 #include "g2o/core/factory.h"
 #include "g2o/types/slam3d_addons/edge_plane.h"
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
-#include "types/native.h"
+#include "types/adapters.h"
 
 G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
 
@@ -18,7 +18,7 @@ void VertexPlane::oplusImpl(double* update) {
 
 bool VertexPlane::read(std::istream& is) {
   boxplus::Vector<double, 7> v;
-  if (!native::read_value(is, 7, v)) return false;
+  if (!adapters::read_value(is, 7, v)) return false;
   color = v.tail<3>();
   setEstimate(Plane3D(v.head<4>()));
   return true;
@@ -27,7 +27,7 @@ bool VertexPlane::read(std::istream& is) {
 bool VertexPlane::write(std::ostream& os) const {
   boxplus::Vector<double, 7> v;
   v << _estimate.coeffs(), color;
-  return native::write_value(os, v);
+  return adapters::write_value(os, v);
 }
 
 bool VertexPlane::getEstimateData(double* est) const {
@@ -49,12 +49,12 @@ void EdgePlane::computeError() {
 }
 
 bool EdgePlane::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector<double, 4>>(is, 4, _information,
-                                                              [this](const auto& z) { setMeasurement(z); });
+  return adapters::read_measurement<boxplus::Vector<double, 4>>(is, 4, _information,
+                                                                [this](const auto& z) { setMeasurement(z); });
 }
 
 bool EdgePlane::write(std::ostream& os) const {
-  return native::write_measurement(os, boxplus::Vector<double, 4>(_measurement), _information);
+  return adapters::write_measurement(os, boxplus::Vector<double, 4>(_measurement), _information);
 }
 
 bool EdgePlane::setMeasurementData(const double* d) {
@@ -80,7 +80,7 @@ void EdgeSE3PlaneSensorCalib::computeError() {
 }
 
 bool EdgeSE3PlaneSensorCalib::read(std::istream& is) {
-  return native::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& v) {
+  return adapters::read_measurement<boxplus::Vector<double, 7>>(is, 7, _information, [this](const auto& v) {
     setMeasurement(Plane3D(v.template head<4>()));
     color = v.template tail<3>();
   });
@@ -89,7 +89,7 @@ bool EdgeSE3PlaneSensorCalib::read(std::istream& is) {
 bool EdgeSE3PlaneSensorCalib::write(std::ostream& os) const {
   boxplus::Vector<double, 7> v;
   v << _measurement.coeffs(), color;
-  return native::write_measurement(os, v, _information);
+  return adapters::write_measurement(os, v, _information);
 }
 
 bool EdgeSE3PlaneSensorCalib::setMeasurementData(const double* d) {

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// Factors on the measured speeds of the left and right wheel, and the distance between the wheels (metres).
+/// Factors for the measured speeds of the left and right wheel, and the distance between the wheels (meters).
 /// ⊞ adds. VERTEX_ODOM_DIFFERENTIAL.
 template <class S>
 struct BasicDifferentialDrive {

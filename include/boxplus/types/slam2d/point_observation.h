@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// z measures the point l in the frame of the pose X (metres). Error: X⁻¹ l − z. EDGE_SE2_XY.
+/// z measures the point l in the frame of the pose X (meters). Error: X⁻¹ l − z. EDGE_SE2_XY.
 struct PointObservation2 {
   static constexpr std::string_view kName = "PointObservation2";
   static constexpr bool kRigid = true;

@@ -26,8 +26,8 @@ struct TwoPointsObservation2 {
   }
 };
 
-/// Error: X⁻¹ p_k − z_k for any number of points, one after the other; throws InvalidArgument for
-/// another number of them than z has. EDGE_SE2_LOTSOFXY.
+/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the number
+/// of points is not that of the measurement. EDGE_SE2_LOTSOFXY.
 struct PointsObservation2 {
   static constexpr std::string_view kName = "PointsObservation2";
   Vector<double, kDynamic> measurement;  ///< x1, y1, x2, y2, …

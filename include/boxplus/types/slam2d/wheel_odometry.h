@@ -7,14 +7,15 @@
 
 namespace boxplus {
 
-/// Wheel speeds v_l, v_r (metres per second) held for dt (seconds).
+/// Wheel speeds v_l, v_r (meters per second) held for dt (seconds).
 struct WheelSpeeds {
   double left = 0, right = 0, duration = 0;
 };
 
-/// z measures the motion from xi to xj by the wheels of k. Error: vec(U⁻¹ xi⁻¹ xj), where U is the arc
-/// driven: with the speeds l = k_l v_l, r = k_r v_r,  θ = (r − l) dt / baseline,  s = (r + l) dt / 2, U = (s
-/// sin θ / θ, s (1 − cos θ) / θ, θ)  (Dudek & Jenkin, "Computational Principles of Mobile Robotics", 2000).
+/// z measures the motion from xi to xj by the wheels with parameters k. Error: vec(U⁻¹ xi⁻¹ xj). U is the
+/// driven arc: with the speeds l = k_l v_l, r = k_r v_r, θ = (r − l) dt / baseline and s = (r + l) dt / 2, U
+/// = (s sin θ / θ, s (1 − cos θ) / θ, θ) (Dudek & Jenkin, "Computational Principles of Mobile Robotics",
+/// 2000).
 /// Vertices: xi, xj, k. EDGE_SE2_ODOM_DIFFERENTIAL_CALIB.
 struct WheelOdometry {
   static constexpr std::string_view kName = "WheelOdometry";

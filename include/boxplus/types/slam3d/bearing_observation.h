@@ -7,7 +7,8 @@
 namespace boxplus {
 
 /// z measures the unit vector towards the point l in the frame of the pose X. Error: b/|b| − z with b = X⁻¹
-/// l: the chord, which is the angle where it is small, without a singular direction. Three rows of rank two.
+/// l. This is the chord, which approximates the angle if it is small, and has no singular direction. Three
+/// rows of rank two.
 struct BearingObservation3 {
   static constexpr std::string_view kName = "BearingObservation3";
   Vector3 measurement;

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// z measures the point l in the frame of the pose X (metres). Error: X⁻¹ l − z.
+/// z measures the point l in the frame of the pose X (meters). Error: X⁻¹ l − z.
 struct PointObservation3 {
   static constexpr std::string_view kName = "PointObservation3";
   static constexpr bool kRigid = true;

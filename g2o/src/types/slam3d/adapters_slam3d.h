@@ -6,14 +6,14 @@
 #include "g2o/types/slam3d/parameter_se3_offset.h"
 #include "g2o/types/slam3d/vertex_pointxyz.h"
 #include "g2o/types/slam3d/vertex_se3.h"
-#include "types/native.h"
+#include "types/adapters.h"
 
 // Registers the tags of all types for a client that uses one of them, because linkers take only the
 // referenced members of a static library.
 G2O_USE_TYPE_GROUP(slam3d)
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 inline boxplus::SE3 pose(const Isometry3& x, const internal::RotationMemory::Coefficients& q) {
   return boxplus::SE3::from_unit(x.translation(), {q[0], q[1], q[2], q[3]});
@@ -40,5 +40,5 @@ inline Isometry3 to_g2o(const boxplus::SE3& x) {
   return pose;
 }
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

@@ -3,7 +3,7 @@
 
 #include "g2o/core/factory.h"
 #include "g2o/types/slam3d/se3quat.h"
-#include "types/slam3d/native_slam3d.h"
+#include "types/slam3d/adapters_slam3d.h"
 
 // Registers the tags of all types for a client that uses one of them, because linkers take only the
 // referenced members of a static library.
@@ -11,7 +11,7 @@ G2O_USE_TYPE_GROUP(sba)
 G2O_USE_TYPE_GROUP(expmap)
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 inline boxplus::SE3 pose(const SE3Quat& x) {
   return boxplus::SE3::from_unit(x.translation(),
@@ -22,5 +22,5 @@ inline SE3Quat to_se3quat(const boxplus::SE3& x) {
   return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), x.translation());
 }
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

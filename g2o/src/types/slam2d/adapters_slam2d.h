@@ -5,14 +5,14 @@
 #include "g2o/core/factory.h"
 #include "g2o/types/slam2d/vertex_point_xy.h"
 #include "g2o/types/slam2d/vertex_se2.h"
-#include "types/native.h"
+#include "types/adapters.h"
 
 // Registers the tags of all types for a client that uses one of them, because linkers take only the
 // referenced members of a static library.
 G2O_USE_TYPE_GROUP(slam2d)
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 inline boxplus::SE2 pose(const SE2& x) {
   return {x.translation().x(), x.translation().y(), x.rotation().angle()};
@@ -30,5 +30,5 @@ inline boxplus::Vector2 point(const VertexPointXY& v) {
   return v.estimate();
 }
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o

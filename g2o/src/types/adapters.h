@@ -18,7 +18,7 @@
 #include "core/line_stream.h"
 
 namespace g2o {
-namespace native {
+namespace adapters {
 
 /// The message of an error of the engine, without its position.
 inline std::string without_place(const std::string& file, const boxplus::InputError& error) {
@@ -202,5 +202,5 @@ void linearize(const E& edge, const Argument<V>&... arguments) {
   (deliver(arguments, boxplus::Manifold<V>::kDim), ...);
 }
 
-}  // namespace native
+}  // namespace adapters
 }  // namespace g2o
