@@ -31,7 +31,7 @@ void ConjugateGradients::resize(std::size_t size) {
   for (auto* vector : {&b_, &x_, &r_, &z_, &p_, &q_}) vector->resize(size);
 }
 
-/// Conjugate gradients from x_ with residual r_, until the recurrence says ‖r‖ ≤ target.
+/// Iterates from x_ with residual r_, until the residual of the recurrence is ‖r‖ ≤ target.
 SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition, double target,
                                         int& iterations_left, const StopToken& stop) {
   double rz = 0;
@@ -56,8 +56,8 @@ SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition
   }
 }
 
-/// Solves into x_. Rounding lets the residual of the recurrence drift from the true one: where they differ at
-/// the end, the iteration starts again from the true one.
+/// Solves into x_. Rounding errors let the residual of the recurrence drift away from the true one. If they
+/// differ at the end, the iteration restarts with the true residual.
 SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precondition, const double* b,
                                              const SolveControl& control) {
   const std::size_t size = x_.size();
@@ -77,7 +77,7 @@ SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precond
     for (std::size_t i = 0; i < size; ++i) r_[i] = b_[i] - q_[i];
     const double residual = std::sqrt(dot(r_, r_));
     if (residual <= target) return total;
-    if (!(residual < 0.5 * previous)) {  // as small as rounding lets it become
+    if (!(residual < 0.5 * previous)) {  // rounding prevents a smaller residual
       total.status = LinearStatus::kNotConverged;
       return total;
     }

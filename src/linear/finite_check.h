@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Search for NaN and Inf.
+// Searches a matrix for NaN and Inf.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace boxplus {
 
-/// The first block (by column; its column's number) of the matrix or its damping that is not finite, or
+/// The number of the first block column of the matrix or its damping that has a value that is not finite, or
 /// kAbsent.
 std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping);
 
-/// The same for the diagonal blocks alone, stored as BlockSystem::block_diagonal() gives them.
+/// The same for the diagonal blocks only, in the layout of BlockSystem::block_diagonal().
 std::uint32_t find_not_finite_diagonal(const BlockStructure& structure, const double* diagonal_blocks,
                                        const Damping& damping);
 

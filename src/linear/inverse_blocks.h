@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any blocks of an inverse, from those of its lower triangle.
+// Blocks of an inverse in both triangles, from those of its lower triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,9 +15,10 @@ class InverseBlocks {
  public:
   /// `pairs`: the blocks (row, column), in either triangle. `structure` must outlive this.
   InverseBlocks(const BlockStructure& structure, std::span<const BlockCoordinate> pairs);
-  /// Asks a solver that has factorized. False if it cannot do it, or a value is not finite.
+  /// Lets a solver that has factorized compute the blocks. Returns false if it cannot, or if a value is not
+  /// finite.
   bool compute(LinearSolver& solver, const StopToken& stop = {});
-  /// Of the k-th pair.
+  /// The block of the k-th pair.
   Eigen::MatrixXd block(std::size_t k) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that knows every linear solver: a new one is a line in this table.
+// The only file that knows every linear solver. A new one is a line in this table.
 #include "boxplus/linear/linear_solver_table.h"
 
 #include <string>
@@ -58,9 +58,9 @@ std::string_view to_string(LinearSolverKind kind) {
 }
 
 LinearSolverOptions for_newton_steps(LinearSolverOptions options) {
-  // As good as exact for Newton's method, whose own error is squared in each step, and half the refinement.
+  // As good as exact for Newton's method, which squares its error in each step, with half of the refinement.
   constexpr double kRefined = 1e-6;
-  // If the factor is out of reach: on large maps far fewer iterations than an exact step takes.
+  // For pcg: on large maps, this takes far fewer iterations than an exact step.
   constexpr double kRough = 0.1;
   options.block_cholesky.min_tolerance = kRefined;
   options.automatic.min_tolerance = kRough;

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// block (di × dj) += Jiᵀ WJj, where Ji and WJj have `rows` rows; or its transpose into a dj × di block.
+/// Adds Jiᵀ WJj to a block of di × dj, or its transpose to a block of dj × di. Ji and WJj have `rows` rows.
 /// `Rows` > 0 fixes the number of rows at compile time.
 template <int Rows>
 void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed,
@@ -49,8 +49,8 @@ void add_rank_one(double scale, const double* vi, int di, const double* vj, int 
   }
 }
 
-/// Walks over where an edge goes: add_vertex(column, dim, target) per vertex that moves, and
-/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) per pair of such vertices, j ≤ i.
+/// Visits the targets of an edge: calls add_vertex(column, dim, target) for each vertex that moves, and
+/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each pair of such vertices, j ≤ i.
 template <class AddVertex, class AddPair>
 void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVertex&& add_vertex,
                      AddPair&& add_pair) {
@@ -67,7 +67,7 @@ void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVe
   }
 }
 
-/// `weighted` ← ΩJ, the first rows of `weighted_error` ← Ωe and those behind ← JᵀΩe.
+/// `weighted` ← ΩJ; the first rows of `weighted_error` ← Ωe, and its other rows ← JᵀΩe.
 void weigh(const EdgeSystem& edge, const InformationView& information, double* weighted,
            double* weighted_error) {
   const int rows = edge.rows;
@@ -81,7 +81,7 @@ void weigh(const EdgeSystem& edge, const InformationView& information, double* w
   }
 }
 
-/// The edge one number at a time: of any size, and with a rank-one weight.
+/// Adds the edge with scalar loops. It may have any size, and a rank-one weight.
 void accumulate_any(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                     const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                     double* weighted_error) {
@@ -106,7 +106,7 @@ void accumulate_any(const EdgeSystem& edge, const InformationView& information, 
       });
 }
 
-/// The edge by the kernels for small ones: all of P = JᵀΩJ at once, then its blocks.
+/// Adds the edge with the kernels for small edges: computes P = JᵀΩJ as a whole, then adds its blocks.
 void accumulate_small(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                       const std::uint32_t* targets, double* values, double* gradient) {
   static_assert(static_cast<int>(InformationKind::kScalar) == dense::EdgeNumbers::kScalar &&
@@ -135,7 +135,8 @@ void accumulate_small(const EdgeSystem& edge, const InformationView& information
       });
 }
 
-/// The edge by the dense kernels: the lower triangle of −ρ′JᵀΩJ in strips of columns, then its blocks.
+/// Adds the edge with the dense kernels: computes the lower triangle of −ρ′JᵀΩJ in strips of columns, then
+/// adds its blocks.
 void accumulate_large(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                       const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                       double* weighted_error, double* dense) {
@@ -176,7 +177,7 @@ void accumulate_large(const EdgeSystem& edge, const InformationView& information
 }  // namespace
 
 std::size_t dense_scratch(int rows, int cols) {
-  constexpr int kFewest = 24;  // rows and columns from which the dense kernels pay
+  constexpr int kFewest = 24;  // rows and columns from which on the dense kernels are faster
   if (std::min(rows, cols) < kFewest) return 0;
   return static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows + cols);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tile consumer that adds JᵀΩJ and JᵀΩe of one edge to H and to the gradient.
+// Adds JᵀΩJ and JᵀΩe of one edge of a tile to H and to the gradient.
 #pragma once
 
 #include <cstddef>
@@ -29,13 +29,13 @@ struct EdgeSystem {
   const double* jacobian;  ///< rows × cols, column-major
 };
 
-/// Numbers of scratch with which accumulate() multiplies a large edge by the dense kernels; 0 for edges for
-/// which that does not pay.
+/// The number of scratch values with which accumulate() uses the dense kernels for a large edge; 0 if these
+/// are not faster for this edge.
 std::size_t dense_scratch(int rows, int cols);
 
-/// Adds the edge to H (`values`) and to the gradient where `targets` says. `weighted`, `weighted_error` and
-/// `dense` are scratch of rows·cols, rows + cols and dense_scratch() numbers; without the last, large edges
-/// are added one number at a time.
+/// Adds the edge to H (`values`) and to the gradient, at the places `targets`. `weighted`, `weighted_error`
+/// and `dense` are scratch of rows·cols, rows + cols and dense_scratch() values. If `dense` is null, large
+/// edges are added with scalar loops.
 void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense = nullptr);

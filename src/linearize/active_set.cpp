@@ -44,7 +44,8 @@ void for_each_vertex(const EdgePool& pool, std::uint32_t edge, F&& f) {
   for (std::size_t i = 0; i < slots.size(); ++i) f(pool.vertex_pool(edge, static_cast<int>(i)), slots[i]);
 }
 
-/// Active edges touch a vertex that may move, or are evaluated all the same where no subset was asked for.
+/// The active edges. If a subset of vertices was requested, these are the edges that touch one that may move;
+/// otherwise all edges.
 std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const PlanRequest& request,
                                                      const Flags& movable) {
   std::vector<std::vector<std::uint8_t>> wanted;
@@ -92,8 +93,8 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
   return result;
 }
 
-/// Blocks: eliminated vertices first, then the others, each group by id (parameters after vertices of the
-/// same id).
+/// Numbers the blocks: eliminated vertices first, then the others, each group by id (parameters after
+/// vertices of the same id).
 void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active,
                    const StopToken& stop) {
   PacedStop pace(stop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where an edge adds to H and to the gradient.
+// The places in H and in the gradient to which an edge adds.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kNoBlock = BlockStructure::kAbsent;
 /// The block of every slot of every vertex pool, or kNoBlock.
 using BlockOf = std::vector<std::vector<std::uint32_t>>;
 
-/// Blocks of an edge's vertices, in order; kNoBlock for those that do not move.
+/// The blocks of an edge's vertices, in order; kNoBlock for vertices that do not move.
 inline void edge_blocks(const EdgePool& pool, std::uint32_t edge, const BlockOf& block_of,
                         std::vector<std::uint32_t>& out) {
   out.clear();

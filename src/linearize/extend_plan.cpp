@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// What was appended to a graph, as far as it takes part.
+/// The elements that were appended to a graph and take part.
 struct Additions {
   std::vector<VertexRef> vertices;                // by id
   std::vector<std::vector<std::uint32_t>> edges;  // per pool, ascending
@@ -24,14 +24,15 @@ BlockOf block_of(const Graph& graph, const Plan& plan) {
   return result;
 }
 
-/// Finds the additions, or that they ask for another plan.
+/// Finds the additions, or finds that they need a new plan.
 class Finder {
  public:
   Finder(const Graph& graph, const PlanRequest& request, std::span<const std::uint32_t> vertices,
          std::span<const std::uint32_t> edges, const Plan& plan)
       : graph_(graph), request_(request), old_vertices_(vertices), old_edges_(edges), plan_(plan) {}
 
-  /// `blocks` is that of the plan; new vertices that take part get theirs.
+  /// `blocks` are those of the plan; adds the blocks of new vertices that take part. Returns false if a new
+  /// plan is needed.
   bool find(BlockOf& blocks, Additions& out) {
     if (!request_.vertices.empty() || !request_.edges.empty()) return false;
     return find_edges(out) && find_vertices(blocks, out) && look_at_edges(blocks, out) && is_connected();
@@ -92,7 +93,7 @@ class Finder {
     if (!std::any_of(plan_.vertices.begin(), plan_.vertices.end(), has_list)) return false;
     if (pool.eliminated(vertex.slot) || pool.parameter(vertex.slot)) return false;
     if (!pool.fixed_directions(vertex.slot).empty()) return false;
-    // A vertex that is held stays the first of largest dimension.
+    // The held vertex must still be the first one of largest dimension.
     return plan_.held.empty() ||
            (plan_.held[0].vertex.pool == vertex.pool
                 ? pool.id(vertex.slot) > plan_.held[0].id
@@ -103,10 +104,10 @@ class Finder {
     return !plan_.held.empty() && plan_.held[0].vertex.pool == pool && plan_.held[0].vertex.slot == slot;
   }
 
-  /// Notes who hangs on whom. False if an edge may resist the motions that a vertex is held for (all but
-  /// relative poses may), or if it begins to move an old vertex.
+  /// Records which vertices are connected. Returns false if an edge may resist the motions that a vertex is
+  /// held for (only relative poses cannot), or if an edge makes an inactive old vertex active.
   bool look_at_edges(const BlockOf& blocks, const Additions& out) {
-    sets_ = DisjointSets(1 + out.vertices.size());  // 0: all that is old
+    sets_ = DisjointSets(1 + out.vertices.size());  // 0 stands for all old vertices
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
       const EdgePool& pool = *graph_.edge_pools()[p];
@@ -147,7 +148,7 @@ class Finder {
   DisjointSets sets_{0};
 };
 
-/// The blocks of H that are new, by column.
+/// The new blocks of H, by column.
 std::vector<BlockCoordinate> new_blocks(const Graph& graph, const Additions& additions,
                                         const BlockOf& block_of, const BlockStructure& structure) {
   std::vector<BlockCoordinate> added;
@@ -171,7 +172,7 @@ std::vector<BlockCoordinate> new_blocks(const Graph& graph, const Additions& add
   return added;
 }
 
-/// By how much the values of H have moved: those from `value[k]` on by `shift[k]`.
+/// The distances by which values of H have moved: those from `value[k]` on by `shift[k]`.
 struct Shifts {
   std::vector<std::uint32_t> value, shift;
 
@@ -182,7 +183,7 @@ struct Shifts {
   }
 };
 
-/// The structure with more blocks and off-diagonal blocks, whose `added` come by column.
+/// The structure with more blocks and off-diagonal blocks. `added` must be sorted by column.
 class GrownStructure {
  public:
   GrownStructure(BlockStructure& structure, PlanGrowth& growth) : old_(structure), growth_(growth) {
@@ -221,7 +222,7 @@ class GrownStructure {
   }
 
  private:
-  /// Old blocks of H up to `end`.
+  /// Copies old blocks of H up to `end`.
   void copy_blocks(std::uint32_t end) {
     const std::uint32_t moved = result_.value_start.back() - old_.value_start[next_];
     for (; next_ < end; ++next_) {
@@ -231,7 +232,7 @@ class GrownStructure {
     }
   }
 
-  /// Old columns before `end`.
+  /// Copies old columns before `end`.
   void copy_columns(std::uint32_t& column, std::uint32_t end) {
     for (; column < end; ++column) {
       copy_blocks(old_.column_start[column + 1]);
@@ -257,10 +258,10 @@ class GrownStructure {
   BlockStructure& old_;
   PlanGrowth& growth_;
   BlockStructure result_;
-  std::uint32_t next_ = 0;  // old block of H
+  std::uint32_t next_ = 0;  // next old block of H
 };
 
-/// Of H with these additions.
+/// The number of values of H with these additions.
 std::uint64_t count_values(const BlockStructure& structure, std::span<const std::uint32_t> new_dims,
                            std::span<const BlockCoordinate> added) {
   const auto dim = [&](std::uint32_t block) -> std::uint64_t {
@@ -272,7 +273,7 @@ std::uint64_t count_values(const BlockStructure& structure, std::span<const std:
   return values;
 }
 
-/// Lets the targets of old edges follow their blocks.
+/// Moves the targets of old edges with their blocks.
 void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   if (shifts.value.empty()) return;
   const EdgePool& pool = *graph.edge_pools()[scatter.pool];
@@ -289,7 +290,7 @@ void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   }
 }
 
-/// Appends the new edges of a pool to a chunk, whose runs lie in the order of the pools.
+/// Appends the new edges of a pool to a chunk. Its runs are in the order of the pools.
 void append_edges(const Graph& graph, std::uint32_t p, const std::vector<std::uint32_t>& edges,
                   const BlockOf& block_of, const BlockStructure& structure, Chunk& chunk) {
   const EdgePool& pool = *graph.edge_pools()[p];

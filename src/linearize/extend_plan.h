@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// How H has grown: see StructureGrowth.
+/// The growth of H; see StructureGrowth.
 struct PlanGrowth {
   std::uint32_t old_blocks = 0;
   std::vector<BlockCoordinate> added;
@@ -20,16 +20,16 @@ struct PlanGrowth {
   StructureGrowth of_structure() const { return {old_blocks, added, new_index}; }
 };
 
-/// Whether H is the matrix of one connected problem that one gauge holds, or none: a condition of
-/// extend_plan(), which keeps it. O(blocks of H).
+/// Whether H belongs to one connected problem with at most one held vertex. This is a precondition of
+/// extend_plan(), which preserves it. O(blocks of H).
 bool is_extensible(const Graph& graph, const Plan& plan);
 
-/// Appends to `plan`, which make_plan() made for `request`, what was appended to the graph since: the slots
-/// from `vertices[p]` (`edges[p]`) on of pool p. A new plan would be the same.
+/// Extends `plan`, which make_plan() made for `request`, by the elements that were appended to the graph
+/// since: the slots of pool p from `vertices[p]` (`edges[p]`) on. The result is the same as a new plan.
 ///
-/// Empty, and nothing has changed, unless the new elements only prolong what there is: new vertices have
-/// higher ids and hang on the old ones, the gauge stays as it is, and no pool, elimination or run-time size
-/// comes in. O(blocks of H + edges) light steps.
+/// Returns nothing and changes nothing if the additions need a new plan. Otherwise new vertices have higher
+/// ids and are connected to the old ones, the gauge is unchanged, and the additions have no new pool, no
+/// eliminated vertices and no run-time sizes. O(blocks of H + edges) cheap steps.
 std::optional<PlanGrowth> extend_plan(const Graph& graph, const PlanRequest& request,
                                       std::span<const std::uint32_t> vertices,
                                       std::span<const std::uint32_t> edges, Plan& plan);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tangent directions in which a vertex stays: their rows and columns leave H.
+// Fixed tangent directions of vertices. Their rows and columns are removed from H.
 #pragma once
 
 #include <span>
@@ -8,15 +8,15 @@
 
 namespace boxplus {
 
-/// Whether the vertex stays in all directions of its tangent.
+/// Whether all directions of the vertex's tangent are fixed.
 bool all_directions_fixed(const VertexPool& pool, std::uint32_t slot);
 
-/// Fills Plan::fixed_scalars and Chunk::fixed of a plan that is complete otherwise. O(nonzero blocks of H),
-/// unless no vertex has fixed directions.
+/// Fills Plan::fixed_scalars and Chunk::fixed of an otherwise complete plan. O(nonzero blocks of H) if any
+/// vertex has fixed directions.
 void list_fixed_directions(const Graph& graph, Plan& plan);
 
-/// Takes the fixed scalars of a chunk out of H and the gradient: as if their columns of every Jacobian were
-/// zero, but for the diagonal, which stays positive.
+/// Removes the fixed scalars of a chunk from H and the gradient, as if their columns of every Jacobian were
+/// zero, except that the diagonal stays positive.
 void leave_out_fixed(const Chunk::FixedScalars& fixed, std::span<double> values, std::span<double> gradient);
 
 }  // namespace boxplus

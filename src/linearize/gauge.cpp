@@ -21,11 +21,11 @@ struct Component {
   std::vector<VertexSlot> vertices;
   std::vector<EdgeSlot> edges;
   int most_anchor_rows = 0;  // of one edge with exactly one moving vertex
-  bool anchored = false;     // an edge, or a direction that stays, ties a vertex to the world
+  bool anchored = false;     // an edge or a fixed direction ties a vertex to the world
   bool only_rigid = true;    // all edges are of types that measure poses relative to each other
 };
 
-/// Tells the moving vertices of an edge; parameters count neither as moving nor as fixed.
+/// Finds the moving vertices of an edge. Parameters count neither as moving nor as fixed.
 class EdgeEnds {
  public:
   EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable)
@@ -138,8 +138,8 @@ class GaugeFinder {
     return {v.pool, v.slot, graph_.vertex_pools()[v.pool]->generation(v.slot)};
   }
 
-  /// The vertex that is held first: of largest dimension, rather a pose than a point than anything else, of
-  /// lowest id. Eliminated vertices are not held.
+  /// The rank of a vertex; the first one is held. Vertices are ranked by dimension (the largest first), then
+  /// by kind (poses, points, others), then by id. Eliminated vertices are not held.
   auto rank(VertexSlot v) const {
     const VertexPool& pool = *graph_.vertex_pools()[v.pool];
     Frame frame;
@@ -178,7 +178,7 @@ class GaugeFinder {
     });
   }
 
-  /// Relative poses alone: the pose `first` is gauge, all of it.
+  /// For components with relative poses only: all directions of the pose `first` are gauge freedom.
   void hold_rigid(VertexSlot first, int dim) {
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
     if (policy_ == GaugePolicy::kFixFirst) {
@@ -191,7 +191,7 @@ class GaugeFinder {
   void hold_similarity(const Component& component, const SimilarityFreedom& freedom) {
     const VertexSlot first = gauge_vertex(component, freedom);
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
-    SimilarityFreedom left = freedom;  // what nothing resists yet
+    SimilarityFreedom left = freedom;  // the freedom that remains
     if (policy_ == GaugePolicy::kFixFirst) {
       const bool whole = !component.anchored && is_all_gauge(first, freedom);
       if (whole) {
@@ -211,7 +211,7 @@ class GaugeFinder {
     return taken_by(v, freedom) == graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
   }
 
-  /// The vertex that takes up most of the freedom; rather one that is nothing but gauge.
+  /// The vertex that takes up most of the freedom. Prefers a vertex whose directions are all gauge freedom.
   VertexSlot gauge_vertex(const Component& component, const SimilarityFreedom& freedom) const {
     const auto role = [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot]; };
     std::vector<VertexSlot> firsts;  // per vertex pool and role
@@ -231,8 +231,8 @@ class GaugeFinder {
                              [&](VertexSlot a, VertexSlot b) { return order(a) < order(b); });
   }
 
-  /// Holds as many directions of tangents, rather of `first`, as there are motions, such that every motion
-  /// moves one of them: a step that is zero there is an exact Gauss-Newton step.
+  /// Holds one tangent direction per free motion, preferably of `first`, so that every motion changes one of
+  /// them. A step that is zero in these directions is then an exact Gauss-Newton step.
   void hold_directions(const Component& component, VertexSlot first, bool first_is_held,
                        SimilarityFreedom left) {
     const auto row_norms = [&](VertexSlot v) -> Eigen::VectorXd {
@@ -274,7 +274,7 @@ class GaugeFinder {
             scale};
   }
 
-  /// Of the unit of a motion: less is rounding.
+  /// A fraction of the unit of a motion; smaller values are rounding errors.
   static constexpr double kNoticeable = 1e-5;
 
   const Graph& graph_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds each component of the active graph in place, and what to hold for those that nothing holds.
+// The gauge freedom of the components of the active graph, and the vertices and directions to hold.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace boxplus {
 
-/// One direction of a vertex' tangent.
+/// One direction of a vertex's tangent.
 struct TangentDirection {
   VertexRef vertex;
   int component;
@@ -17,16 +17,16 @@ struct TangentDirection {
 
 struct Gauge {
   std::vector<GaugeVertex> held;
-  std::vector<TangentDirection> held_directions;  ///< of vertices that are not held whole
+  std::vector<TangentDirection> held_directions;  ///< of vertices that are not held completely
   std::vector<GaugeFreedom> freedoms;
   /// One vertex of each component that nothing anchors and whose freedom, if any, is not one of similarities.
   std::vector<VertexRef> loose;
 };
 
 /// Finds the gauge freedom of every component of the active edges (slots per edge pool). `movable`: per
-/// vertex pool and slot. Components of ready-made relative poses and priors are decided by counting; all
-/// others by whether a similarity of the world changes an error (similarity_freedom.h). Throws Stopped once
-/// `stop` is raised.
+/// vertex pool and slot. For components of ready-made relative poses and priors, counting is enough. For all
+/// others, tests whether a similarity of the world changes an error (similarity_freedom.h). Throws Stopped
+/// when `stop` is raised.
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
                  const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
                  const StopToken& stop);

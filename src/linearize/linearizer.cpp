@@ -26,8 +26,8 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
   }
 }
 
-/// Edges between two questions to the token, so that edges of 1 µs and of 100 µs are both asked often; and
-/// the entries of H that are cleared in about that time.
+/// The number of edges between two checks of the stop token. It suits edges that take 1 µs as well as edges
+/// that take 100 µs. The second is the number of entries of H that are cleared in about the same time.
 constexpr std::uint32_t kEdgesBetweenStops = EdgeTile::kCapacity;
 constexpr std::uint32_t kValuesBetweenStops = 1u << 15;
 
@@ -97,7 +97,7 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
   leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
 }
 
-/// False if the token was raised meanwhile.
+/// Returns false if the token was raised.
 bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                                const LinearizeOptions& options, PacedStop& pace) {
   const EdgePool& pool = *graph_->edge_pools()[scatter.pool];
@@ -148,8 +148,8 @@ double Linearizer::chi2() {
   return stopped_ ? std::numeric_limits<double>::quiet_NaN() : pairwise_sum(edge_chi2_);
 }
 
-/// Each worker evaluates an equal share of the active edges. What is not finite stays so: a kernel may hide
-/// it.
+/// Each worker evaluates an equal share of the active edges. Values that are not finite are kept, because a
+/// robust kernel may hide them.
 void Linearizer::evaluate_share(int worker, int workers) {
   const auto bound = [&](int w) {
     return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /

@@ -14,10 +14,10 @@
 namespace boxplus {
 namespace {
 
-/// A worker with less to do costs more than it brings.
-constexpr double kWorthAWorker = 120e3;  // ns
+/// Another worker saves time only if it has at least this much work.
+constexpr double kMinWorkerNanoseconds = 120e3;
 
-/// What linearizing is predicted to take: about so much per entry of the Jacobian.
+/// The predicted time to linearize, per entry of the Jacobian.
 double nanoseconds_per_entry(JacobianSource source) {
   switch (source) {
     case JacobianSource::kAnalytic:
@@ -182,7 +182,7 @@ class ChunkBuilder {
 
   Chunk build() {
     struct Entry {
-      std::uint32_t group, pool, edge;  // group: the eliminated block, or one past them all
+      std::uint32_t group, pool, edge;  // group: the eliminated block, or their number
     };
     std::vector<Entry> entries;
     for_each_active_edge(graph_, active_, pace_,
@@ -247,7 +247,7 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   list_vertices(active, plan, pace);
   list_edges(graph, active, plan, pace);
   const double predicted = predicted_nanoseconds(graph, plan, pace);
-  const double worth = std::min(predicted / kWorthAWorker, 1.0 * request.threads);
+  const double worth = std::min(predicted / kMinWorkerNanoseconds, 1.0 * request.threads);
   const int workers = std::max(1, static_cast<int>(worth));
   const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers, pace);
   for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {

@@ -17,13 +17,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Sums, over the rows of the edges' Jacobians, how much each motion changes the errors. A row that cancels
-/// to within `tolerance` of its terms resists nothing.
+/// Sums the changes of the errors by each motion, over the rows of the edges' Jacobians. A row whose terms
+/// cancel to within `tolerance` resists nothing.
 class Resistance {
  public:
   explicit Resistance(int motions) : motions_(motions) {}
 
-  /// `tangents`: a row for each of the Jacobian's columns.
+  /// `tangents`: one row per column of the Jacobian.
   void add(const EdgeTile& edge, const double* tangents, double tolerance) {
     for (int row = 0; row < edge.rows; ++row) {
       std::array<double, WorldMotions::kMost> change{};
@@ -41,7 +41,7 @@ class Resistance {
       add_row(change, magnitude, tolerance);
     }
   }
-  /// A vertex that stays in some directions of its tangent resists what moves it there.
+  /// Adds a vertex with fixed directions, which resists motions in these directions.
   void add_fixed(std::span<const int> directions, const double* tangents, double least) {
     for (const int direction : directions) {
       std::array<double, WorldMotions::kMost> change{};
@@ -50,7 +50,7 @@ class Resistance {
       if (motion.norm() > least) add_row(change, motion.norm(), 0);
     }
   }
-  /// Combinations of the candidates that nothing resists.
+  /// The combinations of the candidates that nothing resists.
   MatrixXd unresisted(const MatrixXd& candidates) const {
     constexpr double kNothing = 1e-12;
     const MatrixXd among = candidates.transpose() * sum_.topLeftCorner(motions_, motions_) * candidates;
@@ -97,7 +97,7 @@ MatrixXd SimilarityFreedom::of_vertex(const Graph& graph, VertexSlot vertex) con
   return tangents * basis;
 }
 
-/// Vertices of one type that stand at the same positions in the same types of edges.
+/// Vertices of one type that have the same positions in the same types of edges.
 struct SimilarityTest::Kind {
   std::uint32_t id;
   std::vector<WorldRole> candidates;  // the likeliest first
@@ -157,7 +157,7 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
   return kinds;
 }
 
-/// Reads `choice` as a number whose digits choose among the candidates of each kind.
+/// The digits of `choice` select among the candidates of each kind.
 void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds,
                                   unsigned choice) {
   std::map<std::uint32_t, WorldRole> role_of;
@@ -172,7 +172,8 @@ void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, const st
   }
 }
 
-/// Centered on the vertices, with their distance from there (root mean square) as unit of translation.
+/// The motions about the center of the vertices. Their root mean square distance from the center is the unit
+/// of translation.
 WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, int dimension) const {
   WorldMotions motions;
   motions.dimension = dimension;
@@ -199,7 +200,7 @@ WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, i
   return motions;
 }
 
-/// The motions, as an orthonormal basis, that move at least one vertex. Keeps the tangents of all.
+/// An orthonormal basis of the motions that move at least one vertex. Stores the tangents of all motions.
 MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) {
   const int count = motions.count();
   MatrixXd sum = MatrixXd::Zero(count, count), tangents;
@@ -240,12 +241,12 @@ void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, 
   }
 }
 
-/// Combinations of the candidates that no edge resists.
+/// The combinations of the candidates that no edge resists.
 MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                     const WorldMotions& world, const MatrixXd& candidates) const {
   constexpr double kExact = 1e-7, kNumeric = 1e-5;
-  constexpr std::int64_t kBetweenStops = 64;  // edges
-  constexpr std::size_t kOften = 1024;        // edges between two looks whether anything is left
+  constexpr std::int64_t kBetweenStops = 64;         // edges
+  constexpr std::size_t kEdgesBetweenChecks = 1024;  // edges between two checks whether any motion is left
   const auto motions = static_cast<int>(candidates.rows());
   Resistance resistance(motions);
   for (const VertexSlot v : vertices) {
@@ -271,7 +272,7 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     pool.linearize(std::span(&edges[k].slot, 1), tile, false);
     const bool exact = pool.jacobian_source() != JacobianSource::kNumeric;
     resistance.add(tile, tangents.data(), exact ? kExact : kNumeric);
-    if (k % kOften == kOften - 1 && resistance.unresisted(candidates).cols() == 0) break;
+    if (k % kEdgesBetweenChecks == kOften - 1 && resistance.unresisted(candidates).cols() == 0) break;
   }
   return resistance.unresisted(candidates);
 }

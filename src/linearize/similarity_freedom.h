@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which similarities of the world leave every error of a component as it is: its gauge freedom.
+// The gauge freedom of a component: the similarities of the world that change none of its errors.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,8 @@ struct VertexSlot {
   std::uint32_t pool, slot;
 };
 
-/// The motions z = motions · basis with J z = 0 for every edge, where J is the edge's Jacobian at the current
-/// estimates. Each column of `basis` is one free motion; no combination of them leaves all vertices in place.
+/// The motions z = motions · basis for which J z = 0 for every edge; J is the edge's Jacobian at the current
+/// estimates. Each column of `basis` is one free motion. Every combination of them moves some vertex.
 struct SimilarityFreedom {
   WorldMotions motions;
   Eigen::MatrixXd basis;  ///< motions.count() × number of free motions
@@ -31,19 +31,19 @@ struct SimilarityFreedom {
 
   double unit() const { return motions.unit(); }
   int directions() const { return static_cast<int>(basis.cols()); }
-  /// The free motions as the vertex makes them: tangent_dim × directions().
+  /// The free motions in the tangent space of a vertex: tangent_dim × directions().
   Eigen::MatrixXd of_vertex(const Graph& graph, VertexSlot vertex) const;
 };
 
-/// Tests components of one graph. Throws Stopped once the token is raised.
+/// Tests components of one graph. Throws Stopped when the token is raised.
 ///
 /// An edge resists a motion if a row of J z is not zero to within rounding, relative to the sum of the
-/// magnitudes of its terms: no weight and no condition number matters, and neither does Ω. Edges that are
-/// disabled take part, because enabling one does not change the structure of the problem.
+/// magnitudes of its terms. So weights, Ω and condition numbers have no influence. Disabled edges take part,
+/// because enabling an edge does not change the structure of the problem.
 class SimilarityTest {
  public:
-  /// `movable`: per vertex pool and slot, whether the vertex moves. Vertices of one kind, which play the same
-  /// part in edges of the same types, share a role, which is found by trial.
+  /// `movable`: per vertex pool and slot, whether the vertex moves. Vertices of one kind have the same
+  /// positions in edges of the same types. They share a role, which is found by trial.
   SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
                  const StopToken& stop);
 
@@ -71,7 +71,7 @@ class SimilarityTest {
   const StopToken& stop_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;
-  /// By vertex pool and slot, where the tangents of its motions begin in tangents_, dim × count, row-major.
+  /// Per vertex pool and slot, the index in tangents_ of the vertex's motions: dim × count, row-major.
   static constexpr std::size_t kStill = static_cast<std::size_t>(-1);
   std::vector<std::vector<std::size_t>> tangents_of_;
   std::vector<double> tangents_;

@@ -6,7 +6,7 @@
 
 namespace boxplus {
 
-/// Orthonormal eigenvectors of the symmetric A whose eigenvalues `wanted` accepts, as columns.
+/// Orthonormal eigenvectors of the symmetric matrix A, as columns, for the eigenvalues that `wanted` accepts.
 template <class F>
 Eigen::MatrixXd eigenvectors_of(const Eigen::MatrixXd& A, F&& wanted) {
   if (A.rows() == 0) return A;
@@ -19,7 +19,7 @@ Eigen::MatrixXd eigenvectors_of(const Eigen::MatrixXd& A, F&& wanted) {
   return result.leftCols(count);
 }
 
-/// The x with ‖A x‖ ≤ least · ‖x‖, as an orthonormal basis.
+/// An orthonormal basis of the x with ‖A x‖ ≤ least · ‖x‖.
 inline Eigen::MatrixXd kernel_of(const Eigen::MatrixXd& A, double least) {
   return eigenvectors_of(A.transpose() * A, [&](double squared) { return squared <= least * least; });
 }

@@ -9,7 +9,7 @@ namespace {
 static_assert(EdgeTile::kLanes == dense::kTileLanes);
 static_assert(Scatter::kNowhere == dense::kNoTarget && Scatter::kTransposed == dense::kTransposedTarget);
 
-/// Error of edge k of a tile.
+/// Copies the error of edge k of a tile.
 void copy_error(const EdgeTile& tile, std::size_t k, double* out) {
   const auto rows = static_cast<std::size_t>(tile.rows);
   constexpr std::size_t kLanes = EdgeTile::kLanes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tile consumer that adds several edges to H and to the gradient at a time.
+// Adds the edges of a tile to H and to the gradient, several at a time.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace boxplus {
 
-/// Kernels for the common sizes of unary and binary edges; accumulate() is the plain reference for all of
-/// them.
+/// Uses kernels for the common sizes of unary and binary edges. accumulate() is the plain reference for all
+/// of them.
 class TileAdder {
  public:
-  /// Makes room for tiles of `values` numbers of Jacobians and `rows` of errors.
+  /// Makes room for tiles with `values` values of Jacobians and `rows` values of errors.
   TileAdder(std::size_t values, std::size_t rows);
 
-  /// Chooses the kernel for edges of these sizes; false where there is none.
+  /// Chooses the kernel for edges of these sizes. Returns false if there is none.
   bool choose(int rows, std::span<const int> dims);
-  /// Whether the kernel reads tiles in lanes, too.
+  /// Whether the kernel also reads tiles in lanes.
   bool takes_lanes() const { return add_edges_ != nullptr; }
-  /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, edge by edge in its order, where `targets` says (Scatter).
+  /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places `targets` (Scatter).
   void add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
            std::span<const std::uint32_t* const> targets, double* values, double* gradient);
 
@@ -34,10 +34,10 @@ class TileAdder {
                   double* values, double* gradient);
 
   dense::AddEdges add_edges_ = nullptr;             // binary
-  dense::AddUnaryEdges add_unary_edges_ = nullptr;  // one of the two at most
+  dense::AddUnaryEdges add_unary_edges_ = nullptr;  // at most one of the two is set
   std::vector<double> jacobian_, error_;            // in lanes
-  std::vector<double> omega_;                       // of tiles with Ω of several kinds: all in full
-  std::vector<double> weights_;                     // empty where no edge has a robust kernel
+  std::vector<double> omega_;                       // all Ω in full, for tiles with Ω of several kinds
+  std::vector<double> weights_;                     // empty if no edge has a robust kernel
   std::vector<const double*> omegas_;
 };
 

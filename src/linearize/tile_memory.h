@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one worker linearizes into.
+// The memory into which one worker linearizes.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace boxplus {
 
 struct TileMemory {
-  /// For tiles of `values` numbers of Jacobians and `rows` of errors, and edges that need `dense_values` of
-  /// dense_scratch().
+  /// For tiles with `values` values of Jacobians and `rows` values of errors. `dense_values` is the largest
+  /// dense_scratch() of an edge.
   TileMemory(std::size_t values, std::size_t rows, std::size_t dense_values)
       : error(rows),
         jacobian(values),
@@ -25,7 +25,8 @@ struct TileMemory {
     targets.resize(EdgeTile::kCapacity);
   }
 
-  /// The next `capacity` enabled edges of a run, which goes from `next` to `end`; `next` moves on.
+  /// Gathers the next enabled edges of a run, at most `capacity` of them, from `next` to `end`. Advances
+  /// `next`.
   std::span<const std::uint32_t> gather(const EdgePool& pool, const Scatter& scatter, std::uint32_t& next,
                                         std::uint32_t end, std::size_t capacity) {
     const int arity = static_cast<int>(dims.size());

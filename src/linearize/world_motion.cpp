@@ -75,7 +75,7 @@ bool world_frame(const VertexPool& pool, std::uint32_t slot, WorldRole role, int
   return true;
 }
 
-/// By central differences: what they neglect is below 1e-9 of the result.
+/// Uses central differences, whose truncation error is below 1e-9 of the result.
 void motion_tangents(const VertexPool& pool, std::uint32_t slot, WorldRole role, const WorldMotions& motions,
                      double* out) {
   constexpr double kAmount = 3e-5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How vertices move when the world is moved by a small similarity: translation, rotation, scale.
+// The motion of vertices when a small similarity moves the world: translation, rotation, scale.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace boxplus {
 
-/// How the estimate of a vertex depends on the world's coordinates.
+/// The dependence of a vertex's estimate on the coordinates of the world.
 enum class WorldRole : std::uint8_t {
-  kNone,    ///< not at all: a focal length, a bias
-  kFrame,   ///< as T_world_body, or as a point of the world
-  kInverse  ///< as T_body_world, e.g. the pose of a camera that maps world points into its own frame
+  kNone,    ///< none: a focal length, a bias
+  kFrame,   ///< T_world_body, or a point in the world
+  kInverse  ///< T_body_world, such as the pose of a camera that maps world points to its own frame
 };
 
 /// The small similarities of a world of 2 or 3 dimensions: translations along each axis, then rotations about
-/// axes through `center`, then scaling about `center`. Translations are measured in units of `length`, so
-/// that all of them move a vertex at distance `length` about equally far.
+/// axes through `center`, then scaling about `center`. Translations are in units of `length`, so that all
+/// motions move a vertex at distance `length` about equally far.
 struct WorldMotions {
   static constexpr int kMost = 7;
 
@@ -29,15 +29,16 @@ struct WorldMotions {
 
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
-  /// The least that a motion of unit size moves a tangent by, if it moves it: meters or radians.
+  /// If a motion of unit size moves a tangent, it moves it by at least this: meters or radians.
   double unit() const { return std::min(1.0, length); }
   int count() const { return translations() + rotations() + 1; }
 };
 
-/// The vertex as it stands in the world: T_world_body or a point. False if it has no frame of that dimension.
+/// The frame of a vertex in the world: T_world_body or a point. Returns false if it has no frame of that
+/// dimension.
 bool world_frame(const VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension, Frame& out);
 
-/// Writes the derivative of the vertex' tangent with respect to each motion: tangent_dim × count(),
+/// Writes the derivative of the vertex's tangent with respect to each motion: tangent_dim × count(),
 /// column-major. Zero for WorldRole::kNone and for vertices without a frame of that dimension.
 void motion_tangents(const VertexPool& pool, std::uint32_t slot, WorldRole role, const WorldMotions& motions,
                      double* out);

@@ -17,17 +17,19 @@ std::uint64_t default_limit() {
   return memory > 0 ? memory / 2 : std::numeric_limits<std::uint64_t>::max();
 }
 
-/// Seconds of a rough solution by pcg. Its iterations grow with the diameter of the graph, for which the cube
-/// root of its size stands: that of three dimensions, where factors grow out of bounds. Each reads H twice.
+/// The predicted seconds of a rough solution by pcg. The number of iterations grows with the diameter of the
+/// graph. The cube root of its size stands for the diameter, because factors become too large in three
+/// dimensions. Each iteration reads H twice.
 double pcg_seconds(const BlockStructure& structure) {
   constexpr double kIterations = 15, kSecondsPerByte = 2e-10;
   const double bytes = static_cast<double>(structure.nonzero_values()) * sizeof(double);
   return kIterations * std::cbrt(structure.blocks()) * 2 * bytes * kSecondsPerByte;
 }
 
-/// A factor is worth this many times the rough solution by pcg: it is exact, whatever the condition of H.
-constexpr double kWorth = 4;
-constexpr double kShort = 1;  // seconds that are not worth a thought
+/// A factorization may take this many times as long as a rough solution by pcg, because it is exact for any
+/// condition number of H.
+constexpr double kMaxSlowdown = 4;
+constexpr double kShortSeconds = 1;  // below this predicted time, the factor is always used
 
 }  // namespace
 
@@ -37,11 +39,12 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
   const std::uint64_t limit = wanted > 0 ? wanted : default_limit();
   auto fresh = std::make_unique<BlockCholesky>(options_.block_cholesky);
   BlockCholesky& cholesky = *fresh;
-  chosen_ = std::move(fresh);  // gives back the memory of the last analysis first
+  chosen_ = std::move(fresh);  // frees the memory of the last analysis first
   pcg_seconds_ = pcg_seconds(structure);
   bool accepted = false;
   const auto accepts = [&](const BlockCholesky::Forecast& forecast) {
-    return accepted = forecast.bytes <= limit && forecast.seconds <= kWorth * pcg_seconds_ + kShort;
+    return accepted =
+               forecast.bytes <= limit && forecast.seconds <= kMaxSlowdown * pcg_seconds_ + kShortSeconds;
   };
   factor_ = cholesky.analyze_if(accepts, structure, hints, stop);
   refused_ = !accepted;

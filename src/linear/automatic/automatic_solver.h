@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The direct solver if its factor fits into memory and is made in good time, else the iterative one.
+// Uses the direct solver if its factor fits into memory and does not take too long, otherwise the iterative
+// one.
 #pragma once
 
 #include "linear/block_cholesky/block_cholesky.h"
@@ -7,15 +8,15 @@
 
 namespace boxplus {
 
-/// analyze() decides, from what the analysis predicts for the factor and before any memory is taken for it.
-/// From then on this is the chosen solver, by its name, and the statistics tell what decided.
+/// analyze() chooses the solver from the predictions for the factor, before it allocates memory for the
+/// factor. From then on, this solver has the name of the chosen one, and the statistics tell the reason.
 class AutomaticSolver final : public LinearSolver {
  public:
-  /// Reads the options of the block Cholesky, too.
+  /// Also reads the options of the block Cholesky.
   explicit AutomaticSolver(const LinearSolverOptions& options = {}) : options_(options) {}
 
   std::string_view name() const override { return chosen_->name(); }
-  /// Of either.
+  /// The needs of both solvers.
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;

@@ -19,8 +19,8 @@ std::uint64_t memory_of_machine() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The least limit of a control group ("/a/b") and of those above it. Groups that cannot be seen, as those
-/// outside of a container from within, and the word "max" limit nothing.
+/// The lowest limit of a control group ("/a/b") and of its parents. There is no limit if the value is "max",
+/// or if the group is not visible, like those outside of a container.
 std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string group, const char* file) {
   std::uint64_t least = kUnlimited;
   for (;;) {
@@ -31,7 +31,7 @@ std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string gro
   }
 }
 
-/// Lines of /proc/self/cgroup are NUMBER:CONTROLLERS:GROUP; without controllers they are of version 2.
+/// Lines of /proc/self/cgroup are NUMBER:CONTROLLERS:GROUP. A line without controllers is of version 2.
 std::uint64_t limit_of_groups(const std::filesystem::path& root) {
   const std::filesystem::path mount = root / "sys/fs/cgroup";
   std::uint64_t least = kUnlimited;

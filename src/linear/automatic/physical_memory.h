@@ -6,8 +6,8 @@
 
 namespace boxplus {
 
-/// Bytes of main memory that this process may use: those of the machine, or fewer where its control group (a
-/// container, a service, a batch job) is limited; 0 where the system does not tell. Below `root` are proc and
+/// The bytes of main memory that this process may use: those of the machine, or fewer if its control group (a
+/// container, a service, a batch job) has a limit; 0 if unknown. `root` is the folder that contains proc and
 /// sys.
 std::uint64_t physical_memory(const std::filesystem::path& root = "/");
 

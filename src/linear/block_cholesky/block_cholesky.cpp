@@ -15,7 +15,7 @@ namespace boxplus {
 namespace {
 
 /// A factor in float is taken where it pays for so many times the steps that are expected.
-constexpr double kClearly = 1.3;
+constexpr double kStepMargin = 1.3;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
                            : steps_that_pay(forecast_seconds_, symbolic_.flops,
                                             static_cast<double>(symbolic_.panel_size), structure) /
                                  batch_;
-  if (precision != Precision::kDouble && steps >= kClearly * kUsualSteps) {
+  if (precision != Precision::kDouble && steps >= kStepMargin * kUsualSteps) {
     mixed_.allocate(symbolic_, structure, steps);
   } else {
     factor_.allocate(symbolic_, structure.scalars(), batch_);

@@ -57,12 +57,12 @@ SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& c
 }
 
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure) {
-  constexpr double kWorthAThought = 1e-3;  // seconds
-  constexpr double kFloatShare = 0.5;  // of the time that operations and reading the factor take in double
+  constexpr double kMinSeconds = 1e-3;  // seconds
+  constexpr double kFloatShare = 0.5;   // of the time that operations and reading the factor take in double
   constexpr double kSavedOfTheRest = 0.3;
   constexpr double kSecondsPerByte = 0.8e-10;  // to read the factor, or A
   constexpr double kSecondsPerScalar = 5e-9;   // for the vectors of conjugate gradients
-  if (seconds < kWorthAThought) return 0;
+  if (seconds < kMinSeconds) return 0;
   const double operations = flops * dense::kernels().nanoseconds_per_flop * 1e-9;
   const double saved = (1 - kFloatShare) * operations + kSavedOfTheRest * (seconds - operations);
   const double read_factor = 2 * numbers * sizeof(double) * kSecondsPerByte;

@@ -13,9 +13,9 @@
 namespace boxplus {
 namespace {
 
-constexpr double kWorthThreads = 1e6;  // flops
-constexpr double kWorthSharing = 1e5;  // numbers to add
-constexpr double kBetweenStops = 1e9;  // flops after which the stop token is asked again
+constexpr double kMinParallelFlops = 1e6;      // flops
+constexpr double kMinParallelAdditions = 1e5;  // numbers to add
+constexpr double kBetweenStops = 1e9;          // flops after which the stop token is asked again
 
 /// Where the columns of part `part` of `parts` begin, if each is to have the same area of the lower
 /// trapezoid.
@@ -29,7 +29,7 @@ template <class Scalar>
 int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
                         const Scalar* minimum_pivot) {
   const int below = rows - width;
-  const int parts = 1.0 * below * width * width < kWorthThreads ? 1 : threads;
+  const int parts = 1.0 * below * width * width < kMinParallelFlops ? 1 : threads;
   if (parts == 1) return dense::factor_panel(block, rows, width, ld, minimum_pivot);
   const int good = dense::factor_panel(block, width, width, ld, minimum_pivot);
   if (good < width) return good;
@@ -47,7 +47,7 @@ template <class Scalar>
 int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
                       const Scalar* minimum_pivot) {
   const double flops = 1.0 * rows * columns * columns;
-  if (flops < (threads == 1 ? kBetweenStops : kWorthThreads))
+  if (flops < (threads == 1 ? kBetweenStops : kMinParallelFlops))
     return dense::factor_panel(panel, rows, columns, ld, minimum_pivot);
   for (int j = 0; j < columns; j += dense::kBlock) {
     if (j > 0 && stop.raised()) return kPanelStopped;
@@ -57,7 +57,7 @@ int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int row
     if (good < width) return j + good;
     Scalar* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
     const int below = rows - next, right = columns - next;
-    const int parts = 2.0 * below * right * width < kWorthThreads ? 1 : threads;
+    const int parts = 2.0 * below * right * width < kMinParallelFlops ? 1 : threads;
     parallel_tasks(parts, [&](int part) {
       const int begin = part_begin(below, right, part, parts);
       const int end = part + 1 == parts ? right : part_begin(below, right, part + 1, parts);
@@ -70,7 +70,8 @@ int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int row
 template <class Scalar>
 void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task) {
   const double below = task.below;
-  if (threads == 1 || below * below < kWorthSharing) return dense::factor_kernels<Scalar>().extend_add(task);
+  if (threads == 1 || below * below < kMinParallelAdditions)
+    return dense::factor_kernels<Scalar>().extend_add(task);
   // Numbers in the lower triangle left of a column.
   const auto area = [&](double column) { return column * (below - column / 2); };
   const double first = area(task.columns->source);
@@ -93,11 +94,11 @@ template <class Scalar>
 bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k) {
   const double flops = 1.0 * size * size * k;
-  if (flops < (threads == 1 ? kBetweenStops : kWorthThreads)) {
+  if (flops < (threads == 1 ? kBetweenStops : kMinParallelFlops)) {
     dense::set_to_minus_square(c, ldc, a, lda, size, k, 0, size);
     return true;
   }
-  const int parts = flops < kWorthThreads ? 1 : threads;
+  const int parts = flops < kMinParallelFlops ? 1 : threads;
   const int strips = 1 + static_cast<int>(flops / kBetweenStops);
   for (int strip = 0, begin = 0; strip < strips; ++strip) {
     if (strip > 0 && stop.raised()) return false;

@@ -13,10 +13,10 @@ namespace {
 
 using Subtree = TreeSchedule::Subtree;
 
-constexpr double kWorthThreads = 200e3;   // ns that must be saved: so long may a worker take to wake
-constexpr double kSubtreesPerThread = 8;  // smaller ones bring nothing
-constexpr double kSerialShare = 0.2;      // of a front that several threads work on
-constexpr double kJoin = 20e3;            // ns that they lose by waiting for each other
+constexpr double kMinSavedNanoseconds = 200e3;  // ns that must be saved: so long may a worker take to wake
+constexpr double kSubtreesPerThread = 8;        // smaller ones bring nothing
+constexpr double kSerialShare = 0.2;            // of a front that several threads work on
+constexpr double kJoin = 20e3;                  // ns that they lose by waiting for each other
 
 /// The fronts in two parts: subtrees, the longest first, and those above them.
 struct Parts {
@@ -162,9 +162,9 @@ TreeSchedule make_schedule(std::span<const Front> fronts, const AmalgamationRule
   if (threads <= 1) return schedule;
   Forest forest(fronts, rule, threads);
   const double alone = forest.total();
-  if (alone < kWorthThreads) return schedule;
+  if (alone < kMinSavedNanoseconds) return schedule;
   Parts parts = best_parts(forest, threads);
-  if (alone - predicted_time(parts, threads) < kWorthThreads) return schedule;
+  if (alone - predicted_time(parts, threads) < kMinSavedNanoseconds) return schedule;
   schedule.threads.resize(static_cast<std::size_t>(threads));
   share_out(parts.subtrees, threads, &schedule.threads);
   for (auto& share : schedule.threads) {

@@ -107,8 +107,8 @@ class Substitution {
 
  private:
   bool in_parallel() const {
-    constexpr std::uint64_t kWorthThreads = 200'000;  // numbers of the factor, about 50 µs
-    return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kWorthThreads;
+    constexpr std::uint64_t kMinParallelValues = 200'000;  // numbers of the factor, about 50 µs
+    return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kMinParallelValues;
   }
 
   static constexpr std::int64_t kNumbers = 1 << 15;  // of the factor, between two questions

@@ -36,7 +36,7 @@ void EigenSparseSolver::analyze(const BlockStructure& structure, const AnalyzeHi
   if (size > 0) factor_.analyzePattern(matrix_);
 }
 
-/// Walks the blocks of a block column in step with the scalar columns of the sparse matrix.
+/// Copies the blocks of each block column to the scalar columns of the sparse matrix.
 void EigenSparseSolver::load(const BlockSystem& system, const Damping& damping) {
   const BlockStructure& s = *structure_;
   double* to = matrix_.valuePtr();
@@ -54,8 +54,8 @@ void EigenSparseSolver::load(const BlockSystem& system, const Damping& damping) 
   }
 }
 
-/// The test of kLostPivot on every suspicious pivot; the scalar of the first lost one (unpermuted), or their
-/// number.
+/// Applies the test of kLostPivot to every suspicious pivot. Returns the (unpermuted) scalar of the first
+/// lost one, or the number of scalars.
 std::uint32_t EigenSparseSolver::find_lost_pivot() {
   const auto& lower = factor_.matrixL().nestedExpression();
   const auto& to_unpermuted = factor_.permutationPinv().indices();

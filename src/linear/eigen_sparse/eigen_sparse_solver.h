@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigen's simplicial Cholesky behind the seam: a second opinion, and a baseline for measurements.
+// Eigen's simplicial Cholesky as a LinearSolver, to check the other solvers and as a baseline for benchmarks.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -9,11 +9,12 @@
 
 namespace boxplus {
 
-/// An exception to the seam's contract: Eigen's factorize() and solve() allocate temporaries on every call.
+/// Deviates from the contract of LinearSolver: Eigen's factorize() and solve() allocate temporaries on every
+/// call.
 ///
-/// Eigen reports only that a pivot was ≤ 0, not which. The block is then named by factorizing once more with
-/// BlockCholesky, whose elimination order differs: of several bad blocks it may name another. Pivots that
-/// lost their digits without becoming ≤ 0 are found and named in Eigen's own order (see kLostPivot).
+/// Eigen reports that a pivot was ≤ 0, but not which one. To name the block, the matrix is factorized once
+/// more by BlockCholesky. Its elimination order differs, so it may name another one of several bad blocks.
+/// Pivots that lost their digits without becoming ≤ 0 are found and named in Eigen's order (see kLostPivot).
 class EigenSparseSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "eigen_sparse"; }

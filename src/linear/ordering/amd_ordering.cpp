@@ -12,15 +12,15 @@
 namespace boxplus {
 namespace {
 
-/// About the longest that AMD takes (CAMD: twice), measured on pose graphs of 2 and 3 dimensions with up to
-/// 300,000 blocks.
+/// An upper estimate of the time of AMD (CAMD takes twice as long), measured on pose graphs of 2 and 3
+/// dimensions with up to 300,000 blocks.
 double predicted_seconds(std::size_t blocks, std::size_t entries) {
   constexpr double kPerBlock = 300e-9, kPerEntry = 250e-9;
   return kPerBlock * static_cast<double>(blocks) + kPerEntry * static_cast<double>(entries);
 }
 
-/// Small structures are ordered whatever the token says: that takes no longer than the work between two
-/// questions.
+/// Throws Stopped if there is not enough time left. Small structures are always ordered, because this takes
+/// no longer than the work between two checks of a token.
 void check_room(const StopToken& stop, double seconds) {
   constexpr double kBetweenQuestions = 100e-6;
   if (seconds > kBetweenQuestions) stop.check_room_for(seconds);
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure, std::sp
     free_blocks.push_back(j);
   }
   std::vector<int> permutation(free_blocks.size());
-  row.reserve(1);  // AMD wants a non-null pointer
+  row.reserve(1);  // AMD needs a non-null pointer
   if (!free_blocks.empty()) {
     check_room(stop, predicted_seconds(free_blocks.size(), row.size()));
     const int status = amd_order(static_cast<int>(free_blocks.size()), start.data(), row.data(),

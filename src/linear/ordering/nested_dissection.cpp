@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint32_t kLeaf = 200;  // blocks
 constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
 
-/// The blocks that are not kept last, weighted by their sizes; `block_of` names them.
+/// The graph of the blocks that are not in `last`, weighted by their sizes. `block_of` gives the block of
+/// each vertex.
 WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uint32_t> last,
                        std::vector<std::uint32_t>& block_of, const StopToken& stop) {
   PacedStop pace(stop);
@@ -48,7 +49,7 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
   return graph;
 }
 
-/// The part of a graph on one side; its block names follow.
+/// The part of a graph on one side, with the blocks of its vertices.
 WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side, Side wanted,
                       const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of,
                       PacedStop& pace) {
@@ -73,11 +74,11 @@ WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side,
   return part;
 }
 
-/// A part of the graph, and what becomes of it.
+/// A part of the graph, and its separator.
 struct Piece {
   WeightedGraph graph;
   std::vector<std::uint32_t> block_of;
-  std::vector<std::uint32_t> separator;  // blocks; empty where nothing parts the piece
+  std::vector<std::uint32_t> separator;  // blocks; empty if the piece is not parted
   std::vector<Piece> parts;
 };
 
@@ -97,7 +98,7 @@ void part(Piece& piece, const StopToken& stop) {
   }
 }
 
-/// The separators, those of larger pieces first. Pieces of one level are parted side by side.
+/// The separators, those of larger pieces first. Pieces of one level are parted in parallel.
 std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads, const StopToken& stop) {
   std::vector<std::vector<std::uint32_t>> separators;
   std::vector<Piece> level;
@@ -125,7 +126,7 @@ std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
   Piece whole;
   whole.graph = graph_of(structure, last, whole.block_of, stop);
   const auto separators = find_separators(std::move(whole), threads, stop);
-  std::vector<int> rank_of(structure.blocks(), 0);  // what is no separator comes first
+  std::vector<int> rank_of(structure.blocks(), 0);  // blocks in no separator come first
   int rank = 0;
   for (auto separator = separators.rbegin(); separator != separators.rend(); ++separator) {
     ++rank;

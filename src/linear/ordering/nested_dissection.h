@@ -10,10 +10,11 @@
 
 namespace boxplus {
 
-/// Elimination order of the blocks by nested dissection (George 1973): separators last, those of the parts
-/// before that of the whole; parts below a few hundred blocks by approximate minimum degree. Takes several
-/// times as long as amd_ordering(), and needs fewer operations where the graph is neither small nor nearly
-/// planar. `last` and `stop` as there. The order does not depend on the number of threads.
+/// The elimination order of the blocks by nested dissection (George 1973). Separators come last, and those of
+/// the parts come before that of the whole. Parts below a few hundred blocks are ordered by approximate
+/// minimum degree. Takes several times as long as amd_ordering(), but the factorization needs fewer
+/// operations if the graph is neither small nor nearly planar. `last` and `stop` as for amd_ordering(). The
+/// order does not depend on the number of threads.
 std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
                                              std::span<const std::uint32_t> last = {}, int threads = 1,
                                              const StopToken& stop = {});

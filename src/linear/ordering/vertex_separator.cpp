@@ -15,8 +15,8 @@ constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 constexpr std::uint32_t kCoarsest = 100;        // vertices
 constexpr double kLeastShrinkage = 0.95;        // coarser graphs must be smaller than this fraction
 constexpr double kLargestSide = 0.6;            // of the total weight
-constexpr double kImbalance = 0.5;              // what sides that differ cost, as a part of the separator
-constexpr std::uint32_t kTries = 3;             // coarsenings of which the best result is taken
+constexpr double kImbalance = 0.5;              // cost of different sides, as a fraction of the separator
+constexpr std::uint32_t kTries = 3;             // coarsenings, of which the best result is used
 constexpr std::uint32_t kSeeds = 5;             // of the coarsest graph
 constexpr int kMostPasses = 3, kPatience = 60;  // of the refinement; moves without gain before one gives up
 
@@ -24,15 +24,15 @@ Side other(Side side) {
   return side == kLeft ? kRight : kLeft;
 }
 
-/// Numbers without a pattern, the same in every run (the finalizer of MurmurHash3, Appleby 2011).
+/// Pseudorandom numbers, the same in every run (the finalizer of MurmurHash3, Appleby 2011).
 std::uint32_t scramble(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85ebca6bu;
   x = (x ^ (x >> 13)) * 0xc2b2ae35u;
   return x ^ (x >> 16);
 }
 
-/// Each vertex' partner, or itself: the heaviest edge first, seen from the vertices of least degree. `salt`
-/// chooses among those that are alike.
+/// The partner of each vertex, or the vertex itself. Visits vertices of low degree first; each chooses its
+/// heaviest edge. `salt` decides between equal ones.
 std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::uint32_t salt,
                                                PacedStop& pace) {
   struct Visit {
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
   return partner;
 }
 
-/// Merges partners; `coarse_of` is the vertex of the result that each vertex goes into.
+/// Merges partners. `coarse_of` gives the vertex of the result for each vertex.
 WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32_t>& partner,
                        std::vector<std::uint32_t>& coarse_of, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
@@ -81,7 +81,8 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   coarse.weight.assign(count, 0);
   std::vector<std::uint32_t> place(count, kNone);  // of a neighbor, while its vertex is built
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // the partner came before
+    if (coarse.start.size() != coarse_of[v] + std::size_t{1})
+      continue;  // merged when its partner was visited
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
     const auto add = [&](std::uint32_t fine) {
       coarse.weight[c] += graph.weight[fine];
@@ -104,7 +105,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   return coarse;
 }
 
-/// Moves vertices out of the separator while that makes it lighter, or may do so later.
+/// Moves vertices out of the separator while this makes it lighter, or may do so later.
 class Refiner {
  public:
   Refiner(const WeightedGraph& graph, std::vector<Side>& side, PacedStop& pace)
@@ -117,8 +118,8 @@ class Refiner {
     for (int k = 0; k < kMostPasses && pass(); ++k) {
     }
   }
-  /// Less is better: the separator's weight, more where the sides differ; sides that are too heavy weigh more
-  /// than any separator.
+  /// The cost to minimize: the weight of the separator, plus a cost for sides of different weight. If a side
+  /// is too heavy, the cost is higher than that of any separator.
   double cost() const {
     const auto left = static_cast<double>(weight_[kLeft]), right = static_cast<double>(weight_[kRight]);
     const auto separator = static_cast<double>(weight_[kSeparator]);
@@ -137,8 +138,8 @@ class Refiner {
     Side before;
   };
 
-  /// By how much the separator gets lighter where v leaves it: what it would pull in comes from the other
-  /// side.
+  /// The decrease of the separator's weight if v leaves it. The neighbors of v on the other side then join
+  /// the separator.
   std::int64_t gain(std::uint32_t v, Side to) {
     std::int64_t pulled = 0;
     for (const std::uint32_t u : graph_.neighbors(v)) {
@@ -159,7 +160,7 @@ class Refiner {
       const Candidate top = queue.top();
       if (side_[top.vertex] == kSeparator && !locked_[top.vertex] && gain(top.vertex, to) == top.gain)
         return top.vertex;
-      queue.pop();  // a newer one is in the queue, if any
+      queue.pop();  // outdated; a newer entry may be in the queue
     }
     return kNone;
   }
@@ -182,7 +183,7 @@ class Refiner {
       }
     }
   }
-  /// The side that the next vertex goes to; kSeparator where none can go.
+  /// The side to which the next vertex moves, or kSeparator if no vertex can move.
   Side choose() {
     const std::uint32_t left = best(kLeft), right = best(kRight);
     const auto fits = [&](std::uint32_t v, Side to) {
@@ -199,7 +200,7 @@ class Refiner {
     return (lighter == kLeft ? left : right) != kNone ? lighter : kSeparator;
   }
 
-  /// One pass; true where the cost fell.
+  /// Makes one pass. Returns whether the cost fell.
   bool pass() {
     std::fill(locked_.begin(), locked_.end(), 0);
     for (auto& queue : queue_) queue = {};
@@ -235,7 +236,8 @@ class Refiner {
   std::vector<Change> changes_;
 };
 
-/// Half of the weight, breadth first from `seed`; of the rest, what touches it is the separator.
+/// Grows one side from `seed`, breadth first, to half of the weight. The other vertices that touch this side
+/// are the separator.
 std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
   std::vector<Side> side(n, kRight);
@@ -270,7 +272,7 @@ std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, Pace
   return side;
 }
 
-/// The labels, and what they cost.
+/// The labels and their cost.
 struct Parted {
   std::vector<Side> side;
   double cost;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Few vertices that part a graph into two of about the same weight.
+// A small set of vertices that separates a graph into two parts of about the same weight.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace boxplus {
 
-/// An undirected graph: vertex v has the neighbors neighbor[start[v]] … neighbor[start[v + 1] − 1], never
-/// itself, each once.
+/// An undirected graph. Vertex v has the neighbors neighbor[start[v]] … neighbor[start[v + 1] − 1], each
+/// once, and never itself.
 struct WeightedGraph {
   std::vector<std::uint32_t> start{0}, neighbor;
   std::vector<std::int64_t> edge_weight;  // of each neighbor
@@ -24,14 +24,14 @@ struct WeightedGraph {
   std::int64_t total() const;
 };
 
-/// Where a vertex lies: no edge joins the two sides.
+/// The side of a vertex. No edge joins the two sides.
 enum Side : std::uint8_t { kLeft, kRight, kSeparator };
 
-/// Multilevel vertex separator: the graph is coarsened by heavy-edge matching, the coarsest parted by growing
-/// one side, and the separator refined on every level on the way back (Karypis and Kumar, "A fast and high
-/// quality multilevel scheme for partitioning irregular graphs", 1998; the refinement after Fiduccia and
-/// Mattheyses 1982 and Ashcraft and Liu 1998). The same labels in every run. O(edges log vertices).
-/// Throws Stopped once the token is raised.
+/// A multilevel vertex separator. The graph is coarsened by heavy-edge matching, the coarsest graph is parted
+/// by growing one side, and the separator is refined on every level on the way back (Karypis and Kumar, "A
+/// fast and high quality multilevel scheme for partitioning irregular graphs", 1998; the refinement after
+/// Fiduccia and Mattheyses 1982 and Ashcraft and Liu 1998). The labels are the same in every run. O(edges log
+/// vertices). Throws Stopped when the token is raised.
 std::vector<Side> find_separator(const WeightedGraph& graph, const StopToken& stop = {});
 
 }  // namespace boxplus

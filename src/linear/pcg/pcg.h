@@ -10,10 +10,10 @@
 
 namespace boxplus {
 
-/// Needs multiply() and block_diagonal() only. factorize() keeps a reference to the system, which must
-/// outlive the solves; the damping is copied. A diagonal block that is not positive definite is named by
-/// factorize(); a direction of curvature ≤ 0 met in solve() gives kNotPositiveDefinite there. If solve()
-/// does not return kOk, x holds the last iterate.
+/// Needs only multiply() and block_diagonal(). factorize() keeps a reference to the system, which must
+/// outlive the solves, and copies the damping. If a diagonal block is not positive definite, factorize()
+/// names it. If solve() finds a direction of curvature ≤ 0, it returns kNotPositiveDefinite. If solve() does
+/// not return kOk, x holds the last iterate.
 class Pcg final : public LinearSolver {
  public:
   std::string_view name() const override { return "pcg"; }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels of an elimination for blocks of any size, in plain loops.
+// The kernels of an elimination for blocks of any size, as plain loops.
 #pragma once
 
 #include "kernels/kernel_table.h"
 
 namespace boxplus {
 
-/// Work on blocks of every size; the kernels of each instruction set compute the same for common sizes.
+/// Kernels for blocks of any size. The kernels of each instruction set compute the same for common sizes.
 extern const dense::EliminationKernels kEliminationReference;
 
 /// The fastest kernels for blocks W of rows × dim.

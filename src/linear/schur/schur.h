@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination of a set of vertices by the Schur complement, explicit or as an operator.
+// Elimination of a set of vertices by the Schur complement, which is explicit or an operator.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@ namespace boxplus {
 
 class PacedStop;
 
-/// With H = [V Wᵀ; W U], V block diagonal over the eliminated vertices (the first blocks), solves
-/// (H + λD) x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H itself is only read, so another λ re-assembles
-/// nothing. (Brown, "A solution to the general problem of multiple station analytical stereotriangulation",
-/// 1958; Triggs et al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
+/// H = [V Wᵀ; W U], and V is block diagonal over the eliminated vertices (the first blocks). Solves (H + λD)
+/// x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H is only read, so another λ needs no new assembly of H.
+/// (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958;
+/// Triggs et al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
 ///
 /// Allocates only when constructed. `structure` must outlive it.
 class Schur {
  public:
-  /// Throws Stopped once the token is raised.
+  /// Throws Stopped when the token is raised.
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
         const StopToken& stop = {});
 
@@ -32,12 +32,12 @@ class Schur {
   std::uint32_t eliminated_blocks() const { return eliminated_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
 
-  /// Factorizes V + λD and, if asked for at construction, forms S without the λD of the kept blocks, which
-  /// the linear solver adds. `values` are H's and must stay until the last use. Names the block of H,
-  /// and the scalar, that is not positive definite. Returns LinearStatus::kStopped soon after the token is
-  /// raised.
+  /// Factorizes V + λD and, with `explicit_values`, forms S without the λD of the kept blocks, which the
+  /// linear solver adds. `values` are those of H and must not change until the last use. If a block is not
+  /// positive definite, names the block of H and the scalar. Returns LinearStatus::kStopped soon after the
+  /// token is raised.
   FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {});
-  /// The part of a damping that concerns the kept blocks.
+  /// The part of a damping that belongs to the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
   /// r_kept − W V⁻¹ r_eliminated.
   void reduce(const double* r, double* reduced_r);
@@ -46,8 +46,8 @@ class Schur {
 
   /// x ← (V + λD)⁻¹ x for one eliminated block.
   void solve_eliminated(std::uint32_t block, double* x) const;
-  /// Calls f(kept block, values of W's block, its rows) for the kept blocks that an eliminated one is joined
-  /// with.
+  /// Calls f(kept block, values of W's block, its rows) for the kept blocks that are joined with an
+  /// eliminated one.
   template <class F>
   void for_each_joined(std::uint32_t eliminated, F&& f) const {
     const auto [begin, end] =

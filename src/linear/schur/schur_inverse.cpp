@@ -37,7 +37,7 @@ class ReducedInverse {
     return blocks_.empty() || inner.selected_inverse(blocks_, values_.data(), stop);
   }
 
-  /// Copies block (i, j), which was wanted.
+  /// Copies block (i, j), which must have been requested.
   void read(std::uint32_t i, std::uint32_t j, Eigen::Ref<MatrixXd> out) const {
     const BlockCoordinate lower{std::max(i, j), std::min(i, j)};
     const auto found = std::lower_bound(blocks_.begin(), blocks_.end(), lower, precedes);
@@ -67,7 +67,7 @@ class ReducedInverse {
   std::vector<double> values_;
 };
 
-/// With M = [−Y, I], H⁻¹ = Mᵀ S⁻¹ M, plus (V + λD)⁻¹ on the eliminated diagonal.
+/// Computes H⁻¹ = Mᵀ S⁻¹ M, plus (V + λD)⁻¹ on the eliminated diagonal, with M = [−Y, I].
 class Inverter {
  public:
   Inverter(const Schur& schur, const StopToken& stop)
@@ -92,7 +92,8 @@ class Inverter {
   bool eliminated(std::uint32_t block) const { return block < schur_.eliminated_blocks(); }
   std::uint32_t kept(std::uint32_t block) const { return block - schur_.eliminated_blocks(); }
 
-  /// The kept blocks through which a block of H reaches S⁻¹: itself, or those that it is joined with.
+  /// Calls f for the rows of S⁻¹ that a block of H needs: its own, or those of the kept blocks that it is
+  /// joined with.
   template <class F>
   void for_each_reached(std::uint32_t block, F&& f) const {
     if (eliminated(block)) {

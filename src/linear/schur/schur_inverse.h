@@ -9,10 +9,10 @@
 
 namespace boxplus {
 
-/// With Y = W (V + λD)⁻¹ and S⁻¹ the inverse of the damped Schur complement, which `inner` has factorized,
-/// (H + λD)⁻¹ = [(V + λD)⁻¹ + Yᵀ S⁻¹ Y, −Yᵀ S⁻¹; −S⁻¹ Y, S⁻¹]. Fills the requests; asks `inner` once, for the
-/// blocks of S⁻¹ that they need: for eliminated blocks those of the rows that they are joined with. False if
-/// `inner` cannot do it, or `stop` is raised.
+/// `inner` has factorized the damped Schur complement S. With Y = W (V + λD)⁻¹, (H + λD)⁻¹ = [(V + λD)⁻¹ + Yᵀ
+/// S⁻¹ Y, −Yᵀ S⁻¹; −S⁻¹ Y, S⁻¹]. Fills the requests. Calls `inner` once, for all blocks of S⁻¹ that are
+/// needed: an eliminated block needs those of the kept blocks that it is joined with. Returns false if
+/// `inner` cannot do this, or if `stop` is raised.
 bool invert_blocks(const Schur& schur, LinearSolver& inner, std::span<const InverseRequest> requests,
                    const StopToken& stop);
 

@@ -57,7 +57,7 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
   if (system.values().size() != structure_->nonzero_values())
     throw InvalidArgument("SchurSolver::factorize: expected the block values of the analyzed structure");
   if (control.stop.raised()) return {LinearStatus::kStopped};
-  if (reduced_->values().empty()) {  // the inner solver sees no values in which it could find this
+  if (reduced_->values().empty()) {  // without values, the inner solver could not find this
     const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
     if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   }
@@ -87,7 +87,7 @@ SolveResult SchurSolver::solve(const double* b, int columns, double* x, const So
   return total;
 }
 
-/// At most batch_ columns.
+/// Solves for at most batch_ columns.
 SolveResult SchurSolver::solve_batch(const double* b, int columns, double* x, const SolveControl& control) {
   const std::size_t size = structure_->scalars(), kept = schur_->reduced_structure().scalars();
   double* reduced = reduced_vectors_.data();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination behind the seam of the linear solvers: the Schur complement, and another solver for what is
-// left.
+// Elimination as a LinearSolver: the Schur complement, and another solver for the remaining blocks.
 #pragma once
 
 #include <memory>
@@ -11,8 +10,9 @@
 
 namespace boxplus {
 
-/// Eliminates the blocks that AnalyzeHints::eliminated_blocks says, and gives the rest to `inner`, by whose
-/// name and statistics it goes. If none or all blocks are to be eliminated, it is `inner` and no more.
+/// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the others. It has
+/// the name and the statistics of `inner`. If no blocks, or all of them, are to be eliminated, `inner` solves
+/// for all blocks.
 class SchurSolver final : public LinearSolver {
  public:
   /// `inner` is not null.
@@ -28,11 +28,11 @@ class SchurSolver final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
-  /// Also of eliminated blocks, if the inner solver gives those of the inverse of the Schur complement.
+  /// Also inverts eliminated blocks, if the inner solver has blocks of the inverse of the Schur complement.
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                         const StopToken& stop = {}) override;
   LinearStatistics statistics() const override { return inner_->statistics(); }
-  /// Not that of a solver that eliminates.
+  /// The order of the inner solver; empty if blocks are eliminated.
   std::span<const std::uint32_t> elimination_order() const override {
     return eliminates() ? std::span<const std::uint32_t>() : inner_->elimination_order();
   }
@@ -48,7 +48,7 @@ class SchurSolver final : public LinearSolver {
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;
   std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, then their solutions
-  int batch_ = 1;                        // for how many there is room
+  int batch_ = 1;                        // the number of vectors for which there is room
   bool factorized_ = false;
 };
 

@@ -7,7 +7,7 @@
 
 namespace boxplus {
 
-/// Calls f with n as a constant if n is common, so that its loops unroll; else with n.
+/// Calls f with n as a compile-time constant if n is common, so that loops unroll; otherwise with n.
 template <class F>
 inline auto with_small_size(int n, F&& f) {
   switch (n) {
@@ -22,8 +22,8 @@ inline auto with_small_size(int n, F&& f) {
   }
 }
 
-/// A = LLᵀ in place (lower triangle), with the reciprocals of L's diagonal in place of the diagonal. Returns
-/// n, or the first pivot by which A is not positive definite to working precision.
+/// Factorizes A = LLᵀ in place (lower triangle). The diagonal holds the reciprocals of L's diagonal. Returns
+/// n, or the first pivot that shows that A is not positive definite to working precision.
 template <class Size>
 inline int small_cholesky(double* a, Size n) {
   for (int j = 0; j < n; ++j) {
@@ -42,7 +42,7 @@ inline int small_cholesky(double* a, Size n) {
   return n;
 }
 
-/// x ← (LLᵀ)⁻¹ x, L as small_cholesky() leaves it.
+/// x ← (LLᵀ)⁻¹ x; L is the result of small_cholesky().
 template <class Size>
 inline void small_solve(const double* l, Size n, double* x) {
   for (int i = 0; i < n; ++i) {

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The joint chordal guess.
 //
-// With rotations relaxed to arbitrary d × d matrices, what was measured is linear in the unknowns:
+// If rotations are relaxed to arbitrary d × d matrices, the measurements are linear in the unknowns:
 //   R_j = R_i R_ij,   t_j − t_i = R_i t_ij,   l − t_i = R_i z.
-// Row a of R_i and coordinate a of t_i appear together and with no other row; so the problem falls apart into
-// d problems (one per axis of the world) of the same matrix. With X_i = [R_iᵀ; t_iᵀ], whose column a holds
-// the unknowns of axis a,
+// Row a of R_i and coordinate a of t_i appear together, and never with another row. So the problem separates
+// into d problems with the same matrix, one per axis of the world. With X_i = [R_iᵀ; t_iᵀ], whose column a
+// holds the unknowns of axis a, the equations are
 //   pose → pose      X_j = M X_i,                 M = [R_ijᵀ 0; t_ijᵀ 1]
 //   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
 // A constant frame, or the world, has a known X. Between points, l − k = z.
 //
-// Weights. A rotation that is off by a small θ adds ω θ² to chi2, where ω is the information per squared
-// radian; its relaxed equation is off by ‖R_i R_ij − R_j‖² ≈ 2θ². So rotation rows are due ω/2, with ω the
-// mean over the axes (a scalar, or the axes of the world would not separate), and translation rows the mean
-// information of the translation. But relaxed rotations shrink with their distance from the roots, and
-// measured lengths, which do not, then pull at them; so rotation rows weigh kRotationEmphasis times more. Of
-// the factors 0.1 … 10⁴ tried on public pose graphs and landmark maps, 10 gave a lower chi2 than 1 on each of
-// them, and more is better without landmarks but worse with them.
+// Weights. A rotation error by a small angle θ adds ω θ² to chi2 if ω is the information per squared radian;
+// it adds ‖R_i R_ij − R_j‖² ≈ 2θ² to the relaxed equation. So the right weight of rotation rows is ω/2. ω is
+// the mean over the axes, because the axes of the world separate only if it is a scalar. Translation rows
+// have the mean information of the translation. But relaxed rotations shrink with their distance from the
+// roots, while measured lengths do not shrink and distort them. So rotation rows get kRotationEmphasis times
+// more weight. Of the factors 0.1 … 10⁴ tried on public pose graphs and landmark maps, 10 gave a lower chi2
+// than 1 on each of them; larger factors are better without landmarks, but worse with them.
 #include <algorithm>
 #include <atomic>
 #include <utility>
@@ -50,10 +50,10 @@ class Chordal {
   Chordal(const FrameGraph& frames, const Plan& plan, const Components& components, int d,
           const GuessLimits& limits);
 
-  /// Finds all frames without moving anything.
+  /// Computes all frames without moving a vertex.
   LinearStatus solve();
   void move_vertices(FrameGraph& frames) const;
-  /// What was not measured in all directions kept its estimate in the others.
+  /// Whether some vertices were not measured in all directions and kept their estimates in the others.
   bool anchored() const { return anchored_; }
 
  private:
@@ -74,7 +74,7 @@ class Chordal {
 
   const FrameGraph& frames_;
   const GuessLimits& limits_;
-  std::vector<std::uint32_t> order_;  // in which to eliminate the blocks; empty: to be found
+  std::vector<std::uint32_t> order_;  // elimination order of the blocks; empty: to be computed
   int d_;
   std::vector<const Measurement*> measurements_;
   std::vector<std::uint32_t> block_;  // per node
@@ -114,7 +114,7 @@ Frame Chordal::frame(Node node) const {
   return block_[node] == kConstant ? frames_.frame(node) : found_[block_[node]];
 }
 
-/// Calls work(0), work(1), …, unless it is to stop.
+/// Calls work(0), work(1), …. Returns kStopped if the token is raised.
 template <class F>
 LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
   PacedStop pace(limits_.stop, kBetweenStops);
@@ -128,9 +128,9 @@ LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
 /// The same on all threads, in any order.
 template <class F>
 LinearStatus Chordal::for_each_in_parallel(std::size_t count, F&& work) const {
-  constexpr std::size_t kWorthAThread = 500;
+  constexpr std::size_t kMinPerThread = 500;
   const std::size_t most = static_cast<std::size_t>(std::max(1, limits_.threads));
-  const std::size_t parts = std::clamp<std::size_t>(count / kWorthAThread, 1, most);
+  const std::size_t parts = std::clamp<std::size_t>(count / kMinPerThread, 1, most);
   std::atomic<bool> stopped = false;
   parallel_tasks(static_cast<int>(parts), [&](int part) {
     const std::size_t p = static_cast<std::size_t>(part), begin = count * p / parts;
@@ -156,8 +156,9 @@ SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) cons
   return system;
 }
 
-/// Where some unknown is not measured in all directions (a pose that sees a single landmark), all are tied to
-/// their estimates as weakly as the arithmetic permits, so that only those directions notice.
+/// Solves the system. If an unknown is not measured in all directions (a pose that sees a single landmark),
+/// ties all unknowns to their estimates, as weakly as rounding permits, so that only the other directions
+/// change.
 LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positions_only) {
   constexpr double kAnchor = 1e-9;  // of the largest entry of the matrix
   const LinearStatus status = system.solve(limits_, order_);
@@ -188,7 +189,7 @@ LinearStatus Chordal::solve_joint() {
   });
 }
 
-/// ‖ A X_to − B X_from ‖²_W, where what is known of the two goes to the right-hand side.
+/// Adds ‖ A X_to − B X_from ‖²_W. If one of the two is known, it goes to the right-hand side.
 void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system) const {
   const Frame motion = frames_.motion(m);
   const int rows = m.has_rotation ? d_ + 1 : 1;
@@ -207,9 +208,9 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
   system.add(block(m.to), a, block(m.from), b, c, weight);
 }
 
-/// As relaxed rotations shrink with their distance from the roots, so do the positions found with them. They
-/// are found again from the projected rotations, t_j − t_i = R_i t_ij: on public graphs chi2 is then lower by
-/// a factor of 2 to 3000. The matrix is a part of the joint one, hence positive definite as well.
+/// Solves t_j − t_i = R_i t_ij for the positions again, with the projected rotations. The first positions
+/// shrink with the distance from the roots, as relaxed rotations do. On public graphs, this lowers chi2 by a
+/// factor of 2 to 3000. The matrix is a part of the joint one, so it is positive definite as well.
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
   LinearStatus status =
@@ -251,7 +252,7 @@ std::string_view why_not_solved(LinearStatus status) {
   }
 }
 
-/// Moves the vertices, or throws Stopped, some of them moved.
+/// Moves the vertices. If it throws Stopped, some of them may have moved.
 GuessResult find_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
   FrameGraph frames(graph, plan, limits.stop);
   if (frames.measurements().empty()) return {false, kNothingMeasured};

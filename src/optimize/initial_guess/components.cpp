@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kRooted = 0xFFFFFFFEu;
 
-/// Where a part of the graph has points, and where they were measured to be.
+/// Points of a part of the graph, and their measured positions.
 struct Correspondences {
   int dimension = 0;
   std::vector<double> guessed, measured;
@@ -26,8 +26,8 @@ struct Correspondences {
     return dimension > 0 ? static_cast<Eigen::Index>(guessed.size()) / dimension : 0;
   }
 
-  /// The motion that brings the guessed points onto the measured ones; a mere translation where there is one
-  /// point.
+  /// The rigid motion of the guessed points that fits the measured ones best; a translation if there is only
+  /// one point.
   Frame alignment() const {
     const Eigen::Map<const Eigen::MatrixXd> from(guessed.data(), dimension, count());
     const Eigen::Map<const Eigen::MatrixXd> to(measured.data(), dimension, count());
@@ -55,7 +55,7 @@ Components::Components(const FrameGraph& frames, const StopToken& stop)
   for (Node node : by_id) {
     if (frames.pose(node)) add_free_root(node);
   }
-  // What is left are points among themselves: a known position holds them.
+  // The remaining measurements are between points: a known position is a root for these.
   for (const Measurement& m : frames.measurements()) {
     if (is_position_anchor(m)) flood(movable_end(m), kRooted);
   }
@@ -68,13 +68,14 @@ void Components::add_free_root(Node node) {
   free_roots_.push_back(node);
 }
 
-/// The end that moves of a measurement against a constant, or kWorld where both ends move.
+/// The movable end of a measurement with one constant end, or kWorld if both ends move.
 Node Components::movable_end(const Measurement& m) const {
   if (m.from == FrameGraph::kWorld || !frames_.movable(m.from)) return m.to;
   return frames_.movable(m.to) ? FrameGraph::kWorld : m.from;
 }
 
-/// Against a constant; and a pose is involved whose rotation says how the movable end is turned.
+/// Whether a measurement makes its movable end a root: its other end is constant, and a pose is involved
+/// whose rotation determines the orientation.
 bool Components::is_root(const Measurement& m) const {
   const Node moving = movable_end(m);
   if (moving == FrameGraph::kWorld) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which parts of the graph have a root, and what to do about the others.
+// The connected parts of a graph, and roots for those that have none.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace boxplus::guess {
 
-/// The connected parts of the movable vertices; landmarks connect the poses that see them, constants do not.
+/// The connected parts of the movable vertices. Landmarks connect the poses that see them; constants do not.
 ///
-/// A part has a root where a constant pose or the world is measured together with a pose of it, or a constant
-/// pose sees one of its points. Other absolute measurements (a position of a pose, a point of known position)
-/// tell too little to start from: a part that has only these is guessed from its pose of lowest id, then
-/// moved onto them.
+/// A part has a root if one of its poses is measured relative to a constant pose or to the world, or if a
+/// constant pose sees one of its points. Other absolute measurements (the position of a pose, a point with
+/// known position) are not enough to start from. If a part has only these, the guess starts at its pose of
+/// lowest id, and the part is then moved to fit them.
 class Components {
  public:
-  /// Throws Stopped once the token is raised, which must outlive it; so does align().
+  /// This and align() throw Stopped when the token is raised. The token must outlive this object.
   explicit Components(const FrameGraph& frames, const StopToken& stop);
 
-  /// The poses (in parts without poses, the points) that stand in for missing roots.
+  /// The poses (in parts without poses, the points) that serve as roots of parts without one.
   const std::vector<Node>& free_roots() const { return free_roots_; }
-  /// True for the absolute positions of a part without root.
+  /// Whether the measurement is an absolute position in a part without a root, which align() uses.
   bool left_for_alignment(const Measurement& measurement) const;
-  /// Moves each part without root rigidly onto the absolute positions measured in it (Umeyama, "Least-squares
-  /// estimation of transformation parameters between two point patterns", 1991).
+  /// Moves each part without a root rigidly, to fit the absolute positions measured in it (Umeyama,
+  /// "Least-squares estimation of transformation parameters between two point patterns", 1991).
   void align(FrameGraph& frames) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace boxplus::guess {
 namespace {
 
-/// Mean of the diagonal entries [first, first + count) of Ω.
+/// The mean of the diagonal entries [first, first + count) of Ω.
 double mean_information(const InformationView& information, int first, int count) {
   double sum = 0;
   for (int i = first; i < first + count; ++i) sum += information(i, i);
@@ -61,7 +61,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   if (from == to || !look_at(to, relative.motion.dimension)) return;
   const bool has_rotation = relative.motion.has_rotation && pose(to);
   if (!absolute && !look_at(from, relative.motion.dimension)) return;
-  if (!absolute && !pose(from) && pose(to)) return;  // nothing that a point could tell of a pose
+  if (!absolute && !pose(from) && pose(to)) return;  // a point determines no pose
   if (!movable(to) && (absolute || !movable(from))) return;
 
   const InformationView information = pool.information(edge);
@@ -80,7 +80,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
                            has_rotation || from_point, rotation_weight, translation_weight});
 }
 
-/// Notes what kind of vertex it is; false where it is neither pose nor point of that dimension.
+/// Records the kind of a vertex. Returns false if it is neither a pose nor a point of that dimension.
 bool FrameGraph::look_at(Node node, int dimension) {
   std::uint8_t& flags = flags_[node];
   if ((flags & kSeen) == 0) {

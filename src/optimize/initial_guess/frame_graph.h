@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The graph as initial guesses see it: poses and points, and what was measured between them.
+// The graph as initial guesses see it: poses, points and the measurements between them.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace boxplus::guess {
 
-/// Index of a vertex among the slots of all pools: flat arrays instead of maps.
+/// The index of a vertex among the slots of all pools, so that arrays can be used instead of maps.
 using Node = std::uint32_t;
 
-/// Measurements, or frames, that a loop goes through between two questions to the token.
+/// The number of measurements or frames that a loop processes between two checks of the stop token.
 inline constexpr std::int64_t kBetweenStops = 256;
 
-/// A relative measurement T_to ≈ T_from · motion; a point stands for a frame with the axes of the world. The
-/// motion itself is asked of the edge again when it is needed.
+/// A relative measurement T_to ≈ T_from · motion. A point counts as a frame with the axes of the world. The
+/// motion is not stored; the edge computes it again when it is needed.
 struct Measurement {
   Node from, to;              ///< `from` may be FrameGraph::kWorld
-  std::uint32_t pool, edge;   ///< where it comes from
+  std::uint32_t pool, edge;   ///< the edge that measures it
   bool has_rotation;          ///< false: only the position of `to` is measured
   bool leads_forward;         ///< the frame of `to` follows from that of `from`
   bool leads_backward;        ///< the frame of `from` follows from that of `to`
@@ -34,17 +34,17 @@ class FrameGraph {
  public:
   static constexpr Node kWorld = 0xFFFFFFFFu;
 
-  /// Throws Stopped once the token is raised.
+  /// Throws Stopped when the token is raised.
   FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop = {});
 
   std::span<const Measurement> measurements() const { return measurements_; }
   Frame motion(const Measurement& measurement) const;
-  /// Indices of the measurements that touch a node, or of those from the world.
+  /// The indices of the measurements that touch a node, or those from the world for kWorld.
   std::span<const std::uint32_t> touching(Node node) const;
 
   Node nodes() const { return first_.back(); }
   Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
-  /// Taking part: touched by a measurement.
+  /// Whether a measurement touches the node, so that it takes part.
   bool used(Node node) const { return (flags_[node] & kUsed) != 0; }
   bool movable(Node node) const { return (flags_[node] & kMovable) != 0; }
   bool pose(Node node) const { return (flags_[node] & kPose) != 0; }

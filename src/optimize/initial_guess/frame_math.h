@@ -19,7 +19,7 @@ void set_translation(Frame& frame, const SmallVector& translation);
 
 /// The origin of the world, as a pose.
 Frame world_frame(int dimension);
-/// A · B; a point where B has no rotation.
+/// A · B; a point if B has no rotation.
 Frame compose(const Frame& a, const Frame& b);
 /// A · B⁻¹ for poses A and B.
 Frame compose_with_inverse(const Frame& a, const Frame& b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From relaxed rotations back to rotations.
+// The projection of relaxed rotations onto rotations.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace boxplus::guess {
 
-/// The R in SO(d) that is nearest to M in the Frobenius norm (Umeyama 1991, lemma): with M = U S Vᵀ, R = U D
-/// Vᵀ where D = diag(1, …, 1, det(U) det(V)). Empty where it is not unique: M has less than d − 1 singular
-/// values above zero, or is a reflection whose two smallest are equal.
+/// The R in SO(d) that is nearest to M in the Frobenius norm (Umeyama 1991, lemma): with M = U S Vᵀ and D =
+/// diag(1, …, 1, det(U) det(V)), R = U D Vᵀ. Empty if it is not unique, because M has fewer than d − 1
+/// nonzero singular values, or is a reflection whose two smallest singular values are equal.
 std::optional<SmallMatrix> nearest_rotation(const SmallMatrix& m);
 
 }  // namespace boxplus::guess

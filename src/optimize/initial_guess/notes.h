@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the initial guesses say about themselves.
+// The notes of the initial guesses (GuessResult::note).
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@ inline constexpr std::string_view kNothingMeasured = "no enabled edge measures a
 inline constexpr std::string_view kSingular =
     "the measured poses and positions do not determine all vertices";
 inline constexpr std::string_view kAnchored =
-    "some vertices are not measured in all directions and kept their estimates there";
-inline constexpr std::string_view kStopped = "the initial guess was not finished when the run was to end";
+    "some vertices are not measured in all directions and kept their estimates in the others";
+inline constexpr std::string_view kStopped = "the run was stopped before the initial guess was finished";
 inline constexpr std::string_view kNotSolved = "the linear problem of the chordal guess was not solved";
 inline constexpr std::string_view kNotFinite = "the linear problem of the chordal guess is not finite";
 

@@ -14,7 +14,8 @@ using guess::FrameGraph;
 using guess::Measurement;
 using guess::Node;
 
-/// The position of every pose among all poses by id. Parameters, which have their own ids, get none.
+/// The rank of every pose among all poses, sorted by id. Parameters have none, because their ids are
+/// separate.
 std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken& stop) {
   PacedStop pace(stop);
   constexpr std::int64_t kFar = -2;
@@ -31,10 +32,11 @@ std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken&
   return rank;
 }
 
-/// A chain of links; as few others as possible bridge its gaps.
+/// Costs for which the shortest paths follow the chain, and bridge gaps with as few other measurements as
+/// possible.
 std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
   const std::vector<std::int64_t> rank = ranks_by_id(frames, stop);
-  const double bridge = static_cast<double>(frames.nodes()) + 1;  // dearer than any chain
+  const double bridge = static_cast<double>(frames.nodes()) + 1;  // costs more than any chain
   std::vector<double> cost;
   cost.reserve(frames.measurements().size());
   for (const Measurement& m : frames.measurements()) {

@@ -27,8 +27,7 @@ class ShortestPaths {
     }
     for (Node root : components_.free_roots()) start_at(root);
     settle_all();
-    for (Node node :
-         frames_.movable_by_id(stop_)) {  // poses that are joined to a root through landmarks only
+    for (Node node : frames_.movable_by_id(stop_)) {  // poses that only landmarks connect to a root
       if (distance_[node] < std::numeric_limits<double>::infinity()) continue;
       start_at(node);
       settle_all();

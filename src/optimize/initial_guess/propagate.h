@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sets frames one from the other, along the shortest paths from the roots.
+// Sets frames along the shortest paths from the roots.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace boxplus::guess {
 
-/// Dijkstra's algorithm over the measurements, measurement k costing `cost[k]` > 0. Moves every movable
-/// vertex that a root reaches; where none does, the pose of lowest id becomes one. Equal costs are settled by
-/// node index.
+/// Dijkstra's algorithm over the measurements; measurement k has the length `cost[k]` > 0. Moves every
+/// movable vertex that a root reaches. In a part that no root reaches, the pose of lowest id becomes one.
+/// Among equal costs, the lower node index comes first.
 ///
-/// Throws Stopped once the token is raised; some vertices have moved then.
+/// Throws Stopped when the token is raised; some vertices have moved then.
 void propagate(FrameGraph& frames, std::span<const double> cost, const StopToken& stop);
 
 }  // namespace boxplus::guess

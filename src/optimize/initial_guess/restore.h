@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A guess that is stopped leaves no trace.
+// Restores the estimates if a guess is stopped.
 #pragma once
 
 #include "boxplus/optimize/initial_guess.h"
@@ -8,7 +8,7 @@
 
 namespace boxplus::guess {
 
-/// make(), a GuessResult; if it is stopped, the estimates are put back and no guess is made.
+/// Returns the GuessResult of make(). If make() is stopped, restores the estimates, and no guess is made.
 template <class Make>
 GuessResult guess_or_restore(Graph& graph, const Plan& plan, Make&& make) {
   const Estimates before(graph, plan);

@@ -22,7 +22,7 @@ SeparableLeastSquares::Strided SeparableLeastSquares::rows_of(std::uint32_t i) {
           Eigen::OuterStride<>(structure_.scalars())};
 }
 
-/// AᵀWA and AᵀWC.
+/// Adds AᵀWA and AᵀWC.
 void SeparableLeastSquares::add_square(std::uint32_t i, const SmallMatrix& a, const SmallMatrix& c,
                                        const SmallVector& weight) {
   const SmallMatrix weighted = a.transpose() * weight.asDiagonal();
@@ -48,11 +48,11 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
 }
 
 LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits, std::span<const std::uint32_t> order) {
-  constexpr double kTolerance = 1e-4;  // of an iterative solver: more brings no better start
+  constexpr double kTolerance = 1e-4;  // of an iterative solver; more accuracy gives no better start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
   if (limits.stop.raised()) return LinearStatus::kStopped;
   LinearSolverOptions options;
-  options.block_cholesky.ordering = Ordering::kMinimumDegree;  // one factorization pays for no dissection
+  options.block_cholesky.ordering = Ordering::kMinimumDegree;  // dissection is too slow for one factorization
   options.automatic.max_factor_bytes = limits.max_factor_bytes;
   const auto solver = make_linear_solver(LinearSolverKind::kAutomatic, options);
   AnalyzeHints hints;
@@ -60,7 +60,7 @@ LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits, std::span<c
   hints.threads = limits.threads;
   hints.order = order;
   solver->analyze(structure_, hints, limits.stop);
-  const AssembledSystem system(structure_, values_);  // some solvers refer to it
+  const AssembledSystem system(structure_, values_);  // some solvers keep a reference to it
   const SolveControl control{.relative_tolerance = kTolerance, .stop = limits.stop};
   const FactorResult factor = solver->factorize(system, Damping{}, control);
   if (factor.status != LinearStatus::kOk) return factor.status;

@@ -12,24 +12,25 @@
 
 namespace boxplus::guess {
 
-/// Minimizes Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns numbers.
+/// Minimizes Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns values.
 ///
-/// Called as: join() every pair of blocks that share a term, then add() the terms, then solve().
+/// First join() every pair of blocks that share a term, then add() the terms, then solve().
 class SeparableLeastSquares {
  public:
-  static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< stands for a block that is no unknown
+  static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< the index of blocks that are no unknowns
 
   SeparableLeastSquares(std::vector<std::uint32_t> dims, int columns)
       : dims_(std::move(dims)), columns_(columns) {}
 
   void join(std::uint32_t i, std::uint32_t j);
-  /// Throws Stopped once the token is raised.
+  /// Throws Stopped when the token is raised.
   void finish_structure(const StopToken& stop = {});
-  /// One term; the A (B) of a constant block is not used. `weight`: the diagonal of W.
+  /// Adds one term. The A (B) of a constant block is not used. `weight`: the diagonal of W.
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
-  /// `order`: in which to eliminate the blocks X_i; empty: it looks for one. May be called again after more
-  /// add() where the matrix was not positive definite. Throws Stopped once the token of `limits` is raised.
+  /// `order`: the elimination order of the blocks X_i; if it is empty, the solver computes one. If the matrix
+  /// was not positive definite, it may be called again after more calls of add(). Throws Stopped when the
+  /// token of `limits` is raised.
   LinearStatus solve(const GuessLimits& limits = {}, std::span<const std::uint32_t> order = {});
   double largest_diagonal() const;
   /// X_i, after solve().
