@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Questions to a StopToken inside of tight loops.
+// Checks of a StopToken inside tight loops.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace boxplus {
 
-/// Asks a token once in `steps` steps, so that a step costs a subtraction and a branch. With the default, and
-/// steps that take some 50 ns (a cache miss or two), there are about 50 µs between two questions.
+/// Checks a token once in `steps` steps, so that a step costs a subtraction and a branch. With the default,
+/// and steps of about 50 ns (a cache miss or two), there are about 50 µs between two checks.
 class PacedStop {
  public:
   static constexpr std::int64_t kSteps = 1024;
   explicit PacedStop(const StopToken& token, std::int64_t steps = kSteps)
       : token_(token), steps_(steps), left_(steps) {}
 
-  /// Throws Stopped if it asks and the token is raised.
+  /// Throws Stopped if a check is due and the token is raised.
   void step(std::int64_t count = 1) {
     if (is_due(count)) token_.check();
   }

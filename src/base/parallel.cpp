@@ -26,7 +26,7 @@ using Task = FunctionRef<void(int)>;
 
 constexpr auto kSpin = std::chrono::microseconds(50);
 
-/// True on workers, and on a caller while it runs its own share: calls from there do not fork again.
+/// True on workers, and on a caller while it runs its share. Calls from there do not use other threads.
 thread_local bool inside_task = false;
 
 void pause_briefly() {
@@ -51,7 +51,8 @@ void spin_then_sleep(std::mutex& mutex, std::condition_variable& wake, Ready rea
   }
 }
 
-/// Runs task(first) … task(last − 1) here, all of them whatever they throw; returns the first exception.
+/// Runs task(first) … task(last − 1) on this thread, all of them even if some throw. Returns the first
+/// exception.
 std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
   std::exception_ptr failure;
   for (int i = first; i < last; ++i) {
@@ -66,9 +67,9 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
 
 /// One thread, which lives as long as the process, with a mailbox for one task at a time.
 ///
-/// `posted` and `done` count tasks given and finished; the owner posts again only after wait(). Both are
-/// changed under the mutex, so that no sleeper misses a change, and read without it by who spins: `task` and
-/// `failure` are published by them.
+/// `posted` and `done` count the posted and the finished tasks. The owner posts again only after wait(). Both
+/// change only under the mutex, so that a sleeping thread misses no change. A spinning thread reads them
+/// without the mutex; they publish `task` and `failure`.
 class Worker {
  public:
   explicit Worker(int index) {
@@ -87,7 +88,7 @@ class Worker {
     wake_.notify_one();
   }
 
-  /// Returns when the posted task has ended, with what it threw.
+  /// Returns when the posted task has ended, with its exception, if any.
   std::exception_ptr wait() {
     spin_then_sleep(mutex_, finished_, [this] { return done_.load() == posted_.load(); });
     return std::exchange(failure_, nullptr);
@@ -133,8 +134,8 @@ class Pool {
   }
 
  private:
-  /// Makes workers until there are `count`; where the system grants no more, fewer must do. Returns how many
-  /// of them there are to use.
+  /// Starts workers until there are `count`, or until the system grants no more. Returns the number of
+  /// workers to use.
   int grow_to(int count) {
     workers_.reserve(static_cast<std::size_t>(count));
     try {
@@ -153,8 +154,9 @@ class Pool {
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 
-/// The pool of this process, which is never destroyed: destructors of global objects may use it. A forked
-/// child has none of its parent's threads, so it gets a new pool and abandons the copy of the old one.
+/// The pool of this process. It is never destroyed, because destructors of global objects may use it. A
+/// forked child has none of its parent's threads, so it makes a new pool and abandons the copy of the old
+/// one.
 Pool& pool() {
   static Pool* instance = [] {
     pthread_atfork(nullptr, nullptr, [] { instance = new Pool(); });

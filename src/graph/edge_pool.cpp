@@ -36,7 +36,7 @@ EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, int tails)
   if (tails > 0) vertex_start_.push_back(0);
 }
 
-/// vertex_pool() of an edge with several tails.
+/// vertex_pool() for edges with several tails.
 std::uint32_t EdgePool::pool_in_tails(std::uint32_t edge, int i) const {
   const std::size_t singles = vertex_pools_.size() - static_cast<std::size_t>(tails_);
   auto rest = static_cast<std::size_t>(i);
@@ -71,7 +71,7 @@ InformationKind EdgePool::informations(std::span<const std::uint32_t> edges, int
   return InformationKind::kFull;
 }
 
-/// chi2() of at most EdgeTile::kCapacity edges, where there is a kernel.
+/// chi2() of at most EdgeTile::kCapacity edges. Returns false if there is no kernel for them.
 bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const {
   constexpr int kMostRows = dense::kMostEdgeRows, kMostNumbers = kMostRows * (kMostRows + 1) / 2;
   double errors[EdgeTile::kCapacity * kMostRows], full[EdgeTile::kCapacity * kMostNumbers];
@@ -84,7 +84,7 @@ bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) 
   return true;
 }
 
-/// chi2() of at most EdgeTile::kCapacity edges that all have `rows` rows, kMostEdgeRows at most.
+/// chi2() of at most EdgeTile::kCapacity edges that all have `rows` rows, at most kMostEdgeRows.
 void EdgePool::chi2_of_tile(std::span<const std::uint32_t> edges, int rows, double* out) const {
   double error[EdgeTile::kCapacity * dense::kMostEdgeRows];
   errors(edges, error);
@@ -99,7 +99,8 @@ void EdgePool::chi2_of_tile(std::span<const std::uint32_t> edges, int rows, doub
 void EdgePool::chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const {
   constexpr std::size_t kRoom = 512;
   double room[kRoom];
-  // An error function may evaluate another graph on this thread, so the memory is taken out meanwhile.
+  // Takes the memory out while it is used, because an error function may evaluate another graph on this
+  // thread.
   auto& kept = thread_scratch<std::vector<double>, struct LongError>();
   std::vector<double> more = std::move(kept);
   for (const std::uint32_t edge : edges) {
@@ -136,8 +137,8 @@ void EdgePool::reserve_slots(std::size_t edges) {
   information_.reserve(growth);
 }
 
-/// Where in free_ an edge of this arity lies, or its size. Of the slots of other arities that may lie on top
-/// only a few are looked at.
+/// The position in free_ of a slot for this arity, or the size of free_. Looks at only a few slots of other
+/// arities.
 std::size_t EdgePool::find_free(std::size_t arity) const {
   constexpr std::size_t kLook = 16;
   for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {

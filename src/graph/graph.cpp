@@ -60,7 +60,7 @@ void Graph::check(EdgeRef edge) const {
     throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
 }
 
-/// A vertex that appears twice.
+/// Finds a vertex that appears twice.
 std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> vertices) {
   if (vertices.size() == 2) return vertices[0] == vertices[1] ? std::optional(vertices[0]) : std::nullopt;
   std::vector<VertexRef> sorted(vertices.begin(), vertices.end());
@@ -234,7 +234,7 @@ double Graph::chi2() const {
       double e2 = 0;
       pool->chi2(std::span(&edge, 1), &e2);
       const RobustKernel* kernel = pool->kernel(edge);
-      sum += kernel && std::isfinite(e2) ? (*kernel)(e2).value : e2;  // no kernel hides what is not finite
+      sum += kernel && std::isfinite(e2) ? (*kernel)(e2).value : e2;  // a kernel must not hide NaN and Inf
     }
   }
   return sum;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a Graph is made, copied and moved.
+// Construction, copies and moves of a Graph.
 #include <atomic>
 #include <utility>
 
@@ -13,7 +13,7 @@ Graph::~Graph() = default;
 
 std::uint32_t Graph::new_epoch() noexcept {
   static std::atomic<std::uint32_t> epochs = 0;
-  constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // times 2^32: its multiples spread evenly
+  constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // of 2^32; its multiples are spread evenly
   return kGoldenRatio * epochs.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -22,8 +22,8 @@ Graph::Saved::Saved(const Saved& other) {
     parts.push_back({part.slots, part.generations, part.estimates ? part.estimates->clone() : nullptr});
 }
 
-// The index of edges is made again when it is needed. The elements keep their generations,
-// so that the handles of `other` fit; from now on, the copy counts from a number of its own.
+// The index of edges is made again when it is needed. The elements keep their generations, so that the
+// handles of `other` are valid. New elements of the copy get generations from another number on.
 Graph::Graph(const Graph& other)
     : edge_access_(other.edge_access_),
       vertex_pool_of_(other.vertex_pool_of_),

@@ -10,8 +10,8 @@
 namespace boxplus {
 namespace {
 
-/// All bits of the result depend on all bits of x (xor-shifts and multiplications: Steele, Lea, Flood, Fast
-/// splittable pseudorandom number generators, 2014).
+/// A hash of x: all bits of the result depend on all bits of x (xor-shifts and multiplications: Steele, Lea,
+/// Flood, Fast splittable pseudorandom number generators, 2014).
 std::uint64_t mixed(std::uint64_t x) {
   constexpr std::uint64_t kGolden = 0x9E37'79B9'7F4A'7C15;  // 2⁶⁴ divided by the golden ratio
   for (int round = 0; round < 2; ++round) x = (x ^ (x >> 32)) * kGolden;
@@ -20,7 +20,7 @@ std::uint64_t mixed(std::uint64_t x) {
 
 }  // namespace
 
-/// The index of the id's entry, or of the free one that ends the search for it.
+/// The index of the id's entry, or of the free entry that ends the search.
 std::size_t IdMap::place_of(Id id) const {
   const auto number = static_cast<std::uint64_t>(id);
   const std::size_t mask = entries_.size() - 1;

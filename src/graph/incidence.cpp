@@ -60,7 +60,7 @@ void Graph::index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexce
   }
 }
 
-/// The same as edges() without an index. O(edges).
+/// edges() without an index. O(edges).
 std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
   std::vector<EdgeRef> result;
   for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {

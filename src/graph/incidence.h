@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which edges use a vertex.
+// An index of the edges that use a vertex.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace boxplus {
 
-/// A list of edges per vertex. Removed edges stay listed until their list is read, or grows: their handles
-/// are stale, so they are recognized.
+/// A list of edges per vertex. Removed edges stay in a list until it is read or grows. They are recognized,
+/// because their handles are stale.
 class Graph::Incidence {
  public:
   /// O(vertices + edges).
   explicit Incidence(const Graph& graph);
 
-  /// Amortized O(1) per vertex. Where it throws, the index must be dropped.
+  /// Amortized O(1) per vertex. If it throws, the caller must drop the index.
   void add(const Graph& graph, EdgeRef edge, std::span<const VertexRef> vertices);
   /// The edges of a vertex, sorted. O(d log d).
   const std::vector<EdgeRef>& edges(const Graph& graph, VertexRef vertex);
-  /// The same, of a vertex that goes away.
+  /// The same for a vertex that is to be removed.
   std::vector<EdgeRef> take(const Graph& graph, VertexRef vertex);
 
  private:

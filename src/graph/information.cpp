@@ -13,15 +13,15 @@
 namespace boxplus {
 namespace {
 
-/// Position of (i, j), i ≤ j, in an upper triangle of n rows stored row by row.
+/// The position of (i, j), i ≤ j, in an upper triangle of n rows that is stored row by row.
 int triangle_index(int i, int j, int n) {
   return i * n - i * (i - 1) / 2 + (j - i);
 }
 
-/// Up to so many rows, Ω is looked at without allocation.
+/// Up to this many rows, Ω is checked without allocation.
 constexpr int kSmall = 6;
 
-/// What is wrong with a full Ω, if anything.
+/// The reason why a full Ω is invalid; empty if it is valid.
 template <class Storage>
 std::string complaint_about(const InformationView& omega) {
   const int rows = omega.rows;
@@ -34,8 +34,8 @@ std::string complaint_about(const InformationView& omega) {
     return "information: expected a positive semi-definite matrix, got the diagonal entry " +
            std::to_string(least);
   }
-  // A Cholesky without square roots of the slightly shifted matrix: cheap, and exact enough to tell
-  // indefinite ones.
+  // A Cholesky without square roots of the slightly shifted matrix. It is cheap, and accurate enough to find
+  // indefinite matrices.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
   Storage l = full;
   for (int k = 0; k < rows; ++k) {
@@ -122,7 +122,7 @@ Information Information::diagonal(std::span<const double> values) {
 Information Information::upper_triangle(std::span<const double> values, int rows) {
   if (rows < 0 || values.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2) {
     throw InvalidArgument("information: expected the " + std::to_string(rows * (rows + 1) / 2) +
-                          " numbers of an upper triangle of " + std::to_string(rows) + " rows, got " +
+                          " values of an upper triangle of " + std::to_string(rows) + " rows, got " +
                           std::to_string(values.size()));
   }
   bool diagonal = rows > 0, scalar = diagonal;
@@ -151,7 +151,7 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
   for (int i = 0; i < n; ++i) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also where one of them is NaN
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also if one of them is NaN
         throw InvalidArgument(fmt::format(
             "information: expected a symmetric matrix, but ({0},{1}) = {2:.9g} and ({1},{0}) = {3:.9g}", i, j,
             matrix(i, j), matrix(j, i)));
@@ -170,7 +170,7 @@ std::string Information::complaint(int rows) const {
            std::to_string(rows_);
   }
   for (double v : values) {
-    if (!std::isfinite(v)) return "information: expected finite numbers, got " + std::to_string(v);
+    if (!std::isfinite(v)) return "information: expected finite values, got " + std::to_string(v);
   }
   if (kind_ != InformationKind::kFull) {
     for (double v : values) {

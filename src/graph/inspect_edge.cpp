@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One edge at the current estimates.
+// The error, weight and Jacobian of one edge at the current estimates.
 #include "boxplus/graph/graph.h"
 
 namespace boxplus {

@@ -12,7 +12,8 @@
 namespace boxplus {
 namespace {
 
-// Powers of ten that doubles hold exactly: n / 10^k is then what the decimal text reads as.
+// Doubles hold powers of ten up to this one exactly, so n / 10^k is the same double that the decimal text
+// gives.
 constexpr int kMostDecimals = 22;
 constexpr auto kPowers = [] {
   std::array<double, kMostDecimals + 1> powers{1};
@@ -25,7 +26,7 @@ double rounded(double x, int decimals) {
   return std::nearbyint(x * power) / power;
 }
 
-/// Decimals that `digits` significant digits of x take.
+/// The number of decimals for `digits` significant digits of x.
 int decimals_of(double x, int digits) {
   int decimals = digits;  // for 0.1 ≤ |x| < 1
   for (double least = 0.1; decimals < kMostDecimals && std::abs(x) < least && x != 0; least /= 10) ++decimals;
@@ -41,8 +42,9 @@ Numbers normalized_numbers(const Numbers& q) {
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
-/// The numbers of so many decimals that are a multiple of q, and that normalizing turns into q. The largest
-/// tells the factor: it was printed as the nearest number of its decimals, or as a neighbor of that.
+/// Finds numbers with the given decimals that are a multiple of q and become q when they are normalized. The
+/// largest one gives the factor: it was printed as the nearest number with its decimals, or as a neighbor of
+/// that.
 std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest) {
   constexpr double kRoundingNoise = 0.01;
   const double power = kPowers[static_cast<std::size_t>(decimals[largest])];

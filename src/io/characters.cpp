@@ -6,7 +6,7 @@
 namespace boxplus {
 namespace {
 
-/// The longest beginning of at most `size` bytes that does not cut a UTF-8 character.
+/// The longest prefix of at most `size` bytes that does not cut a UTF-8 character.
 std::string_view beginning(std::string_view text, std::size_t size) {
   if (text.size() <= size) return text;
   while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;

@@ -7,13 +7,13 @@
 
 namespace boxplus {
 
-/// Blank within a line. Any other control character is part of a field.
+/// Whether c is a blank within a line. Any other control character is part of a field.
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// `text` in quotes, not too long, its control characters and bytes that are not UTF-8 as \xNN; "the end of
-/// the line" for nothing.
+/// `text` in quotes, shortened if it is long. Control characters and bytes that are not UTF-8 become \xNN. An
+/// empty text gives "the end of the line".
 std::string quoted(std::string_view text);
 
 }  // namespace boxplus

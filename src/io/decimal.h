@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decimal numbers as graph files are full of: up to 19 digits, no exponent. In a header, for the sake of the
-// loop that reads a line.
+// Reads the decimal numbers that are common in graph files: up to 19 digits, no exponent. It is a header, so
+// that the loop that reads a line can inline it.
 #pragma once
 
 #include <array>
@@ -13,11 +13,12 @@ namespace boxplus {
 
 struct Decimal {
   double value = 0;
-  const char* end = nullptr;  ///< behind the last digit; nullptr: not such a number, and nothing else is said
+  const char* end =
+      nullptr;  ///< after the last digit; nullptr: no such number, and the other members mean nothing
   bool is_integer = false;
 };
 
-/// Up to so many characters from `at` on are looked at.
+/// The most characters, from `at` on, that are read.
 inline constexpr std::ptrdiff_t kDecimalRoom = 56;
 
 namespace decimal {
@@ -44,14 +45,15 @@ inline constexpr std::uint64_t in_all_lanes(std::uint64_t byte) {
   return byte * 0x0101'0101'0101'0101;
 }
 
-/// Eight characters, a digit as its value 0 … 9. The first lies in the lowest lane.
+/// Eight characters, one per lane; a digit becomes its value 0 … 9. The first is in the lowest lane.
 inline std::uint64_t load(const char* at) {
   std::uint64_t word = 0;
   std::memcpy(&word, at, sizeof word);
   return word ^ in_all_lanes('0');
 }
 
-/// The top bit of each lane that holds no digit; lanes above the first such one may be wrong. 0: all are.
+/// The top bit of each lane that holds no digit; 0 if all lanes are digits. Lanes above the first one that is
+/// no digit may be wrong.
 inline std::uint64_t not_digits(std::uint64_t word) {
   return ((word + in_all_lanes(0x80 - 10)) | word) & in_all_lanes(0x80);
 }
@@ -60,19 +62,19 @@ inline int count_before(std::uint64_t lane_bits) {
   return std::countr_zero(lane_bits) / 8;
 }
 
-/// The number of eight digits. Neighbors are joined: ones to twos, to fours, to eight.
+/// The number with these eight digits. Joins neighbors: single digits to pairs, to groups of four, to eight.
 inline std::uint64_t joined(std::uint64_t word) {
   word = (word * 10 + (word >> 8)) & 0x00FF'00FF'00FF'00FF;
   word = (word * 100 + (word >> 16)) & 0x0000'FFFF'0000'FFFF;
   return (word * 10000 + (word >> 32)) & 0xFFFF'FFFF;
 }
 
-/// The number of the first `count` digits, which move up, so that zeros come in front of them.
+/// The number with the first `count` digits. Shifts them up, so that zeros come before them.
 inline std::uint64_t joined(std::uint64_t word, int count) {
   return count == 0 ? 0 : joined(word << (8 * (kLanes - count)));
 }
 
-/// w · 10^count + digits; false if that is too large.
+/// w ← w · 10^count + digits. Returns false if this is too large.
 inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
   const std::uint64_t power = kPowers<10, kLanes>[static_cast<std::size_t>(count)];
   return !__builtin_mul_overflow(w, power, &w) && !__builtin_add_overflow(w, digits, &w);
@@ -81,8 +83,8 @@ inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
 /// w / 10^k, correctly rounded.
 inline double rounded_quotient(std::uint64_t w, int k) {
   if (w == 0) return 0;
-  // With both shifted up to their top bits, their quotient has 62 or 63 bits: more than a double. The lowest
-  // also stands for the remainder.
+  // If both are shifted up to their top bits, the quotient has 62 or 63 bits, more than a double. Its lowest
+  // bit also represents the remainder.
   constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
   const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
   const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
@@ -101,13 +103,13 @@ inline double with_sign(double magnitude, bool is_negative) {
 
 }  // namespace decimal
 
-/// The number of the form -?d+(.d+)? that begins at `at`, correctly rounded: the nearest double. If it has
-/// more than seven digits before the point, or too many behind it, or if no number begins there, the result
-/// has no `end`, and a general reader has to try.
+/// The number of the form -?d+(.d+)? that begins at `at`, correctly rounded to the nearest double. If no such
+/// number begins there, or if it has more than seven digits before the point or too many after it, the result
+/// has no `end`, and the caller must use a general reader.
 ///
-/// Digits are taken eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
-/// full-word instructions, 1975). They are divided by their power of five in integers; the remainder says how
-/// to round. All numbers take the same path, because branches would be hard to predict.
+/// Digits are read eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
+/// full-word instructions, 1975). They are divided by their power of five in integers, and the remainder
+/// determines the rounding. All numbers take the same path, because branches would be hard to predict.
 inline Decimal read_decimal(const char* at) {
   using namespace decimal;
   if constexpr (!kHasWideIntegers || std::endian::native != std::endian::little) return {};
@@ -125,7 +127,7 @@ inline Decimal read_decimal(const char* at) {
   const char* const decimals = ++at;
   for (word = load(at); (others = not_digits(word)) == 0; word = load(at)) {
     if (!append(w, kLanes, joined(word)) || at - decimals > kMostDecimals) return {};
-    at += kLanes;  // a constant, so that the next word is looked at before the length of this one is known
+    at += kLanes;  // a constant, so that the next word is loaded before the length of this one is known
   }
   count = count_before(others);
   if (!append(w, count, joined(word, count))) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of the formats that the library brings.
+// The table of the library's formats.
 #include "boxplus/io/file_format.h"
 #include "io/g2o/g2o_format.h"
 #include "io/toro/toro_format.h"

@@ -24,7 +24,7 @@ bool is_all_of(std::string_view text, Parse&& parse) {
 
 }  // namespace
 
-/// The beginning of the field with so many fields before it, or the end of the line if there is none.
+/// The position of the field that has `field` fields before it, or the end of the line if there is none.
 std::size_t FieldReader::position_of(std::size_t field) const {
   const auto next = [this](std::size_t at, bool blank) {
     while (at < line_.size() && is_blank(line_[at]) == blank) ++at;

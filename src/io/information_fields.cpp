@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// The values, if they have been converted already: without a copy.
+/// The values without a copy, if they have been converted already.
 std::span<const double> read_listed(FieldReader& in, std::size_t count) {
   if (const auto converted = in.converted(count); !converted.empty()) return converted;
   auto& values = thread_scratch<std::vector<double>, struct ListedInformation>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Work that several workers prepare and one finishes, in order.
+// A pipeline: several workers prepare items, and one consumes them in order.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 
 namespace boxplus {
 
-/// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the caller in the
-/// order of k. Items are used again: a few per worker exist. `threads`: at most; 0: one per hardware thread.
+/// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the caller, in the
+/// order of k. Only a few items per worker exist, and they are used again. `threads`: at most; 0: one per
+/// hardware thread.
 template <class Item, class Prepare, class Consume>
 void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Consume&& consume) {
   constexpr std::size_t kItemsPerWorker = 4;

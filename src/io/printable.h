@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes text from files and arguments harmless to terminals. Header only, because programs use it, too.
+// Makes text from files and arguments harmless to terminals. Header only, because programs use it as well.
 #pragma once
 
 #include <cstddef>

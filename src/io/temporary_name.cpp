@@ -14,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// A copy that a signal handler can read whatever the process is doing: static, and never freed.
+/// A copy of the name that a signal handler can read at any time, because it is static and never freed.
 struct Slot {
   enum State : char { kFree, kChanging, kHolds };
   std::atomic<State> state{kFree};
@@ -22,7 +22,7 @@ struct Slot {
 };
 static_assert(std::atomic<Slot::State>::is_always_lock_free, "signal handlers must not wait for locks");
 
-constexpr int kSlots = 8;  // files that are written at the same time; more are not removed by handlers
+constexpr int kSlots = 8;  // if more files are written at the same time, handlers do not remove the others
 std::array<Slot, kSlots> slots;
 
 /// The slot that holds `name` from now on, or -1.

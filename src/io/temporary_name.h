@@ -5,8 +5,8 @@
 
 namespace boxplus {
 
-/// The name of a file that is removed with this object, or by remove_temporary_files() when a signal ends the
-/// process. May be empty.
+/// The name of a file that is removed when this object is destroyed, or by remove_temporary_files() when a
+/// signal ends the process. May be empty.
 class TemporaryName {
  public:
   TemporaryName() = default;
@@ -14,9 +14,9 @@ class TemporaryName {
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;
 
-  /// Takes over a file that was just made.
+  /// Takes ownership of a file that was just created.
   void assign(std::string name);
-  /// The file has moved, and may stay.
+  /// Gives up ownership, because the file was renamed and stays.
   void release();
 
   bool empty() const { return name_.empty(); }

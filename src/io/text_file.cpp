@@ -22,7 +22,7 @@ namespace {
   throw FileError(fmt::format("{}: {}: {}", path, what, std::strerror(error)));
 }
 
-/// Writes all of `text`; the error number, or 0.
+/// Writes all of `text`. Returns the error number, or 0.
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor, text.data(), text.size());
@@ -52,7 +52,7 @@ bool is_special_file(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// A link stays a link: the file that it names is replaced, or made.
+/// The file that a link names, so that this file is replaced or created, and the link stays.
 std::string target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::filesystem::path target = path;
@@ -71,8 +71,9 @@ void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<v
   if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
 
-/// A file beside `target` that takes its place. Until then it has no name, if the file system supports that:
-/// however the process ends, nothing is left behind. Otherwise remove_temporary_files() knows its name.
+/// A file in the folder of `target` that will replace it. Until then it has no name, if the file system
+/// supports this, so that nothing is left behind when the process ends. Otherwise remove_temporary_files()
+/// knows its name.
 class Replacement {
  public:
   Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {
@@ -126,7 +127,7 @@ FileDescriptor::~FileDescriptor() {
 
 std::optional<std::size_t> FileDescriptor::regular_size() const {
   struct stat status {};
-  // Files of /proc are regular and claim to be empty.
+  // Files of /proc are regular, but report size 0.
   if (::fstat(value_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return std::nullopt;
   return static_cast<std::size_t>(status.st_size);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files, read and replaced.
+// Reads and replaces files.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace boxplus {
 
-/// An open file, closed with its owner.
+/// An open file, which is closed when this object is destroyed.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int value = -1) : value_(value) {}
@@ -33,15 +33,15 @@ class FileDescriptor {
   int value_;
 };
 
-/// These throw FileError; `path` stands for the file in its message.
+/// These functions throw FileError, with `path` as the name of the file.
 FileDescriptor open_for_reading(const std::string& path);
 std::string read_all(const FileDescriptor& file, const std::string& path);
 /// Up to `size` bytes from `offset` on; fewer only at the end of the file.
 std::size_t read_at(const FileDescriptor& file, const std::string& path, std::size_t offset, char* out,
                     std::size_t size);
 
-/// Replaces a file, at once or not at all. `write` gets a sink for the new text. Pipes and devices, such as
-/// /dev/stdout, cannot be replaced: they are written to. Throws FileError.
+/// Replaces a file atomically. `write` gets a sink for the new text. Pipes and devices, such as /dev/stdout,
+/// are written to, because they cannot be replaced. Throws FileError.
 void replace_file(const std::string& path, FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

@@ -50,7 +50,7 @@ std::string_view TextSource::block(std::size_t k, std::string& memory) const {
   return part.substr(first, newline == std::string_view::npos ? newline : newline + 1 - first);
 }
 
-/// `count` bytes from `begin` on, fewer at the end of the text.
+/// The `count` bytes from `begin` on; fewer at the end of the text.
 std::string_view TextSource::bytes(std::size_t begin, std::size_t count, std::string& memory) const {
   if (!file_) return (owned_.empty() ? text_ : std::string_view(owned_)).substr(begin, count);
   if (memory.size() < count) memory.resize(count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors and Jacobians of relative-pose edges, one edge per lane. The formulas, and the plain functions that
-// these are compared with, are in boxplus/types/slam2d (slam3d)/between_jacobians.h.
+// are the reference for tests, are in boxplus/types/slam2d (slam3d)/between_jacobians.h.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -12,14 +12,14 @@ inline Pack all(double value) {
   return Pack{} + value;
 }
 
-/// An angle of (−2π, 2π) in (−π, π].
+/// Wraps an angle in (−2π, 2π) to (−π, π].
 inline Pack wrapped(Pack angle) {
   constexpr double kPi = 3.14159265358979323846;
   const Pack above = angle > all(kPi) ? angle - 2 * kPi : angle;
   return angle > all(-kPi) ? above : angle + 2 * kPi;
 }
 
-/// Poses of the plane as x y θ cos θ sin θ.
+/// For poses in the plane, given as x y θ cos θ sin θ.
 inline void between_se2_of(const Pack* z, const Pack* i, const Pack* j, double* error, double* jacobian) {
   const auto put = [](double* to, int m, Pack value) { store(to + m * kTileLanes, value); };
   const Pack dx = j[0] - i[0], dy = j[1] - i[1];
@@ -83,7 +83,7 @@ inline void rotation_columns(const LaneQuaternion& q, Pack (&r)[3][3]) {
   r[2][0] = xz + wy, r[2][1] = yz - wx, r[2][2] = one - (xx + yy);
 }
 
-/// Poses of space as x y z qx qy qz qw.
+/// For poses in space, given as x y z qx qy qz qw.
 inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* error, double* jacobian) {
   const LaneQuaternion qz{z[3], z[4], z[5], z[6]}, qi{i[3], i[4], i[5], i[6]}, qj{j[3], j[4], j[5], j[6]};
   const LaneQuaternion qa = conjugate_times(qi, qj), qd = conjugate_times(qz, qa);
@@ -103,7 +103,7 @@ inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* 
   rotation_columns(qd, rd);
   // (w_Z I − [v_Z]×)(w_A I − [v_A]×) + v_Z v_Aᵀ = (w_Z w_A − v_Z·v_A) I − [w_Z v_A + w_A v_Z]×
   //                                               + v_A v_Zᵀ + v_Z v_Aᵀ,
-  // as [a]× [b]× = b aᵀ − (a·b) I.
+  // because [a]× [b]× = b aᵀ − (a·b) I.
   const Pack vz[3] = {qz.x, qz.y, qz.z}, va[3] = {qa.x, qa.y, qa.z};
   const Pack diagonal = qz.w * qa.w - (vz[0] * va[0] + vz[1] * va[1] + vz[2] * va[2]);
   const Pack cross_i[3] = {qz.w * va[0] + qa.w * vz[0], qz.w * va[1] + qa.w * vz[1],
@@ -115,7 +115,7 @@ inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* 
     const int c1 = (c + 1) % 3, c2 = (c + 2) % 3;  // column c of [v]× has v[c2] in row c1, −v[c1] in row c2
 #pragma GCC unroll 3
     for (int r = 0; r < 3; ++r) {
-      // R_Zᵀ is row by row what R_Z is column by column.
+      // The rows of R_Zᵀ are the columns of R_Z.
       put(r, c, -rz[r][c]);
       put(r, 3 + c, 2 * (rz[r][c1] * ta[c2] - rz[r][c2] * ta[c1]));
       put(3 + r, c, zero);
@@ -130,7 +130,7 @@ inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* 
   }
 }
 
-/// Applies `between`, for poses of N numbers, to all edges.
+/// Applies `between`, for poses of N values, to all edges.
 template <int N, int kRows, class Between>
 inline void between_all(const PosePairs& edges, double* error, double* jacobian, Between&& between) {
   for (int k = 0; k < edges.count; k += kLanes) {

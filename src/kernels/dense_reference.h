@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operations of dense_kernels.h, written as their definitions: what the fast ones are tested
-// against. For Scalar = double and float.
+// The operations of dense_kernels.h, written as their definitions: the reference for tests of the fast ones.
+// For Scalar = double and float.
 #pragma once
 
 namespace boxplus::dense::reference {

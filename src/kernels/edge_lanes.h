@@ -27,8 +27,8 @@ inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
   }
 }
 
-/// The results of kLanes edges: H_ii, H_ji and H_jj, column by column, and both gradients; first number by
-/// number, then edge by edge.
+/// The results of kLanes edges: H_ii, H_ji and H_jj, column by column, and both gradients. They are computed
+/// value by value for all edges, and then transposed to be contiguous for each edge.
 template <int R, int I, int J>
 struct LaneProducts {
   static constexpr int kII = 0, kJI = I * I, kJJ = kJI + J * I, kGradient = kJJ + J * J;
@@ -96,7 +96,7 @@ struct LaneProducts {
   }
 };
 
-/// How many numbers an Ω of R rows has.
+/// The number of values of an Ω of R rows.
 template <int R, EdgeNumbers::Kind kKind>
 inline constexpr int kOmegaNumbers = kKind == EdgeNumbers::kFull ? R*(R + 1) / 2
                                                                  : (kKind == EdgeNumbers::kDiagonal ? R : 1);
@@ -126,7 +126,7 @@ void add_edges_of(const EdgeLanes& tile) {
   }
 }
 
-/// f of the kind as a constant.
+/// Calls f with the kind as a compile-time constant.
 template <class F>
 inline void for_kind(EdgeNumbers::Kind kind, F&& f) {
   switch (kind) {
@@ -181,7 +181,7 @@ inline void squared_norms(int rows, int count, const double* error, EdgeNumbers:
   });
 }
 
-/// The blocks of `size` numbers of edges that lie one after the other, in lanes.
+/// Copies the blocks of `size` values of edges, which lie one after the other, to lanes.
 inline void to_lanes(const double* edges, int size, int count, double* lanes) {
   for (int k = 0; k < count; k += kLanes) {
     const double* blocks[kLanes];

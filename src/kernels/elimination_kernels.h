@@ -19,7 +19,7 @@ struct ColumnPart {
 #endif
 };
 
-/// N consecutive doubles in registers; no byte beyond them is read or written.
+/// N consecutive doubles in registers. Reads and writes no byte beyond them.
 template <int N>
 struct Column {
   static constexpr int kWidth = ColumnPart<N>::kWidth;
@@ -65,7 +65,7 @@ void half_block(int, int, const double* l, const double* w, double* y) {
   }
 }
 
-/// C −= A Bᵀ, A in registers; Cols is 0 if the number of B's rows is known at run time only.
+/// C −= A Bᵀ, with A in registers. Cols is 0 if the number of B's rows is known only at run time.
 template <int R, int N, int Cols>
 inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int b_rows, double* c) {
   const int cols = Cols > 0 ? Cols : b_rows;

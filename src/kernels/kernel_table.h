@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense kernels, compiled once per instruction set; which are used is chosen when the program starts.
+// The dense kernels, compiled once per instruction set. The set is chosen when the program starts.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace boxplus::dense {
 /// The largest edges that normal_products() takes.
 inline constexpr int kMostEdgeRows = 8, kMostEdgeColumns = 16;
 
-/// What is known of an edge: the columns of J, one at least, wherever they lie; Ω is one number, one per row,
-/// or the upper triangle by rows.
+/// An edge: the columns of J, at least one, each at any address. Ω is one value, one value per row, or the
+/// upper triangle by rows.
 struct EdgeNumbers {
   enum Kind { kScalar, kDiagonal, kFull };
   int rows, cols;
@@ -19,15 +19,15 @@ struct EdgeNumbers {
   const double* error;
   Kind kind;
   const double* omega;
-  double weight;  ///< that Ω is multiplied with
+  double weight;  ///< the factor on Ω
 };
 
-/// Edges that are worked on side by side: number m of the block of edge k, of n numbers, lies at
-/// ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
+/// The number of edges that are processed side by side. In lanes, value m of the block of edge k, which has n
+/// values, lies at ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
 inline constexpr int kTileLanes = 8;
 
-/// Where a binary edge goes: the offsets of both vertices in the gradient, then those of H_ii, H_ji and H_jj
-/// among the values. kTransposedTarget says that H_ij is stored in place of H_ji.
+/// The targets of a binary edge: the offsets of both vertices in the gradient, then those of H_ii, H_ji and
+/// H_jj among the values. kTransposedTarget means that H_ij is stored instead of H_ji.
 inline constexpr int kBinaryTargets = 5;
 inline constexpr std::uint32_t kNoTarget = 0xFFFFFFFFu, kTransposedTarget = 0x80000000u;
 
@@ -57,14 +57,14 @@ struct UnaryEdges {
 /// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
 using AddUnaryEdges = void (*)(const UnaryEdges& edges);
 
-/// Edges that measure one pose from another: pointers to the numbers of each.
+/// Edges that measure one pose relative to another: pointers to the values of each.
 struct PosePairs {
   int count;
   const double *const *measurement, *const *from, *const *to;
 };
 
-/// The products of one block A with blocks B, `count` of them one after the other: the one of block k, which
-/// has b_rows[k] rows, goes to values + targets[k].
+/// The products of one block A with `count` blocks B, which lie one after the other. Block k has b_rows[k]
+/// rows, and its product is added at values + targets[k].
 struct BlockProducts {
   const double* b;
   const int* b_rows;
@@ -73,11 +73,11 @@ struct BlockProducts {
   double* values;
 };
 
-/// Steps of an elimination (linear/schur/schur.h) on a block W of rows × dim numbers, column-major.
+/// Steps of an elimination (linear/schur/schur.h) on a block W of rows × dim values, column-major.
 struct EliminationKernels {
-  /// y = W L⁻ᵀ, L dim × dim with the reciprocals of its diagonal in place of the diagonal.
+  /// y = W L⁻ᵀ. L is dim × dim, with the reciprocals of its diagonal in place of the diagonal.
   void (*half_block)(int rows, int dim, const double* l, const double* w, double* y);
-  /// C −= A Bᵀ for each block B; A rows × dim, B b_rows × dim, C rows × b_rows.
+  /// C −= A Bᵀ for each block B. A is rows × dim, B is b_rows × dim, C is rows × b_rows.
   void (*subtract_block_products)(int rows, int dim, const double* a, const BlockProducts& products);
   /// y −= W x.
   void (*subtract_block_multiple)(int rows, int dim, const double* w, const double* x, double* y);
@@ -85,7 +85,7 @@ struct EliminationKernels {
   void (*subtract_transposed_multiple)(int rows, int dim, const double* w, const double* x, double* y);
 };
 
-/// A run of consecutive numbers and the place it goes to.
+/// A run of consecutive values and its destination.
 struct Run {
   std::uint32_t source, destination, length;
 };
@@ -95,17 +95,17 @@ template <class Scalar>
 struct ExtendAdd {
   const Scalar* update;  // below × below
   int below;
-  const Run *columns, *columns_end, *end;  // the columns to add; the rows go on until `end`
+  const Run *columns, *columns_end, *end;  // the columns to add; the rows continue until `end`
   Scalar* to;
   int leading;
   std::uint32_t row_origin, column_origin;  // of the parent's front, from which destinations count
 };
 
-/// Columns that are factored together before the rest of a panel is updated: a strip of A over them stays in
-/// L1.
+/// The number of columns that are factored together before the rest of a panel is updated. A strip of A over
+/// them stays in the L1 cache.
 inline constexpr int kBlock = 64;
 
-/// The kernels of a factorization in doubles or floats; dense_kernels.h says what they do.
+/// The kernels of a factorization in double or float. dense_kernels.h documents them.
 template <class Scalar>
 struct FactorKernels {
   int (*factor_panel)(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot);
@@ -131,20 +131,21 @@ struct FactorKernels {
 /// One set of kernels.
 struct KernelTable {
   const char* name;
-  /// Of the kernels for fronts of medium size, on the processors of about 2023 that this set was measured on.
+  /// The time of the kernels for fronts of medium size, measured on processors of about 2023.
   double nanoseconds_per_flop;
   FactorKernels<double> in_double;
   FactorKernels<float> in_float;
-  /// products = JᵀΩJ, column-major with the stride that is returned, and gradient = JᵀΩe. Both have room for
-  /// kMostEdgeColumns columns of kMostEdgeColumns numbers; what lies beyond cols is overwritten.
+  /// products = JᵀΩJ, column-major with the returned stride, and gradient = JᵀΩe. Both have room for
+  /// kMostEdgeColumns columns of kMostEdgeColumns values; values beyond cols are overwritten.
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
-  /// block += source; the block is rows × cols and dense, the source has the given stride.
+  /// block += source. The block is rows × cols and dense; the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
-  /// The kernel for binary edges of these sizes, or null where there is none.
+  /// The kernel for binary edges of these sizes, or null if there is none.
   AddEdges (*add_edges_for)(int rows, int dim_i, int dim_j);
   /// The kernel for unary edges of these sizes, or null if there is none.
   AddUnaryEdges (*add_unary_edges_for)(int rows, int dim);
-  /// Puts blocks of `size` numbers that lie edge after edge into lanes; the last lanes repeat the last edge.
+  /// Copies blocks of `size` values, which lie edge after edge, to lanes. The remaining lanes repeat the last
+  /// edge.
   void (*to_lanes)(const double* edges, int size, int count, double* lanes);
   /// out[k] = eᵀΩe of edge k, of 3 or 6 rows. `error` in lanes; all Ω of one kind.
   void (*squared_norms)(int rows, int count, const double* error, EdgeNumbers::Kind kind,
@@ -158,8 +159,8 @@ struct KernelTable {
 
 /// The sets that this processor can run, the best one last.
 std::span<const KernelTable* const> usable_kernels();
-/// The set in use: the best, or the one that the environment variable BOXPLUS_ISA names (baseline, avx2,
-/// avx512), where the processor can run it.
+/// The set in use: the best one or, if the processor can run it, the one that the environment variable
+/// BOXPLUS_ISA names (baseline, avx2, avx512).
 const KernelTable& kernels();
 template <class Scalar>
 const FactorKernels<Scalar>& factor_kernels() {
@@ -169,7 +170,7 @@ const FactorKernels<Scalar>& factor_kernels() {
     return kernels().in_float;
   }
 }
-/// Uses another set from now on: for tests, while nothing else runs.
+/// Uses another set from now on. Only for tests, while nothing else runs.
 void use_kernels(const KernelTable& table);
 
 namespace baseline {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Register tiles: a few packs of rows times a strip of columns, accumulated over k.
+// Register tiles: products of a few packs of rows with a strip of columns, accumulated over k.
 #pragma once
 
 #include "kernels/simd_pack.h"
@@ -13,8 +13,8 @@ struct Operand {
   int step_k, step_column;
 };
 
-/// What becomes of the tile: C −= A·B, C = −A·B, or C = (C − A·B) T⁻ᵀ with a lower triangle T (inverse
-/// diagonal given).
+/// The use of the tile: C −= A·B, C = −A·B, or C = (C − A·B) T⁻ᵀ with a lower triangle T (its inverse
+/// diagonal is given).
 enum class TileUse { kSubtract, kSet, kDivide };
 
 template <class Scalar>
@@ -24,7 +24,8 @@ struct Triangle {
   const Scalar* inverse_diagonal = nullptr;
 };
 
-/// One tile of Packs packs of rows and Columns columns. Of the last pack only `lanes` count where IsTail.
+/// One tile of Packs packs of rows and Columns columns. If IsTail, only the first `lanes` lanes of the last
+/// pack count.
 template <TileUse Use, int Packs, int Columns, bool IsTail, class Scalar>
 inline void run_tile(Scalar* __restrict c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int k,
                      Triangle<Scalar> t, LanesOf<Scalar> lanes) {
@@ -105,7 +106,7 @@ inline void run_strip(int columns, Scalar* c, int ldc, const Scalar* a, int lda,
   if constexpr (Most > 1) run_strip<Use, Most - 1>(columns, c, ldc, a, lda, b, rows, k, t);
 }
 
-/// Width of the next strip of `left` columns: as few strips as can be, of about the same width.
+/// The width of the next strip of `left` columns, for as few strips as possible, of about the same width.
 inline int strip_width(int left) {
   const int strips = (left + kStrip - 1) / kStrip;
   return strips == 0 ? 0 : (left + strips - 1) / strips;

@@ -8,15 +8,15 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// What normal_products() works with: row by row, lanes across columns. Rows is 0 where their number is known
-/// at run time only.
+/// The state of normal_products(), row by row, with lanes across columns. Rows is 0 if their number is known
+/// only at run time.
 template <int Rows, int Packs>
 class NormalProducts {
  public:
   explicit NormalProducts(const EdgeNumbers& edge) : edge_(edge) { weigh(); }
 
-  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe: Ω is symmetric. The factors on the right
-  /// come from where the caller has them.
+  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe, because Ω is symmetric. J and e are read
+  /// from the caller's memory.
   void multiply(double* products, double* gradient) const {
     int b = 0;
     if constexpr (Packs <= 3) {
@@ -94,7 +94,7 @@ class NormalProducts {
   Pack weighted_[kRoom][Packs];
 };
 
-/// With the fewest packs that hold the columns.
+/// Uses as few packs as can hold the columns.
 template <int Rows, int Packs = 1>
 inline int normal_products_of(const EdgeNumbers& edge, double* products, double* gradient) {
   if constexpr (Packs * kLanes < kMostEdgeColumns) {
@@ -117,7 +117,8 @@ inline int normal_products(const EdgeNumbers& edge, double* products, double* gr
   }
 }
 
-/// to[0 … N) += from[0 … N), no byte beyond: a wider access would wait for the store of the column before.
+/// to[0 … N) += from[0 … N). Accesses no byte beyond, because a wider load would wait for the store of the
+/// previous column.
 template <int N>
 inline void add_column(double* to, const double* from) {
 #if defined(__GNUC__)

@@ -24,7 +24,7 @@ inline Scalar* at(Scalar* a, int ld, int i, int j) {
   return a + i + static_cast<long>(ld) * j;
 }
 
-/// Cholesky factor of a tiny square in place; returns the bad column or `size`.
+/// Factorizes a tiny square in place. Returns the column of the first bad pivot, or `size`.
 template <class Scalar>
 int factor_tiny(Scalar* a, int size, int ld, const Scalar* minimum_pivot, Scalar* inverse_diagonal) {
   for (int j = 0; j < size; ++j) {
@@ -63,7 +63,7 @@ int factor_narrow_panel(Scalar* panel, int rows, int columns, int ld, const Scal
   return columns;
 }
 
-/// C −= A Aᵀ or C = −A Aᵀ in the columns [begin, end) of the lower trapezoid, k of A at most kBlock.
+/// C −= A Aᵀ or C = −A Aᵀ in the columns [begin, end) of the lower trapezoid; A has k ≤ kBlock columns.
 template <TileUse Use, class Scalar>
 void update_trapezoid(Scalar* c, int ldc, const Scalar* a, int lda, int rows, int k, int begin, int end) {
   for (int j = begin; j < end;) {

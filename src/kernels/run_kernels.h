@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that move in runs: between a front and the vector, and from a child's update matrix to its parent.
+// Copies of runs of values: between a front and a vector, and from a child's update matrix to its parent.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -7,7 +7,7 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// For each part of [0, length): f(first, lanes), where lanes can load and store.
+/// Calls f(first, lanes) for each part of [0, length). `lanes` can load and store the part.
 template <class Scalar, class F>
 inline void for_packs(int length, F&& f) {
   struct All {
@@ -32,7 +32,8 @@ void add_numbers(const Scalar* from, Scalar* to, int length) {
   });
 }
 
-/// rows × columns numbers. Short columns are taken side by side, so that their lanes are found once.
+/// Adds rows × columns values. Short columns are processed side by side, so that their lanes are computed
+/// once.
 template <class Scalar>
 void add_rectangle(const Scalar* from, long from_stride, Scalar* to, long to_stride, int rows, int columns) {
   constexpr int kShort = 4 * kLanesOf<Scalar>;

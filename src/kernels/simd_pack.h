@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A few numbers, double or float, that are loaded, multiplied and stored together.
+// A few values, double or float, that are loaded, multiplied and stored together.
 //
-// The kernels are compiled once per instruction set, each time in a namespace of its own, BOXPLUS_ISA, and
-// call nothing that is compiled elsewhere under the same name: else the linker might keep the copy of the
-// wrong set.
+// The kernels are compiled once per instruction set, each time in a different namespace, BOXPLUS_ISA. They
+// must not call functions that are compiled elsewhere under the same name, because the linker might keep the
+// copy of the wrong set.
 #pragma once
 
 #if defined(__AVX2__)
@@ -16,7 +16,8 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-// The vector extension of GCC and Clang; elsewhere one number, which the kernels accept as well.
+// The vector extension of GCC and Clang. For other compilers a single scalar, which the kernels accept as
+// well.
 // kPacks × kStrip is the largest tile that stays in the registers, with the operands of one step.
 #if defined(__AVX512F__)
 #define BOXPLUS_PACK_BYTES 64
@@ -77,7 +78,7 @@ inline void store(float* to, PackOf<float> pack) {
   __builtin_memcpy(to, &pack, sizeof(pack));
 }
 
-/// The first lanes of a pack: those beyond are neither read nor written.
+/// The first lanes of a pack. The other lanes are neither read nor written.
 template <class Scalar>
 class LanesOf {
  public:

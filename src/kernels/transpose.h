@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From numbers that lie one element after the other to packs that hold one number of several elements, and
-// back.
+// Transposes between values that are contiguous for each element, and packs that hold the same value of
+// several elements.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -11,7 +11,7 @@ namespace boxplus::dense::BOXPLUS_ISA {
 /// Pack r, lane l ⇄ pack l, lane r.
 inline void transpose(Pack (&p)[kLanes]) {
 #if defined(__AVX512F__)
-  constexpr __mmask8 kAll = 0xff;  // the forms without a mask begin with what GCC calls uninitialized
+  constexpr __mmask8 kAll = 0xff;  // GCC warns that the forms without a mask use uninitialized values
   Pack pairs[8], quads[8];
 #pragma GCC unroll 4
   for (int r = 0; r < 8; r += 2) {
@@ -56,12 +56,12 @@ inline void transpose(Pack (&p)[kLanes]) {
 #endif
 }
 
-/// Where, in a tile of blocks of `size` numbers in lanes, the first number of element k lies.
+/// The offset of the first value of element k in a tile of blocks of `size` values in lanes.
 inline long lane_offset(int size, int k) {
   return static_cast<long>(k / kTileLanes) * size * kTileLanes + k % kTileLanes;
 }
 
-/// packs[m] = number m of each element, for `count` numbers. Reads no other.
+/// packs[m] = value m of each element, for `count` values. Reads no others.
 inline void load_lanes(const double* const* elements, int count, Pack* packs) {
   int m = 0;
   for (; m + kLanes / 2 < count; m += kLanes) {

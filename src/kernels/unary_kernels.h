@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JᵀΩJ and JᵀΩe of unary edges one after the other. While they share their vertex, its block of H and its
-// gradient stay in registers.
+// JᵀΩJ and JᵀΩe of unary edges, one after the other. While consecutive edges share their vertex, its block of
+// H and its gradient stay in registers.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -9,8 +9,8 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// H (C × C) and the gradient (C) of one vertex, lanes across rows. Each edge is added term by term to the
-/// running sums, so the bits depend on the order of the edges alone, not on which of them come together.
+/// H (C × C) and the gradient (C) of one vertex, with lanes across rows. Each edge is added term by term to
+/// the running sums, so the bits depend only on the order of the edges, not on their division into calls.
 template <int R, int C>
 class UnarySums {
  public:
@@ -53,7 +53,7 @@ class UnarySums {
     if constexpr (kRest > 0) Lanes(kRest).store(to + kFull * kLanes, from[kFull]);
   }
 
-  /// The rows of J, which lies column by column.
+  /// Loads the rows of J, which is stored column by column.
   static void load_rows(const double* jacobian, Pack (&rows)[R][kPacksOfColumn]) {
     if constexpr (R == 1) {
       load_column(jacobian, rows[0]);

@@ -13,7 +13,7 @@ Id ElementReader::read_vertex(const Tag& tag, FieldReader& in) {
   const Id id = in.integer(is_parameter ? "the id of a parameter" : "the id of a vertex");
   if (id < 0) in.fail(place, fmt::format("expected an id ≥ 0, got {}", id));
   if (is_parameter ? graph_.find_parameter(id).has_value() : graph_.find_vertex(id).has_value()) {
-    in.fail(place, fmt::format("expected a new id, but {} {} is defined before",
+    in.fail(place, fmt::format("expected a new id, but {} {} is already defined",
                                is_parameter ? "parameter" : "vertex", id));
   }
   tag.read_vertex(graph_, id, in);
@@ -29,7 +29,7 @@ ElementReader::Edge ElementReader::read_edge(const Tag& tag, FieldReader& in) {
   const FieldPlace place = in.place();
   try {
     return {known, type.read_edge(graph_, ids_.vertices(), in)};
-  } catch (const InvalidArgument& error) {  // the graph does not know the place
+  } catch (const InvalidArgument& error) {  // the graph does not know the line and column
     in.fail(place, error.what());
   }
 }

@@ -8,8 +8,8 @@
 
 namespace boxplus {
 
-/// Puts single lines into a graph. Each function takes the line behind its tag, throws InputError if the line
-/// is wrong, and then changes nothing.
+/// Adds single lines to a graph. Each function reads a line from after its tag on. It throws InputError if
+/// the line is wrong, and then changes nothing.
 class ElementReader {
  public:
   /// Both must outlive this object.
@@ -24,7 +24,7 @@ class ElementReader {
   };
   Edge read_edge(const Tag& tag, FieldReader& in);
 
-  /// False if a vertex has not been read yet.
+  /// Returns false if a vertex has not been read yet.
   bool fix(FieldReader& in);
 
   /// See VertexIds.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// .g2o: lines that begin with tags. The reader and the writer serve every format of such lines.
+// .g2o: lines that begin with tags. The reader and the writer work for every format with such lines.
 #pragma once
 
 #include "boxplus/io/file_format.h"

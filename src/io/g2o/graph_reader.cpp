@@ -19,12 +19,12 @@ namespace {
 /// been read yet.
 struct WaitingLine {
   Line line;
-  std::string text;  ///< a copy: the block is gone by then
+  std::string text;  ///< a copy, because the block is gone when the line is read
   KeptLine::Place place;
   Id vertex;
 };
 
-/// The message of an error without its place, "file:line:column: ".
+/// The message of an error without its prefix "file:line:column: ".
 std::string without_place(const InputError& error, std::string_view file) {
   const std::string place = fmt::format("{}:{}:{}: ", file, error.line(), error.column());
   const std::string_view text = error.what();
@@ -36,9 +36,9 @@ std::string counted(std::int64_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Builds a GraphFile. Workers split blocks into lines and numbers; one of them, who is always the same, puts
-/// the blocks before into the graph. So elements come into the graph in the order of the file, except for
-/// edges that stand before their vertices.
+/// Builds a GraphFile. Workers split blocks into lines and numbers. One worker, always the same, adds
+/// finished blocks to the graph, in order. So elements are added in the order of the file, except for edges
+/// that come before their vertices.
 class GraphReader {
  public:
   GraphReader(const TextSource& text, const ReadOptions& options)
@@ -132,7 +132,7 @@ class GraphReader {
     for (WaitingLine& waiting : std::exchange(waiting_, {})) {
       Line& line = waiting.line;
       line.text = waiting.text;
-      line.is_numeric = false;  // its numbers are gone with its block
+      line.is_numeric = false;  // the block with its numbers is gone
       place_ = waiting.place;
       vertex_ = waiting.vertex;
       if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // it has been noted
@@ -140,7 +140,7 @@ class GraphReader {
     }
   }
 
-  /// Reads one line. A lenient reader notes an error and goes on.
+  /// Reads one line. A lenient reader notes an error and continues.
   template <class F>
   void guarded(const Line& line, F&& read_line) {
     try {
@@ -152,7 +152,7 @@ class GraphReader {
     }
   }
 
-  /// The fields behind the tag.
+  /// The fields after the tag.
   FieldReader fields_of(const Line& line) const {
     if (line.is_numeric) return {text_.name(), line.number, line.text, line.fields};
     FieldReader in(text_.name(), line.number, line.text);
@@ -197,7 +197,7 @@ class GraphReader {
   UnknownTags unknown_;
   ElementReader elements_;
   KeptLine::Place place_ = KeptLine::Place::kBegin;  // of the next line, if it is kept
-  Id vertex_ = 0;                                    // the one before it, if there is one
+  Id vertex_ = 0;                                    // the vertex before it, if there is one
   std::vector<WaitingLine> waiting_;
   std::size_t blocks_taken_ = 0;
   std::int64_t unassigned_ = 0;

@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-/// Writes a graph in pieces: the workers format them, and one worker hands them on in order.
+/// Writes a graph in pieces: the workers format the pieces, and one worker writes them in order.
 class GraphWriter {
  public:
   GraphWriter(const GraphFileView& file, const Registry& registry)
@@ -35,12 +35,12 @@ class GraphWriter {
   }
 
  private:
-  /// Edges that were added since the file was read follow those of the file.
+  /// Appends the edges that were added since the file was read.
   void append_edges_of_no_file() {
     std::vector<std::vector<bool>> listed;
     for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
     for (EdgeRef& edge : edges_) {
-      // An edge that is listed twice, or was removed, only keeps the place of the lines that follow it.
+      // An edge that is listed twice, or was removed, only marks the place of the lines that follow it.
       if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
         edge = kNoEdge;
       } else {
@@ -52,7 +52,8 @@ class GraphWriter {
     }
   }
 
-  /// Parameters, the lines at the beginning, vertices, the lines before the edges, edges.
+  /// The number of pieces: parameters, the lines at the beginning, vertices, the lines before the edges,
+  /// edges.
   std::size_t items() const { return parameters_.size() + vertices_.size() + edges_.size() + 2; }
 
   void format(std::size_t item, std::string& out) const {

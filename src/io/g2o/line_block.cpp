@@ -31,7 +31,7 @@ Decimal read_integer(const char* at, const char* end) {
   return {negative ? -static_cast<double>(value) : static_cast<double>(value), digit, true};
 }
 
-/// The finite number that is the whole field at `at`; no `end` if the field is not one.
+/// The finite number that is the whole field at `at`; no `end` if the field is no such number.
 Decimal read_any_number(const char* at, const char* end) {
   if (const Decimal integer = read_integer(at, end); integer.end) return integer;
   Decimal number;
@@ -74,7 +74,7 @@ void LineBlock::place_fields() {
 }
 
 void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
-  // Some editors put a mark at the beginning of a file; joined files have it elsewhere.
+  // Some editors write a mark at the beginning of a file. Concatenated files may have it in other places.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const char* const end = text.data() + text.size();
@@ -103,8 +103,8 @@ void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
   lines_.push_back(line);
 }
 
-/// Appends to values_. False if a field is no number, or if there are so many that the memory for all of them
-/// is not worth it.
+/// Appends the fields to values_. Returns false if a field is no number, or if there are so many that they
+/// would take too much memory.
 bool LineBlock::read_fields(const char* at, const char* end, std::size_t& integers) {
   constexpr std::size_t kMost = std::size_t{1} << 16;
   bool integers_only = true;

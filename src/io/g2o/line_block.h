@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of lines, split into tags and numbers. That needs no graph, so several threads can do it.
+// A block of lines, split into tags and numbers. Splitting needs no graph, so several threads can do it.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class TagLookup {
 /// A line that is not blank.
 struct Line {
   enum class Kind : std::uint8_t {
-    kElement,  ///< `tag` says of what type
+    kElement,  ///< of the type `tag`
     kFix,
     kUnknown,
     kComment
@@ -54,7 +54,7 @@ class LineBlock {
  public:
   void read(const TextSource& source, std::size_t k, const TagLookup& tags);
   const std::vector<Line>& lines() const { return lines_; }
-  /// How many lines begin in the block, blank ones too.
+  /// The number of lines that begin in the block, including blank ones.
   std::int64_t line_count() const { return line_count_; }
 
  private:

@@ -13,13 +13,13 @@
 
 namespace boxplus {
 
-/// The tags of a file that stand for no type: they are noted, and may explain why a vertex is missing.
+/// The tags of a file that stand for no type. Each gets a note, and may explain why a vertex is missing.
 class UnknownTags {
  public:
   /// Takes a line that begins with such a tag.
   void add(std::string_view line, std::int64_t number);
-  /// The reason why there is no vertex (parameter) of that id, if a line with an unknown tag has it; else
-  /// nothing.
+  /// The reason why there is no vertex (parameter) with that id, if a line with an unknown tag has the id;
+  /// otherwise empty.
   std::string reason_for_missing(Id id, bool is_parameter) const;
   /// One note for each tag.
   void append_notes(std::vector<GraphFile::Note>& notes) const;
@@ -28,7 +28,7 @@ class UnknownTags {
   struct Occurrences {
     std::int64_t count = 0, first_line = 0;
   };
-  /// A line with an id after its tag: perhaps it defines a vertex or a parameter.
+  /// A line with an id after its tag. It may define a vertex or a parameter.
   struct IdLine {
     const std::string* tag;
     std::int64_t number;

@@ -18,8 +18,8 @@ class VertexIds {
   /// Both must outlive this object.
   VertexIds(Graph& graph, const UnknownTags& unknown) : graph_(graph), unknown_(unknown) {}
 
-  /// From now on no more vertices come: ids that the graph does not have are errors. With `create`, edges
-  /// make vertices of such ids instead.
+  /// Call it after the last vertex. From then on, ids that the graph does not have are errors or, with
+  /// `create`, edges create vertices with such ids.
   void end_of_vertices(bool create) {
     all_known_ = true;
     create_ = create;
@@ -27,15 +27,15 @@ class VertexIds {
   std::int64_t created() const { return created_; }
 
   enum class Result : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
-  /// Reads the ids of the vertices of an edge. They are known, or one is -1, which stands for none, or one is
-  /// of a vertex that has not been read yet. Throws InputError otherwise. Vertices that the edge creates are
-  /// made once the rest of the line is known to be right.
+  /// Reads the ids of the vertices of an edge. The result says whether all are known, one is -1 (no vertex),
+  /// or one belongs to a vertex that has not been read yet. Throws InputError otherwise. Vertices that the
+  /// edge creates are made after the rest of the line has been checked.
   Result read_of_edge(const Tag& tag, FieldReader& in);
-  /// Reads ids of vertices to the end of a FIX line. False if a vertex has not been read yet.
+  /// Reads ids of vertices to the end of a FIX line. Returns false if a vertex has not been read yet.
   bool read_to_end(FieldReader& in);
 
-  /// The vertices of the last line. If the last two parameters are one and the same and the tag has a type
-  /// for that, one of them goes, and the tag of that type is returned; otherwise `tag`.
+  /// If the last two parameters of the last line are the same vertex, and the tag has a type for this case,
+  /// drops one of them and returns the tag of that type. Otherwise returns `tag`.
   const Tag& merge_shared_parameter(const Tag& tag);
   const std::vector<VertexRef>& vertices() const { return vertices_; }
   /// Throws InputError if the last line refers to a vertex twice.

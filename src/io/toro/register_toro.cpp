@@ -34,8 +34,8 @@ struct ToroPose3 {
   }
 };
 
-/// Ω weighs small errors in x y z roll pitch yaw. Our rotation error is the vector part of a quaternion, half
-/// as large: its rows and columns of Ω count twice.
+/// Ω weights small errors in x y z roll pitch yaw. Our rotation error is the vector part of a quaternion,
+/// which is half as large, so its rows and columns of Ω are doubled.
 struct ToroEdge3 {
   static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
   static void to_upper_triangle(std::span<double> listed) {

@@ -14,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// A factor in float is taken where it pays for so many times the steps that are expected.
+/// A factor in float is used if it would still be faster with this many times the expected steps.
 constexpr double kStepMargin = 1.3;
 
 }  // namespace
@@ -58,7 +58,7 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
 }
 
 bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*stop*/) {
-  constexpr std::uint32_t kMostExtensions = 100;  // then an analysis costs little in each
+  constexpr std::uint32_t kMostExtensions = 100;  // then the share of an analysis in each is small
   constexpr double kMostGrowth = 1.25;            // of the time that a factorization takes per block
   constexpr double kNegligible = 50e-6;           // seconds
   factorized_ = false;
@@ -76,14 +76,14 @@ bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*sto
   return true;
 }
 
-/// Goes on in double until the next analysis.
+/// Falls back to double until the next analysis.
 void BlockCholesky::leave_mixed() {
   mixed_.release();
   fell_back_to_double_ = true;
   factor_.allocate(symbolic_, structure_->scalars(), batch_);
 }
 
-/// leave_mixed(), and the last system once more.
+/// Falls back to double and factorizes the last system again.
 FactorResult BlockCholesky::factorize_again_in_double(const StopToken& stop) {
   leave_mixed();
   return factorize_in_double(mixed_.values().data(), mixed_.damping(), stop);
@@ -161,8 +161,8 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
   return result;
 }
 
-/// Whether solving for the requested columns takes fewer operations than the inverse on the whole pattern.
-/// Solves read each number of L for two operations and so run at a fraction of the speed.
+/// Whether it is faster to solve for the requested columns than to compute the inverse on the whole pattern.
+/// Solves do only two operations per value of L that they read, so they run at a fraction of the speed.
 bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks) const {
   constexpr double kSlowdown = 8, kInverseOverFactor = 3;
   std::vector<std::uint32_t> columns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The default direct solver: supernodal multifrontal Cholesky on blocks, with no library below it.
+// The default direct solver: a supernodal multifrontal Cholesky on blocks, without another library.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace boxplus {
 
-/// Why multifrontal: every front is one dense trapezoid, whether it has 9 scalars (2-D chains) or 1000 (3-D
-/// tori); the only indirect addressing is the extend-add, done in runs fixed by analyze(); subtrees are
+/// The reasons for a multifrontal method: every front is one dense trapezoid, from 9 scalars (2-D chains) to
+/// 1000 (3-D tori). Only the extend-add has indirect addresses, in runs that analyze() computes. Subtrees are
 /// independent.
 class BlockCholesky final : public LinearSolver {
  public:
@@ -28,12 +28,12 @@ class BlockCholesky final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
-  /// What the factor is predicted to take.
+  /// The predicted time and memory of a factor.
   struct Forecast {
     std::uint64_t bytes = 0;
     double seconds = 0;  // for one factorization on one thread
   };
-  /// analyze(), if `accepts` does the prediction; else nothing but the prediction.
+  /// Predicts, and analyzes if `accepts` returns true for the prediction.
   template <class Accepts>
   Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints,
                       const StopToken& stop) {
@@ -69,9 +69,9 @@ class BlockCholesky final : public LinearSolver {
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   NumericFactor<double> factor_;
-  MixedFactor mixed_;  // instead of factor_, if it has memory
+  MixedFactor mixed_;  // used instead of factor_ if it has memory
   InverseOnPattern inverse_;
-  int batch_ = 1;  // right-hand sides that factor_ has room for
+  int batch_ = 1;  // number of right-hand sides for which factor_ has room
   bool factorized_ = false, fell_back_to_double_ = false;
 };
 

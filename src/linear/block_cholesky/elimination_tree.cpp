@@ -49,7 +49,7 @@ std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const S
 std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep) {
   const auto count = static_cast<std::uint32_t>(parent.size());
   const std::uint32_t movable = count - keep;
-  // Lists of children, ascending because they are filled from the back; `movable` stands for every kept
+  // Lists of children, which ascend because they are filled from the back. `movable` stands for every kept
   // parent.
   std::vector<std::uint32_t> first(movable + 1, kNoParent), sibling(movable, kNoParent);
   for (std::uint32_t j = movable; j-- > 0;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elimination tree of a block matrix and what follows from it.
+// The elimination tree of a block matrix, with postorders and column counts.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-// All of these throw Stopped once their token is raised, but for postorder(), which is fast.
+// All functions except postorder(), which is fast, throw Stopped when their token is raised.
 
 inline constexpr std::uint32_t kNoParent = BlockStructure::kAbsent;
 
@@ -30,18 +30,18 @@ struct UpperPattern {
 /// compression).
 std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const StopToken& stop = {});
 
-/// Sequence of the nodes in which every subtree is contiguous and children precede their parents; the last
-/// `keep` nodes stay where they are. parent[j] > j is required.
+/// A sequence of the nodes in which every subtree is contiguous and children precede their parents. The last
+/// `keep` nodes keep their places. Requires parent[j] > j.
 std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep);
 
-/// Sizes of the columns of L below the diagonal.
+/// The sizes of the columns of L below the diagonal.
 struct ColumnCounts {
   std::vector<std::uint32_t> blocks, scalars;
 };
 
-/// Counts by walking the row subtrees (Liu 1990, section 5): O(blocks of L) time, O(columns) memory. The
-/// nearly linear method of Gilbert, Ng and Peyton (1994) would save little here, where blocks are counted,
-/// not scalars.
+/// Counts by visiting the row subtrees (Liu 1990, section 5): O(blocks of L) time, O(columns) memory. The
+/// nearly linear method of Gilbert, Ng and Peyton (1994) would save little, because this counts blocks, not
+/// scalars.
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
                            std::span<const std::uint32_t> dims, const StopToken& stop = {});
 

@@ -16,7 +16,8 @@ std::uint32_t size_of(const std::vector<T>& v) {
   return static_cast<std::uint32_t>(v.size());
 }
 
-/// Moves the range [begin, end) of a list to its end, where it can grow. The old place is lost.
+/// Moves the range [begin, end) of a list to the end of the list, so that it can grow. The old place stays
+/// unused.
 template <class T>
 void move_to_end(std::vector<T>& list, std::uint32_t& begin, std::uint32_t& end) {
   const std::uint32_t size = end - begin, target = size_of(list);
@@ -59,7 +60,7 @@ class Extension {
   }
 
  private:
-  using Rows = std::uint32_t;  // a bit per new block
+  using Rows = std::uint32_t;  // one bit per new block
 
   void append_positions() {
     for (std::uint32_t block = old_; block < old_ + new_; ++block) {
@@ -76,8 +77,8 @@ class Extension {
     }
   }
 
-  /// The new rows of each front: those of the new blocks of H, and those of its children. As new blocks come
-  /// last in the order, no old front gets another parent, but roots get one.
+  /// Finds the new rows of each front: those of the new blocks of H, and those of its children. New blocks
+  /// come last in the order, so roots may get a parent, but no other old front gets a different one.
   void find_new_rows() {
     rows_.assign(f_.fronts.size(), 0);
     for (const BlockCoordinate& pair : growth_.added) {
@@ -102,7 +103,7 @@ class Extension {
     Front& front = f_.fronts[s];
     std::uint32_t begin = front.row_begin, end = front.row_end;
     move_to_end(f_.row_offsets, begin, end);
-    move_to_end(f_.row_blocks, front.row_begin, front.row_end);  // the same range
+    move_to_end(f_.row_blocks, front.row_begin, front.row_end);  // the same range in both lists
     move_to_end(f_.row_runs, front.row_run_begin, front.row_run_end);
     for (std::uint32_t k = 0; k < new_; ++k) {
       if ((rows_[s] >> k & 1) == 0) continue;
@@ -119,7 +120,7 @@ class Extension {
     change_leading(front);
   }
 
-  /// Those that `dim` more rows take: (1 + l)² for a column of l entries below the diagonal.
+  /// Adds the operations for `dim` more rows. A column with l entries below the diagonal takes (1 + l)².
   void add_flops(const Front& front, std::uint32_t dim) {
     for (std::uint32_t i = 1; i <= front.columns; ++i) {
       const double before = front.below + double{0} + i, after = before + dim;
@@ -139,7 +140,7 @@ class Extension {
     }
   }
 
-  /// The children of new fronts: former roots, and new ones.
+  /// Sets the children of new fronts: former roots, and other new fronts.
   void adopt_roots() {
     for (std::uint32_t parent = old_fronts_; parent < f_.fronts.size(); ++parent) {
       f_.fronts[parent].child_begin = size_of(f_.children);
@@ -157,7 +158,7 @@ class Extension {
     find_runs(f_, child, parent, [&](std::uint32_t row) { return f_.row_in(parent, row); });
   }
 
-  /// The blocks of H: the old ones have moved, the new ones get a place in the panel.
+  /// Places the blocks of H: the old ones have moved, and the new ones get a place in the panel.
   void place_blocks() {
     for (BlockCopy& copy : f_.copies) {
       copy.block = growth_.new_index[copy.block];
@@ -184,8 +185,8 @@ class Extension {
   SymbolicFactor& f_;
   const std::uint32_t old_, new_, old_fronts_;
   const StopToken never_;
-  std::vector<Rows> rows_;              // new ones of each front
-  std::vector<std::uint32_t> touched_;  // fronts, ascending: those with new rows, and the new ones
+  std::vector<Rows> rows_;              // new rows of each front
+  std::vector<std::uint32_t> touched_;  // fronts with new rows and new fronts, ascending
 };
 
 }  // namespace

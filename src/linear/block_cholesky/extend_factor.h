@@ -6,15 +6,15 @@
 
 namespace boxplus {
 
-/// Appends the new blocks of the structure to the end of the elimination order. Each becomes a front; the
-/// only old fronts that change are those on the paths from its neighbors to the roots, whose rows it joins.
-/// Takes O(old fronts) light steps, and the work of an analysis for the fronts on the paths only.
+/// Appends the new blocks of the structure to the end of the elimination order. Each becomes a front. Only
+/// the old fronts on the paths from its neighbors to the roots change: their rows now include the new block.
+/// Takes O(old fronts) cheap steps, and the work of an analysis for the fronts on these paths.
 ///
-/// False, and nothing has changed, if more than 16 blocks are new, or if a new off-diagonal block between old
-/// ones is not in the pattern of the factor.
+/// Returns false and changes nothing if more than 16 blocks are new, or if a new off-diagonal block between
+/// old blocks is not in the pattern of the factor.
 bool extend_factor(const BlockStructure& structure, const StructureGrowth& growth, SymbolicFactor& factor);
 
-/// Predicted for one factorization on one thread.
+/// The predicted time of one factorization on one thread.
 double predicted_nanoseconds(const SymbolicFactor& factor, const AmalgamationRule& rule);
 
 }  // namespace boxplus

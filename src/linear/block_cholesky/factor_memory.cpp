@@ -9,14 +9,14 @@
 namespace boxplus {
 namespace {
 
-/// Panels one after the other, and the sizes of the fronts.
+/// Places the panels one after the other, and sets the sizes of the fronts.
 void place_panels(SymbolicFactor& f, PacedStop& pace) {
   f.panel_size = f.all_rows = 0;
   f.largest_front = f.most_columns = f.most_below = 0;
   for (Front& front : f.fronts) {
     pace.step();
     const std::uint64_t size = std::uint64_t{front.leading} * front.columns;
-    if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 numbers");
+    if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 values");
     front.panel = f.panel_size;
     f.panel_size += size;
     front.first_row = f.all_rows;
@@ -27,7 +27,8 @@ void place_panels(SymbolicFactor& f, PacedStop& pace) {
   }
 }
 
-/// Finds room above `base` while the children's updates are alive, then releases those that `plan` placed.
+/// Finds room above `base` while the updates of the children are alive, then releases those that `plan`
+/// placed.
 void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64_t base) {
   const std::uint64_t below = front.below, origin = f.panel_size + base;
   front.update = origin + plan.reserve(below * below);
@@ -40,7 +41,7 @@ void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64
 
 }  // namespace
 
-/// Update matrices lie where there is room. Subtrees of different threads share no room.
+/// Each update matrix uses the first free place. Subtrees of different threads share no memory.
 void assign_memory(SymbolicFactor& f, PacedStop& pace) {
   place_panels(f, pace);
   f.update_size = 0;
@@ -61,7 +62,7 @@ void assign_memory(SymbolicFactor& f, PacedStop& pace) {
       f.update_size += own.peak();
     }
   }
-  // The updates of the subtrees' roots are never released: the top fronts have room of their own.
+  // The updates of the subtrees' roots are never released, because the top fronts have separate memory.
   for (const std::uint32_t s : f.schedule.top) place(s, updates, f.update_size);
   f.update_size += updates.peak();
 }

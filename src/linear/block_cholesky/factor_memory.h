@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the fronts of a factor lie in its arena.
+// The places of the fronts of a factor in its arena.
 #pragma once
 
 #include "base/paced_stop.h"
@@ -7,12 +7,12 @@
 
 namespace boxplus {
 
-/// Lays out panels and update matrices; sets the sizes of the factor that follow. May be called again after
-/// fronts have changed. O(fronts), but for holes between update matrices.
+/// Assigns places to panels and update matrices, and sets the sizes of the factor that depend on them. May be
+/// called again after fronts have changed. O(fronts), plus the search for holes between update matrices.
 void assign_memory(SymbolicFactor& factor, PacedStop& pace);
 
-/// The leading dimension of a panel: columns far apart by a multiple of the page size would fall into the
-/// same cache set.
+/// The leading dimension of a panel. Avoids multiples of the page size, because the columns would then
+/// compete for the same cache set.
 std::uint32_t choose_leading(std::uint32_t rows);
 
 }  // namespace boxplus

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of rows of a front, and where they go.
+// Runs of rows of a front, and their destinations.
 #pragma once
 
 #include "linear/block_cholesky/symbolic_factor.h"
 
 namespace boxplus {
 
-/// Appends a run, or extends the last one (of those from `begin`) if both sides go on where it ended.
+/// Appends a run. If the last run (of those from `begin` on) ends where this one begins, on both sides,
+/// extends it instead.
 inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
   constexpr std::uint32_t kLongest = 64;  // so that threads can share them
   if (runs.size() > begin && runs.back().length < kLongest &&
@@ -18,8 +19,8 @@ inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const 
   }
 }
 
-/// Lists where the update matrix of `child` goes in its parent; local(row) is the first scalar of a block in
-/// the parent's front.
+/// Lists the destinations of the update matrix of `child` in its parent. local(row) is the first scalar of a
+/// block in the parent's front.
 template <class Local>
 void find_runs(SymbolicFactor& f, Front& child, const Front& parent, Local&& local) {
   child.run_begin = child.run_split = static_cast<std::uint32_t>(f.runs.size());

@@ -9,9 +9,9 @@
 
 namespace boxplus {
 
-/// Z = (L Lᵀ)⁻¹ where L has entries, by the recursion of Takahashi, Fagan and Chin (1973) from the last
-/// supernode to the first: with S = L21 L11⁻¹ and Z22 the part of Z on the rows below (known from the
-/// ancestors),
+/// The entries of Z = (L Lᵀ)⁻¹ at the nonzeros of L, by the recursion of Takahashi, Fagan and Chin (1973)
+/// from the last supernode to the first. With S = L21 L11⁻¹ and the part Z22 of Z on the rows below, which is
+/// known from the ancestors,
 ///   Z21 = −Z22 S,   Z11 = L11⁻ᵀ L11⁻¹ − Sᵀ Z21.
 /// Costs about three factorizations and the memory of one L.
 class InverseOnPattern {
@@ -20,15 +20,15 @@ class InverseOnPattern {
   void clear() { computed_ = false; }
   bool computed() const { return computed_; }
 
-  /// Writes block (row, column) of Z (positions in the elimination order; column-major). False where it is
-  /// not in the pattern.
+  /// Writes block (row, column) of Z, column-major. Row and column are positions in the elimination order.
+  /// Returns false if the block is not in the pattern.
   bool read(const SymbolicFactor& symbolic, std::uint32_t row, std::uint32_t column, double* out) const;
 
  private:
   void compute_front(const SymbolicFactor& symbolic, const Front& front, const double* panel);
   void gather_below(const SymbolicFactor& symbolic, const Front& front);
 
-  std::vector<double> panels_;  // laid out as those of L; the top square holds both triangles
+  std::vector<double> panels_;  // in the layout of L; the top square holds both triangles
   std::vector<double> below_, ratio_, ratio_transposed_;
   bool computed_ = false;
 };

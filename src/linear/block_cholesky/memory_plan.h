@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Addresses in one arena for buffers whose lifetimes are known beforehand.
+// Addresses in one arena for buffers whose lifetimes are known in advance.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace boxplus {
 
-/// First-fit allocation played through once, when the structure is analyzed: the addresses are then used in
-/// every factorization. Buffers that live at the same time never overlap.
+/// Simulates first-fit allocation once, when the structure is analyzed. Every factorization then uses the
+/// same addresses. Buffers that live at the same time never overlap.
 class MemoryPlan {
  public:
-  /// Address of `size` free numbers, from here until release().
+  /// The address of `size` free values, reserved until release().
   std::uint64_t reserve(std::uint64_t size);
   void release(std::uint64_t address, std::uint64_t size);
-  /// Numbers that the arena must have.
+  /// The number of values that the arena must have.
   std::uint64_t peak() const { return end_; }
 
  private:

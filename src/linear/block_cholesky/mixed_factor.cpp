@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Steps of refinement after which a factor in double would have been the better choice.
+/// After this many steps of refinement, a factor in double would have been the better choice.
 constexpr int kMostSteps = 12;
 
 }  // namespace
@@ -57,7 +57,7 @@ SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& c
 }
 
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure) {
-  constexpr double kMinSeconds = 1e-3;  // seconds
+  constexpr double kMinSeconds = 1e-3;  // below this time, float is not considered
   constexpr double kFloatShare = 0.5;   // of the time that operations and reading the factor take in double
   constexpr double kSavedOfTheRest = 0.3;
   constexpr double kSecondsPerByte = 0.8e-10;  // to read the factor, or A

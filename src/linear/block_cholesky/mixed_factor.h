@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A factor in float, with solutions as good as those of one in double.
+// A factor in float, whose solutions are refined to the accuracy of double.
 #pragma once
 
 #include <optional>
@@ -12,28 +12,28 @@
 
 namespace boxplus {
 
-/// The factor is the preconditioner of conjugate gradients in double: where it has any digits, each step adds
-/// several to the solution, and one bad direction costs one step, which plain refinement would not forgive
+/// The factor is the preconditioner of conjugate gradients in double. If it has any correct digits, each step
+/// adds several digits to the solution. A bad direction costs one step; plain refinement would diverge
 /// (Higham, Accuracy and Stability of Numerical Algorithms, ch. 12; Carson and Higham 2018).
 class MixedFactor {
  public:
-  /// `steps_that_pay` is steps_that_pay() or, where the time does not count, infinite.
+  /// `steps_that_pay` is the result of steps_that_pay(), or infinite if time does not matter.
   void allocate(const SymbolicFactor& symbolic, const BlockStructure& structure, double steps_that_pay);
-  /// Takes over a factor and a structure that have grown, in the same objects.
+  /// Adapts to a factor and a structure that have grown, in the same objects.
   void extend(const SymbolicFactor& symbolic) { allocate(symbolic, *structure_, steps_that_pay_); }
-  /// Gives the memory of the factor back; what was factorized last is still known.
+  /// Frees the memory of the factor. The values that were factorized last remain known.
   void release();
   bool allocated() const { return factor_.allocated(); }
-  /// Whether no solution has taken more steps than pay.
+  /// Whether all solutions so far took few enough steps to be faster than a factor in double.
   bool pays() const { return most_steps_ <= steps_that_pay_; }
 
-  /// kNotPositiveDefinite says nothing about A + λD, only that float does not do. The system must stay as it
-  /// is until the last solve(); the damping is copied.
+  /// kNotPositiveDefinite only means that float is not accurate enough; A + λD may be positive definite. The
+  /// system must not change until the last solve(); the damping is copied.
   LinearStatus factorize(std::span<const double> values, const Damping& damping, const StopToken& stop);
-  /// One right-hand side. Where the status is not kOk (the factor is too rough, as a rule), x stays as it
-  /// was.
+  /// Solves for one right-hand side. If the status is not kOk, usually because the factor is too inaccurate,
+  /// x does not change.
   SolveResult solve(const double* b, double* x, const SolveControl& control);
-  /// What was factorized last.
+  /// The values that were factorized last.
   std::span<const double> values() const { return system_->values(); }
   Damping damping() const { return {1, damping_.data()}; }
 
@@ -45,15 +45,15 @@ class MixedFactor {
   ConjugateGradients refinement_;
   std::vector<double> damping_, solution_;
   double steps_that_pay_ = 0;
-  int most_steps_ = 0;  // that a solution took
+  int most_steps_ = 0;  // of one solution
 };
 
-/// The steps that a solution usually takes where A is conditioned as graphs are.
+/// The steps that a solution usually takes for matrices of pose graphs.
 inline constexpr double kUsualSteps = 3;
 
-/// The steps of refinement with which a factor in float is predicted to take as long as one in double, of one
-/// factorization and one solution. `seconds` and `flops` are those of the factor in double, `numbers` those
-/// of its panels.
+/// The break-even number of refinement steps: with so many, one factorization and one solution in float are
+/// predicted to take as long as in double. `seconds` and `flops` are those of the factor in double; `numbers`
+/// is the number of values in its panels.
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure);
 
 }  // namespace boxplus

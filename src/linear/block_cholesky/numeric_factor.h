@@ -14,7 +14,7 @@
 
 namespace boxplus {
 
-/// The pivots that lost most digits, smallest ratio first (of equal ones the lower scalar).
+/// The pivots that lost the most digits, sorted by ratio, then by scalar.
 class Suspects {
  public:
   struct Suspect {
@@ -33,22 +33,22 @@ class Suspects {
   std::size_t count_ = 0;
 };
 
-/// The numbers of a factor, with room for right-hand sides. Scalar = double or float.
+/// The values of a factor, with room for right-hand sides. Scalar = double or float.
 template <class Scalar>
 class NumericFactor {
  public:
-  /// May be called again for a factor that has grown: takes new memory, with some to spare, if there is too
-  /// little.
+  /// May be called again for a factor that has grown. If the memory is too small, allocates new memory with
+  /// some reserve.
   void allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int right_hand_sides);
   void release() { *this = NumericFactor(); }
   bool allocated() const { return memory_ != nullptr; }
-  /// Panels, then update matrices.
+  /// The panels, then the update matrices.
   Scalar* arena() const { return memory_.get(); }
   /// kLostPivotOf<Scalar> · diagonal of A + λD, by permuted scalar.
   Scalar* minimum_pivot() const { return minimum_pivot_; }
-  /// Right-hand sides: those of one scalar are contiguous.
+  /// The right-hand sides; the values of one scalar are contiguous.
   Scalar* x() const { return x_; }
-  /// As many columns of the largest front, or one column of the rows of all fronts.
+  /// Scratch for as many columns of the largest front, or for one column of the rows of all fronts.
   Scalar* work() const { return work_; }
 
   Suspects suspects;
@@ -63,17 +63,17 @@ class NumericFactor {
 
 struct FrontsResult {
   LinearStatus status = LinearStatus::kOk;  // or kNotPositiveDefinite, or kStopped
-  std::uint32_t lost_pivot = 0;             // where not positive definite: the first, as a permuted scalar
+  std::uint32_t lost_pivot = 0;             // if not positive definite: the first one, as a permuted scalar
 };
 
-/// Factorizes A + λD into the panels. Reads only the lower triangle of `values`. Asks `stop` before every
+/// Factorizes A + λD into the panels. Reads only the lower triangle of `values`. Checks `stop` before every
 /// front, and within large ones.
 template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor);
 
-/// Applies the test of kLostPivot to the suspects of a factorization; returns the first lost one, as a
+/// Applies the test of kLostPivot to the suspects of a factorization. Returns the first lost pivot, as a
 /// permuted scalar, or the number of scalars.
 template <class Scalar>
 std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,

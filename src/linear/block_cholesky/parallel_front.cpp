@@ -13,18 +13,17 @@
 namespace boxplus {
 namespace {
 
-constexpr double kMinParallelFlops = 1e6;      // flops
-constexpr double kMinParallelAdditions = 1e5;  // numbers to add
-constexpr double kBetweenStops = 1e9;          // flops after which the stop token is asked again
+constexpr double kMinParallelFlops = 1e6;
+constexpr double kMinParallelAdditions = 1e5;
+constexpr double kBetweenStops = 1e9;  // flops between two checks of the stop token
 
-/// Where the columns of part `part` of `parts` begin, if each is to have the same area of the lower
-/// trapezoid.
+/// The first column of part `part` of `parts`, such that all parts have the same area of the lower trapezoid.
 int part_begin(int rows, int columns, int part, int parts) {
   const double r = rows, c = columns, area = (r * c - c * c / 2) * part / parts;
   return std::min(columns, static_cast<int>(r - std::sqrt(std::max(0.0, r * r - 2 * area))));
 }
 
-/// dense::factor_panel() of few columns: the square on top, then the rows below it by thread.
+/// dense::factor_panel() for few columns: factorizes the square on top, then the rows below it in parallel.
 template <class Scalar>
 int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
                         const Scalar* minimum_pivot) {
@@ -72,7 +71,7 @@ void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task) {
   const double below = task.below;
   if (threads == 1 || below * below < kMinParallelAdditions)
     return dense::factor_kernels<Scalar>().extend_add(task);
-  // Numbers in the lower triangle left of a column.
+  // The number of values in the lower triangle to the left of a column.
   const auto area = [&](double column) { return column * (below - column / 2); };
   const double first = area(task.columns->source);
   const dense::Run& back = task.columns_end[-1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense work of one large front on several threads. The same bits as with one. For Scalar =
+// The dense work of one large front on several threads, with the same bits as on one thread. For Scalar =
 // double and float.
 #pragma once
 
@@ -10,17 +10,17 @@ namespace boxplus {
 
 inline constexpr int kPanelStopped = -1;
 
-/// dense::factor_panel, or kPanelStopped.
+/// dense::factor_panel(), or kPanelStopped if it was stopped.
 template <class Scalar>
 int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
                       const Scalar* minimum_pivot);
 
-/// dense::set_to_minus_square for all columns; false where it was stopped.
+/// dense::set_to_minus_square() for all columns. Returns false if it was stopped.
 template <class Scalar>
 bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k);
 
-/// The extend-add, its columns by thread.
+/// The extend-add, with columns divided between threads.
 template <class Scalar>
 void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task);
 

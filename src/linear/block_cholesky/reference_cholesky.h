@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Block Cholesky as in a textbook: what the supernodal one is tested against.
+// A textbook block Cholesky, the reference for tests of the supernodal one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-/// Right-looking, one block column after the other in the order of the structure, blocks in a map, no
+/// Right-looking, one block column after the other in the order of the structure, with blocks in a map. No
 /// fill-reducing order and no supernodes.
 class ReferenceCholesky {
  public:

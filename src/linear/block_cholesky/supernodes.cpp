@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// A supernode while it grows. `merged_into` is itself as long as it lives.
+/// A growing supernode. `merged_into` is the node itself until it is merged.
 struct Node {
   std::uint32_t first_column, last_column, parent = kNoParent, merged_into;
   double columns, below;  // scalars
@@ -69,7 +69,7 @@ void merge(Node& child, Node& parent, std::uint32_t parent_index) {
   child.merged_into = parent_index;
 }
 
-/// Numbers 0, 1, … by group, in their order within each; those of group kNoParent are left out.
+/// The indices 0, 1, … by group, ascending in each group. Indices of group kNoParent are left out.
 class Groups {
  public:
   Groups(std::span<const std::uint32_t> group_of, std::size_t groups) : start_(groups + 1, 0) {
@@ -91,7 +91,8 @@ class Groups {
   std::vector<std::uint32_t> start_, members_;
 };
 
-/// Children first, cheapest merge first. Children that a merged child had stay separate.
+/// Merges children before their parents, and the cheapest child first. The children of a merged child stay
+/// separate.
 void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedStop& pace) {
   std::vector<std::uint32_t> parents;
   parents.reserve(nodes.size());
@@ -110,7 +111,8 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedSto
   }
 }
 
-/// The numbers of the panels plus the most that wait in update matrices. `sequence` is a postorder of `tops`.
+/// The number of values in all panels, plus the most in update matrices at a time. `sequence` is a postorder
+/// of `tops`.
 double count_numbers(const std::vector<Node>& nodes, std::span<const std::uint32_t> tops,
                      std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence,
                      PacedStop& pace) {
@@ -145,8 +147,7 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   std::vector<Node> nodes = fundamental_supernodes(parent, counts, dims, keep, pace);
   const std::vector<Node> fundamental = nodes;  // with the columns before merging
   amalgamate(nodes, rule, pace);
-  // Representatives: the topmost node of each merged set; parents come later, so a backward sweep settles
-  // them.
+  // Finds the topmost node of each merged set. Parents come later, so one backward sweep is enough.
   const auto count = static_cast<std::uint32_t>(nodes.size());
   std::vector<std::uint32_t> representative(count), number(count, 0), tops;
   for (std::uint32_t s = count; s-- > 0;) {

@@ -28,8 +28,8 @@ std::vector<std::uint32_t> composed(const std::vector<std::uint32_t>& order,
   return result;
 }
 
-/// The tree whose node k was node sequence[k]. A sequence with children before their parents leaves the
-/// elimination tree what it is (Liu 1990).
+/// The tree whose node k was node sequence[k]. If children come before their parents in the sequence, this is
+/// the elimination tree of the reordered matrix (Liu 1990).
 std::vector<std::uint32_t> renumbered(const std::vector<std::uint32_t>& tree,
                                       const std::vector<std::uint32_t>& sequence) {
   std::vector<std::uint32_t> number(tree.size()), parent(tree.size(), kNoParent);
@@ -120,7 +120,7 @@ class Builder {
     }
   }
 
-  /// Blocks of A by the position of the column that they have in the permuted lower triangle.
+  /// Lists the blocks of A by the position of their column in the permuted lower triangle.
   void list_entries_by_column() {
     entry_start_.assign(structure_.blocks() + 1, 0);
     const auto for_each = [&](auto visit) {
@@ -139,7 +139,8 @@ class Builder {
     for_each([&](std::uint32_t column, const Entry& entry) { entries_[next[column]++] = entry; });
   }
 
-  /// Union of the rows of A's columns and of the children's, below the front's own columns.
+  /// Finds the rows below the front's columns: the union of the rows of A's columns and of the children's
+  /// rows.
   void find_rows(Front& front, std::uint32_t s) {
     front.row_begin = size_of(f_.row_blocks);
     const auto add = [&](std::uint32_t row) {
@@ -200,7 +201,7 @@ class Builder {
   std::vector<Entry> entries_;
 };
 
-/// An order, postordered, and what a factorization in it takes.
+/// A postordered elimination order, and the cost of a factorization in this order.
 struct Ordered {
   std::vector<std::uint32_t> order, parent, dims;
   ColumnCounts counts;
@@ -234,8 +235,8 @@ void check_order(std::span<const std::uint32_t> order, std::uint32_t blocks) {
                           " blocks");
 }
 
-/// Whether nested dissection is predicted to save more time than it takes, in nanoseconds. Where it wins, it
-/// saves a fifth to a third of the operations.
+/// Whether nested dissection is predicted to save more time than it takes. If it is better, it saves a fifth
+/// to a third of the operations. Times are in nanoseconds.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
   constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500;
   const double blocks = structure.blocks(), entries = static_cast<double>(structure.row.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that the block Cholesky knows of a structure before it sees a value.
+// The symbolic factorization of the block Cholesky: everything that depends on the structure only.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 
 namespace boxplus {
 
-/// A run of consecutive scalars and the place it goes to.
+/// A run of consecutive scalars and its destination.
 using ScalarRun = dense::Run;
 
-/// Where one block of A goes in the panel of its supernode (an offset from the panel's start).
+/// The place of one block of A in the panel of its supernode, as an offset from the start of the panel.
 struct BlockCopy {
   std::uint32_t source, destination, block;  // `block` is its index k in the structure
   std::uint32_t rows, columns;               // as stored in A
   bool transposed;
 };
 
-/// One supernode. Its panel is the lower trapezoid [L11; L21] of (columns + below) × columns numbers,
-/// column-major with the given leading dimension; its update matrix is below × below, of which the lower
-/// triangle is used.
+/// One supernode. Its panel is the lower trapezoid [L11; L21] of (columns + below) × columns values,
+/// column-major with the given leading dimension. Its update matrix is below × below; only the lower triangle
+/// is used.
 struct Front {
   std::uint32_t first_block, end_block;  // positions in the elimination order
   std::uint32_t columns, below;          // scalars
@@ -55,14 +55,14 @@ struct SymbolicFactor {
   std::vector<std::uint32_t> row_offsets;  // of each of row_blocks: its first row in the front
   std::vector<BlockCopy> copies;
   std::vector<ScalarRun> runs, row_runs;
-  std::uint64_t panel_size = 0, update_size = 0;  // numbers in the arena
+  std::uint64_t panel_size = 0, update_size = 0;  // values in the arena
   std::uint64_t all_rows = 0;                     // of all fronts
   std::uint32_t largest_front = 0, most_columns = 0, most_below = 0;
   double flops = 0;  // of the factor without added zeros
 
   std::uint32_t dim(std::uint32_t at) const { return offset[at + 1] - offset[at]; }
-  /// First row of the block at a position ≥ front.first_block, or kNoParent where the front does not have it.
-  /// O(log blocks of the front).
+  /// The first row of the block at a position ≥ front.first_block, or kNoParent if the front does not have
+  /// the block. O(log blocks of the front).
   std::uint32_t row_in(const Front& front, std::uint32_t at) const;
 
   std::span<const std::uint32_t> rows(const Front& f) const {
@@ -87,25 +87,25 @@ struct SymbolicFactor {
   }
 };
 
-/// The part of the analysis that takes little memory, whatever the factor takes.
+/// The part of the analysis that needs little memory, even if the factor needs much.
 struct FactorOutline {
-  std::vector<std::uint32_t> order;  // before the supernodes, whose partition permutes it once more
+  std::vector<std::uint32_t> order;  // before the partition into supernodes, which permutes it once more
   SupernodePartition partition;
   double flops = 0;
-  Ordering ordering = Ordering::kMinimumDegree;  // that was taken
+  Ordering ordering = Ordering::kMinimumDegree;  // the one that was chosen
 };
 
-/// Orders the blocks, unless `order` does, and forms the supernodes. Throws InvalidArgument where `order` is
-/// neither empty nor an order of all blocks, and Stopped once the token is raised.
+/// Orders the blocks, unless `order` is given, and forms the supernodes. Throws InvalidArgument if `order` is
+/// neither empty nor an order of all blocks, and Stopped when the token is raised.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
                              const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree,
                              int threads = 1, std::span<const std::uint32_t> order = {},
                              const StopToken& stop = {});
-/// Finds all indices and lays out the memory. Throws Stopped once the token is raised.
+/// Computes all indices and the layout of the memory. Throws Stopped when the token is raised.
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
                                const AmalgamationRule& rule = {}, int threads = 1,
                                const StopToken& stop = {});
-/// Both.
+/// outline_factor() and complete_factor().
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule = {}, int threads = 1,
                                  Ordering ordering = Ordering::kMinimumDegree);

@@ -13,16 +13,16 @@ namespace {
 
 using Subtree = TreeSchedule::Subtree;
 
-constexpr double kMinSavedNanoseconds = 200e3;  // ns that must be saved: so long may a worker take to wake
-constexpr double kSubtreesPerThread = 8;        // smaller ones bring nothing
-constexpr double kSerialShare = 0.2;            // of a front that several threads work on
-constexpr double kJoin = 20e3;                  // ns that they lose by waiting for each other
+constexpr double kMinSavedNanoseconds = 200e3;  // a worker may take as long to wake
+constexpr double kSubtreesPerThread = 8;        // more subtrees do not help
+constexpr double kSerialShare = 0.2;            // of a front that several threads factorize
+constexpr double kJoin = 20e3;                  // ns that threads lose by waiting for each other
 
 /// The fronts in two parts: subtrees, the longest first, and those above them.
 struct Parts {
   std::vector<Subtree> subtrees;
   std::vector<std::uint32_t> top;
-  double top_time = 0;  // with all threads on each of them
+  double top_time = 0;  // with all threads on each front
 };
 
 bool is_longer(const Subtree& a, const Subtree& b) {
@@ -34,14 +34,14 @@ double time_together(double time_alone, int threads) {
   return std::min(time_alone, shared);
 }
 
-/// A forest of fronts that is taken apart from the top.
+/// A forest of fronts that is split from the top.
 class Forest {
  public:
   Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int threads);
 
   double total() const { return total_; }
   const Parts& parts() const { return parts_; }
-  /// Takes the root of the largest subtree away; false where none is larger than `limit`.
+  /// Removes the root of the largest subtree. Returns false if no subtree is larger than `limit`.
   bool split(double limit);
 
  private:
@@ -87,8 +87,8 @@ Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int 
   std::sort(parts_.subtrees.begin(), parts_.subtrees.end(), is_longer);
 }
 
-/// The subtrees of the children come instead of that of the root. One that is not contiguous (there may be
-/// some above kept blocks) cannot be handed out as a whole.
+/// Replaces the subtree of the root by those of its children. A subtree that is not contiguous, which is
+/// possible above kept blocks, is split as well, because a thread needs a contiguous range.
 void Forest::take(std::uint32_t root) {
   std::vector<std::uint32_t> waiting{root};
   while (!waiting.empty()) {
@@ -119,7 +119,8 @@ bool Forest::split(double limit) {
   return true;
 }
 
-/// The longest first, each to the thread with the least to do. Returns how long the busiest takes.
+/// Assigns the subtrees, the longest first, each to the thread with the least work. Returns the time of the
+/// busiest thread.
 double share_out(const std::vector<Subtree>& subtrees, int threads,
                  std::vector<std::vector<Subtree>>* shares = nullptr) {
   using Load = std::pair<double, std::size_t>;
@@ -141,7 +142,7 @@ double predicted_time(const Parts& parts, int threads) {
   return share_out(parts.subtrees, threads) + parts.top_time;
 }
 
-/// Splits subtrees as long as that makes the whole faster.
+/// Splits subtrees as long as this lowers the total time.
 Parts best_parts(Forest& forest, int threads) {
   const double limit = forest.total() / (kSubtreesPerThread * threads);
   Parts best = forest.parts();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which fronts are factorized by which thread.
+// The assignment of fronts to threads.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace boxplus {
 struct Front;
 struct AmalgamationRule;
 
-/// Disjoint subtrees, shared out to the threads by predicted time; the fronts above them come afterwards, one
-/// by one, each on all threads. Which they are: Geist and Ng, Task scheduling for parallel sparse Cholesky
-/// factorization, 1989. A front's arithmetic is the same wherever it is done, so that the factor does not
-/// depend on the schedule.
+/// Disjoint subtrees, assigned to threads by predicted time. The fronts above them follow, one by one, each
+/// on all threads. The subtrees are chosen as in Geist and Ng, Task scheduling for parallel sparse Cholesky
+/// factorization, 1989. The arithmetic of a front is the same on every thread, so the factor does not depend
+/// on the schedule.
 struct TreeSchedule {
   /// A whole subtree: the fronts [begin, end).
   struct Subtree {
@@ -27,7 +27,7 @@ struct TreeSchedule {
   bool is_parallel() const { return !threads.empty(); }
 };
 
-/// No thread gets work where the whole factorization is predicted to take less than a few hundred µs.
+/// The schedule is empty if the whole factorization is predicted to take less than a few hundred µs.
 TreeSchedule make_schedule(std::span<const Front> fronts, const AmalgamationRule& rule, int threads);
 
 }  // namespace boxplus

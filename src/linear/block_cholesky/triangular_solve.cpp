@@ -13,10 +13,10 @@
 namespace boxplus {
 namespace {
 
-/// Numbers of the factor between two questions to the token, for several right-hand sides.
+/// The number of values of the factor between two checks of the token, for several right-hand sides.
 constexpr std::int64_t kNumbersOfSeveral = 1 << 13;
 
-/// Several right-hand sides: the rows of x below the front's columns, one after the other.
+/// For several right-hand sides: the rows of x below the front's columns, one after the other.
 template <class Scalar>
 void gather(const SymbolicFactor& symbolic, const Front& front, std::size_t columns, const Scalar* x,
             Scalar* work) {
@@ -48,8 +48,8 @@ struct FrontView {
         pivots(x + symbolic.offset[front.first_block] * stride) {}
 };
 
-/// One right-hand side. Each front has its rows of it side by side in memory of its own: forward, what its
-/// children subtract from rows that come later arrives there in their order, whoever works on them.
+/// Solves for one right-hand side. Each front has separate contiguous memory for its rows. In the forward
+/// pass, its children add there what they subtract from later rows, always in the same order, on any thread.
 template <class Scalar>
 class Substitution {
  public:
@@ -84,7 +84,7 @@ class Substitution {
     kernels_.scatter_runs(&pivots, 1, rows, x_);
   }
 
-  /// False if it was stopped.
+  /// Returns false if it was stopped.
   bool forward_all() {
     const auto step = [this](std::uint32_t s) { forward(symbolic_.fronts[s]); };
     if (!in_parallel()) return ascend(0, static_cast<std::uint32_t>(symbolic_.fronts.size()), step);
@@ -107,11 +107,11 @@ class Substitution {
 
  private:
   bool in_parallel() const {
-    constexpr std::uint64_t kMinParallelValues = 200'000;  // numbers of the factor, about 50 µs
+    constexpr std::uint64_t kMinParallelValues = 200'000;  // of the factor, about 50 µs
     return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kMinParallelValues;
   }
 
-  static constexpr std::int64_t kNumbers = 1 << 15;  // of the factor, between two questions
+  static constexpr std::int64_t kNumbers = 1 << 15;  // values of the factor between two checks
 
   template <class F>
   bool ascend(std::uint32_t begin, std::uint32_t end, F&& step) const {
@@ -135,7 +135,7 @@ class Substitution {
     return std::int64_t{front.leading} * front.columns;
   }
 
-  /// The subtrees of each thread, side by side, until `work_on` returns false.
+  /// Processes the subtrees of all threads in parallel, until `work_on` returns false.
   template <class F>
   void for_each_share(F&& work_on) {
     const auto& shares = symbolic_.schedule.threads;

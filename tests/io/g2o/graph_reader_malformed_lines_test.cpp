@@ -115,18 +115,18 @@ const Malformed kTable[] = {
     {"TailWithAnAbsurdCount", "EDGE_SE2_LOTSOFXY 0 2 || 99999999999 1 1 1 0 1",
      "9:26: expected a number of points ≥ 1, got 99999999999"},
     // Ids that are taken
-    {"VertexIdTwice", "VERTEX_SE2 1 0 0 0", "9:12: expected a new id, but vertex 1 is defined before"},
+    {"VertexIdTwice", "VERTEX_SE2 1 0 0 0", "9:12: expected a new id, but vertex 1 is already defined"},
     {"VertexIdTwiceWithOtherTypes", "VERTEX_XY 1 0 0",
-     "9:11: expected a new id, but vertex 1 is defined before"},
+     "9:11: expected a new id, but vertex 1 is already defined"},
     {"ParameterIdTwice", "PARAMS_SE2OFFSET 1 0 0 0",
-     "9:18: expected a new id, but parameter 1 is defined before"},
+     "9:18: expected a new id, but parameter 1 is already defined"},
     // FIX
     {"FixWithoutId", "FIX", "9:4: expected the id of a vertex, got the end of the line"},
     {"FixOfAnUnknownVertex", "FIX 0 77", "9:7: expected the id of a vertex, but there is no vertex 77"},
     {"FixOfAWord", "FIX all", "9:5: expected the id of a vertex (an integer), got 'all'"},
     // Several
     {"BadLinesInARow", "VERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1\nFIX x",
-     "9:12: expected a new id, but vertex 1 is defined before", 3},
+     "9:12: expected a new id, but vertex 1 is already defined", 3},
     {"EdgesOfAVertexThatIsBad", "VERTEX_SE2 9 0 0\nEDGE_SE2 0 9 1 0 0.5 1 0 0 1 0 1",
      "9:17: expected the heading θ, got the end of the line", 2},
 };
