@@ -35,7 +35,7 @@ ALLOWED = {
 LIBRARY = set(ALLOWED) - {"testing"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
-# The programs stand above all folders. What users copy from sees no private header, nor does what stands for users.
+# The programs come above all folders. Examples, which users copy, and fuzz targets must not include private headers.
 PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests")
 PUBLIC_ONLY = ("examples", "fuzz")
 for folder in PROGRAMS:

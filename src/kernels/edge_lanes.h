@@ -8,7 +8,7 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Ω x for one edge per lane, where Ω and x have R rows.
+/// Ω x for one edge per lane. Ω and x have R rows.
 template <int R, EdgeNumbers::Kind kKind>
 inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
 #pragma GCC unroll 6

@@ -23,7 +23,8 @@ double scaled_density(double a, double x) {
   return std::exp(a * (std::log1p(d) - d) - rest) * std::sqrt(a / (2 * std::numbers::pi));
 }
 
-/// Its distribution function, the regularized P(a, x), by the series Σ xⁿ / (a (a+1) … (a+n)).
+/// The distribution function of the gamma distribution, the regularized P(a, x), by the series Σ xⁿ / (a
+/// (a+1) … (a+n)).
 double distribution(double a, double x) {
   double term = 1 / a, sum = term;
   for (double n = 1; term > sum * std::numeric_limits<double>::epsilon(); ++n) {

@@ -17,13 +17,13 @@ Rho PseudoHuber::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   const double root = std::sqrt(1 + e2 / d2);
   const double weight = 1 / root;
-  // 2 d² (root − 1), without the cancellation.
+  // 2 d² (root − 1), without cancellation.
   return {2 * e2 / (root + 1), weight, -0.5 / d2 * weight * weight * weight};
 }
 
 namespace {
 
-/// x − ln(1 + x) for x ≥ 0, to rounding.
+/// x − ln(1 + x) for x ≥ 0, exact to rounding.
 double x_minus_log1p(double x) {
   if (x > 0.01) return x - std::log1p(x);
   double sum = 0;

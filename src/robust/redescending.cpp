@@ -27,7 +27,7 @@ Rho Tukey::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   if (e2 > d2) return {d2 / 3, 0, 0};
   const double r = e2 / d2, inner = 1 - r;
-  // (1 − (1 − r)³) / 3 = r (1 − r + r²/3), without the cancellation.
+  // (1 − (1 − r)³) / 3 = r (1 − r + r²/3), without cancellation.
   return {e2 * (1 - r + r * r / 3), inner * inner, -2 * inner / d2};
 }
 

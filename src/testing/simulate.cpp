@@ -33,7 +33,7 @@ Simulation simulate(World world, const SimulationOptions& options) {
     throw InvalidArgument("simulate: expected a noise factor ≥ 0, got " + std::to_string(options.noise));
   }
   if (!(options.outliers >= 0 && options.outliers <= 1)) {
-    throw InvalidArgument("simulate: expected a share of outliers in [0, 1], got " +
+    throw InvalidArgument("simulate: expected a fraction of outliers in [0, 1], got " +
                           std::to_string(options.outliers));
   }
   switch (world) {

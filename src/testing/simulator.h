@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills a Simulation: true poses and points come in, noisy measurements and their graph go out.
+// Fills a Simulation: adds noisy measurements of true poses and points to its graph.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ class Simulator {
     result_.truth.fix(true_poses_[0]);
   }
 
-  /// A loop closure between two poses of the trajectory. An outlier takes another place for that of `from`.
+  /// Adds a loop closure between two poses of the trajectory. An outlier mistakes another pose for `from`.
   void recognize(int from, int to) {
     const Between<Pose> edge = measure(truth(from), truth(to));
     const double least_distance = kOutlierDistance * deviation_[0];
@@ -65,14 +65,14 @@ class Simulator {
   int size() const { return static_cast<int>(truths_.size()); }
   const Pose& truth(int pose) const { return truths_[static_cast<std::size_t>(pose)]; }
 
-  /// A point of the plane, which becomes a vertex when it is first seen.
+  /// Adds a point of the plane, which becomes a vertex when it is first seen.
   int add_landmark(const Vector2& point) {
     landmarks_.push_back({point, std::nullopt, std::nullopt});
     return static_cast<int>(landmarks_.size()) - 1;
   }
   const Vector2& landmark(int index) const { return landmarks_[static_cast<std::size_t>(index)].point; }
 
-  /// Sees a landmark from the last pose. An outlier takes it for another that was seen before.
+  /// Observes a landmark from the last pose. An outlier mistakes it for another one that was seen before.
   void observe(int index, double deviation) {
     const Landmark& seen = landmarks_[static_cast<std::size_t>(index)];
     Vector2 noise;
@@ -94,15 +94,15 @@ class Simulator {
 
  private:
   static constexpr int kNone = -1;
-  static constexpr double kOutlierDistance = 20;  // deviations that an outlier is wrong by, at least
+  static constexpr double kOutlierDistance = 20;  // the least error of an outlier, in standard deviations
 
   struct Landmark {
     Vector2 point;
     std::optional<VertexHandle<Vector2>> vertex, true_vertex;
   };
 
-  /// What `draw` takes a place for, where the lot falls on an outlier; else kNone. Has a generator of its
-  /// own, so that outliers change no other measurement.
+  /// Decides at random whether a measurement is an outlier. If so, returns the wrong place, which `draw`
+  /// chooses; otherwise kNone. Uses a separate generator, so that outliers change no other measurement.
   template <class Draw>
   int mistake(Draw&& draw) {
     if (!(outlier_random_.uniform() < outliers_)) return kNone;
@@ -119,7 +119,7 @@ class Simulator {
     true_poses_.push_back(result_.truth.add_vertex(truth));
   }
 
-  /// z with e = z⁻¹ A distributed as N(0, Ω⁻¹), where A is the true motion.
+  /// A measurement z whose error e = z⁻¹ A has the distribution N(0, Ω⁻¹). A is the true motion.
   Between<Pose> measure(const Pose& from, const Pose& to) {
     Vector<double, kDim> e;
     for (int i = 0; i < kDim; ++i) e[i] = noise_factor_ * deviation_[i] * random.normal();

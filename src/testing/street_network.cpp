@@ -17,24 +17,24 @@ constexpr double kMissing = 0.2;                                // of the street
 constexpr double kLane = 1.5;                                   // meters right of the middle
 constexpr int kLaneChange = 12;                                 // steps
 
-/// Every fifth column and row.
+/// Whether a column or row is an avenue: every fifth one is.
 bool is_avenue(int line) {
   return line % 5 == 1;
 }
 
-/// Steps to drive every street of a lattice twice.
+/// The number of steps to drive every street of a lattice twice.
 double steps_for_two_passes(int columns, int rows, int block) {
   constexpr double kPresent = 0.88;
   return 2.0 * block * kPresent * (columns * (rows - 1) + rows * (columns - 1));
 }
 
-/// Crossings that streets join (union-find).
+/// Sets of crossings that streets connect (union-find).
 class Components {
  public:
   explicit Components(std::size_t crossings) : parents_(crossings) {
     std::iota(parents_.begin(), parents_.end(), 0);
   }
-  /// Whether they were apart.
+  /// Joins two sets. Returns whether they were separate.
   bool join(int a, int b) {
     const int root_a = root(a), root_b = root(b);
     parents_[static_cast<std::size_t>(root_a)] = root_b;
@@ -60,7 +60,7 @@ std::vector<T> shuffled(std::vector<T> items, RandomNumbers& random) {
 }  // namespace
 
 StreetNetwork::StreetNetwork(int steps, int block, RandomNumbers& random) : columns_(2), rows_(2) {
-  constexpr double kShareOfTwoPasses = 0.73;  // the rest is for third and fourth ones
+  constexpr double kShareOfTwoPasses = 0.73;  // the rest is for third and fourth passes
   while (true) {
     const int columns = columns_ + (columns_ == rows_), rows = rows_ + (columns_ != rows_);
     if (steps_for_two_passes(columns, rows, block) > kShareOfTwoPasses * steps) break;
@@ -85,8 +85,8 @@ void StreetNetwork::lay_crossings(int block, RandomNumbers& random) {
   }
 }
 
-/// Between neighbors of the lattice. What is missing leaves two streets at each crossing, and a way from
-/// each crossing to each other.
+/// Adds streets between neighbors of the lattice. Missing streets leave at least two streets at each
+/// crossing, and a path between every two crossings.
 void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   std::vector<Street> spare;
   std::vector<int> degree(crossings_.size());
@@ -121,8 +121,8 @@ void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   }
 }
 
-/// Third passes around whole blocks, then third and fourth ones there and back, until `steps` are driven: the
-/// number of passes that end at a crossing stays even, as a closed tour needs.
+/// Adds third passes around whole blocks, then third and fourth passes there and back, until `steps` are
+/// driven. The number of passes that end at a crossing stays even, as a closed tour requires.
 void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   std::int64_t missing = steps;
   for (const Street& street : streets_) missing -= std::int64_t{street.passes} * street.steps;
@@ -174,7 +174,7 @@ std::vector<Leg> StreetNetwork::route(RandomNumbers& random) const {
     }
     left.push_back(streets_[i].passes);
   }
-  /// Any street with a pass left, but back only where there is no other.
+  // Chooses any street with a pass left, but turns back only if there is no other.
   const auto choose = [&](int at, int arrived_by) {
     std::vector<int> choices;
     for (int street : streets_at[static_cast<std::size_t>(at)]) {

@@ -11,11 +11,11 @@
 
 namespace boxplus {
 
-/// A slightly bowed way between two crossings, driven in steps of about a meter.
+/// A slightly curved street between two crossings, driven in steps of about a meter.
 struct Street {
   int from = 0, to = 0;  ///< crossings
   int steps = 0;         ///< positions are 0 (at `from`) … steps (at `to`)
-  double bow = 0;        ///< how far its middle lies left of the straight line
+  double bow = 0;        ///< distance of its middle to the left of the straight line
   int passes = 2;
 };
 
@@ -25,12 +25,12 @@ struct Leg {
   bool forward = true;  ///< from `from` to `to`
 };
 
-/// Crossings on a lattice that is bent as a whole and jittered one by one; avenues run through without gap,
-/// elsewhere streets are missing.
+/// Crossings on a lattice that is bent as a whole; each crossing is also displaced at random. Avenues have no
+/// gaps; some other streets are missing.
 class StreetNetwork {
  public:
-  /// So many streets, of about `block` steps, that driving each 2 to 4 times takes about `steps` steps.
-  /// No street has fewer than 4/5 `block` steps.
+  /// Makes streets of about `block` steps, as many as needed to drive each 2 to 4 times in about `steps`
+  /// steps. No street has fewer than 4/5 `block` steps.
   StreetNetwork(int steps, int block, RandomNumbers& random);
 
   const std::vector<Vector2>& crossings() const { return crossings_; }
@@ -41,7 +41,8 @@ class StreetNetwork {
   /// rarely turns on the spot.
   std::vector<Leg> route(RandomNumbers& random) const;
 
-  /// On the right-hand side of the street, looking along the drive; `position` counts from `from` always.
+  /// A pose on the right-hand side of the street, in the direction of the drive. `position` always counts
+  /// from `from`.
   SE2 pose(const Leg& leg, int position) const;
   /// The point `left` meters left of the street's middle line, seen from `from`.
   Vector2 beside(const Street& street, double position, double left) const;

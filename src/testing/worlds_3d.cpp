@@ -14,7 +14,7 @@ SE3 turned(const Vector3& axis, double angle) {
   return SE3::from_unit(Vector3(0, 0, 0), RotationVectorChart::exp(omega[0], omega[1], omega[2]));
 }
 
-/// The whole number of laps with as many poses each that is closest to `poses`.
+/// The number of laps for about `poses` poses, if a lap has as many poses as there are laps.
 int laps_for(int poses) {
   return std::max(2, static_cast<int>(std::lround(std::sqrt(static_cast<double>(poses)))));
 }

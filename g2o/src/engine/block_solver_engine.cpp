@@ -24,20 +24,20 @@ using boxplus::LinearStatus;
 
 struct BlockSolverEngine::State {
   std::vector<OptimizableGraph::Vertex*>
-      vertices;                            // by Hessian index; deleted where `revision` is an old one
+      vertices;                            // by Hessian index; may be deleted if `revision` is not current
   std::vector<int> ids;                    // of the vertices
   std::uint64_t revision = 0;              // of the optimizer's active vertices and edges
   std::uint32_t kept = 0, eliminated = 0;  // blocks
   BlockStructure structure;                // of H, the eliminated blocks first
   std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
   std::unique_ptr<boxplus::BlockSystem> full;
-  std::shared_ptr<boxplus::LinearSolver> solver;  // eliminates; behind it
-  std::shared_ptr<MeasuredSolver> measured;       // solves for the other blocks; and behind this,
-  ClientSolver* client = nullptr;                 // if the linear solver is the client's
+  std::shared_ptr<boxplus::LinearSolver> solver;  // eliminates, then calls `measured`
+  std::shared_ptr<MeasuredSolver> measured;       // solves for the other blocks
+  ClientSolver* client = nullptr;                 // called by `measured` if the linear solver is the client's
   EngineSettings settings;
   std::vector<double> engine_b, engine_x;
   bool ready = false;   // the solvers are made for the structure
-  bool filled = false;  // H is that of a linearization
+  bool filled = false;  // H is a linearization
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -53,7 +53,7 @@ struct BlockSolverEngine::State {
   }
   std::uint32_t eliminated_scalars() const { return structure.offset[eliminated]; }
 
-  /// From the order of Hessian indices to that of the engine, and back: two ranges change places.
+  /// Convert from the order of Hessian indices to that of the engine, and back. Two ranges change places.
   void to_engine(const double* in, double* out) const {
     const std::uint32_t first = structure.scalars() - eliminated_scalars();
     std::copy_n(in, first, out + eliminated_scalars());
@@ -85,7 +85,7 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
 
 }  // namespace
 
-/// Numbers the blocks and finds the pattern of H. False where an edge joins two eliminated vertices.
+/// Numbers the blocks and finds the pattern of H. Returns false if an edge joins two eliminated vertices.
 bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool use_schur) {
   vertices = optimizer.indexMapping();
   ids.clear();
@@ -127,7 +127,7 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
   return true;
 }
 
-/// Lets the diagonal blocks be those of H. Vertices that have none get no memory.
+/// Maps the vertices to the diagonal blocks of H. Vertices without a block get no memory.
 void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
   for (OptimizableGraph::Vertex* v : optimizer.activeVertices()) {
     if (v->hessianIndex() < 0) v->mapHessianMemory(nullptr);
@@ -141,7 +141,8 @@ void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
   }
 }
 
-/// The block at (row, column) is that of positions (i, j) where i has the larger number, else that of (j, i).
+/// Maps positions i and j of an edge to their block of H. The block is stored for (i, j) if the block number
+/// of i is the larger one, otherwise for (j, i).
 void BlockSolverEngine::State::map_pair(OptimizableGraph::Edge& edge, int i, int j) {
   const int index_i = vertex_at(edge, static_cast<size_t>(i))->hessianIndex();
   const int index_j = vertex_at(edge, static_cast<size_t>(j))->hessianIndex();
@@ -232,7 +233,7 @@ bool BlockSolverEngine::isLinearized(const SparseOptimizer& optimizer) const {
   return isCurrent(optimizer) && state_->filled;
 }
 
-/// Says which vertex H is not positive definite for.
+/// Names the vertex for which H is not positive definite. Returns false.
 bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result) const {
   const char* what =
       result.status == LinearStatus::kNotPositiveDefinite ? "is not positive definite" : "is not finite";

@@ -41,7 +41,7 @@ boxplus::FactorResult ClientSolver::factorize(const boxplus::BlockSystem& system
 }
 
 boxplus::SolveResult ClientSolver::solve(const double* b, int, double* x, const boxplus::SolveControl&) {
-  std::copy_n(b, right_hand_side_.size(), right_hand_side_.data());  // which the client may change
+  std::copy_n(b, right_hand_side_.size(), right_hand_side_.data());  // a copy that the client may change
   std::fill(solution_.begin(), solution_.end(), 0.0);
   if (!(*client_)(dims_, blocks_, solution_.data(), right_hand_side_.data()))
     return {boxplus::LinearStatus::kNotPositiveDefinite};

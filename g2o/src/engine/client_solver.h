@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client's g2o::LinearSolver behind the engine's seam.
+// Adapts a client's g2o::LinearSolver to the LinearSolver of the engine.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace internal {
 /// blocks, and lists all blocks for solve().
 class ClientSolver final : public boxplus::LinearSolver {
  public:
-  /// Each solve() calls the client that is set then.
+  /// Sets the client that the next calls of solve() use.
   void set_client(const ClientLinearSolver* client) { client_ = client; }
 
   std::string_view name() const override { return "client"; }
@@ -23,7 +23,7 @@ class ClientSolver final : public boxplus::LinearSolver {
                const boxplus::StopToken& stop) override;
   boxplus::FactorResult factorize(const boxplus::BlockSystem& system, const boxplus::Damping& damping,
                                   const boxplus::SolveControl& control) override;
-  /// One column. kNotPositiveDefinite if the client cannot solve.
+  /// Solves for one column. Returns kNotPositiveDefinite if the client cannot solve.
   boxplus::SolveResult solve(const double* b, int columns, double* x,
                              const boxplus::SolveControl& control) override;
 

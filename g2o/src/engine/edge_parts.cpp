@@ -14,10 +14,10 @@ namespace g2o {
 namespace internal {
 namespace {
 
-/// With fewer edges, the threads cost more than they save.
+/// With fewer edges, threads cost more time than they save.
 constexpr size_t kFewestEdges = 1000;
 
-/// is_thread_safe(), remembered for the last type: most edges are of the same.
+/// Remembers is_thread_safe() of the last type, because most edges have the same type.
 class LastType {
  public:
   bool allowed(const std::type_info& type) {
@@ -33,8 +33,8 @@ class LastType {
   bool allowed_ = false;
 };
 
-/// The parts of vertices, in the order in which edges come to them: what was measured one after the other is
-/// mostly near each other.
+/// Assigns vertices to parts, in the order in which edges first use them. Vertices that are measured one
+/// after the other are mostly near each other.
 class VertexParts {
  public:
   explicit VertexParts(const OptimizableGraph::EdgeContainer& edges, int vertices)
@@ -47,7 +47,7 @@ class VertexParts {
     }
   }
 
-  /// The part, of `count`, that all vertices of an edge are in; −1 where there is none.
+  /// The part, of `count` parts, that contains all vertices of an edge; −1 if there is none.
   int of(const OptimizableGraph::Edge& edge, int count) const {
     int part = -1;
     for (const HyperGraph::Vertex* v : edge.vertices()) {
@@ -73,7 +73,7 @@ class VertexParts {
   int seen_ = 0;
 };
 
-/// task(0) … task(parts − 1) on all threads.
+/// Runs task(0) … task(parts − 1) on all threads.
 void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
   const int threads = std::min(boxplus::hardware_threads(), parts);
   boxplus::parallel_tasks(threads, [&](int thread) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The active edges in parts that different threads may work on.
+// The active edges, divided into parts that different threads may process.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 namespace g2o {
 namespace internal {
 
-/// Whether all vertices are there: clients may take them away by setVertex() or vertices() at any time.
+/// Whether an edge has all of its vertices. Clients may remove them with setVertex() or vertices() at any
+/// time.
 inline bool is_complete(const OptimizableGraph::Edge& edge) {
   for (const HyperGraph::Vertex* v : edge.vertices()) {
     if (v == nullptr) return false;
@@ -21,23 +22,23 @@ inline bool is_complete(const OptimizableGraph::Edge& edge) {
   return true;
 }
 
-/// Edges of one part share no vertex that may move with those of another: neither blocks of H nor of b. Edges
-/// between parts, and those of types that nothing is known of, are left for one thread. How many parts there
-/// are, and so the order in which blocks are added up, does not depend on the number of threads.
+/// Edges of different parts share no vertex that may move, and so no block of H or b. Edges between parts,
+/// and edges of types that are not known to be thread-safe, are left for one thread. The number of parts, and
+/// so the order of additions, does not depend on the number of threads.
 class EdgeParts {
  public:
   using Edge = OptimizableGraph::Edge;
   using Edges = OptimizableGraph::EdgeContainer;
 
-  /// Parts the edges anew, vertices known by their Hessian indices.
+  /// Divides the edges into parts. `vertices` is the number of Hessian indices.
   void part(const Edges& edges, int vertices);
-  /// Whether they are those, and what is known of types is what it was.
+  /// Whether part() was called for these edges, and the set of thread-safe types has not changed since.
   bool is_of(const Edges& edges) const;
 
-  /// f(edge) for each edge once, in any order.
+  /// Calls f(edge) once for each edge, in any order.
   void for_each(boxplus::FunctionRef<void(Edge&)> f) const;
-  /// f(edge, workspace), edges of one part after each other, and those left after all parts. Edges whose
-  /// robust kernel is the client's are left as well.
+  /// Calls f(edge, workspace) for the edges of each part in order, and for the remaining edges after all
+  /// parts. Edges with a robust kernel of the client also come after all parts.
   void for_each_by_parts(JacobianWorkspace& workspace,
                          boxplus::FunctionRef<void(Edge&, JacobianWorkspace&)> f);
 

@@ -13,7 +13,7 @@ struct LinearEngine::State {
   EngineSettings settings;
   boxplus::BlockStructure structure;
   std::vector<double> values;
-  std::unique_ptr<boxplus::AssembledSystem> system;  // of these; iterative solvers look into it
+  std::unique_ptr<boxplus::AssembledSystem> system;  // refers to `values`; iterative solvers read it
   std::unique_ptr<boxplus::LinearSolver> solver;     // analyzed for the structure
   int iterations = 0;
 };

@@ -9,7 +9,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-/// A field of the current statistics, if there are any.
+/// A field of the current statistics, or nullptr if there are none.
 double* counted(double G2OBatchStatistics::*field) {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   return statistics == nullptr ? nullptr : &(statistics->*field);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A linear solver of the engine, with the tolerance of the g2o API, whose work counts in its statistics.
+// A linear solver of the engine with the tolerance of the g2o API. It adds its times to the statistics of the
+// g2o API.
 #pragma once
 
 #include <memory>
@@ -11,8 +12,8 @@
 namespace g2o {
 namespace internal {
 
-/// Hands everything on to `solver`. A residual of EngineSettings::tolerance is small enough, too, if the
-/// settings say so: only here is the right-hand side of the system that is left after the elimination known.
+/// Passes all calls on to `solver`. Converts EngineSettings::tolerance to a relative tolerance, because only
+/// this solver knows the right-hand side of the system that remains after the elimination.
 class MeasuredSolver final : public boxplus::LinearSolver {
  public:
   MeasuredSolver(std::unique_ptr<boxplus::LinearSolver> solver, const EngineSettings& settings)
@@ -33,7 +34,7 @@ class MeasuredSolver final : public boxplus::LinearSolver {
   boxplus::LinearStatistics statistics() const override { return solver_->statistics(); }
 
   void set_settings(const EngineSettings& settings) { settings_ = settings; }
-  /// That factorize() took since the last call of this.
+  /// The seconds that factorize() took since the last call of this function.
   double take_factorize_seconds() { return std::exchange(factorize_seconds_, 0); }
 
  private:

@@ -49,7 +49,7 @@ struct FrontView {
 };
 
 /// Solves for one right-hand side. Each front has separate contiguous memory for its rows. In the forward
-/// pass, its children add there what they subtract from later rows, always in the same order, on any thread.
+/// pass, its children write their contributions there, always in the same order, on any thread.
 template <class Scalar>
 class Substitution {
  public:

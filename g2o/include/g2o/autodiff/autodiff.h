@@ -15,7 +15,7 @@ namespace g2o {
 namespace ceres {
 namespace internal {
 
-/// Calls functor(x₀, x₁, …, error), where each x is an array of one of the sizes Dims.
+/// Calls functor(x₀, x₁, …, error). Each x is an array; Dims are their sizes.
 template <int Rows, int... Dims>
 class AutoDiff {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Solver of the library: a block Hessian, the Schur complement, and a LinearSolver for what is left.
+// The Solver of the library: a block Hessian, the Schur complement, and a LinearSolver for the remaining
+// blocks.
 #pragma once
 #ifndef G2O_BLOCK_SOLVER_H
 #define G2O_BLOCK_SOLVER_H
@@ -16,7 +17,7 @@
 
 namespace g2o {
 
-/// The dimensions of poses and of landmarks, which are eliminated where they are marginalized.
+/// The dimensions of poses and of landmarks. Landmarks that are marginalized are eliminated.
 template <int _PoseDim, int _LandmarkDim>
 struct BlockSolverTraits {
   static constexpr int PoseDim = _PoseDim;
@@ -57,8 +58,8 @@ class G2O_CORE_API BlockSolverBase : public Solver {
   virtual void multiplyHessian(double* dest, const double* src) const = 0;
 };
 
-/// H lies in the engine's memory whatever the traits; they say what LinearSolver fits, and which dimension
-/// marginalized vertices must have. Owns the linear solver.
+/// Solves with H in the memory of the engine, for all traits. The traits determine the type of the
+/// LinearSolver and the dimension of marginalized vertices. Owns the linear solver.
 template <typename Traits>
 class BlockSolver : public BlockSolverBase {
  public:
@@ -76,17 +77,18 @@ class BlockSolver : public BlockSolverBase {
 
   explicit BlockSolver(std::unique_ptr<LinearSolverType> linearSolver)
       : _linearSolver(std::move(linearSolver)) {}
-  /// As clients of old write it.
+  /// For clients that pass a raw pointer. Takes ownership.
   explicit BlockSolver(LinearSolverType* linearSolver) : _linearSolver(linearSolver) {}
 
   bool init(SparseOptimizer* optimizer, bool online = false) override;
   bool buildStructure(bool zeroBlocks = false) override;
-  /// Lays everything out anew: what is not new costs little beside a factorization. Where nothing was laid
-  /// out yet, the next optimize() does.
+  /// Builds the whole structure again, because this costs little compared with a factorization. If there is
+  /// no structure yet, the next optimize() builds it.
   bool updateStructure(const std::vector<HyperGraph::Vertex*>&, const HyperGraph::EdgeSet&) override {
     return !engine_.hasStructure() || buildStructure();
   }
-  /// Lays out what is not, since an online optimize() does not ask for it.
+  /// Builds the structure first if it is not current, because an online optimize() does not call
+  /// buildStructure().
   bool buildSystem() override {
     if (this->_optimizer == nullptr) return false;
     if (!engine_.isCurrent(*this->_optimizer) && !(_linearSolver->init() && buildStructure())) return false;
@@ -119,14 +121,14 @@ class BlockSolver : public BlockSolverBase {
   std::unique_ptr<LinearSolverType> _linearSolver;
   bool _doSchur = true;
 
-  /// For derived classes: copies of the blocks of H, undamped, as buildSystem() left them. The upper triangle
-  /// of the poses; the marginalized landmarks; and between poses (rows) and landmarks (columns). A
-  /// BlockSolver itself has none. Writing to them does not change H.
+  /// For derived classes: copies of the blocks of H, without damping, after buildSystem(). _Hpp is the upper
+  /// triangle of the poses, _Hll the marginalized landmarks, and _Hpl the blocks between poses (rows) and
+  /// landmarks (columns). An object of type BlockSolver itself has none. Writing to them does not change H.
   std::unique_ptr<PoseHessianType> _Hpp;
   std::unique_ptr<LandmarkHessianType> _Hll;
   std::unique_ptr<PoseLandmarkHessianType> _Hpl;
-  /// The damped matrix that solve() gave to the linear solver: the Schur complement on the poses; the upper
-  /// triangle. A BlockSolver itself has none, unless the linear solver is a client's own.
+  /// The damped matrix that solve() passed to the linear solver: the upper triangle of the Schur complement
+  /// on the poses. An object of type BlockSolver itself has none, unless the linear solver is a client's.
   std::unique_ptr<PoseHessianType> _Hschur;
   int _numPoses = 0, _numLandmarks = 0;    ///< blocks
   int _sizePoses = 0, _sizeLandmarks = 0;  ///< scalars
@@ -134,7 +136,7 @@ class BlockSolver : public BlockSolverBase {
  private:
   bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
-  /// The linear solver's, and exact where steps must be.
+  /// The settings of the linear solver, and `exact` if steps must be exact.
   internal::EngineSettings engineSettings() const;
   using EngineBlocks = std::vector<internal::EngineBlock>;
   bool solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks, double* x, double* b);

@@ -24,7 +24,9 @@ bool BlockSolver<Traits>::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                            const std::vector<std::pair<int, int>>& blockIndices) {
   if (this->_optimizer != nullptr && engine_.isLinearized(*this->_optimizer))
     return engine_.inverse(blockIndices, spinv);
-  G2O_ERROR("computeMarginals: what takes part has changed since it was linearized: optimize() first");
+  G2O_ERROR(
+      "computeMarginals: the active vertices or edges have changed since the linearization: optimize() "
+      "first");
   return false;
 }
 
@@ -36,7 +38,8 @@ bool BlockSolver<Traits>::buildStructure(bool) {
         LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
     if (!fits) {
       G2O_ERROR(
-          "vertex {}: expected a marginalized vertex of {} dimensions, as the block solver is for, it has {}",
+          "vertex {}: expected {} dimensions, which the block solver needs for marginalized vertices, it has "
+          "{}",
           v->id(), static_cast<int>(LandmarkDim), v->dimension());
       return false;
     }
@@ -83,20 +86,20 @@ template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   internal::EngineSettings settings = engineSettings();
-  if (isDerived() && _numLandmarks > 0) settings = {};  // has the Schur complement, so that it is made here
+  if (isDerived() && _numLandmarks > 0) settings = {};  // so that _Hschur is filled for the derived class
   return engine_.solve(lambda_, this->_b, this->_x, settings,
                        [this](const std::vector<int>& dims, const EngineBlocks& blocks, double* x,
                               double* b) { return solveByLinearSolver(dims, blocks, x, b); });
 }
 
-/// Makes the matrix that the linear solver is given, once per structure.
+/// Makes the matrix for the linear solver, once per structure.
 template <typename Traits>
 bool BlockSolver<Traits>::layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks) {
   std::vector<int> ends;
   int end = 0;
   for (int dim : dims) {
     if (PoseDim != Eigen::Dynamic && dim != PoseDim) {
-      G2O_ERROR("expected vertices of {} dimensions, as the linear solver is for, one has {}",
+      G2O_ERROR("expected vertices of {} dimensions, which the linear solver needs, one has {}",
                 static_cast<int>(PoseDim), dim);
       return false;
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine's linear solvers over a SparseBlockMatrix: what the LinearSolver classes of the library are made
-// of.
+// The engine's linear solvers for a SparseBlockMatrix. The LinearSolver classes of the library use them.
 #pragma once
 #ifndef G2O_LINEAR_ENGINE_H
 #define G2O_LINEAR_ENGINE_H
@@ -16,24 +15,24 @@
 namespace g2o {
 namespace internal {
 
-/// kScalarCholesky orders scalars, kCholesky blocks.
+/// kScalarCholesky orders scalars, and kCholesky orders blocks.
 enum class EngineSolver { kNone, kCholesky, kScalarCholesky, kDense, kPcg };
 
 struct EngineSettings {
   EngineSolver solver = EngineSolver::kNone;
   double tolerance = 1e-10;        ///< kPcg: relative to the right-hand side
-  bool absoluteTolerance = false;  ///< kPcg: a residual of `tolerance` is small enough, too
-  int maxIterations = 0;           ///< kPcg; 0: of the engine's choice
-  bool exact = false;              ///< kCholesky: never a factor in float, whose solutions are refined
+  bool absoluteTolerance = false;  ///< kPcg: an absolute residual of `tolerance` is also small enough
+  int maxIterations = 0;           ///< kPcg; 0: the default of the engine
+  bool exact = false;              ///< kCholesky: never use a factor in float
 };
 
-/// A block of a symmetric matrix, row ≥ column: rows × cols numbers, column by column.
+/// A block of a symmetric matrix, row ≥ column: rows × cols values, column by column.
 struct EngineBlock {
   int row, column;
   const double* values;
 };
 
-/// Factorizes and solves; keeps the analysis while the structure stays.
+/// Factorizes and solves. Keeps the analysis while the structure does not change.
 class G2O_CORE_API LinearEngine {
  public:
   explicit LinearEngine(const EngineSettings& settings);
@@ -46,13 +45,13 @@ class G2O_CORE_API LinearEngine {
   void setSettings(const EngineSettings& settings);
   /// `blocks`: the lower triangle, sorted by column and row, with every diagonal block.
   bool factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks);
-  /// May be called after factorize(); b and x may be the same.
+  /// Requires a factorize() before. b and x may be the same memory.
   bool solve(const double* b, double* x);
-  /// Calls `take` with the blocks (row, column) of the inverse, in the order asked for.
+  /// Calls `take` with the blocks (row, column) of the inverse, in the requested order.
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
                const std::function<void(size_t, const MatrixX&)>& take);
   int iterations() const;
-  /// Writes the matrix of the last factorize() for Octave; false where there was none.
+  /// Writes the matrix of the last factorize() for Octave. Returns false if there was none.
   bool save(const std::string& fileName) const;
 
   /// The same for the upper triangle of blocks of A.
@@ -91,7 +90,7 @@ class G2O_CORE_API LinearEngine {
   std::vector<double> transposed_;
 };
 
-/// spinv ← the blocks (i, j) of the inverse of what `engine` factorized.
+/// spinv ← the blocks (i, j) of the inverse of the matrix that `engine` has factorized.
 G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
                               const std::vector<std::pair<int, int>>& blockIndices,
                               SparseBlockMatrix<MatrixX>& spinv);

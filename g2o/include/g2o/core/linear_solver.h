@@ -98,7 +98,7 @@ class LinearSolverCCS : public LinearSolver<MatrixType> {
   }
 
   bool blockOrdering() const { return _blockOrdering; }
-  /// If true, the ordering permutes blocks, else scalars.
+  /// If true, the ordering permutes blocks, otherwise scalars.
   virtual void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
   bool writeDebug() const override { return _writeDebug; }
   void setWriteDebug(bool b) override { _writeDebug = b; }

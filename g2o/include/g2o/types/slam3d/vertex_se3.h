@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A pose in space. ⊞ multiplies the motion (Δt, q_v) on the right, where q_v is the vector part of a
+/// A pose in space. ⊞ multiplies the motion (Δt, q_v) on the right; q_v is the vector part of a
 /// quaternion. Tag: VERTEX_SE3:QUAT.
 class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
  public:
