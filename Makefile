@@ -58,9 +58,10 @@ tidy: setup ## builds with clang++ and runs clang-tidy over every source
 format: ## formats all C++ files
 	@scripts/check_format.sh --fix
 
-check: ## checks the format and the direction of includes
+check: ## checks the format, the direction of includes, and words in comments and documents
 	@scripts/check_format.sh
 	@scripts/check_includes.py
+	@scripts/count_words.py --check
 
 fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
 	@cmake --preset fuzz

@@ -272,7 +272,8 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
     pool.linearize(std::span(&edges[k].slot, 1), tile, false);
     const bool exact = pool.jacobian_source() != JacobianSource::kNumeric;
     resistance.add(tile, tangents.data(), exact ? kExact : kNumeric);
-    if (k % kEdgesBetweenChecks == kOften - 1 && resistance.unresisted(candidates).cols() == 0) break;
+    if (k % kEdgesBetweenChecks == kEdgesBetweenChecks - 1 && resistance.unresisted(candidates).cols() == 0)
+      break;
   }
   return resistance.unresisted(candidates);
 }

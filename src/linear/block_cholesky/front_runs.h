@@ -6,8 +6,8 @@
 
 namespace boxplus {
 
-/// Appends a run. If the last run (of those from `begin` on) ends at the beginning of this one, on both sides,
-/// extends it instead.
+/// Appends a run. If the last run (of those from `begin` on) ends at the beginning of this one, on both
+/// sides, extends it instead.
 inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
   constexpr std::uint32_t kLongest = 64;  // so that threads can share them
   if (runs.size() > begin && runs.back().length < kLongest &&
