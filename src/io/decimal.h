@@ -13,8 +13,8 @@ namespace boxplus {
 
 struct Decimal {
   double value = 0;
-  const char* end =
-      nullptr;  ///< after the last digit; nullptr: no such number, and the other members mean nothing
+  /// After the last digit. nullptr: there is no such number, and the other members mean nothing.
+  const char* end = nullptr;
   bool is_integer = false;
 };
 

@@ -37,7 +37,7 @@ const FileFormat& named_format(const FileFormats& formats, const std::string& na
     for (const FileFormat& known : formats.all()) message += " " + known.name;
     throw InvalidArgument(message);
   }
-  if (!format->write) throw InvalidArgument("cannot write " + format->label() + ": the format is only read");
+  if (!format->write) throw InvalidArgument("cannot write " + format->label() + ": the format is read-only");
   return *format;
 }
 

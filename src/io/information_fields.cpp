@@ -39,7 +39,7 @@ detail::UncheckedInformation detail::read_unchecked_information(FieldReader& in,
   const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(rows + 1) / 2;
   const std::span<const double> listed = read_listed(in, count);
   if (std::all_of(listed.begin(), listed.end(), [](double value) { return value == 0; }))
-    in.fail(place, "information: expected a matrix that weighs something, got zeros only");
+    in.fail(place, "information: expected a nonzero matrix, got zeros only");
   return {Information::upper_triangle(as_upper_triangle(listed, to_upper_triangle), rows), rows, place};
 }
 

@@ -148,8 +148,7 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
   const StepResult result = factorize_and_solve(full, step);
-  for (const std::uint32_t i : plan_->fixed_scalars)
-    step[i] = 0;  // a custom solver may leave rounding errors
+  for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly, also with a custom solver
   return result;
 }
 

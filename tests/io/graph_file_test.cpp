@@ -40,7 +40,7 @@ TEST(GraphFile, RefusesFormatsThatItDoesNotKnowOrThatAreOnlyRead) {
     }
   };
   EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known are g2o TORO");
-  EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is only read");
+  EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is read-only");
 }
 
 TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {

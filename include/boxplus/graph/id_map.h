@@ -23,7 +23,7 @@ class IdMap {
   void make_room();
   /// The id must be ≥ 0 and new.
   void insert(Id id, VertexRef vertex);
-  /// The id must be there.
+  /// The id must be in the map.
   void erase(Id id);
   /// All vertices in the order of their ids. O(n log n).
   std::vector<VertexRef> by_id() const;

@@ -25,8 +25,8 @@ using TextSink = FunctionRef<void(std::string_view)>;
 /// The graph that a format writes. A graph that was not read from a file has no lists.
 struct GraphFileView {
   const Graph& graph;
-  std::span<const EdgeRef> edges =
-      {};  ///< in the order of the file; may lack new edges and list removed ones
+  /// In the order of the file. May lack new edges and list removed ones.
+  std::span<const EdgeRef> edges = {};
   std::span<const KeptLine> kept = {};
 };
 

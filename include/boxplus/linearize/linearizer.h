@@ -67,8 +67,7 @@ class Linearizer {
   StopToken stop_;
   std::atomic<bool> stopped_ = false;
   std::size_t values_room_ = 0;
-  std::unique_ptr<double[]>
-      values_;  // not initialized, so that the workers of linearize() touch the pages first
+  std::unique_ptr<double[]> values_;  // not initialized, so that workers touch the pages first
   std::vector<double> gradient_, edge_chi2_;
   std::vector<TileMemory> memory_;
 };

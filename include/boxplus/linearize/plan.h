@@ -104,9 +104,8 @@ struct Plan {
   /// One block of each component that nothing anchors and whose freedom is not known. The block is eliminated
   /// last; if pivots vanish there, these directions are gauge freedom.
   std::vector<std::uint32_t> loose_blocks;
-  std::vector<std::uint32_t>
-      fixed_scalars;        ///< entries that are zero in every step (Graph::fix_directions())
-  int max_tile_values = 0;  ///< doubles of the largest tile
+  std::vector<std::uint32_t> fixed_scalars;  ///< zero in every step (Graph::fix_directions())
+  int max_tile_values = 0;                   ///< doubles of the largest tile
   int max_tile_rows = 0;
   std::size_t max_dense_values = 0;  ///< scratch for the largest edge that dense kernels multiply
 

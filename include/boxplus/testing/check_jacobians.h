@@ -21,9 +21,8 @@
 namespace boxplus {
 
 struct JacobianTolerances {
-  double analytic =
-      1e-10;              ///< of analytic against exact Jacobians, relative to the largest entry (at least 1)
-  double numeric = 1e-7;  ///< of both against numeric Jacobians, likewise
+  double analytic = 1e-10;  ///< analytic against exact, relative to the largest entry (at least 1)
+  double numeric = 1e-7;    ///< of both against numeric Jacobians, likewise
 };
 
 struct [[nodiscard]] JacobianCheck {

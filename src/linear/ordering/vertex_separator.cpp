@@ -81,8 +81,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   coarse.weight.assign(count, 0);
   std::vector<std::uint32_t> place(count, kNone);  // of a neighbor, while its vertex is built
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (coarse.start.size() != coarse_of[v] + std::size_t{1})
-      continue;  // merged when its partner was visited
+    if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // merged with its partner
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
     const auto add = [&](std::uint32_t fine) {
       coarse.weight[c] += graph.weight[fine];

@@ -84,7 +84,7 @@ const Malformed kTable[] = {
     {"IndefiniteInformation", "EDGE_SE2 0 1 1 0 0.5 1 2 0 1 0 1",
      "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1.000000"},
     {"InformationOfZeros", "EDGE_SE2 0 1 1 0 0.5 0 0 0 0 0 0",
-     "9:22: information: expected a matrix that weighs something, got zeros only"},
+     "9:22: information: expected a nonzero matrix, got zeros only"},
     {"InformationThatIsNotANumber", "EDGE_SE2 0 1 1 0 0.5 1 0 0 nan 0 1",
      "9:28: expected an entry of the information matrix (a finite number), got 'nan'"},
     // Ids of edges

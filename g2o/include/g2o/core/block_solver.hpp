@@ -24,9 +24,7 @@ bool BlockSolver<Traits>::computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                            const std::vector<std::pair<int, int>>& blockIndices) {
   if (this->_optimizer != nullptr && engine_.isLinearized(*this->_optimizer))
     return engine_.inverse(blockIndices, spinv);
-  G2O_ERROR(
-      "computeMarginals: the active vertices or edges have changed since the linearization: optimize() "
-      "first");
+  G2O_ERROR("computeMarginals: the active vertices or edges have changed: call optimize() first");
   return false;
 }
 
@@ -37,10 +35,8 @@ bool BlockSolver<Traits>::buildStructure(bool) {
     const bool fits =
         LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
     if (!fits) {
-      G2O_ERROR(
-          "vertex {}: expected {} dimensions, which the block solver needs for marginalized vertices, it has "
-          "{}",
-          v->id(), static_cast<int>(LandmarkDim), v->dimension());
+      G2O_ERROR("vertex {}: expected a marginalized vertex of {} dimensions for this block solver, it has {}",
+                v->id(), static_cast<int>(LandmarkDim), v->dimension());
       return false;
     }
   }
@@ -99,7 +95,7 @@ bool BlockSolver<Traits>::layOutReducedMatrix(const std::vector<int>& dims, cons
   int end = 0;
   for (int dim : dims) {
     if (PoseDim != Eigen::Dynamic && dim != PoseDim) {
-      G2O_ERROR("expected vertices of {} dimensions, which the linear solver needs, one has {}",
+      G2O_ERROR("expected vertices of {} dimensions for this linear solver, one has {}",
                 static_cast<int>(PoseDim), dim);
       return false;
     }
