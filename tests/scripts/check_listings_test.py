@@ -58,6 +58,22 @@ class CheckListings(unittest.TestCase):
         self.assertFalse(check_listings.alike("4 iterations", "5 iterations"))
         self.assertFalse(check_listings.alike("start chordal 1", "start current 1"))
 
+    def test_a_registered_tag_that_the_page_on_formats_does_not_explain_is_named(self):
+        root = self.programs.parent
+        for file, text in (("docs/formats.md", "`VERTEX_A` is a number."),
+                           ("src/io/format/register_domain.cpp", 'r.vertex<A>("VERTEX_A");\nr.edge<E, A>("EDGE_B");')):
+            (root / file).parent.mkdir(parents=True, exist_ok=True)
+            (root / file).write_text(text, encoding="utf-8")
+        self.assertEqual(list(check_listings.missing_words(root)),
+                         ["docs/formats.md: does not explain EDGE_B of src/io/format/register_domain.cpp"])
+
+    def test_it_is_an_error_if_no_file_registers_tags(self):
+        root = self.programs.parent
+        (root / "docs").mkdir(parents=True)
+        (root / "docs/formats.md").touch()
+        self.assertEqual(list(check_listings.missing_words(root)),
+                         ["src/io: no register_*.cpp, so no tag of docs/formats.md was checked"])
+
 
 if __name__ == "__main__":
     unittest.main()
