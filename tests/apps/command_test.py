@@ -3,12 +3,13 @@
 """Runs the boxplus command as users do: what all sub-commands have in common."""
 
 import pathlib
+import re
 import subprocess
 
 from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
 DOCUMENT = pathlib.Path(__file__).parents[2] / "docs/cli.md"
-COMMANDS = ("optimize", "info", "convert", "simulate", "plot", "compare", "completion", "help")
+COMMANDS = re.findall(r"^## boxplus (\w+)$", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
 
 
 class CommandTest(CommandCase):
