@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every implementation of LinearSolver must do.
+// The common suite of all implementations of LinearSolver.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <set>
+#include <optional>
+#include <string>
 
-#include "boxplus/base/error.h"
-#include "boxplus/linear/linear_solver_table.h"
-#include "linear/block_cholesky/symbolic_factor.h"
-#include "linear/test_system.h"
+#include "boxplus/linear/make_linear_solver.h"
+#include "linear/expect_solution.h"
 
 namespace boxplus {
 namespace {
@@ -66,17 +65,6 @@ class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
   std::optional<AssembledSystem> view;
   SolveControl control{.relative_tolerance = 1e-12};
 };
-
-MatrixXd right_hand_sides(const TestSystem& system, int columns) {
-  std::mt19937 random(99);
-  return random_matrix(system.structure.scalars(), columns, random);
-}
-
-void expect_solution(const MatrixXd& a, const MatrixXd& x, const MatrixXd& b) {
-  EXPECT_LT((a * x - b).norm(), 1e-10 * b.norm());
-  const MatrixXd expected = a.llt().solve(b);
-  EXPECT_LT((x - expected).norm(), 1e-8 * expected.norm());
-}
 
 TEST_P(LinearSolverTest, HasTheNameOfItsKind) {
   EXPECT_EQ(solver->name(), to_string(GetParam().kind));
@@ -351,7 +339,7 @@ TEST_P(LinearSolverTest, SolvesDisconnectedComponents) {
   expect_solution(system.dense(), solve(b), b);
 }
 
-TEST_P(LinearSolverTest, FactorizesNewValuesOfTheAnalysedStructure) {
+TEST_P(LinearSolverTest, FactorizesNewValuesOfTheAnalyzedStructure) {
   TestSystem system = random_system(20, 20, 10);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
   const MatrixXd b = right_hand_sides(system, 1);
@@ -433,124 +421,6 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(test.param.eliminates ? "schur_" : "") + std::string(to_string(test.param.kind)) +
              (test.param.precision == Precision::kMixed ? "_mixed" : "");
     });
-
-std::unique_ptr<LinearSolver> automatic_solver(const AutomaticSolverOptions& options,
-                                               const BlockCholeskyOptions& block_cholesky = {}) {
-  return make_linear_solver(LinearSolverKind::kAutomatic,
-                            {.block_cholesky = block_cholesky, .automatic = options});
-}
-
-TEST(TheAutomaticSolver, IsTheBlockCholesky) {
-  TestSystem system = random_system(20, 20, 1);
-  const auto solver = make_linear_solver(LinearSolverKind::kAutomatic);
-  EXPECT_EQ(solver->name(), "block_cholesky");
-  solver->analyze(system.structure, {});
-  EXPECT_EQ(solver->name(), "block_cholesky");
-  EXPECT_EQ(solver->statistics().refused_factor_bytes, 0u);
-}
-
-TEST(TheAutomaticSolver, IsPcgWhereTheFactorWouldNotFitIntoMemory) {
-  TestSystem system = random_system(20, 20, 1);
-  const auto analyzed = [&](std::uint64_t max_factor_bytes) {
-    auto solver = automatic_solver({.max_factor_bytes = max_factor_bytes});
-    solver->analyze(system.structure, {});
-    return solver;
-  };
-  const auto solver = analyzed(100);
-  EXPECT_EQ(solver->name(), "pcg");
-  const std::uint64_t bytes = solver->statistics().refused_factor_bytes;
-  EXPECT_GE(bytes, 8 * system.structure.nonzero_values() / 2);
-  EXPECT_EQ(analyzed(bytes)->name(), "block_cholesky");
-  EXPECT_EQ(analyzed(bytes - 1)->name(), "pcg");
-}
-
-TEST(TheAutomaticSolver, IsPcgWhereAFactorizationIsPredictedToTakeFarLonger) {
-  const BlockStructure structure = cube(30, 6);
-  const auto solver =
-      automatic_solver({.max_factor_bytes = std::uint64_t{1} << 60}, {.ordering = Ordering::kMinimumDegree});
-  solver->analyze(structure, {});
-  EXPECT_EQ(solver->name(), "pcg");
-  const LinearStatistics statistics = solver->statistics();
-  EXPECT_GT(statistics.factor_seconds, 4 * statistics.pcg_seconds);
-  EXPECT_GT(statistics.refused_factor_bytes, 0u);
-  solver->analyze(cube(10, 6), {});
-  EXPECT_EQ(solver->name(), "block_cholesky");
-  EXPECT_GT(solver->statistics().factor_seconds, 0);
-}
-
-TEST(TheAutomaticSolver, SolvesAndStopsAsWhatItChose) {
-  TestSystem system = random_system(20, 20, 1);
-  const AssembledSystem view = system.view();
-  for (const std::uint64_t limit : {std::uint64_t{0}, std::uint64_t{1}}) {
-    const auto solver = automatic_solver({.max_factor_bytes = limit});
-    solver->analyze(system.structure, {});
-    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
-    const MatrixXd b = right_hand_sides(system, 1);
-    MatrixXd x = b;
-    ASSERT_EQ(solver->solve(x.data(), 1, x.data(), {.relative_tolerance = 1e-12}).status, LinearStatus::kOk);
-    expect_solution(system.dense(), x, b);
-    const std::atomic<bool> flag{true};
-    EXPECT_EQ(solver->factorize(view, {}, {.stop = StopToken(&flag)}).status, LinearStatus::kStopped);
-  }
-}
-
-TEST(TheAutomaticSolver, SolvesNoMoreExactlyThanItsOptionsSay) {
-  TestSystem system = random_system(200, 300, 1);
-  const AssembledSystem view = system.view();
-  int iterations[2];
-  for (const double least : {0.0, 0.1}) {
-    const auto solver = automatic_solver({.max_factor_bytes = 1, .min_tolerance = least});
-    solver->analyze(system.structure, {});
-    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
-    MatrixXd b = right_hand_sides(system, 1), x = b;
-    iterations[least > 0] = solver->solve(b.data(), 1, x.data(), {.relative_tolerance = 1e-12}).iterations;
-    const double residual = (system.dense() * x - b).norm() / b.norm();
-    EXPECT_LE(residual, std::max(least, 1e-11));
-    EXPECT_GE(residual, least / 100);
-  }
-  EXPECT_LT(iterations[1], iterations[0]);
-}
-
-TEST(TheOrdering, ChangesNothingInTheSolution) {
-  const TestSystem system = random_system(400, 900, 6);
-  const AssembledSystem view(system.structure, system.values);
-  MatrixXd x[2];
-  for (const Ordering ordering : {Ordering::kMinimumDegree, Ordering::kNestedDissection}) {
-    const auto solver =
-        make_linear_solver(LinearSolverKind::kBlockCholesky, {.block_cholesky = {.ordering = ordering}});
-    solver->analyze(system.structure, {});
-    EXPECT_EQ(solver->statistics().ordering, ordering);
-    MatrixXd& solution = x[ordering == Ordering::kNestedDissection];
-    solution = MatrixXd::Ones(system.structure.scalars(), 1);
-    ASSERT_EQ(solver->factorize(view, {}).status, LinearStatus::kOk);
-    solver->solve(solution.data(), 1, solution.data());
-  }
-  EXPECT_LE((x[0] - x[1]).norm(), 1e-9 * x[0].norm());
-}
-
-TEST(TheTableOfLinearSolvers, GivesEachKindOneNameAndMakesIt) {
-  std::set<std::string_view> names, options;
-  for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
-    EXPECT_EQ(to_string(entry.kind), entry.name);
-    EXPECT_NE(make_linear_solver(entry.kind), nullptr);
-    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
-    EXPECT_TRUE(options.insert(entry.option).second) << entry.option;
-  }
-  EXPECT_THROW((void)make_linear_solver(static_cast<LinearSolverKind>(99)), InvalidArgument);
-}
-
-/// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.
-TEST(ThePredictedSizeOfTheFactor, IsThatOfTheAnalysis) {
-  for (const std::uint32_t side : {3u, 10u, 25u}) {
-    const BlockStructure structure =
-        make_block_structure(std::vector<std::uint32_t>(side * side, 3), grid_edges(side, side));
-    const FactorOutline outline = outline_factor(structure, {});
-    const SymbolicFactor factor = complete_factor(structure, outline);
-    const auto numbers = static_cast<double>(factor.panel_size + factor.update_size);
-    EXPECT_GE(numbers, outline.partition.numbers);
-    EXPECT_LE(numbers, 1.15 * outline.partition.numbers);
-  }
-}
 
 }  // namespace
 }  // namespace boxplus

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "boxplus/manifold/so2.h"
 #include "boxplus/testing/check_manifold.h"
 #include "manifold/samples.h"
 
@@ -19,14 +18,6 @@ TEST(SE2, ObeysTheLaws) {
   auto poses = Samples::many(10, [&] { return random_pose(s); });
   poses.push_back(SE2(1, 2, kPi));
   const ManifoldCheck check = check_manifold(poses);
-  EXPECT_TRUE(check) << check.message;
-}
-
-TEST(SO2, ObeysTheLaws) {
-  Samples s;
-  auto rotations = Samples::many(10, [&] { return SO2(s.uniform(-kPi, kPi)); });
-  rotations.push_back(SO2(kPi));
-  const ManifoldCheck check = check_manifold(rotations);
   EXPECT_TRUE(check) << check.message;
 }
 
@@ -75,14 +66,6 @@ TEST(SE2, HasExactJacobiansThroughBoxplus) {
   Matrix<double, 3, 3> numeric;
   numeric_jacobian(error, a, numeric);
   EXPECT_LT((dual_jacobian<3>(error, a) - numeric).cwiseAbs().maxCoeff(), 1e-9);
-}
-
-TEST(SO2, RotatesPoints) {
-  const SO2 quarter(kPi / 2);
-  EXPECT_LT((quarter * Vector<double, 2>(1, 0) - Vector<double, 2>(0, 1)).norm(), 1e-15);
-  EXPECT_EQ((quarter * quarter).angle(), kPi);
-  EXPECT_EQ((quarter.inverse() * quarter).angle(), 0);
-  EXPECT_LT((quarter.rotation() * Vector<double, 2>(1, 0) - Vector<double, 2>(0, 1)).norm(), 1e-15);
 }
 
 }  // namespace

@@ -99,38 +99,5 @@ TEST(RobustKernels, AreCopiedByClone) {
   EXPECT_EQ((*copy)(100).first, 0.3);
 }
 
-/// A user's kernel with a wrong derivative.
-class Broken final : public RobustKernel {
- public:
-  Rho operator()(double e2) const override { return {std::log1p(e2), 1 / (1 + e2), 1 / (1 + e2)}; }
-  std::string_view name() const override { return "Broken"; }
-  double delta() const override { return 1; }
-  std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<Broken>(*this); }
-};
-
-TEST(CheckKernel, NamesTheViolatedLaw) {
-  const KernelCheck check = check_kernel(Broken());
-  EXPECT_FALSE(check);
-  EXPECT_NE(check.message.find("Broken: ρ″ is the derivative of ρ′"), std::string::npos) << check.message;
-}
-
-/// ρ = e² exp(−e²), which falls beyond 1.
-class Falling final : public RobustKernel {
- public:
-  Rho operator()(double e2) const override {
-    const double f = std::exp(-e2);
-    return {e2 * f, (1 - e2) * f, (e2 - 2) * f};
-  }
-  std::string_view name() const override { return "Falling"; }
-  double delta() const override { return 1; }
-  std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<Falling>(*this); }
-};
-
-TEST(CheckKernel, ReportsAFallingKernel) {
-  const KernelCheck check = check_kernel(Falling());
-  EXPECT_FALSE(check);
-  EXPECT_NE(check.message.find("ρ′ ≥ 0"), std::string::npos) << check.message;
-}
-
 }  // namespace
 }  // namespace boxplus

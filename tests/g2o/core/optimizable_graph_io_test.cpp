@@ -251,4 +251,14 @@ TEST(Files, AFullDiskIsReportedAsAFailure) {
   g2o::logging::setSink({});
 }
 
+TEST(Files, LinesMayReferToLaterLines) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream file(
+      "FIX 0\nEDGE_SE2_POINTXY_OFFSET 0 6 3 1 0 1 0 1\nVERTEX_XY 6 1 0\nVERTEX_SE2 0 0 0 0\n"
+      "PARAMS_SE2OFFSET 3 1 1 0\n");
+  EXPECT_TRUE(optimizer.load(file));
+  EXPECT_EQ(optimizer.edges().size(), 1u);
+  EXPECT_TRUE(optimizer.vertex(0)->fixed());
+}
+
 }  // namespace

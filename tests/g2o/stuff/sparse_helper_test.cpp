@@ -6,8 +6,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "g2o/core/dynamic_aligned_buffer.hpp"
-
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -32,15 +30,6 @@ TEST(SparseHelper, WritesMatricesAndVectorsForOctave) {
   EXPECT_EQ(text_of(file), "4\n1\n");
   std::remove(file.c_str());
   EXPECT_FALSE(g2o::writeVector(testing::TempDir() + "no/such/folder", values, 2));
-}
-
-TEST(DynamicAlignedBuffer, GrowsOnRequest) {
-  g2o::dynamic_aligned_buffer<double> buffer(2);
-  double* large = buffer.request(100);
-  large[99] = 7;
-  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large) % 16, 0U);
-  EXPECT_EQ(buffer.request(3), large);
-  EXPECT_EQ(buffer.request(100)[99], 7);
 }
 
 }  // namespace

@@ -87,5 +87,18 @@ TEST(SymbolicFactor, PutsEveryFrontInsideItsParent) {
   }
 }
 
+/// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.
+TEST(FactorOutline, PredictsTheSizeOfTheFactor) {
+  for (const std::uint32_t side : {3u, 10u, 25u}) {
+    const BlockStructure structure =
+        make_block_structure(std::vector<std::uint32_t>(side * side, 3), grid_edges(side, side));
+    const FactorOutline outline = outline_factor(structure, {});
+    const SymbolicFactor factor = complete_factor(structure, outline);
+    const auto numbers = static_cast<double>(factor.panel_size + factor.update_size);
+    EXPECT_GE(numbers, outline.partition.numbers);
+    EXPECT_LE(numbers, 1.15 * outline.partition.numbers);
+  }
+}
+
 }  // namespace
 }  // namespace boxplus

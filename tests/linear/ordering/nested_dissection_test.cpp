@@ -7,7 +7,6 @@
 
 #include "boxplus/base/error.h"
 #include "linear/block_cholesky/symbolic_factor.h"
-#include "linear/ordering/vertex_separator.h"
 #include "linear/test_system.h"
 
 namespace boxplus {
@@ -55,37 +54,6 @@ TEST(NestedDissection, NeedsFewerOperationsThanMinimumDegreeInThreeDimensions) {
   const BlockStructure structure = cube(14, 6);
   const auto flops = [&](Ordering ordering) { return outline_factor(structure, {}, {}, ordering).flops; };
   EXPECT_LT(flops(Ordering::kNestedDissection), 0.8 * flops(Ordering::kMinimumDegree));
-}
-
-TEST(TheAutomaticOrdering, TakesTheDissectionOfLargeCubesAndMinimumDegreeElsewhere) {
-  const auto taken = [](const BlockStructure& structure) {
-    return outline_factor(structure, {}, {}, Ordering::kAutomatic).ordering;
-  };
-  EXPECT_EQ(taken(cube(14, 6)), Ordering::kNestedDissection);
-  EXPECT_EQ(taken(cube(4, 6)), Ordering::kMinimumDegree);
-  EXPECT_EQ(taken(make_block_structure(std::vector<std::uint32_t>(900, 3), grid_edges(30, 30))),
-            Ordering::kMinimumDegree);
-}
-
-TEST(ASeparator, PartsAGridInHalvesByAboutOneRow) {
-  const std::uint32_t height = 30, width = 50;
-  WeightedGraph graph;
-  std::vector<std::vector<std::uint32_t>> neighbors(height * width);
-  for (const auto& [a, b] : grid_edges(height, width)) neighbors[a].push_back(b), neighbors[b].push_back(a);
-  for (const auto& list : neighbors) {
-    graph.neighbor.insert(graph.neighbor.end(), list.begin(), list.end());
-    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbor.size()));
-    graph.weight.push_back(3);
-  }
-  graph.edge_weight.assign(graph.neighbor.size(), 1);
-  const std::vector<Side> side = find_separator(graph);
-  for (std::uint32_t v = 0; v < graph.vertices(); ++v) {
-    for (const std::uint32_t u : graph.neighbors(v))
-      EXPECT_FALSE(side[v] == kLeft && side[u] == kRight) << v << " touches " << u;
-  }
-  const auto count = [&](Side wanted) { return std::count(side.begin(), side.end(), wanted); };
-  EXPECT_LE(count(kSeparator), 40);
-  EXPECT_LE(std::max(count(kLeft), count(kRight)), 900);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What edges tell initial guesses must agree with their errors: moving `to` to from · motion makes the error
-// zero.
+// The relative frames of edges agree with their errors: the error is zero if `to` is moved to from · motion.
 #include <gmock/gmock.h>
 
 #include "boxplus/types/slam2d.h"
@@ -24,7 +23,7 @@ Frame compose(const Frame& a, const Frame& b) {
   return c;
 }
 
-/// The largest error that is left in the measured rows after `to` moved to where relative_frame() says.
+/// The largest error that is left in the measured rows after `to` moved as relative_frame() says.
 template <class E, class From, class To, class... Rest>
 double error_at_guess(const E& edge, const From& from, To to, const Rest&... rest) {
   const RelativeFrame relative = edge.relative_frame(from, to, rest...);
@@ -50,25 +49,6 @@ const SE2 kX(1, 2, 0.5), kY(-2, 0.3, 2.9), kP(0.2, 0.1, -0.7);
 const SE3 kX3 = pose(1, 2, 3, 0.3, -0.4, 0.9), kY3 = pose(0, 1, 0, 0.4, 0, 0),
           kP3 = pose(0, 0.1, 0.2, 1, 1, 1);
 constexpr double kTiny = 1e-13;
-
-TEST(Frames, ReadAndWriteAPose) {
-  SE2 y;
-  FrameTrait<SE2>::set(y, FrameTrait<SE2>::get(kX));
-  EXPECT_LT((y.vector() - kX.vector()).norm(), kTiny);
-  SE3 y3;
-  FrameTrait<SE3>::set(y3, FrameTrait<SE3>::get(kX3));
-  EXPECT_LT((y3.vector() - kX3.vector()).norm(), kTiny);
-  SE3RotationVector yr;
-  FrameTrait<SE3RotationVector>::set(yr, FrameTrait<SE3>::get(kX3));
-  EXPECT_LT((yr.vector() - kX3.vector()).norm(), kTiny);
-}
-
-TEST(Frames, OfAPointHaveNoRotation) {
-  const Frame frame = FrameTrait<Vector3>::get(Vector3(1, 2, 3));
-  EXPECT_FALSE(frame.has_rotation);
-  EXPECT_EQ(frame.dimension, 3);
-  EXPECT_EQ(frame.translation[2], 3);
-}
 
 TEST(RelativeFrames, OfThePlaneMakeTheErrorZero) {
   EXPECT_LT(error_at_guess(Between(SE2(1, 2, 3)), kX, kY), kTiny);

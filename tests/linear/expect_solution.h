@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Right-hand sides for a TestSystem, and the comparison of a solution with that of a dense solver.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "linear/test_system.h"
+
+namespace boxplus {
+
+inline Eigen::MatrixXd right_hand_sides(const TestSystem& system, int columns) {
+  std::mt19937 random(99);
+  return random_matrix(system.structure.scalars(), columns, random);
+}
+
+inline void expect_solution(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::MatrixXd& b) {
+  EXPECT_LT((a * x - b).norm(), 1e-10 * b.norm());
+  const Eigen::MatrixXd expected = a.llt().solve(b);
+  EXPECT_LT((x - expected).norm(), 1e-8 * expected.norm());
+}
+
+}  // namespace boxplus
