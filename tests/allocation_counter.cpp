@@ -21,7 +21,7 @@ bool boxplus::testing::allocations_are_counted() {
   return true;
 }
 
-// glibc's own names of what it exports as malloc, calloc, …
+// The internal names in glibc of malloc, calloc, …
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);

@@ -5,11 +5,11 @@
 
 namespace boxplus::testing {
 
-/// False under a sanitizer, which has an allocator of its own: then skip the test.
+/// False under a sanitizer, because that has its own allocator. Then skip the test.
 bool allocations_are_counted();
 
-/// Number of calls so far of malloc and its kin, so also of operator new and of Eigen's allocator, by all
-/// threads.
+/// The number of calls of malloc, calloc and the like so far, by all threads. Operator new and Eigen's
+/// allocator call them too.
 long allocation_count();
 
 }  // namespace boxplus::testing

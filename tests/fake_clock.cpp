@@ -9,16 +9,16 @@ namespace boxplus::testing {
 namespace {
 
 constexpr long kNever = std::numeric_limits<long>::max();
-std::atomic<long> questions{0}, jump{kNever};
+std::atomic<long> readings{0}, jump{kNever};
 
 }  // namespace
 
-long clock_questions() {
-  return questions;
+long clock_readings() {
+  return readings;
 }
 
-void jump_at_question(long count) {
-  jump = questions + count;
+void jump_at_reading(long count) {
+  jump = readings + count;
 }
 
 void stop_clock() {
@@ -27,9 +27,9 @@ void stop_clock() {
 
 }  // namespace boxplus::testing
 
-/// Takes the place of the standard library's, because the program's symbols come first.
+/// Replaces that of the standard library, because symbols of the program come first.
 std::chrono::steady_clock::time_point std::chrono::_V2::steady_clock::now() noexcept {
   using namespace boxplus::testing;
-  const long count = ++questions;
+  const long count = ++readings;
   return time_point(std::chrono::hours(count >= jump ? 25 : 1));
 }

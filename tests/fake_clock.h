@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A clock that only questions move, in place of std::chrono::steady_clock, for the whole program: so tests of
-// time limits do not depend on the machine. Link fake_clock.cpp in.
+// A clock that stands still until a given number of readings. It replaces std::chrono::steady_clock in the
+// whole program, so that tests of time limits do not depend on the machine. Link fake_clock.cpp.
 #pragma once
 
 namespace boxplus::testing {
 
-/// Questions to the clock so far, by all threads.
-long clock_questions();
+/// The number of readings of the clock so far, by all threads.
+long clock_readings();
 
-/// From the `count`-th question on (1: the next one), it is a day later.
-void jump_at_question(long count);
+/// Advances the clock by a day at the `count`-th reading (1: the next one).
+void jump_at_reading(long count);
 
-/// The clock stands still again.
+/// Lets the clock stand still again.
 void stop_clock();
 
 }  // namespace boxplus::testing

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that repeat much work do less of it under a sanitizer, where each step takes 10 to 100 times as long.
+// Tests that repeat work do less of it under a sanitizer, because each step then takes 10 to 100 times as
+// long.
 #pragma once
 
 namespace boxplus {

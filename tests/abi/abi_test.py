@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clients built with other compilers and flags than the library's run clean, or fail to link and say why.
+"""Clients with other compilers and flags than the library run without errors, or fail to link and say why.
 
     abi_test.py CMAKE BUILD_DIR WORK_DIR
 
 Installs the build, then builds the programs of client/ against it with each compiler. A program with the flags of
-our CMake target always links, and runs clean under AddressSanitizer. One without them does so where its flags
-give Eigen the same alignment; else its link fails with an undefined reference that names its alignment.
+our CMake target always links, and AddressSanitizer finds no error. A program without them does the same if its
+flags give Eigen the same alignment. Otherwise its link fails with an undefined reference that names its alignment.
 """
 
 import os
@@ -21,12 +21,10 @@ CMAKE, BUILD, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.ar
 COMPILERS = [compiler for compiler in ("g++", "clang++") if shutil.which(compiler)]
 LIBRARY_ALIGNMENT = 16
 
-
 def run(*command):
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False)
     return done.returncode, done.stdout
-
 
 def must_run(*command):
     code, text = run(*command)
@@ -34,12 +32,10 @@ def must_run(*command):
         sys.exit(f"{' '.join(map(str, command))}\n{text}")
     return text
 
-
 def eigen_alignment(compiler, *flags):
-    """What Eigen aligns to by default under these flags."""
+    """The default alignment of Eigen under these flags."""
     macros = must_run(compiler, *flags, "-dM", "-E", "-x", "c++", "/dev/null")
     return 64 if "__AVX512F__" in macros else 32 if "__AVX__" in macros else 16
-
 
 def cpu_runs_avx2():
     try:
@@ -47,9 +43,8 @@ def cpu_runs_avx2():
     except OSError:
         return False
 
-
 def check(folder, program, alignment, runnable):
-    """None if the program did what it must, else what went wrong."""
+    """None if the program behaved as expected, else the reason."""
     code, text = run(CMAKE, "--build", folder, "--target", program)
     if alignment != LIBRARY_ALIGNMENT:
         symbol = f"boxplus_abi_1_{alignment}"
@@ -63,7 +58,6 @@ def check(folder, program, alignment, runnable):
         return None
     code, text = run(folder / program)
     return None if code == 0 else f"runs with status {code}:\n{text}"
-
 
 def check_compiler(compiler, prefix):
     folder = WORK / compiler
@@ -83,14 +77,12 @@ def check_compiler(compiler, prefix):
             print(f"{compiler:8} {program:20} {trouble or 'ok: ' + expected}", flush=True)
             yield trouble is None
 
-
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
     prefix = WORK / "prefix"
     must_run(CMAKE, "--install", BUILD, "--prefix", prefix)
     results = [good for compiler in COMPILERS for good in check_compiler(compiler, prefix)]
     return 0 if results and all(results) else 1
-
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is wrong with files, and not with their lines: one message, exit code 2, and no output is touched.
+"""Bad files give one message and exit code 2, and no output is touched.
 
-The lines themselves: tests/io/malformed_test.cpp.
+For bad lines see tests/io/g2o/graph_reader_malformed_lines_test.cpp.
 """
 
 import os
@@ -17,7 +17,6 @@ from command_case import BOXPLUS, CommandCase, main, run
 
 GRAPH = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
 BAD_LINE = "VERTEX_SE2 7 0 zero 0\n"
-
 
 class BadInputTest(CommandCase):
     def setUp(self):
@@ -118,7 +117,7 @@ class BadInputTest(CommandCase):
                 self.assert_untouched()
 
     def test_a_full_disk_leaves_the_old_file(self):
-        # A limit on the size of files stands for the disk; the graph is larger.
+        # A limit on the size of files acts like a full disk, because the graph is larger.
         graph = self.written("graph.g2o", "".join(f"VERTEX_SE2 {i} 0.123456789 0 0\n" for i in range(5000)))
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (65536, 65536))  # noqa: E731
         done = subprocess.run([BOXPLUS, "convert", graph, self.output], capture_output=True, encoding="utf-8", check=False,
@@ -137,7 +136,6 @@ class BadInputTest(CommandCase):
         if "AddressSanitizer" in done.stderr or "ThreadSanitizer" in done.stderr:
             self.skipTest("a sanitizer needs more address space than any limit leaves")
         self.assert_refused(done, "long.g2o:4:14: expected x (a finite number), got '\\x00\\x00")
-
 
 if __name__ == "__main__":
     main()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the boxplus command have in common: each is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
+"""Common code of the tests of the boxplus command. Each is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
 
 import os
 import pathlib
@@ -11,13 +11,11 @@ import unittest
 BOXPLUS, DATA = sys.argv[1], pathlib.Path(sys.argv[2])
 TOWN = DATA / "01_town.g2o"
 
-
 def run(*arguments, stdin="", environment=None):
-    """Runs boxplus to its end; its output is text. `environment` is added to that of the test."""
+    """Runs boxplus to its end, with its output as text. `environment` is added to that of the test."""
     words = [BOXPLUS, *map(str, arguments)]
     return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300,
                           env={**os.environ, **(environment or {})})
-
 
 class CommandCase(unittest.TestCase):
     """A test with an empty folder of its own, `self.path`."""
@@ -37,7 +35,6 @@ class CommandCase(unittest.TestCase):
         self.assertRegex(done.stderr, r"\Aboxplus: [^\n]*\n\Z")
         for text in texts:
             self.assertIn(text, done.stderr)
-
 
 def main():
     unittest.main(argv=sys.argv[:1])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the boxplus command as users do: what all sub-commands have in common."""
+"""Runs the boxplus command as users do, and tests the common behavior of all sub-commands."""
 
 import pathlib
 import re
@@ -10,7 +10,6 @@ from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
 DOCUMENT = pathlib.Path(__file__).parents[2] / "docs/cli.md"
 COMMANDS = re.findall(r"^## boxplus (\w+)$", DOCUMENT.read_text(encoding="utf-8"), re.MULTILINE)
-
 
 class CommandTest(CommandCase):
     def test_version_and_help_go_to_stdout(self):
@@ -24,11 +23,11 @@ class CommandTest(CommandCase):
         self.assertIn("BOXPLUS_ISA", run("--help").stdout)
         self.assertEqual(run("help", "optimize").stdout, run("optimize", "--help").stdout)
 
-    def test_the_document_of_the_command_line_is_what_it_says(self):
+    def test_the_document_of_the_command_line_is_the_output_of_help(self):
         self.assertEqual(DOCUMENT.read_text(encoding="utf-8"), run("help", "--markdown").stdout,
                          "write it anew: boxplus help --markdown > docs/cli.md")
 
-    def test_instructions_that_the_processor_does_not_have_are_2_and_those_known_are_named(self):
+    def test_instructions_that_the_processor_lacks_exit_with_2_and_name_the_known_ones(self):
         for name in ("avx1024", "AVX2"):
             done = run("help", environment={"BOXPLUS_ISA": name})
             self.assertEqual((done.returncode, done.stdout), (2, ""))
@@ -38,7 +37,7 @@ class CommandTest(CommandCase):
         done = run("optimize", TOWN, "--json", "-", environment={"BOXPLUS_ISA": "baseline"})
         self.assertIn('"instructions": "baseline"', done.stdout)
 
-    def test_wrong_usage_is_2_and_one_message(self):
+    def test_wrong_usage_exits_with_2_and_one_message(self):
         for words, text in (
                 ([], "expected a command, got none"),
                 (["dance"], "unknown command 'dance'"),
@@ -53,7 +52,7 @@ class CommandTest(CommandCase):
                 (["simulate", "moon", "-o", "x"], "moon")):
             self.assert_refused(run(*words), text)
 
-    def test_messages_hold_no_control_characters(self):
+    def test_messages_contain_no_control_characters(self):
         done = run("optimize", "no\x1b[31m\nfile\x9b")
         self.assert_refused(done, r"no\x1b[31m\nfile\xc2\x9b: cannot be opened")
         done = run("dance\x07")
@@ -90,7 +89,6 @@ class CommandTest(CommandCase):
             run("optimize", self.path / "s.g2o", "-o", self.path / f"{threads}.g2o", "--threads", threads)
         texts = {(self.path / f"{threads}.g2o").read_bytes() for threads in (1, 2, 4)}
         self.assertEqual(len(texts), 1)
-
 
 if __name__ == "__main__":
     main()

@@ -9,22 +9,19 @@ from command_case import CommandCase, main, run
 
 PLACES = [(0, 0), (1, 0), (2, 0.5), (2, 2), (0, 3)]
 
-
 def graph(places, turn=0.0, shift=(0, 0), scale=1.0):
-    """Poses in the plane at these places, the world turned, scaled and shifted."""
+    """Poses in the plane at these positions, in a world that is rotated, scaled and shifted."""
     lines = []
     for i, (x, y) in enumerate(places):
         moved = (scale * (math.cos(turn) * x - math.sin(turn) * y) + shift[0], scale * (math.sin(turn) * x + math.cos(turn) * y) + shift[1])
         lines.append(f"VERTEX_SE2 {i} {moved[0]!r} {moved[1]!r} {0.3 * i + turn!r}\n")
     return "".join(lines)
 
-
 def tum(places, times, angle=0.0):
-    """The same in the TUM form, turned about z by `angle` per pose."""
+    """The same in the TUM format, rotated about z by `angle` per pose."""
     return "# time x y z qx qy qz qw\n" + "".join(
         f"{time!r} {x} {y} 0.5 0 0 {math.sin(angle * i / 2)!r} {math.cos(angle * i / 2)!r}\n"
         for i, (time, (x, y)) in enumerate(zip(times, places)))
-
 
 class CompareTest(CommandCase):
     def compared(self, result, truth, *options):
@@ -37,7 +34,7 @@ class CompareTest(CommandCase):
         for key, value in (("rmse", rmse), ("mean", mean), ("median", median), ("max", most)):
             self.assertAlmostEqual(errors[key], value, 12, key)
 
-    def test_a_trajectory_is_its_own_truth(self):
+    def test_a_trajectory_has_no_error_compared_with_itself(self):
         facts = self.compared(graph(PLACES), graph(PLACES))
         self.assertEqual((facts["result_poses"], facts["truth_poses"], facts["matched"]), (5, 5, 5))
         for errors in (facts["ate_m"], facts["rpe"]["translation_m"], facts["rpe"]["rotation_rad"]):
@@ -48,7 +45,7 @@ class CompareTest(CommandCase):
         facts = self.compared(graph(moved), graph(PLACES), "--align", "none")
         self.assert_errors(facts["ate_m"], 0.1 * math.sqrt(30 / 5), 0.2, 0.2, 0.4)
 
-    def test_a_rigid_motion_of_the_world_is_no_error(self):
+    def test_a_rigid_motion_of_the_world_is_not_an_error(self):
         facts = self.compared(graph(PLACES, turn=2.5, shift=(30, -7)), graph(PLACES))
         self.assertLess(facts["ate_m"]["max"], 1e-13)
         self.assertLess(facts["rpe"]["translation_m"]["max"], 1e-13)
@@ -78,7 +75,7 @@ class CompareTest(CommandCase):
         self.assertEqual(over_two["rpe"]["count"], 3)
         self.assert_errors(over_two["rpe"]["translation_m"], math.sqrt(0.08 / 3), 0.4 / 3, 0.2, 0.2)
 
-    def test_relative_errors_over_a_distance_begin_at_every_pose_that_leaves_so_much_of_the_path(self):
+    def test_relative_errors_over_a_distance_begin_at_every_pose_that_has_so_much_path_ahead(self):
         line = [(float(i), 0.0) for i in range(10)]
         stretched = [(1.01 * x, y) for x, y in line]
         facts = self.compared(tum(stretched, range(10)), tum(line, range(10)), "--distance", 3)
@@ -102,21 +99,21 @@ class CompareTest(CommandCase):
         self.assertEqual(facts["matched"], 1)
         self.assertIsNone(facts["rpe"]["translation_m"])
 
-    def test_poses_match_by_id_whatever_the_order_and_landmarks_do_not_count(self):
+    def test_poses_match_by_id_in_any_order_and_landmarks_do_not_count(self):
         lines = graph(PLACES).splitlines(keepends=True)
         facts = self.compared("".join(lines[:0:-1]) + "VERTEX_XY 77 5 5\n", graph(PLACES) + "VERTEX_XY 78 1 1\n")
         self.assertEqual((facts["result_poses"], facts["matched"]), (4, 4))
         self.assertLess(facts["ate_m"]["max"], 1e-13)
 
-    def test_optimization_comes_nearer_to_the_truth(self):
+    def test_optimization_decreases_the_errors(self):
         before, after, truth = (self.path / name for name in ("before.g2o", "after.g2o", "truth.g2o"))
         run("simulate", "sphere", "--poses", 400, "-o", before, "--truth", truth)
         run("optimize", before, "-q", "-o", after)
         errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (before, after)]
         self.assertLess(errors[1], 0.2 * errors[0])
 
-    def test_false_loop_closures_want_the_kernel_from_the_first_iteration(self):
-        # What docs/first_steps.md says under "Outliers".
+    def test_false_loop_closures_need_a_kernel_from_the_first_iteration(self):
+        # The example of docs/first_steps.md under "Outliers".
         graph, squares, robust, late, truth = (self.path / f"{name}.g2o" for name in ("graph", "squares", "robust", "late", "truth"))
         run("simulate", "streets", "--poses", 2000, "--outliers", 0.2, "-o", graph, "--truth", truth)
         kernel = ("--start", "current", "--kernel", "Cauchy", "--kernel-width", 3, "--kernel-on", "loop-closures", "-q", "-o")
@@ -127,13 +124,13 @@ class CompareTest(CommandCase):
         self.assertLess(errors[0], 0.3)
         self.assertGreater(errors[1], 20)
 
-    def test_tells_people_the_same_in_a_table(self):
+    def test_prints_the_same_values_in_a_table(self):
         done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for text in ("<stdin> against", "5 of 5 poses", "ATE [m]", "RPE [deg]", "best rigid alignment", "from pose to pose"):
             self.assertIn(text, done.stdout)
 
-    def test_what_cannot_be_compared_is_refused_with_its_place(self):
+    def test_input_that_cannot_be_compared_is_refused_with_its_place(self):
         good, flat = tum(PLACES, range(5)), graph(PLACES)
         space = "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
         for result, truth, options, text in (
@@ -160,7 +157,6 @@ class CompareTest(CommandCase):
         truth = self.written("truth", flat)
         self.assert_refused(run("compare", truth, self.path / "none"), "none: cannot be opened")
         self.assert_refused(run("compare", truth, truth, "--json", truth), "expected a file different from the input")
-
 
 if __name__ == "__main__":
     main()

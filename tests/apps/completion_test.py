@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus completion: shells load the scripts, and bash completes with its own."""
+"""boxplus completion: every shell loads its script, and bash completes by its script."""
 
 import os
 import shutil
@@ -8,9 +8,8 @@ import subprocess
 
 from command_case import CommandCase, main, run
 
-
 def completions(*words):
-    """What bash offers for the last of the words."""
+    """The completions that bash offers for the last word."""
     script = f"""
 {run("completion", "bash").stdout}
 COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
@@ -20,7 +19,6 @@ printf '%s\\n' "${{COMPREPLY[@]}}"
     done = subprocess.run(["bash", "-euc", script, "bash", *words], capture_output=True, text=True, check=True)
     assert done.stderr == "", done.stderr
     return done.stdout.split()
-
 
 class CompletionTest(CommandCase):
     def test_bash_completes_commands(self):
@@ -57,7 +55,7 @@ class CompletionTest(CommandCase):
         self.assertEqual(done.stderr, "")
         return done.stdout.split()
 
-    def test_zsh_takes_its_script(self):
+    def test_zsh_loads_its_script(self):
         script = 'autoload -U compinit && compinit -u && source $SCRIPT && echo $_comps[boxplus]'
         self.assertEqual(self.output_of("zsh", script), ["_boxplus"])
 
@@ -69,7 +67,6 @@ class CompletionTest(CommandCase):
 
     def test_other_shells_are_refused(self):
         self.assert_refused(run("completion", "tcsh"), "expected one of bash, zsh, fish, got 'tcsh'")
-
 
 if __name__ == "__main__":
     main()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """dataset_optimum.py BOXPLUS FILE BEST: `boxplus optimize FILE`, with no option, ends within 1e-6 of BEST.
 
-The file is looked for in $BOXPLUS_DATA; where it is absent the test is skipped (exit code 77) and says so.
+The file is read from $BOXPLUS_DATA. If it is absent, the test is skipped (exit code 77) and says so.
 """
 
 import json
@@ -13,7 +13,6 @@ import sys
 import tempfile
 
 TOLERANCE = 1e-6  # relative
-
 
 def main(boxplus, name, best):
     path = pathlib.Path(os.environ.get("BOXPLUS_DATA", "")) / name
@@ -36,7 +35,6 @@ def main(boxplus, name, best):
     difference = (report["chi2_final"] - best) / best
     print(f"{name}: {report['status']}, chi2 {report['chi2_final']:.10g}, best known {best:.10g}, {difference:+.1e}")
     return 0 if report["status"] == "converged" and abs(difference) <= TOLERANCE else 1
-
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1], sys.argv[2], float(sys.argv[3])))

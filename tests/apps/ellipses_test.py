@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`boxplus plot --ellipses`: where poses and points lie with 95 %."""
+"""`boxplus plot --ellipses`: the regions that contain poses and points with a probability of 95 %."""
 
 import re
 import xml.etree.ElementTree
@@ -19,7 +19,6 @@ EDGE_SE2 0 1 10 0 0 25 0 0 6.25 0 10000
 POINT = """VERTEX_XY 2 0 10
 EDGE_SE2_XY 0 2 0 10 4 0 4
 """
-
 
 class Picture:
     CORNERS = 48
@@ -42,12 +41,10 @@ class Picture:
         (x0, y0), (x1, y1) = self.trajectory[0], self.trajectory[-1]
         return ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5 / meters
 
-
 def extent(shape):
     """Width, height and center of the box around a shape."""
     xs, ys = [x for x, _ in shape], [y for _, y in shape]
     return max(xs) - min(xs), max(ys) - min(ys), (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-
 
 class EllipsesTest(CommandCase):
     def drawn(self, *words, stdin):
@@ -92,7 +89,7 @@ EDGE_SE3:QUAT 0 1 10 0 0 0 0 0 1 25 0 0 0 0 0 6.25 0 0 0 0 1 0 0 0 10000 0 0 100
             self.assertAlmostEqual(size[0], 2 * RADIUS_95 * 0.2 * scale, delta=0.5)
             self.assertAlmostEqual(size[1], 2 * RADIUS_95 * height * scale, delta=0.5)
 
-    def test_are_few_enough_to_be_told_apart_in_large_graphs(self):
+    def test_are_few_enough_to_be_distinguished_in_large_graphs(self):
         graph = self.path / "s.g2o"
         run("simulate", "manhattan", "--poses", 3000, "-o", graph)
         run("optimize", graph, "-q", "-o", graph)
@@ -106,7 +103,7 @@ EDGE_SE3:QUAT 0 1 10 0 0 0 0 0 1 25 0 0 0 0 0 6.25 0 0 0 0 1 0 0 0 10000 0 0 100
             for b in boxes[:i]:
                 self.assertGreater(abs(a[2] - b[2]) + abs(a[3] - b[3]), 9, "two at one place")
 
-    def test_that_are_too_small_are_left_out_and_the_legend_says_so(self):
+    def test_are_left_out_if_they_are_too_small_and_the_legend_says_so(self):
         certain = TWO_POSES.replace("25 0 0 6.25", "1e8 0 0 1e8")
         picture = self.drawn(stdin=certain)
         self.assertEqual(picture.ellipses, [])
@@ -117,13 +114,12 @@ EDGE_SE3:QUAT 0 1 10 0 0 0 0 0 1 25 0 0 0 0 0 6.25 0 0 0 0 1 0 0 0 10000 0 0 100
         picture = self.drawn(stdin=vague)
         self.assertTrue(all(0 <= x <= 620 and 0 <= y <= 592 for shape in picture.ellipses for x, y in shape))
 
-    def test_of_a_vertex_that_is_not_determined_are_refused_by_its_name(self):
+    def test_are_refused_for_an_undetermined_vertex_by_its_name(self):
         lonely = TWO_POSES + "VERTEX_XY 7 1 1\nEDGE_BEARING_SE2_XY 0 7 0.7 1\n"
         done = run("plot", "-", "--ellipses", "-o", "-", stdin=lonely)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("vertex 7", done.stderr)
         self.assertIn("<stdin>", done.stderr)
-
 
 if __name__ == "__main__":
     main()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus info: what it tells of tiny graphs, and that it stands odd ones."""
+"""boxplus info: its output for tiny graphs, and for unusual ones."""
 
 import json
 
@@ -8,7 +8,7 @@ from command_case import TOWN, CommandCase, main, run
 
 UNIT = "1 0 0 1 0 1"  # Ω of an EDGE_SE2
 
-# Two components: one that nothing holds, whose loop closure is off by 3 meters; one with a fixed vertex.
+# Two components. Nothing holds the first one, and its loop closure is wrong by 3 meters. The second has a fixed vertex.
 GRAPH = f"""\
 VERTEX_SE2 0 0 0 0
 VERTEX_SE2 2 1 0 0
@@ -25,15 +25,13 @@ EDGE_SE2_XY 0 3 1 2 1 0 1
 EDGE_SE2 10 11 1 0 0 {UNIT}
 """
 
-
 def facts_of(text, *arguments):
     done = run("info", "-", "--json", "-", *arguments, stdin=text)
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
 
-
 class InfoTest(CommandCase):
-    def test_counts_what_is_there(self):
+    def test_counts_vertices_and_edges_by_type(self):
         facts = facts_of(GRAPH)
         self.assertEqual([facts[key] for key in ("vertices", "parameters", "edges", "unknowns", "rows")], [7, 0, 5, 16, 14])
         self.assertEqual(facts["edge_roles"],
@@ -44,7 +42,7 @@ class InfoTest(CommandCase):
         self.assertEqual((poses["degree_min"], poses["degree_mean"], poses["degree_max"]), (1, 1.8, 3))
         self.assertEqual((points["role"], points["degree_min"]), ("landmark", 0))
 
-    def test_tells_chi2_by_type_and_the_worst_edges(self):
+    def test_prints_chi2_by_type_and_the_worst_edges(self):
         facts = facts_of(GRAPH, "--worst", 2)
         self.assertEqual(facts["chi2"], 10)
         poses, points = facts["edge_types"]
@@ -54,17 +52,17 @@ class InfoTest(CommandCase):
                          [([0, 4], 9, 11), ([0, 3], 1, 12)])
         self.assertEqual(poses["worst"], facts["worst_edges"][0])
 
-    def test_lines_are_right_beside_skipped_ones(self):
+    def test_line_numbers_are_correct_if_other_lines_are_skipped(self):
         broken = GRAPH.replace("EDGE_SE2 0 2 1", "EDGE_SE2 0 2 x")
         facts = facts_of(broken, "--lenient")
         self.assertEqual(facts["skipped_lines"], 1)
         self.assertEqual(facts["worst_edges"][0]["line"], 11)
 
-    def test_lines_are_not_told_where_they_are_not_certain(self):
+    def test_line_numbers_are_omitted_if_they_are_uncertain(self):
         facts = facts_of(GRAPH + f"EDGE_SE2_XY 0 -1 1 2 1 0 1\n")
         self.assertEqual({edge["line"] for edge in facts["worst_edges"]}, {None})
 
-    def test_tells_components_and_what_holds_them(self):
+    def test_prints_components_and_how_they_are_held(self):
         first, second = (facts := facts_of(GRAPH))["components"]
         self.assertEqual(first, {"first": 0, "vertices": 4, "edges": 4, "fixed": [], "priors": 0, "held": [0], "free": ""})
         self.assertEqual(second, {"first": 10, "vertices": 2, "edges": 1, "fixed": [10], "priors": 0, "held": [], "free": ""})
@@ -73,7 +71,7 @@ class InfoTest(CommandCase):
         for words in ("nothing: optimize holds vertex 0", "fixed vertex 10", "without edges: vertex 20"):
             self.assertIn(words, text)
 
-    def test_optimize_holds_what_info_says(self):
+    def test_optimize_holds_the_vertex_that_info_names(self):
         graph = self.written("graph.g2o", GRAPH)
         report = json.loads(run("optimize", graph, "--json", "-").stdout)
         self.assertEqual(report["gauge"]["held"], [0])
@@ -90,7 +88,7 @@ class InfoTest(CommandCase):
         self.assertIn("119 odometry, 6 loop closures", done.stdout)
         self.assertEqual([line for line in done.stdout.splitlines() if line != line.rstrip()], [])
 
-    def test_stands_odd_graphs(self):
+    def test_accepts_unusual_graphs(self):
         lone = facts_of("VERTEX_SE2 7 0 0 0\n")
         self.assertEqual((lone["edges"], lone["chi2"], lone["components"], lone["isolated"]), (0, 0, [], [7]))
         huge = f"VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1e300 0 0\nEDGE_SE2 0 1 0 0 0 {UNIT}\n"
@@ -99,7 +97,7 @@ class InfoTest(CommandCase):
             done = run("info", "-", stdin=text)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_notes_of_the_file_are_told_but_not_without_end(self):
+    def test_notes_of_the_file_are_printed_up_to_a_limit(self):
         words = "".join(f"WORD{k} 1\n" for k in range(50))
         done = run("info", "-", stdin=GRAPH + words)
         self.assertIn("and 40 more such notes", done.stderr)
@@ -111,7 +109,6 @@ class InfoTest(CommandCase):
         self.assert_refused(run("info", "-", stdin="\x7fELF\x02\n\x00\n"), r"expected a vertex or an edge", r"its first line is '\x7fELF\x02'")
         self.assert_refused(run("info", self.path), "cannot be read")
         self.assert_refused(run("info", TOWN, "--worst", -1), "--worst: expected a whole number ≥ 0, got '-1'")
-
 
 if __name__ == "__main__":
     main()

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preloaded, it makes all file systems old and slow: without files that have no name, and with an fsync that
-// does not return.
+// If it is preloaded, all file systems are old and slow: files must have names, and fsync does not return.
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

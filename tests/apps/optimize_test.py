@@ -11,12 +11,10 @@ import time
 
 from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
-
 def estimates(text):
     """The vertex lines of a graph by id."""
     lines = (line.split() for line in text.splitlines())
     return {int(words[1]): words[2:] for words in lines if words[0].startswith("VERTEX")}
-
 
 class OptimizeTest(CommandCase):
     def report_of(self, *arguments, code=0):
@@ -87,7 +85,7 @@ class OptimizeTest(CommandCase):
         self.assert_refused(run("optimize", self.path / "missing.g2o"), "missing.g2o: cannot be opened")
         self.assert_refused(run("optimize", self.written("empty.g2o", "")), "empty.g2o:1:1: expected a vertex or an edge")
 
-    def test_unknown_words_are_escaped_in_messages(self):
+    def test_unknown_tags_are_escaped_in_messages(self):
         graph = self.written("odd.g2o", "VERTEX_SE2 0 0 0 0\nBAD\x1b[31m 1\n")
         done = run("optimize", graph)
         self.assertIn(r"BAD\x1b[31m", done.stderr)
@@ -129,7 +127,7 @@ class OptimizeTest(CommandCase):
             self.assertEqual(report[key], shown)
             self.assertAlmostEqual(report["chi2_final"] / best["chi2_final"], 1, places=8, msg=name)
 
-    def test_damping_is_of_levenberg_marquardt_only(self):
+    def test_damping_is_an_option_of_levenberg_marquardt_only(self):
         marquardt = ("--algorithm", "levenberg-marquardt")
         records = self.report_of(TOWN, *marquardt, "--lambda", 7.5)["records"]
         self.assertEqual(records[0]["lambda"], 7.5)
@@ -139,7 +137,7 @@ class OptimizeTest(CommandCase):
         for option in (("--lambda", 1), ("--damping", "identity")):
             self.assert_refused(run("optimize", TOWN, *option), "requires --algorithm levenberg-marquardt")
 
-    def test_starts_where_it_is_told(self):
+    def test_starts_from_the_chosen_start(self):
         for name, used in (("current", "current"), ("odometry", "odometry"), ("spanning-tree", "spanning-tree"),
                            ("chordal", "chordal")):
             self.assertEqual(self.report_of(TOWN, "--start", name)["start"]["used"], used)
@@ -183,7 +181,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual({id for id in before if before[id] != after[id]}, {8, *range(30, 40)})
         self.assert_refused(run("optimize", TOWN, "--only-vertices", "900-999"), "no vertex from 900 to 999")
 
-    def test_words_can_be_renamed(self):
+    def test_tags_can_be_renamed(self):
         text = TOWN.read_text(encoding="utf-8").replace("VERTEX_SE2", "VERTEX_ROBOT").replace("EDGE_SE2", "MY_EDGE")
         done = run("optimize", "-", "--rename", "VERTEX_ROBOT=VERTEX_SE2,MY_EDGE=EDGE_SE2", "-o", "-", stdin=text)
         self.assertEqual((done.returncode, done.stdout), (0, run("optimize", TOWN, "-o", "-").stdout))
@@ -196,7 +194,7 @@ class OptimizeTest(CommandCase):
                          [["iteration", str(k), "chi2"] for k in range(len(lines))])
 
     def on_a_terminal(self, *arguments):
-        """What boxplus writes to stderr where that is a terminal."""
+        """The output of boxplus to stderr when that is a terminal."""
         try:
             leader, follower = pty.openpty()
         except OSError as error:
@@ -209,7 +207,7 @@ class OptimizeTest(CommandCase):
             try:
                 while chunk := terminal.read(65536):
                     shown += chunk
-            except OSError:  # how Linux tells that nobody holds the other end
+            except OSError:  # the error of Linux if nobody holds the other end
                 pass
         return shown.decode()
 
@@ -221,7 +219,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual(self.on_a_terminal("optimize", TOWN, "--quiet"), "")
 
     def start_endless(self, output):
-        """An optimization that would take long, once it has begun to iterate."""
+        """A long optimization, after it has begun to iterate."""
         words = [BOXPLUS, "optimize", self.simulated("sphere", 2500), "-o", output, "--json", self.path / "out.json",
                  "--verbose", "--algorithm", "levenberg-marquardt", "--lambda", "1e9", "--start", "current",
                  "--iterations", "1000000000", "--cost-tolerance", "0", "--step-tolerance", "0"]
@@ -231,7 +229,7 @@ class OptimizeTest(CommandCase):
         self.assertIn("iteration", process.stderr.readline())
         return process
 
-    def test_an_interrupt_keeps_writes_and_tells_the_best_estimate(self):
+    def test_an_interrupt_writes_and_reports_the_best_estimate(self):
         for each in (signal.SIGINT, signal.SIGTERM):
             process = self.start_endless(self.path / "out.g2o")
             process.send_signal(each)
@@ -251,7 +249,6 @@ class OptimizeTest(CommandCase):
             process.send_signal(signal.SIGINT)
             time.sleep(0.1)
         self.assertEqual(process.returncode, -signal.SIGINT)
-
 
 if __name__ == "__main__":
     main()

@@ -23,7 +23,6 @@ EDGE_SE2 2 3 1 1 0 1 0 0 1 0 1
 INFORMATION = "1 0 0 1 0 1"
 GRAY = "#a6b2c2"
 
-
 class Picture:
     def __init__(self, text):
         self.root = xml.etree.ElementTree.fromstring(text)
@@ -38,9 +37,8 @@ class Picture:
     def numbers(self):
         return [float(number) for path in self.paths for number in re.findall(r"-?[\d.]+", path.get("d"))]
 
-
 def pixels_of(png):
-    """The width, the height and the rows of (r, g, b) of a PNG file whose check sums are right."""
+    """The width, the height and the rows of (r, g, b) of a PNG file. Checks its check sums."""
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
     chunks, at = {}, 8
     while at < len(png):
@@ -55,9 +53,8 @@ def pixels_of(png):
     assert len(rows) == height * stride and not any(rows[::stride]), "every row has the filter 0"
     return width, height, [[tuple(rows[i:i + 3]) for i in range(y * stride + 1, (y + 1) * stride, 3)] for y in range(height)]
 
-
 def content_of(pdf):
-    """The drawing commands of a PDF file whose table of objects is right."""
+    """The drawing commands of a PDF file. Checks its table of objects."""
     assert pdf.startswith(b"%PDF-1.4") and pdf.endswith(b"%%EOF\n")
     begin = int(pdf.split(b"startxref\n")[1].split()[0])
     lines = pdf[begin:].splitlines()
@@ -68,7 +65,6 @@ def content_of(pdf):
     length = int(re.search(rb"/Length (\d+)", pdf)[1])
     stream = pdf.index(b"stream\n") + len(b"stream\n")
     return zlib.decompress(pdf[stream:stream + length]).decode()
-
 
 class PlotTest(CommandCase):
     def drawn(self, *inputs, stdin=""):
@@ -111,7 +107,7 @@ class PlotTest(CommandCase):
         self.assertIn("100", same.words)
         self.assertIn("10⁴", different.words)
 
-    def test_stays_sensible_for_tiny_graphs(self):
+    def test_draws_tiny_graphs(self):
         one = "VERTEX_SE2 0 3 4 0\n"
         point = "VERTEX_XY 1 3 4\n"
         same = "".join(f"VERTEX_SE2 {i} 7 7 0\n" for i in range(5)) + f"EDGE_SE2 0 1 0 0 0 {INFORMATION}\n"
@@ -127,13 +123,13 @@ class PlotTest(CommandCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertLess((self.path / "p.svg").stat().st_size, 8_000_000)
 
-    def test_keeps_the_worst_of_what_lies_on_one_another(self):
+    def test_keeps_the_worst_of_edges_that_cover_each_other(self):
         copies = "".join(f"EDGE_SE2 0 3 3 1 0 {INFORMATION}\n" for _ in range(50))
         colors = self.drawn("-", stdin=CHAIN + copies + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n").closures()
         self.assertEqual(len(colors), 1)
         self.assertNotEqual(colors[0], GRAY)
 
-    def test_titles_are_text(self):
+    def test_titles_show_the_names_of_the_files(self):
         path = self.written("a<b>&c.g2o", CHAIN)
         self.assertIn("a<b>&c", self.drawn(path).words)
 
@@ -141,7 +137,7 @@ class PlotTest(CommandCase):
         latin = os.fsdecode(b"lat\xe9in.g2o")
         self.assertIn("lat\ufffdin", self.drawn(self.written(latin, CHAIN)).words)
 
-    def test_what_cannot_be_drawn_is_refused(self):
+    def test_input_that_cannot_be_drawn_is_refused(self):
         for words, stdin, text in ((["-"], "", "<stdin>:1:1: expected a vertex or an edge"), (["-", "-"], CHAIN, "'-' twice"),
                                    (["-"], "VERTEX_SE2 0 1e308 0 0\n", "finite position"), ([self.path / "none.g2o"], "", "none.g2o"), (["-"], "VERTEX_SE2 0 a 0 0\n", "<stdin>:1:14")):
             done = run("plot", *words, "-o", self.path / "p.svg", stdin=stdin)
@@ -194,13 +190,13 @@ class PlotTest(CommandCase):
         with_axes = self.drawn("-", "--bare", "--axes", stdin=CHAIN)
         self.assertIn("x [m]", with_axes.words)
 
-    def test_axes_tell_the_places(self):
+    def test_axes_show_coordinates(self):
         words = self.drawn("-", "--axes", stdin=CHAIN.replace("3 3 1 0\n", "3 3 1 0\nVERTEX_XY 9 -1 0\n")).words
         for word in ("x [m]", "y [m]", "−1.0", "0.0", "0.5", "2.0", "3.0"):
             self.assertIn(word, words)
         self.assertFalse(any(re.fullmatch(r"\S+ m", word) for word in words), "a scale bar says no more")
 
-    def test_graphs_in_space_are_seen_from_where_one_likes(self):
+    def test_graphs_in_space_are_seen_from_the_chosen_direction(self):
         tower = "".join(f"VERTEX_SE3:QUAT {i} {x} 0 {z} 0 0 0 1\n" for i, (x, z) in enumerate(((0, 0), (1, 8), (0, 16))))
         for view, here, absent in (("top", ("x [m]", "y [m]"), ("z [m]",)), ("side", ("x [m]", "z [m]", "15"), ("y [m]",)),
                                    ("iso", ("x", "y", "z"), ("x [m]",)), ("30,10", ("x", "y", "z"), ("x [m]",))):
@@ -212,7 +208,7 @@ class PlotTest(CommandCase):
         for view in ("below", "1", "1,2,3", "400,0", "0,91", "a,b"):
             self.assert_refused(run("plot", "-", "-o", "-", "--view", view, stdin=tower), "--view: expected top, side, iso")
 
-    def test_the_truth_is_drawn_where_it_fits_the_graph(self):
+    def test_the_truth_is_aligned_with_the_graph(self):
         turned = CHAIN.replace("0 0 0 0\n", "0 5 5 0\n").replace("1 1 0 0\n", "1 5 6 0\n").replace("2 2 0 0\n", "2 5 7 0\n").replace("3 3 1 0\n", "3 4 8 0\n")
         picture = self.drawn("-", "--bare", "--truth", self.written("truth.g2o", turned), stdin=CHAIN)
         truth = [path for path in picture.paths if path.get("stroke") == "#f2d06b"]
@@ -256,7 +252,6 @@ class PlotTest(CommandCase):
         picture = self.drawn("-", "--size", "200x150", "--font-size", 9, stdin=CHAIN)
         self.assertEqual((picture.root.get("width"), picture.root.get("height")), ("200", "150"))
         self.assertIn("9", {text.get("font-size") for text in picture.root.iter(f"{SVG}text")})
-
 
 if __name__ == "__main__":
     main()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""same_bits.py BOXPLUS: the same output, byte for byte, for 1, 2 and 3 threads and over repeated processes.
+"""same_bits.py BOXPLUS: the output has the same bytes for 1, 2 and 3 threads and in each process.
 
 Every process has another address-space layout (ASLR), so nothing may be ordered by address. More than one worker
 must have done work.
@@ -12,10 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-
 def run(*arguments):
     subprocess.run([str(a) for a in arguments], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=True)
-
 
 def main(boxplus):
     with tempfile.TemporaryDirectory() as name:
@@ -37,7 +35,6 @@ def main(boxplus):
                 return 1
             print(f"{world}: the same {len(outputs[1, 1])} bytes in {len(outputs)} runs")
     return 0
-
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1]))

@@ -8,7 +8,6 @@ from command_case import CommandCase, main, run
 
 WORLDS = ("sphere", "torus", "grid", "manhattan", "streets", "city")
 
-
 def words_of(path):
     """How often each word begins a line."""
     counts = {}
@@ -16,7 +15,6 @@ def words_of(path):
         word = line.split(" ", 1)[0]
         counts[word] = counts.get(word, 0) + 1
     return counts
-
 
 class SimulateTest(CommandCase):
     def test_each_world_is_described_made_and_read_back(self):
@@ -28,7 +26,7 @@ class SimulateTest(CommandCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertEqual(run("optimize", graph, "-q").returncode, 0, world)
 
-    def test_the_same_words_give_the_same_bytes(self):
+    def test_the_same_arguments_give_the_same_bytes(self):
         for name, seed in (("a", 4), ("b", 4), ("c", 5)):
             run("simulate", "city", "--poses", 60, "--seed", seed, "-o", self.path / name, "--truth", self.path / f"{name}_truth")
         a, b, c, truth = ((self.path / name).read_bytes() for name in ("a", "b", "c", "a_truth"))
@@ -36,7 +34,7 @@ class SimulateTest(CommandCase):
         self.assertNotEqual(a, c)
         self.assertNotEqual(a, truth)
 
-    def test_the_summary_tells_what_was_written(self):
+    def test_the_summary_describes_the_written_graph(self):
         done = run("simulate", "manhattan", "--poses", 2500, "--outliers", 0.1, "-o", self.path / "m.g2o")
         found = re.fullmatch(r".*m\.g2o: (\d+) vertices, (\d+) edges, (\d+) of them loop closures \((\d+) wrong\); "
                              r"chi2 \S+, at the truth \S+\n", done.stdout)
@@ -81,7 +79,6 @@ class SimulateTest(CommandCase):
         done = run("simulate", "grid", "-o", self.path / "no" / "x.g2o")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("cannot be written", done.stderr)
-
 
 if __name__ == "__main__":
     main()

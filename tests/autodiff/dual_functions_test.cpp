@@ -85,7 +85,7 @@ TEST(DualFunctions, OfTwoArgumentsMatchNumericDerivatives) {
   expect_derivatives("copysign", [](auto x) { return copysign(x, -1.0); }, {-2, 3});
 }
 
-TEST(DualFunctions, KeepConstantDirectionsWhereTheSlopeIsInfinite) {
+TEST(DualFunctions, KeepConstantDirectionsIfTheSlopeIsInfinite) {
   const D2 zero = D2::variable(0, 0);
   EXPECT_EQ(sqrt(zero).derivative[0], kInfinity);
   EXPECT_EQ(sqrt(zero).derivative[1], 0);
@@ -95,7 +95,7 @@ TEST(DualFunctions, KeepConstantDirectionsWhereTheSlopeIsInfinite) {
   EXPECT_EQ(hypot(D2(0), zero).derivative[0], 0);
 }
 
-TEST(DualFunctions, PowersAtZeroAreNotANumberNowhere) {
+TEST(DualFunctions, PowersAtZeroHaveFiniteDerivatives) {
   const D2 zero = D2::variable(0, 0);
   EXPECT_EQ(pow(zero, 0).derivative[0], 0);
   EXPECT_EQ(pow(zero, 1).derivative[0], 1);
@@ -105,7 +105,7 @@ TEST(DualFunctions, PowersAtZeroAreNotANumberNowhere) {
   EXPECT_EQ(pow(D2::variable(-2, 0), D2(3)).derivative[0], 12);
 }
 
-TEST(DualFunctions, AbsoluteValueAtZeroHasTheRightDerivative) {
+TEST(DualFunctions, AbsoluteValueAtZeroHasTheCorrectDerivative) {
   EXPECT_EQ(abs(D1::variable(0, 0)).derivative[0], 1);
   EXPECT_EQ(abs(D1::variable(-0.0, 0)).derivative[0], 1);
 }

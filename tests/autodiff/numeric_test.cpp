@@ -28,7 +28,7 @@ TEST(NumericDerivative, AdaptsItsStepToTheScaleOfTheFunction) {
   EXPECT_NEAR(derivative_of([](double h) { return 1e6 + 1e-3 * h; }), 1e-3, 1e-8);
 }
 
-TEST(NumericDerivative, RecoversWhereLargeStepsLeaveTheDomain) {
+TEST(NumericDerivative, RecoversIfLargeStepsLeaveTheDomain) {
   EXPECT_NEAR(derivative_of([](double h) { return std::log(0.01 + h); }), 100, 100 * 1e-9);
 }
 

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-TEST(InputError, SaysWhereItIsTheWayCompilersDo) {
+TEST(InputError, ReportsItsPlaceLikeACompiler) {
   const InputError error("loop.g2o", 12, 7, "expected a number, got 'x'");
   EXPECT_STREQ(error.what(), "loop.g2o:12:7: expected a number, got 'x'");
   EXPECT_EQ(error.line(), 12);

@@ -37,7 +37,7 @@ std::vector<int> runs_of_tasks(int count) {
   return runs;
 }
 
-/// What a call throws whose tasks throw their index from `first` on; -1 for nothing.
+/// The exception of a call if its tasks throw their index from `first` on; -1 if it throws nothing.
 int index_thrown(int count, int first) {
   try {
     parallel_tasks(count, [&](int i) {
@@ -134,7 +134,7 @@ TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndexFromNestedCalls) {
   EXPECT_THAT(thrown, ElementsAre(0, 1, 2));
 }
 
-TEST(ParallelTasks, RunAllTasksThoughSomeThrow) {
+TEST(ParallelTasks, RunToTheEndEvenIfSomeThrow) {
   const auto count_runs = [](std::atomic<int>& runs) {
     try {
       parallel_tasks(4, [&](int) {
@@ -194,7 +194,7 @@ void forbid_more_threads() {
   setrlimit(RLIMIT_AS, &limits);
 }
 
-TEST(ParallelTasksDeathTest, AllRunOnTheCallerWhereTheSystemGrantsNoThreads) {
+TEST(ParallelTasksDeathTest, AllRunOnTheCallerIfTheSystemGrantsNoThreads) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto run_without_threads = [] {
     forbid_more_threads();

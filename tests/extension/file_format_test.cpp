@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A user's own file format, from public headers only: recognized, read, written and listed like those of the
-// library.
+// A custom file format is recognized, read, written and listed like those of the library. Includes public
+// headers only.
 #include "boxplus/io/file_format.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using namespace boxplus;
 
 constexpr std::string_view kTitle = "id,x,y\n";
 
-/// Points of the plane as a table of comma-separated values.
+/// Points in the plane as a table of comma-separated values.
 GraphFile read_table(const TextSource& text, const ReadOptions& options) {
   std::string memory;
   std::istringstream lines(std::string(text.text(memory)));
@@ -61,14 +61,14 @@ FileFormats formats_with_table() {
   return formats;
 }
 
-class OwnFileFormat : public testing::Test {
+class CustomFileFormat : public testing::Test {
  protected:
   const FileFormats formats_ = formats_with_table();
   const ReadOptions reading_{.formats = &formats_};
   const WriteOptions writing_{.formats = &formats_};
 };
 
-TEST_F(OwnFileFormat, IsRecognizedByItsTextAndRead) {
+TEST_F(CustomFileFormat, IsRecognizedByItsTextAndRead) {
   const GraphFile file = parse_graph("id,x,y\n0,1,2\n7,3,4.5\n", "t", reading_);
   EXPECT_EQ(file.graph.estimate(file.graph.vertex<Vector2>(7)), Vector2(3, 4.5));
   EXPECT_EQ(parse_graph("VERTEX_XY 0 1 2\n", "t", reading_).graph.vertex_count(), 1u) << "a .g2o file";
@@ -76,7 +76,7 @@ TEST_F(OwnFileFormat, IsRecognizedByItsTextAndRead) {
   EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n", "t").graph.vertex_count(), 0u) << "without the format";
 }
 
-TEST_F(OwnFileFormat, IsWrittenIfTheNameOfTheFileEndsLikeIt) {
+TEST_F(CustomFileFormat, IsWrittenIfTheFileNameHasItsEnding) {
   const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t", reading_);
   const std::string path = testing::TempDir() + "boxplus_own_file_format_test.csv";
   write_graph(path, file, writing_);
@@ -87,12 +87,12 @@ TEST_F(OwnFileFormat, IsWrittenIfTheNameOfTheFileEndsLikeIt) {
   std::filesystem::remove(path);
 }
 
-TEST_F(OwnFileFormat, IsWrittenIfAskedForByName) {
+TEST_F(CustomFileFormat, IsWrittenIfAskedForByName) {
   const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t");
   EXPECT_EQ(format_graph(file, {.formats = &formats_, .format = "table"}), "id,x,y\n3,1,2.5\n");
 }
 
-TEST_F(OwnFileFormat, IsListed) {
+TEST_F(CustomFileFormat, IsListed) {
   std::vector<std::string> labels;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
   EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "table's .csv"));
@@ -104,7 +104,7 @@ TEST_F(OwnFileFormat, IsListed) {
   }
 }
 
-TEST_F(OwnFileFormat, SaysWhereItsTextIsWrong) {
+TEST_F(CustomFileFormat, ReportsTheLineAndTheColumnOfAnError) {
   try {
     parse_graph("id,x,y\n0,1,2\n1,one,2\n", "t", reading_);
     FAIL();

@@ -36,7 +36,7 @@ struct Manifold<Frozen> {
   }
 };
 
-/// A scalar that counts how often it is lifted to dual numbers.
+/// A scalar that counts its conversions to dual numbers.
 template <class S>
 struct Counted {
   S value;
@@ -64,7 +64,7 @@ struct Manifold<Counted<T>> {
 
 namespace {
 
-/// The exact Jacobian of `e` at x, after a check that the numeric one and both errors agree with it.
+/// The exact Jacobian of `e` at x. Checks that the numeric Jacobian and both errors agree with it.
 template <class... V, class E>
 Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
   const int cols = (edge::argument_dim<V>(x) + ...);
@@ -95,7 +95,7 @@ std::vector<double> linearize(const EdgePool& pool, std::span<const std::uint32_
   return numbers;
 }
 
-TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsLiftedToDualNumbersOnce) {
+TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsConvertedToDualNumbersOnce) {
   Graph graph;
   const auto a = graph.add_vertex(Counted<double>{2}), b = graph.add_vertex(Counted<double>{3}),
              c = graph.add_vertex(Counted<double>{5});
@@ -119,7 +119,7 @@ TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsLiftedToDualNumbersOnce) {
   EXPECT_EQ(linearize(pool, std::span(edges).last(1), 1)[0], 7 * 7 * 3);
 }
 
-TEST(Jacobian, OfManyColumnsInTilesIsThatOfEachEdgeAlone) {
+TEST(Jacobian, OfATileOfEdgesEqualsThatOfEachEdgeAlone) {
   // 30 columns take four passes of dual numbers.
   Graph graph;
   const auto a = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(1, 2))),
@@ -145,12 +145,12 @@ TEST(Jacobian, OfManyColumnsInTilesIsThatOfEachEdgeAlone) {
   }
 }
 
-TEST(Jacobian, OfAPolynomialIsThatOfTheTextbook) {
+TEST(Jacobian, OfAPolynomialEqualsTheFormulaOfTheTextbook) {
   const auto e = [](const auto& x, const auto& y) { return x * x * y; };
   EXPECT_EQ((jacobian<double, double>(e, 1, 3, 5)), Eigen::RowVector2d(30, 9));
 }
 
-TEST(Jacobian, OfAnSe2BetweenIsThatOfTheDocument) {
+TEST(Jacobian, OfAnSe2BetweenEqualsTheFormulaOfTheDocument) {
   const auto e = [](const auto& a, const auto& b) { return a.inverse_times(b).vector(); };
   const SE2 a(1, 2, 0.3), b(4, -1, -2.5);
   const Eigen::MatrixXd J = jacobian<SE2, SE2>(e, 3, a, b);
@@ -178,7 +178,7 @@ TEST(Jacobian, OfAnSe3BetweenAtItsMeasurementIsTheIdentityInTheSecondPose) {
   jacobian<SE3, SE3>(e, 6, a, far);
 }
 
-TEST(Jacobian, OfAnSe3PointMeasurementIsThatOfTheTextbook) {
+TEST(Jacobian, OfAnSe3PointMeasurementEqualsTheFormulaOfTheTextbook) {
   const auto e = [](const auto& x, const auto& p) { return x.inverse_times(p); };
   const SE3 x = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
   const Eigen::Vector3d p(4, 5, 7);
@@ -198,7 +198,7 @@ constexpr auto kProducts = [](const auto& a, const auto& b, const auto& c, const
   return e;
 };
 
-TEST(Jacobian, OfThirtyColumnsComesInPasses) {
+TEST(Jacobian, OfThirtyColumnsIsComputedInPasses) {
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   static_assert(edge::kDualSize<Vector6, Vector6, Vector6, Vector6, Vector6> == edge::kDualChunk);
   Vector6 x;
@@ -216,7 +216,7 @@ TEST(Jacobian, OfThirtyColumnsComesInPasses) {
   EXPECT_EQ(J, expected);
 }
 
-TEST(Jacobian, OfATailHasTheColumnsOfItsElements) {
+TEST(Jacobian, OfARangeHasTheColumnsOfItsElements) {
   const auto e = [](const auto& scale, const auto& points) {
     using S = std::remove_cvref_t<decltype(scale)>;
     Eigen::Matrix<S, 3, 1> sum = Eigen::Matrix<S, 3, 1>::Zero();
@@ -233,12 +233,12 @@ TEST(Jacobian, OfATailHasTheColumnsOfItsElements) {
   }
 }
 
-TEST(Jacobian, OfAnEmptyTailIsThatOfTheOthers) {
+TEST(Jacobian, OfAnEmptyRangeHasTheColumnsOfTheOtherVertices) {
   const auto e = [](const auto& x, const auto& tail) { return x * x + static_cast<double>(tail.size()); };
   EXPECT_EQ((jacobian<double, Tail<double>>(e, 1, 3, {}))(0, 0), 6);
 }
 
-TEST(Jacobian, OfRunTimeSizesIsThatOfTheNorm) {
+TEST(Jacobian, OfRunTimeSizesEqualsTheFormula) {
   const auto e = [](const auto& x, const auto& y) { return (x.squaredNorm() * y).eval(); };
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(13, 1, 13), y = Eigen::VectorXd::LinSpaced(2, 1, 2);
   const Eigen::MatrixXd J = jacobian<Eigen::VectorXd, Eigen::VectorXd>(e, 2, x, y);

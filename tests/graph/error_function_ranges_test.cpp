@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that end in ranges of vertices of several types, and bring Jacobians of run-time sizes.
+// Edges over ranges of vertices of several types, with analytic Jacobians of run-time sizes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// One row per point: pose⁻¹ p scaled by the sum of all scales, first coordinate only; generic.
+/// Has one row per point: the first coordinate of pose⁻¹ p, scaled by the sum of all scales. Generic.
 struct Stack {
   template <class S, class Point, class Scale>
   Vector<S, kDynamic> error(const BasicSE2<S>& pose, std::span<const Point> points,
@@ -83,14 +83,14 @@ TEST(SeveralRanges, HaveExactJacobiansWithTheColumnsOfEachRangeSideBySide) {
   EXPECT_EQ(exact[2].col(0).cwiseAbs().array().count(), 1);  // the second point moves the second row alone
 }
 
-TEST(SeveralRanges, AreCheckedByTheLawChecker) {
+TEST(SeveralRanges, PassTheCheckOfJacobians) {
   const std::vector<Vector2> points{Vector2(1, 2), Vector2(3, 1)};
   const JacobianCheck check =
       check_jacobians(StackWithJacobians{}, SE2(1, 2, 0.3), points, std::vector<double>{2, 0.5, 1});
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(SeveralRanges, MayBeEmptyAndSplitDifferentlyInASlotThatIsUsedAgain) {
+TEST(SeveralRanges, MayBeEmptyAndHaveOtherLengthsInAReusedSlot) {
   World w;
   const auto error = [](std::span<const Vector2> b, std::span<const double> a) {
     double sum = 0;
@@ -123,7 +123,7 @@ TEST(SeveralRanges, AreCopiedWithTheirGraph) {
   EXPECT_EQ(copy.vertices(edge), w.graph.vertices(edge));
 }
 
-/// Rows that are chosen at run time, over vertices of fixed sizes.
+/// An error of run-time size over vertices of fixed sizes.
 struct RunTimeRows {
   int rows;
   std::vector<double> error(double x, const Vector2& p) const {
@@ -140,7 +140,7 @@ struct RunTimeRows {
   }
 };
 
-TEST(OwnJacobians, AreUsedForRunTimeRows) {
+TEST(AnalyticJacobians, AreUsedForRunTimeRows) {
   Graph graph;
   const auto x = graph.add_vertex(3.0);
   const auto p = graph.add_vertex(Vector2(5, 7));

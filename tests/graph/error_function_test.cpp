@@ -75,7 +75,7 @@ struct Analytic {
   }
 };
 
-TEST(Edge, JacobiansOfItsOwnAreUsed) {
+TEST(Edge, ItsAnalyticJacobiansAreUsed) {
   Graph graph;
   const auto edge = graph.add_edge(Analytic{}, graph.add_vertex(3.0), graph.add_vertex(Point(5, 7)));
   EXPECT_EQ(source(graph, edge), JacobianSource::kAnalytic);
@@ -98,7 +98,7 @@ struct Eigens {
   }
 };
 
-TEST(Edge, ATemplateOverEigensVectorsIsDifferentiatedExactly) {
+TEST(Edge, ATemplateOverEigenVectorsIsDifferentiatedExactly) {
   Graph graph;
   const auto scale = graph.add_vertex(2.0);
   for (const auto& point : {graph.add_vertex(Vector2(3, 4)), graph.add_vertex(Eigen::Vector2d(3, 4))}) {
@@ -113,7 +113,7 @@ TEST(Edge, ATemplateOverEigensVectorsIsDifferentiatedExactly) {
   }
 }
 
-/// The same for a tail.
+/// The same for a range.
 struct EigensSum {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const S& scale, std::span<const Eigen::Matrix<S, 2, 1>> points) const {
@@ -123,7 +123,7 @@ struct EigensSum {
   }
 };
 
-TEST(Edge, ATailMayBeASpanOfEigensVectors) {
+TEST(Edge, ARangeMayBeASpanOfEigenVectors) {
   Graph graph;
   const auto scale = graph.add_vertex(2.0);
   const std::vector<VertexHandle<Eigen::Vector2d>> points{graph.add_vertex(Eigen::Vector2d(3, 4)),
@@ -175,7 +175,7 @@ constexpr auto kSum = [](const auto& first, const auto& tail) {
   return sum;
 };
 
-TEST(Edge, ARangeOfHandlesIsAnArityChosenAtRunTime) {
+TEST(Edge, TheNumberOfVerticesMayBeChosenAtRunTime) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0), c = graph.add_vertex(4.0);
   const auto two = graph.add_edge(kSum, a, Handles{b});
@@ -193,7 +193,7 @@ TEST(Edge, ARangeOfHandlesIsAnArityChosenAtRunTime) {
   EXPECT_TRUE(graph.contains(two));
 }
 
-TEST(Edge, ASlotOfRunTimeArityIsUsedAgainForTheSameArity) {
+TEST(Edge, ASlotIsReusedForTheSameNumberOfVertices) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0), c = graph.add_vertex(4.0);
   const auto two = graph.add_edge(kSum, a, Handles{b});
@@ -218,7 +218,7 @@ TEST(Edge, VerticesMayHaveRunTimeSize) {
   EXPECT_EQ(shape.cols, 6);
 }
 
-TEST(Edge, ThatChangesItsNumberOfRowsThrows) {
+TEST(Edge, AChangedNumberOfRowsThrows) {
   Graph graph;
   const auto a = graph.add_vertex(2.0);
   const auto edge =

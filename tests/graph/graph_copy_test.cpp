@@ -59,7 +59,7 @@ TEST(GraphCopy, HasTheElementsOfItsOriginalUnderTheSameHandles) {
   EXPECT_EQ(copy.all_edges(), graph.all_edges());
 }
 
-TEST(GraphCopy, AndItsOriginalChangeIndependently) {
+TEST(GraphCopy, ChangesIndependentlyOfItsOriginal) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   const auto edge = graph.add_edge(distance_of(5), a, b);
@@ -78,14 +78,14 @@ TEST(GraphCopy, AndItsOriginalChangeIndependently) {
   EXPECT_EQ(graph.edges(b).size(), 1u);
 }
 
-TEST(GraphCopy, AndItsOriginalGiveOutHandlesThatTheOtherRefuses) {
+TEST(GraphCopy, RefusesNewHandlesOfItsOriginalAndViceVersa) {
   Graph graph;
   const auto old = graph.add_vertex(1.0), removed = graph.add_vertex(2.0);
   graph.remove(removed);
   Graph copy = graph;
   EXPECT_TRUE(copy.contains(old));
   EXPECT_FALSE(copy.contains(removed));
-  for (int i = 0; i < 3; ++i) {  // the first takes the slot of the removed vertex
+  for (int i = 0; i < 3; ++i) {  // the first one reuses the slot of the removed vertex
     const auto a = graph.add_vertex(3.0), b = copy.add_vertex(3.0);
     EXPECT_EQ(a.slot, b.slot);
     EXPECT_FALSE(copy.contains(a));
@@ -95,7 +95,7 @@ TEST(GraphCopy, AndItsOriginalGiveOutHandlesThatTheOtherRefuses) {
   }
 }
 
-TEST(GraphCopy, TailsReadTheVerticesOfTheCopy) {
+TEST(GraphCopy, EvaluatesEdgesOverRangesAtItsOwnVertices) {
   Graph graph;
   const std::vector tail{graph.add_vertex(1.0), graph.add_vertex(2.0)};
   const auto edge = graph.add_edge(kSum, tail);
@@ -116,7 +116,7 @@ TEST(GraphCopy, SharesRobustKernels) {
   EXPECT_EQ(graph.weight(edge), 1);
 }
 
-TEST(GraphCopy, HasTheStackOfPush) {
+TEST(GraphCopy, CopiesTheStackOfPushedEstimates) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.push();
@@ -129,7 +129,7 @@ TEST(GraphCopy, HasTheStackOfPush) {
   EXPECT_EQ(graph.stack_size(), 1);
 }
 
-TEST(GraphCopy, ReplacesWhatItIsAssignedTo) {
+TEST(GraphCopy, ReplacesTheGraphThatItIsAssignedTo) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   Graph other;
@@ -142,7 +142,7 @@ TEST(GraphCopy, ReplacesWhatItIsAssignedTo) {
   EXPECT_EQ(graph.estimate(a), 1);
 }
 
-TEST(GraphCopy, OptimizesLikeItsOriginalAndLeavesItAlone) {
+TEST(GraphCopy, OptimizesLikeItsOriginalWithoutChangingIt) {
   Graph graph;
   const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(1, 0, 0.1)),
              c = graph.add_vertex(SE2(2, 1, 0));

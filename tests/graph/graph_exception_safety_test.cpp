@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A refused vertex or edge leaves the graph as it was, whatever throws.
+// A refused vertex or edge leaves the graph unchanged, wherever the exception comes from.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -35,7 +35,7 @@ struct Manifold<Fragile> {
 
 namespace {
 
-/// Throws in every copy that `f` makes, one after the other, until one call passes.
+/// Calls `f` until it succeeds. The n-th call throws at the n-th copy.
 template <class F, class Check>
 void fail_everywhere(F&& f, Check&& check) {
   for (int allowed = 0; allowed < 20; ++allowed) {
@@ -96,7 +96,7 @@ TEST(ExceptionSafety, AnEdgeThatCannotBeCopiedIsNotAdded) {
   EXPECT_EQ(graph.chi2(edges[2]), 108);
 }
 
-TEST(ExceptionSafety, AnErrorThatThrowsWhileItsRowsAreCountedIsNotAdded) {
+TEST(ExceptionSafety, AnEdgeWhoseErrorThrowsIsNotAdded) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   bool fail = true;

@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(State, PopRestoresWhatPushSaved) {
+TEST(GraphStack, PopRestoresTheEstimatesThatPushSaved) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   const auto b = graph.add_vertex(Eigen::Vector2d(1, 2));
@@ -25,7 +25,7 @@ TEST(State, PopRestoresWhatPushSaved) {
   EXPECT_EQ(graph.stack_size(), 0);
 }
 
-TEST(State, PushesNest) {
+TEST(GraphStack, PushesMayBeNested) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.push();
@@ -42,7 +42,7 @@ TEST(State, PushesNest) {
   EXPECT_EQ(graph.estimate(a), 1);
 }
 
-TEST(State, ASubsetLeavesTheOthersAlone) {
+TEST(GraphStack, APushOfSomeVerticesLeavesTheOthersAlone) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   graph.push(std::array<VertexRef, 1>{b});
@@ -53,7 +53,7 @@ TEST(State, ASubsetLeavesTheOthersAlone) {
   EXPECT_EQ(graph.estimate(b), 2);
 }
 
-TEST(State, VerticesAddedSinceArePassedOver) {
+TEST(GraphStack, PopSkipsVerticesThatWereAddedAfterPush) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.push();
@@ -72,7 +72,7 @@ TEST(State, VerticesAddedSinceArePassedOver) {
   EXPECT_EQ(graph.estimate(c), Eigen::Vector2d(1, 2));
 }
 
-TEST(State, VerticesRemovedSinceAreSkippedAlsoWhereTheirSlotIsUsedAgain) {
+TEST(GraphStack, PopSkipsRemovedVerticesEvenIfTheirSlotIsReused) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   graph.push();
@@ -85,7 +85,7 @@ TEST(State, VerticesRemovedSinceAreSkippedAlsoWhereTheirSlotIsUsedAgain) {
   EXPECT_EQ(graph.estimate(b), 2);
 }
 
-TEST(State, ParametersAreSavedToo) {
+TEST(GraphStack, ParametersAreSavedToo) {
   Graph graph;
   const auto offset = graph.add_parameter(1.0);
   graph.push();
@@ -94,13 +94,13 @@ TEST(State, ParametersAreSavedToo) {
   EXPECT_EQ(graph.estimate(offset), 1);
 }
 
-TEST(State, AnEmptyStackCannotBePopped) {
+TEST(GraphStack, AnEmptyStackCannotBePopped) {
   Graph graph;
   EXPECT_THROW(graph.pop(), InvalidArgument);
   EXPECT_THROW(graph.discard_top(), InvalidArgument);
 }
 
-TEST(State, AStaleVertexCannotBePushed) {
+TEST(GraphStack, AStaleVertexCannotBePushed) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.remove(a);
@@ -108,7 +108,7 @@ TEST(State, AStaleVertexCannotBePushed) {
   EXPECT_EQ(graph.stack_size(), 0);
 }
 
-TEST(State, RestoringASizeChangesTheStructure) {
+TEST(GraphStack, RestoringTheSizeOfAVertexChangesTheStructure) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::VectorXd::Zero(2).eval());
   graph.push();
@@ -119,7 +119,7 @@ TEST(State, RestoringASizeChangesTheStructure) {
   EXPECT_NE(graph.revision(), revision);
 }
 
-TEST(SavedEstimates, AreAValueApartFromThePool) {
+TEST(SavedEstimates, AreIndependentOfThePool) {
   TypedVertexPool<double> pool;
   const std::uint32_t a = pool.add(1.0, 0), b = pool.add(2.0, 1);
   std::unique_ptr<SavedEstimates> both, last;

@@ -52,7 +52,7 @@ TEST(Graph, EdgesOfOneTypeShareAPool) {
   EXPECT_THAT(graph.vertices(second), ElementsAre(VertexRef(b), VertexRef(c)));
 }
 
-TEST(Graph, AutomaticIdsSkipTheTakenOnes) {
+TEST(Graph, AutomaticIdsSkipIdsThatAreTaken) {
   Graph graph;
   graph.add_vertex(0.0, 0);
   graph.add_vertex(0.0, 2);
@@ -117,7 +117,7 @@ TEST(Graph, RemovingAVertexRemovesItsEdges) {
   EXPECT_EQ(graph.vertex_count(), 2u);
 }
 
-TEST(Graph, ARemovedSlotIsUsedAgainUnderANewGeneration) {
+TEST(Graph, ASlotIsReusedWithANewGeneration) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.fix(a);
@@ -136,7 +136,7 @@ TEST(Graph, ARemovedSlotIsUsedAgainUnderANewGeneration) {
   EXPECT_THROW(graph.add_edge(kPrior, a), InvalidArgument);
 }
 
-TEST(Graph, ARemovedEdgeLeavesNothingToItsSuccessor) {
+TEST(Graph, AnEdgeInAReusedSlotInheritsNothing) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(5.0);
   const auto old = graph.add_edge(kDifference, 9.0, a, b);
@@ -155,7 +155,7 @@ TEST(Graph, ARemovedEdgeLeavesNothingToItsSuccessor) {
   EXPECT_THROW(graph.remove(old), InvalidArgument);
 }
 
-TEST(Graph, ARemovedEdgeLetsGoOfItsKernel) {
+TEST(Graph, ARemovedEdgeReleasesItsKernel) {
   Graph graph;
   const auto kernel = std::make_shared<const Huber>(1);
   const auto edge = graph.add_edge(kPrior, graph.add_vertex(1.0));
@@ -192,14 +192,14 @@ TEST(Graph, AnEdgeHandleOfAnotherGraphWithAnotherTypeIsRefused) {
   EXPECT_THROW((void)graph.measurement(foreign), InvalidArgument);
 }
 
-TEST(Graph, AHandleOfAnotherGraphIsRefusedAlsoIfItsSlotAndTypeCoincide) {
+TEST(Graph, AHandleOfAnotherGraphIsRefusedEvenIfItsSlotAndTypeMatch) {
   std::vector<Graph> graphs(50);
   std::vector<VertexHandle<double>> vertices;
   std::vector<EdgeRef> edges;
   for (Graph& graph : graphs) {
     vertices.push_back(graph.add_vertex(1.0));
     edges.push_back(graph.add_edge(kPrior, vertices.back()));
-    graph.remove(graph.add_vertex(2.0));  // so that slots are used again, too
+    graph.remove(graph.add_vertex(2.0));  // so that slots are reused
     graph.add_vertex(3.0);
   }
   for (std::size_t a = 0; a < graphs.size(); ++a) {
@@ -213,7 +213,7 @@ TEST(Graph, AHandleOfAnotherGraphIsRefusedAlsoIfItsSlotAndTypeCoincide) {
   EXPECT_THAT(complaint([&] { graphs[0].add_edge(kPrior, vertices[1]); }), HasSubstr("of another graph"));
 }
 
-TEST(Graph, HandlesOfAMovedGraphAreNotThoseOfWhatIsLeft) {
+TEST(Graph, HandlesOfAMovedGraphAreRefusedByTheGraphThatItWasMovedFrom) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   const Graph moved(std::move(graph));
@@ -224,7 +224,7 @@ TEST(Graph, HandlesOfAMovedGraphAreNotThoseOfWhatIsLeft) {
   EXPECT_FALSE(graph.contains(a));
 }
 
-TEST(Graph, EigensVectorsAndOursAreOneVertexType) {
+TEST(Graph, EigenVectorsAndVectorsOfTheLibraryAreOneVertexType) {
   Graph graph;
   const auto ours = graph.add_vertex(Vector2(1, 2), 0);
   const auto eigens = graph.add_vertex(Eigen::Vector2d(3, 4), 1);
@@ -243,7 +243,7 @@ TEST(Graph, EigensVectorsAndOursAreOneVertexType) {
   EXPECT_EQ((graph.vertex<Vector<double, kDynamic>>(graph.id(dynamic))), dynamic);
 }
 
-TEST(Graph, AHandleOfAnEigenVectorConvertsToOursAndBack) {
+TEST(Graph, AHandleOfAnEigenVectorConvertsToOneOfALibraryVectorAndBack) {
   Graph graph;
   VertexHandle<Eigen::Vector2d> eigens = graph.add_vertex(Eigen::Vector2d(1, 2));
   const VertexHandle<Vector2> ours = eigens;
@@ -274,7 +274,7 @@ TEST(Graph, ChiSquaredCountsEnabledEdgesAndTheirKernels) {
   EXPECT_EQ(graph.chi2(), 22);
 }
 
-TEST(Graph, LevelsBumpTheRevisionAndValuesDoNot) {
+TEST(Graph, ChangedLevelsAdvanceTheRevisionAndChangedValuesDoNot) {
   Graph graph;
   const auto a = graph.add_vertex(4.0);
   const auto edge = graph.add_edge(kPrior, a);
@@ -309,7 +309,7 @@ TEST(Graph, ParametersHaveTheirOwnIdsAndAreFixed) {
   EXPECT_TRUE(graph.contains(a));
 }
 
-TEST(Graph, AllVerticesComeById) {
+TEST(Graph, AllVerticesAreListedInTheOrderOfTheirIds) {
   Graph graph;
   const auto c = graph.add_vertex(1.0, 9);
   const auto a = graph.add_vertex(Point(1, 2), 3);
@@ -317,7 +317,7 @@ TEST(Graph, AllVerticesComeById) {
   EXPECT_THAT(graph.all_vertices(), ElementsAre(VertexRef(a), VertexRef(b), VertexRef(c)));
 }
 
-TEST(Graph, HandlesFromBeforeClearAreStale) {
+TEST(Graph, OldHandlesAreStaleAfterClear) {
   Graph graph;
   const auto a = graph.add_vertex(1.0, 4);
   const auto edge = graph.add_edge(kPrior, a);
@@ -347,7 +347,7 @@ TEST(Graph, HandlesSurviveMoves) {
   EXPECT_EQ(assigned.chi2(), 1);
 }
 
-TEST(Graph, TheLifeThatObserversKnowEndsWhenTheGraphIsMovedAssignedOrDestroyed) {
+TEST(Graph, ObserversNoticeIfTheGraphIsMovedAssignedOrDestroyed) {
   Graph graph;
   const auto of_graph = graph.life();
   EXPECT_EQ(graph.life(), of_graph);

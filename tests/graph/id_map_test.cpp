@@ -10,7 +10,7 @@ namespace boxplus {
 namespace {
 
 RC_GTEST_PROP(IdMap, AgreesWithAnOrderedMapOverRandomInsertionsAndRemovals, ()) {
-  // Few different low digits, so that entries are contested; high ones too.
+  // Ids with few different low and high digits, so that many of them collide.
   const auto any_id = rc::gen::map(rc::gen::pair(rc::gen::inRange<Id>(0, 40), rc::gen::inRange<Id>(0, 4)),
                                    [](const auto& parts) { return parts.first + (parts.second << 40); });
   const auto ids = *rc::gen::container<std::vector<Id>>(any_id);
@@ -43,7 +43,7 @@ TEST(IdMap, FindsNothingInAnEmptyMapNorUnderNegativeIds) {
   for (const Id id : {Id{-1}, Id{-2}}) EXPECT_EQ(map.find(id), nullptr);
 }
 
-TEST(IdMap, EndsEverySearchWhereVerticesComeAndGo) {
+TEST(IdMap, EndsEverySearchWhileVerticesAreAddedAndRemoved) {
   IdMap map;
   for (Id id = 0; id < 100'000; ++id) {
     map.insert(id, {});
@@ -53,8 +53,8 @@ TEST(IdMap, EndsEverySearchWhereVerticesComeAndGo) {
   EXPECT_EQ(map.by_id().size(), 8u);
 }
 
-TEST(IdMap, TakesIdsThatShareTheirLowBits) {
-  // Where they met again and again, so many would take minutes, or hours.
+TEST(IdMap, AcceptsIdsThatShareTheirLowBits) {
+  // If they collided repeatedly, so many insertions would take minutes or hours.
   constexpr Id kCount = 300'000;
   for (const int shift : {20, 36, 40, 44}) {
     IdMap map;
@@ -63,7 +63,7 @@ TEST(IdMap, TakesIdsThatShareTheirLowBits) {
   }
 }
 
-TEST(IdMap, TakesNumbersBehindTagsOfAnyLength) {
+TEST(IdMap, AcceptsIdsWhoseHighBitsAreTags) {
   for (const int tag_bits : {5, 8, 14}) {
     IdMap map;
     const Id tags = Id{1} << tag_bits, numbers = 300'000 / tags;

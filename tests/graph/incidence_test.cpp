@@ -26,7 +26,7 @@ constexpr auto kSum = [](std::span<const double> all) {
   return sum;
 };
 
-/// The edges of a vertex, found by looking at every edge.
+/// The edges of a vertex, found among all edges.
 std::vector<EdgeRef> edges_by_search(const Graph& graph, VertexRef vertex) {
   std::vector<EdgeRef> result;
   for (const EdgeRef& edge : graph.all_edges()) {
@@ -47,7 +47,7 @@ TEST(EdgesOfAVertex, AreListedInTheOrderOfAllEdges) {
   EXPECT_THAT(graph.edges(lonely), IsEmpty());
 }
 
-TEST(EdgesOfAVertex, IncludeThoseOfParametersAndOfTails) {
+TEST(EdgesOfAVertex, IncludeEdgesOfParametersAndEdgesOverRanges) {
   Graph graph;
   const auto offset = graph.add_parameter(0.5);
   const std::vector tail{graph.add_vertex(1.0), graph.add_vertex(2.0), graph.add_vertex(3.0)};
@@ -65,7 +65,7 @@ TEST(EdgesOfAVertex, OfAStaleHandleAreRefused) {
   EXPECT_THROW((void)graph.edges(a), InvalidArgument);
 }
 
-TEST(EdgesOfAVertex, StayRightWhileTheGraphChanges) {
+TEST(EdgesOfAVertex, StayCorrectWhileTheGraphChanges) {
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
@@ -93,7 +93,7 @@ TEST(EdgesOfAVertex, StayRightWhileTheGraphChanges) {
   }
 }
 
-TEST(EdgesOfAVertex, AreRemovedWithItWhetherOrNotTheyWereListed) {
+TEST(EdgesOfAVertex, AreRemovedWithTheirVertexWhetherOrNotTheyWereListed) {
   for (const bool listed : {false, true}) {
     Graph graph;
     const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0), c = graph.add_vertex(3.0);
@@ -108,7 +108,7 @@ TEST(EdgesOfAVertex, AreRemovedWithItWhetherOrNotTheyWereListed) {
   }
 }
 
-TEST(EdgesOfAVertex, ComeBackAfterClear) {
+TEST(EdgesOfAVertex, AreListedAgainAfterClear) {
   Graph graph;
   const auto old = graph.add_vertex(1.0);
   graph.add_edge(kPrior, old);

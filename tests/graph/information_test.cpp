@@ -21,7 +21,7 @@ Eigen::Matrix2d matrix2(double a, double b, double c, double d) {
   return (Eigen::Matrix2d() << a, b, c, d).finished();
 }
 
-TEST(Information, IsStoredAsShortAsItIs) {
+TEST(Information, IsStoredInTheShortestFormOfItsTriangle) {
   constexpr int kRows = 6;
   std::vector<double> triangle;
   for (int i = 0; i < kRows; ++i) {
@@ -35,7 +35,7 @@ TEST(Information, IsStoredAsShortAsItIs) {
   EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kScalar);
 }
 
-TEST(Information, IsStoredAsWhatItIs) {
+TEST(Information, IsStoredAsScalarDiagonalOrFullMatrix) {
   EXPECT_EQ(Information(2.0).kind(), InformationKind::kScalar);
   EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).kind(), InformationKind::kScalar);
   EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).values().size(), 1u);
@@ -79,7 +79,7 @@ TEST(Information, OfNoRowsIsRefused) {
   EXPECT_THROW(Information::upper_triangle({}, -1), InvalidArgument);
 }
 
-TEST(Information, ThatIsNotSymmetricSemiDefiniteAndFiniteIsRefused) {
+TEST(Information, IsRefusedUnlessItIsSymmetricSemiDefiniteAndFinite) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
   const auto edge = graph.add_edge(kPosition, 3.0, a);
@@ -104,11 +104,11 @@ TEST(Information, ThatIsNotSymmetricSemiDefiniteAndFiniteIsRefused) {
   EXPECT_EQ(graph.add_edge(kPosition, a).slot, 1u);
 }
 
-TEST(Information, ThatIsIndefiniteIsRefusedWithItsEigenvalue) {
+TEST(Information, IsRefusedWithItsEigenvalueIfItIsIndefinite) {
   EXPECT_THAT(Information(matrix2(1, 2, 2, 1)).complaint(2), HasSubstr("eigenvalue -1.0"));
 }
 
-TEST(Information, ThatIsSingularIsAllowed) {
+TEST(Information, MayBeSingular) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
   EXPECT_EQ(graph.chi2(graph.add_edge(kPosition, matrix2(1, -1, -1, 1), a)), 1);

@@ -69,7 +69,7 @@ TEST(EdgeJacobian, HasOneBlockPerVertexWithRowsOfTheError) {
   EXPECT_TRUE(J[1].isApprox(R, 1e-14)) << J[1];
 }
 
-TEST(EdgeJacobian, OfATailHasOneBlockPerElement) {
+TEST(EdgeJacobian, OfARangeHasOneBlockPerElement) {
   Graph graph;
   const std::vector tail{graph.add_vertex(1.0), graph.add_vertex(2.0), graph.add_vertex(3.0)};
   const auto edge = graph.add_edge(
@@ -87,7 +87,7 @@ TEST(EdgeJacobian, OfATailHasOneBlockPerElement) {
   }
 }
 
-TEST(EdgeJacobian, OfAReadyMadeEdgeIsThatOfItsError) {
+TEST(EdgeJacobian, OfAReadyMadeEdgeEqualsTheJacobianOfItsError) {
   Graph graph;
   const auto a = graph.add_vertex(SE2(1, 2, 0.5)), b = graph.add_vertex(SE2(3, -1, 1.5));
   const auto edge = graph.add_edge(Between(SE2(1, 0, 1)), a, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus.h alone brings every manifold, kernel and function that a program names.
+// boxplus.h alone declares every manifold, kernel and function that a program needs.
 #include "boxplus/boxplus.h"
 
 using namespace boxplus;

@@ -17,7 +17,7 @@ fi
 "$cmake" --build "$work/build"
 "$work/build/consumer"
 
-# Installed programs start from where they were moved to.
+# Installed programs start from the folder that they were moved to.
 for program in "$work"/moved/bin/*; do
   if [[ -x "$program" ]]; then "$program" --help >/dev/null; fi
 done

@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// The message of the reader about bad text.
+/// The message of the reader for bad text.
 inline std::string complaint(const std::string& text) {
   try {
     parse_graph(text, "g");

@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// What the reader makes of a text that something else follows.
+/// The value that the reader finds in a text that other text follows.
 Decimal read(const std::string& text) {
   static std::string padded;
   padded = text + " 3.25 7" + std::string(kDecimalRoom, '9');

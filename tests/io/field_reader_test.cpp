@@ -31,24 +31,24 @@ TEST(FieldReader, ReadsFieldsThatAnyBlanksSeparate) {
   EXPECT_TRUE(in.at_end());
 }
 
-TEST(FieldReader, SaysWhereWhatWasExpectedAndWhatCame) {
+TEST(FieldReader, NamesThePlaceTheExpectedFieldAndTheActualText) {
   EXPECT_EQ(complaint("  abc 1"), "file:7:3: expected x (a finite number), got 'abc'");
   EXPECT_EQ(complaint("  "), "file:7:3: expected x, got the end of the line");
 }
 
-TEST(FieldReader, RefusesWhatIsNoFiniteNumber) {
+TEST(FieldReader, RefusesTextThatIsNotAFiniteNumber) {
   for (const char* text : {"nan", "inf", "-inf", "1e999", "1.5x", "0x10", "--1", "+-1", "1,5", "+"}) {
     EXPECT_NE(complaint(text), "") << text;
   }
 }
 
-TEST(FieldReader, TakesACommentForTheEnd) {
+TEST(FieldReader, TreatsACommentAsTheEndOfTheLine) {
   FieldReader in("file", 1, "1 # one");
   EXPECT_EQ(in.number("x"), 1);
   EXPECT_NO_THROW(in.expect_end());
 }
 
-/// A line whose fields have been converted, as they are for lines of numbers.
+/// A line whose fields have already been converted to numbers.
 struct Converted {
   std::string line;
   std::vector<double> values;
@@ -65,7 +65,7 @@ std::string complaint_of(FieldReader& in, void (*read)(FieldReader&)) {
   return "";
 }
 
-TEST(FieldReader, TakesFieldsThatHaveBeenConverted) {
+TEST(FieldReader, ReadsFieldsThatHaveBeenConverted) {
   const Converted line{"TAG 3 0.5 -2", {3, 0.5, -2}, 1};
   FieldReader in = line.reader();
   EXPECT_EQ(in.integer("an id"), 3);
@@ -74,7 +74,7 @@ TEST(FieldReader, TakesFieldsThatHaveBeenConverted) {
   EXPECT_TRUE(in.at_end());
 }
 
-TEST(FieldReader, GoesOnWithTheTextIfConvertedFieldsDoNotSuffice) {
+TEST(FieldReader, ContinuesWithTheTextAfterTheConvertedFields) {
   const Converted line{"  TAG 3 0.5\t12345678901234567 4 # odd", {3, 0.5, 12345678901234567., 4}, 1};
   FieldReader in = line.reader();
   EXPECT_EQ(in.integer("an id"), 3);

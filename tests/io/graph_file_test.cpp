@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(GraphFile, SaysWhichFileCannotBeOpened) {
+TEST(GraphFile, NamesTheFileThatCannotBeOpened) {
   try {
     read_graph("/nowhere/graph.g2o");
     FAIL();
@@ -31,7 +31,7 @@ TEST(GraphFile, IsWrittenAsG2oIfNoFormatHasTheEndingOfItsName) {
   }
 }
 
-TEST(GraphFile, RefusesFormatsThatItDoesNotKnowOrThatAreOnlyRead) {
+TEST(GraphFile, CannotBeWrittenInUnknownFormatsOrInFormatsThatAreOnlyRead) {
   const auto complaint = [](const char* format) -> std::string {
     try {
       return format_graph({}, {.format = format});

@@ -20,7 +20,7 @@ TEST(InformationFields, AreTheUpperTriangleByRows) {
   EXPECT_EQ(text, "4 1 0 3 0.5 2");
 }
 
-TEST(InformationFields, OfAnIndefiniteMatrixAreRefusedAtTheirPlace) {
+TEST(InformationFields, AreRefusedAtTheirColumnIfTheMatrixIsIndefinite) {
   const std::vector<double> values{7, 1, 2, 1};
   const std::string line = "TAG 7 1 2 1";
   FieldReader text("g", 1, line), numbers("g", 1, line, {.values = values, .integers = 4});
@@ -36,7 +36,7 @@ TEST(InformationFields, OfAnIndefiniteMatrixAreRefusedAtTheirPlace) {
   }
 }
 
-TEST(InformationFields, AreCheckedLaterIfTheGraphDoesSoAnyway) {
+TEST(InformationFields, MayBeCheckedAfterTheyAreRead) {
   FieldReader in("g", 1, "1 2 1");
   const detail::UncheckedInformation omega = detail::read_unchecked_information(in, 2, nullptr);
   EXPECT_THROW(omega.check(in), InputError);

@@ -18,7 +18,7 @@ struct FromOrigin {
   }
 };
 
-TEST(Registry, LearnsANewEdgeInOneLine) {
+TEST(Registry, RegistersANewEdgeTypeInOneLine) {
   Registry registry = default_registry();
   registry.edge<FromOrigin, Vector2>("EDGE_FROM_ORIGIN");
   const char* text = "VERTEX_XY 0 3 4\nEDGE_FROM_ORIGIN 0 4.5 2\n";
@@ -29,7 +29,7 @@ TEST(Registry, LearnsANewEdgeInOneLine) {
   EXPECT_EQ(format_graph(file, {.registry = &registry}), text);
 }
 
-TEST(Registry, RefusesATagTwiceAndTextThatIsNoTag) {
+TEST(Registry, RefusesARepeatedTagAndTextThatIsNotATag) {
   Registry registry = default_registry();
   EXPECT_THROW(registry.vertex<SE2>("VERTEX_SE2"), InvalidArgument);
   EXPECT_THROW(registry.vertex<SE2>("TWO WORDS"), InvalidArgument);

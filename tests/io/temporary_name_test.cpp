@@ -33,7 +33,7 @@ TEST(TemporaryName, RemovesItsFileUnlessItIsReleased) {
   EXPECT_TRUE(std::filesystem::remove(path));
 }
 
-TEST(TemporaryName, IsKnownToHandlersOfSignals) {
+TEST(TemporaryName, IsKnownToSignalHandlers) {
   TemporaryName name;
   const std::string path = new_file();
   name.assign(path);

@@ -40,7 +40,7 @@ RC_GTEST_PROP(TextSource, HoldsEveryLineOnce, ()) {
   std::filesystem::remove(path);
 }
 
-TEST(TextSource, BeginsEachBlockWithALine) {
+TEST(TextSource, BeginsEachBlockAtTheStartOfALine) {
   std::string memory;
   const TextSource source("one\ntwo\nthree\n", "g", 4);
   ASSERT_EQ(source.block_count(), 4u);

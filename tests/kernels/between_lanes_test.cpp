@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels that linearize several relative-pose edges at a time, against the plain functions.
+// Compares the kernels that linearize several relative-pose edges at a time with the plain functions.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,7 +27,7 @@ class BetweenLanes : public EveryIsa {
     return Eigen::MatrixXd(full.diagonal().asDiagonal());
   }
 
-  /// Errors and Jacobians of `count` edges by lanes, compared with one by one; and chi2.
+  /// Compares errors, Jacobians and chi2 of `count` edges in lanes with those of each edge alone.
   template <class T>
   void compare(int count, int kinds) {
     constexpr int kDim = Manifold<T>::kDim;
@@ -76,7 +76,7 @@ class BetweenLanes : public EveryIsa {
   std::mt19937 random_{1};
 };
 
-TEST_P(BetweenLanes, AgreeWithThePlainFunctionsForEveryCountAndKindOfInformation) {
+TEST_P(BetweenLanes, AgreeWithThePlainFunctionsForEveryNumberOfEdgesAndKindOfInformation) {
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 24}) {
     for (int kinds = 0; kinds < 4; ++kinds) {
       compare<SE2>(count, kinds);
@@ -106,8 +106,8 @@ TEST_P(BetweenLanes, WrapAnglesAsThePlainFunctionDoes) {
   }
 }
 
-/// Whether a tile holds edges whose Ω are of one kind depends on the number of workers.
-TEST_P(BetweenLanes, TheChi2OfAnEdgeIsTheSameBitsWhateverItsNeighborsAre) {
+/// The number of workers decides whether all edges of a tile have an Ω of the same kind.
+TEST_P(BetweenLanes, GiveTheSameBitsOfChi2ForAnEdgeWhicheverEdgesAreNextToIt) {
   Graph graph;
   const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(pose(std::type_identity<SE3>()));
   std::vector<std::uint32_t> edges;

@@ -28,8 +28,8 @@ int ld(const MatrixOf<Scalar>& m) {
   return static_cast<int>(m.rows());
 }
 
-/// A matrix with some rows more than asked for, so that the leading dimension differs from the number of
-/// rows.
+/// A matrix in memory with more rows than requested, so that the leading dimension differs from the number
+/// of rows.
 template <class Scalar>
 MatrixOf<Scalar> padded(int rows, int columns, std::mt19937& random) {
   return random_matrix(rows + kPadding, columns, random).cast<Scalar>();
@@ -60,7 +60,7 @@ void expect_equal(const MatrixOf<Scalar>& fast, const MatrixOf<Scalar>& slow) {
 
 class DenseKernels : public EveryIsa {};
 
-/// Runs a check for both kinds of numbers.
+/// Runs a check for both scalar types.
 template <class Check>
 void for_double_and_float(Check&& check) {
   {
@@ -191,7 +191,7 @@ TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, WeighSmallEdgesAsTheFormulaSays) {
+TEST_P(DenseKernels, WeighSmallEdgesByTheFormula) {
   using dense::EdgeNumbers;
   std::mt19937 random(7);
   for (int rows = 1; rows <= dense::kMostEdgeRows; ++rows) {

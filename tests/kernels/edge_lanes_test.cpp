@@ -14,7 +14,7 @@ namespace {
 using dense::EdgeNumbers;
 using Matrix = Eigen::MatrixXd;
 
-/// Random binary edges that add to blocks that lie one after the other.
+/// Random binary edges that add to consecutive blocks.
 struct Edges {
   Edges(int count, int rows, int dim_i, int dim_j, EdgeNumbers::Kind kind, std::mt19937& random)
       : dim{dim_i, dim_j} {
@@ -56,7 +56,7 @@ struct Edges {
 
 class EdgeLanes : public EveryIsa {};
 
-TEST_P(EdgeLanes, PutNumbersWhereTheTileSaysAndRepeatTheLastEdge) {
+TEST_P(EdgeLanes, PutValuesIntoTheTileAndRepeatTheLastEdge) {
   for (int size = 1; size <= 80; ++size) {
     for (const int count : {1, 2, 7, 8, 9, 16, 21}) {
       std::vector<double> edges(static_cast<std::size_t>(size * count));
@@ -64,7 +64,7 @@ TEST_P(EdgeLanes, PutNumbersWhereTheTileSaysAndRepeatTheLastEdge) {
       const int tiles = (count + dense::kTileLanes - 1) / dense::kTileLanes;
       std::vector<double> lanes(static_cast<std::size_t>(tiles * size * dense::kTileLanes), -1);
       dense::kernels().to_lanes(edges.data(), size, count, lanes.data());
-      // With narrow packs, packs of which no lane is used stay as they were.
+      // If packs are narrow, those without a used lane stay unchanged.
       for (int k = 0; k < count; ++k) {
         for (int m = 0; m < size; ++m) {
           const int at = ((k / dense::kTileLanes) * size + m) * dense::kTileLanes + k % dense::kTileLanes;
@@ -75,7 +75,7 @@ TEST_P(EdgeLanes, PutNumbersWhereTheTileSaysAndRepeatTheLastEdge) {
   }
 }
 
-TEST_P(EdgeLanes, AddWhatTheFormulaSaysWhereTheTargetsSay) {
+TEST_P(EdgeLanes, AddTheValuesOfTheFormulaAtTheirTargets) {
   std::mt19937 random(1);
   constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6}, {2, 3, 2}, {3, 6, 3}};
   for (const auto& [rows, dim_i, dim_j] : kSizes) {
@@ -85,8 +85,8 @@ TEST_P(EdgeLanes, AddWhatTheFormulaSaysWhereTheTargetsSay) {
       for (const int count : {1, 3, 8, 9, 17}) {
         for (const bool is_weighted : {false, true}) {
           const Edges edges(count, rows, dim_i, dim_j, kind, random);
-          // Edge k: vertex i in gradient entries 0…, vertex j behind it; every third has its coupling stored
-          // transposed, every fifth has a vertex that does not move.
+          // Edge k: vertex i in gradient entries 0…, vertex j behind it. Every third edge has its coupling
+          // stored transposed, and every fifth has a vertex that does not move.
           const auto ii = static_cast<std::uint32_t>(dim_i * dim_i),
                      ij = static_cast<std::uint32_t>(dim_i * dim_j),
                      jj = static_cast<std::uint32_t>(dim_j * dim_j);
@@ -137,7 +137,7 @@ TEST_P(EdgeLanes, AddWhatTheFormulaSaysWhereTheTargetsSay) {
   }
 }
 
-TEST_P(EdgeLanes, AnEdgeAddsTheSameBitsWithWhateverEdgesItSharesATile) {
+TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {
   std::mt19937 random(2);
   const Edges edges(13, 6, 6, 6, EdgeNumbers::kFull, random);
   const auto jacobian = edges.in_lanes(edges.jacobians), error = edges.in_lanes(edges.errors);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels of the Schur complement against the plain loops that do the same for blocks of any size.
+// Compares the kernels of the Schur complement with plain loops for blocks of any size.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -16,16 +16,16 @@ namespace {
 using dense::EliminationKernels;
 using Matrix = Eigen::MatrixXd;
 
-/// What a wrong kernel would write beyond the end of an array.
+/// Marks the memory beyond the end of an array, which a wrong kernel would overwrite.
 constexpr int kPadding = 8;
 
 void expect_equal(const Matrix& fast, const Matrix& slow) {
   EXPECT_LE((fast - slow).cwiseAbs().maxCoeff(), 1e-13 * (1 + slow.cwiseAbs().maxCoeff()));
 }
 
-class EliminationKernelsOf : public EveryIsa {
+class EliminationKernelsTest : public EveryIsa {
  protected:
-  /// f(rows, dim, kernels) for all sizes that have kernels of their own.
+  /// Calls f(rows, dim, kernels) for each size that has a special kernel.
   template <class F>
   void for_each_size(F&& f) {
     int sizes = 0;
@@ -42,7 +42,7 @@ class EliminationKernelsOf : public EveryIsa {
   }
 };
 
-TEST_P(EliminationKernelsOf, ThisInstructionSetTakeCamerasAndPointsOfCommonSizes) {
+TEST_P(EliminationKernelsTest, AcceptCamerasAndPointsOfCommonSizes) {
   constexpr int kCommon[][2] = {{6, 3}, {7, 3}, {9, 3}, {3, 2}, {2, 2}, {3, 3}, {4, 3}, {6, 1}};
   for (const auto& [rows, dim] : kCommon) {
     EXPECT_NE(GetParam()->elimination_kernels_for(rows, dim), nullptr) << rows << " x " << dim;
@@ -50,7 +50,7 @@ TEST_P(EliminationKernelsOf, ThisInstructionSetTakeCamerasAndPointsOfCommonSizes
   EXPECT_EQ(GetParam()->elimination_kernels_for(15, 3), nullptr);
 }
 
-TEST_P(EliminationKernelsOf, ThisInstructionSetDivideByTheFactorLikeTheReference) {
+TEST_P(EliminationKernelsTest, DivideByTheFactorLikeTheReference) {
   std::mt19937 random(1);
   for_each_size([&](int rows, int dim, const EliminationKernels& kernels) {
     const Matrix l = random_matrix(dim, dim, random), w = random_matrix(rows, dim, random);
@@ -61,7 +61,7 @@ TEST_P(EliminationKernelsOf, ThisInstructionSetDivideByTheFactorLikeTheReference
   });
 }
 
-TEST_P(EliminationKernelsOf, ThisInstructionSetSubtractProductsWithBlocksOfOtherSizesLikeTheReference) {
+TEST_P(EliminationKernelsTest, SubtractProductsWithBlocksOfOtherSizesLikeTheReference) {
   std::mt19937 random(2);
   for_each_size([&](int rows, int dim, const EliminationKernels& kernels) {
     const std::vector<int> b_rows{rows, 1, 5, rows, 6, 3, 9, rows};
@@ -86,7 +86,7 @@ TEST_P(EliminationKernelsOf, ThisInstructionSetSubtractProductsWithBlocksOfOther
   });
 }
 
-TEST_P(EliminationKernelsOf, ThisInstructionSetMultiplyVectorsLikeTheReference) {
+TEST_P(EliminationKernelsTest, MultiplyVectorsLikeTheReference) {
   std::mt19937 random(3);
   for_each_size([&](int rows, int dim, const EliminationKernels& kernels) {
     const Matrix w = random_matrix(rows, dim, random), x = random_matrix(rows + dim, 1, random);
@@ -101,8 +101,8 @@ TEST_P(EliminationKernelsOf, ThisInstructionSetMultiplyVectorsLikeTheReference) 
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, EliminationKernelsOf, ::testing::ValuesIn(dense::usable_kernels()),
-                         name_of_isa);
+INSTANTIATE_TEST_SUITE_P(InstructionSets, EliminationKernelsTest,
+                         ::testing::ValuesIn(dense::usable_kernels()), name_of_isa);
 
 }  // namespace
 }  // namespace boxplus

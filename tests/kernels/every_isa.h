@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that run for every set of kernels that this processor can run.
+// A fixture of tests that run with every set of kernels that this processor supports.
 #pragma once
 
 #include <gtest/gtest.h>

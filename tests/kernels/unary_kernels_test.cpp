@@ -15,7 +15,8 @@ namespace {
 using dense::EdgeNumbers;
 using Matrix = Eigen::MatrixXd;
 
-/// Random unary edges: runs of three at one of two vertices in turn; every seventh vertex does not move.
+/// Random unary edges: three at one vertex, then three at the other, and so on. Every seventh vertex does not
+/// move.
 struct Edges {
   Edges(int count, int rows_in, int dim_in, EdgeNumbers::Kind kind, std::mt19937& random)
       : rows(rows_in), dim(dim_in) {
@@ -44,7 +45,7 @@ struct Edges {
     for (const auto& t : target) targets.push_back(t.data());
   }
 
-  /// Adds `count` edges from `first` on.
+  /// Adds `count` edges, beginning with the edge `first`.
   void add(std::size_t first, int count, EdgeNumbers::Kind kind, bool is_weighted, Matrix& values,
            Matrix& gradient) const {
     dense::kernels().add_unary_edges_for(
@@ -75,7 +76,7 @@ void for_each_case(F&& f) {
 
 class UnaryKernels : public EveryIsa {};
 
-TEST_P(UnaryKernels, AddWhatTheFormulaSaysWhereTheTargetsSay) {
+TEST_P(UnaryKernels, AddTheValuesOfTheFormulaAtTheirTargets) {
   std::mt19937 random(1);
   constexpr int kCount = 17;
   for_each_case([&](int rows, int dim, EdgeNumbers::Kind kind, bool is_weighted) {

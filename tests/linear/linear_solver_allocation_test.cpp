@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// factorize() and solve() allocate nothing after the first time.
+// factorize() and solve() allocate nothing after their first call.
 #include <gtest/gtest.h>
 
 #include "allocation_counter.h"
@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// All but LinearSolverKind::kEigenSparse: Eigen allocates temporaries in every call (see
+/// All solvers except LinearSolverKind::kEigenSparse, because Eigen allocates temporaries in every call (see
 /// eigen_sparse_solver.h).
 class LinearSolverAllocations : public ::testing::TestWithParam<std::tuple<LinearSolverKind, bool>> {};
 

@@ -31,14 +31,14 @@ std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
   return candidate.eliminates ? make_schur_solver(std::move(solver)) : solver;
 }
 
-/// How many of the first blocks there are no two of which are joined.
+/// The largest number of first blocks of which no two are connected.
 std::uint32_t independent_blocks(const BlockStructure& structure) {
-  std::uint32_t first_joined = structure.blocks();  // with a block before it
-  for (std::uint32_t j = 0; j < first_joined; ++j) {
+  std::uint32_t first_connected = structure.blocks();  // with a block before it
+  for (std::uint32_t j = 0; j < first_connected; ++j) {
     for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k)
-      first_joined = std::min(first_joined, structure.row[k]);
+      first_connected = std::min(first_connected, structure.row[k]);
   }
-  return first_joined;
+  return first_connected;
 }
 
 class LinearSolverTest : public ::testing::TestWithParam<Candidate> {
@@ -90,7 +90,7 @@ TEST_P(LinearSolverTest, SolvesSystemsOfOneBlockSize) {
   }
 }
 
-/// Points of mixed sizes first, no two of which are joined, and cameras that each see some of them.
+/// First points of mixed sizes, of which no two are connected, and then cameras that each see some of them.
 TestSystem points_and_cameras(std::uint32_t points, std::uint32_t cameras, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<std::uint32_t> dims;
@@ -148,7 +148,7 @@ TEST_P(LinearSolverTest, GivesTheInverseOfPointsAndCameras) {
   }
 }
 
-TEST_P(LinearSolverTest, SaysWhetherTheSolutionIsExact) {
+TEST_P(LinearSolverTest, ReportsWhetherTheSolutionIsExact) {
   TestSystem system = random_system(20, 20, 4);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
   MatrixXd b = right_hand_sides(system, 1);
@@ -156,7 +156,7 @@ TEST_P(LinearSolverTest, SaysWhetherTheSolutionIsExact) {
   EXPECT_EQ(result.exact, !is_iterative() && GetParam().precision != Precision::kMixed);
 }
 
-TEST_P(LinearSolverTest, AddsDampingWithoutTouchingTheValues) {
+TEST_P(LinearSolverTest, AddsDampingWithoutChangingTheValues) {
   TestSystem system = random_system(20, 20, 4);
   const std::vector<double> values = system.values;
   const MatrixXd b = right_hand_sides(system, 1);
@@ -169,7 +169,7 @@ TEST_P(LinearSolverTest, AddsDampingWithoutTouchingTheValues) {
   EXPECT_EQ(system.values, values);
 }
 
-TEST_P(LinearSolverTest, SolvesForMoreRightHandSidesThanItWasToldOf) {
+TEST_P(LinearSolverTest, SolvesForMoreRightHandSidesThanWereAnnounced) {
   TestSystem system = random_system(20, 20, 5);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
   for (const int columns : {0, 1, 2, 3, 4, 8}) {
@@ -179,7 +179,7 @@ TEST_P(LinearSolverTest, SolvesForMoreRightHandSidesThanItWasToldOf) {
   }
 }
 
-TEST_P(LinearSolverTest, MayOverwriteTheRightHandSides) {
+TEST_P(LinearSolverTest, SolvesInPlace) {
   TestSystem system = random_system(20, 20, 6);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
   MatrixXd b = right_hand_sides(system, 3);
@@ -256,7 +256,7 @@ TEST_P(LinearSolverTest, DetectsASingularLaplacian) {
   const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
   for (const auto& [i, j] : grid_edges(6, 6)) system.add_edge(i, j, identity, -identity);
   const FactorResult result = factorize(system);
-  if (is_iterative()) {  // no diagonal block shows it: solve() must
+  if (is_iterative()) {  // solve() detects it, because no diagonal block shows it
     MatrixXd b = right_hand_sides(system, 1);
     EXPECT_NE(solver->solve(b.data(), 1, b.data(), control).status, LinearStatus::kOk);
   } else {
@@ -349,7 +349,7 @@ TEST_P(LinearSolverTest, FactorizesNewValuesOfTheAnalyzedStructure) {
   expect_solution(system.dense(), solve(b), b);
 }
 
-TEST_P(LinearSolverTest, MayBeGivenAnotherStructure) {
+TEST_P(LinearSolverTest, AcceptsAnotherStructure) {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     TestSystem system = random_system(10 * seed, 10, seed);
     ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
@@ -387,7 +387,7 @@ TEST_P(LinearSolverTest, IsStoppedByARaisedFlagAndByAPassedDeadline) {
   }
 }
 
-TEST_P(LinearSolverTest, GoesOnAfterAStop) {
+TEST_P(LinearSolverTest, ContinuesAfterAStop) {
   TestSystem system = random_system(20, 20, 13);
   const std::atomic<bool> flag{true};
   control.stop = StopToken(&flag);
@@ -398,7 +398,7 @@ TEST_P(LinearSolverTest, GoesOnAfterAStop) {
   expect_solution(system.dense(), solve(b), b);
 }
 
-TEST_P(LinearSolverTest, IsNotStoppedByADeadlineFarAway) {
+TEST_P(LinearSolverTest, IsNotStoppedByADistantDeadline) {
   const std::atomic<bool> flag{false};
   for (const double seconds : {1e6, 1e300, kInfinity}) {
     control.stop = StopToken(&flag, StopToken::Clock::now(), seconds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which matrices count as positive definite: the limits of lost_pivot.h, on all direct solvers.
+// All direct solvers agree on which matrices are positive definite, by the limits of lost_pivot.h.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ class Pivots : public ::testing::TestWithParam<LinearSolverKind> {
   }
 };
 
-/// A 2-D pose graph (x, y, angle): a random walk of unit steps with loops, linearized where it stands.
+/// A 2-D pose graph (x, y, angle): a random walk of unit steps with loops, linearized at its poses.
 TestSystem pose_graph(std::uint32_t poses, std::uint32_t loops, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> turn(-0.5, 0.5);

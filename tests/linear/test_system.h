@@ -61,7 +61,7 @@ inline std::vector<BlockCoordinate> chain_edges(std::uint32_t blocks) {
   return edges;
 }
 
-/// A cube of side³ blocks, each joined with its six neighbors.
+/// A cube of side³ blocks, each connected with its six neighbors.
 inline BlockStructure cube(std::uint32_t side, std::uint32_t dim) {
   std::vector<BlockCoordinate> edges;
   const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {

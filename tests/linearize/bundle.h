@@ -11,7 +11,8 @@
 
 namespace boxplus {
 
-/// Pixels between the projection of a point (world) into a pinhole camera (T_world_camera) and its sighting.
+/// Pixels between the projection of a point (world) into a pinhole camera (T_world_camera) and its
+/// observation.
 struct Reprojection {
   double u, v;
   static constexpr double kFocalLength = 500;
@@ -42,8 +43,8 @@ inline SE3 camera_pose(int k) {
   return SE3::from_minimal((Vector<double, 6>() << position, 0.01 * k, -0.02 * k, 0.03).finished());
 }
 
-/// Every third point is seen by two cameras only, the others by all. The first camera is fixed; odometry
-/// between neighbors fixes the scale and joins kept vertices. Estimates and sightings are disturbed.
+/// Two cameras see every third point, and all cameras see the others. The first camera is fixed. Odometry
+/// between neighbors fixes the scale and connects kept vertices. Estimates and observations are noisy.
 inline Bundle make_bundle(int cameras, int points, bool eliminate) {
   Bundle bundle;
   Graph& graph = bundle.graph;

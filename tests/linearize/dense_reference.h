@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// H and the gradient as the textbook writes them: dense, edge by edge, without any of the engine's maps.
+// H and the gradient by the formulas of a textbook: dense, edge by edge, without the index maps of the
+// engine.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,8 +50,8 @@ struct DenseEdge {
   }
 };
 
-/// The weighted Ω of an edge: ρ′Ω, or with Triggs' term ρ′Ω + 2ρ″ Ωe eᵀΩ with its curvature along Ωe kept ≥
-/// 0.
+/// The weighted Ω of an edge: ρ′Ω, or with Triggs' term ρ′Ω + 2ρ″ Ωe eᵀΩ with its curvature along Ωe
+/// clamped to ≥ 0.
 inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustKernel* kernel, bool triggs) {
   if (kernel == nullptr) return edge.omega;
   const Eigen::VectorXd omega_e = edge.omega * edge.error;
@@ -62,7 +63,7 @@ inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustK
   return weighted;
 }
 
-/// Where each block of the plan begins among the scalars; absent: the vertex does not move.
+/// The first scalar of each block of the plan. Absent if the vertex does not move.
 inline std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> block_offsets(const Plan& plan) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> offsets;
   for (std::uint32_t block = 0; block < plan.block_vertex.size(); ++block) {
@@ -100,7 +101,7 @@ inline DenseSystem dense_reference(const Graph& graph, const Plan& plan, bool tr
   return system;
 }
 
-/// Checks the linearizer's H and gradient against the dense reference.
+/// Compares H and the gradient of the linearizer with the dense reference.
 inline void expect_equals_reference(const Graph& graph, const Plan& plan,
                                     const LinearizeOptions& options = {}) {
   Linearizer linearizer(graph, plan);

@@ -170,8 +170,8 @@ TEST(ExtendPlan, GivesTheSameBitsOfHForAnyNumberOfWorkers) {
   }
 }
 
-/// What another plan is needed for.
-TEST(ExtendPlan, IsRefusedForMoreThanAProlongation) {
+/// These changes need a new plan.
+TEST(ExtendPlan, IsRefusedIfTheStructureChangedOtherThanAtItsEnd) {
   using Change = void (*)(Growing&);
   const std::vector<std::pair<const char*, Change>> changes{
       {"a vertex of a lower id",
@@ -204,7 +204,7 @@ TEST(ExtendPlan, IsRefusedForMoreThanAProlongation) {
   }
 }
 
-TEST(ExtendPlan, IsRefusedIfAnAdditionHoldsWhatAVertexWasHeldFor) {
+TEST(ExtendPlan, IsRefusedIfAnAdditionHoldsTheGaugeInsteadOfAVertex) {
   Growing growing(1, false);
   growing.graph.add_edge(Prior(SE2()),
                          growing.graph.add_vertex(SE2()));  // a pool of priors, another component

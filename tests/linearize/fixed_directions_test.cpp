@@ -35,7 +35,7 @@ World make_world(int count) {
   return w;
 }
 
-TEST(FixedDirections, LeaveHAsIfTheirJacobiansWereZero) {
+TEST(FixedDirections, HaveTheHessianOfZeroJacobians) {
   for (const bool eliminate : {false, true}) {
     World w = make_world(4);
     for (const auto& point : w.points) w.graph.set_eliminated(point, eliminate);
@@ -86,7 +86,7 @@ TEST(FixedDirections, GiveTheSameBitsForAnyNumberOfWorkers) {
   }
 }
 
-TEST(FixedDirections, KeepThePositiveDiagonalWhereNothingMeasuresThem) {
+TEST(FixedDirections, KeepAPositiveDiagonalIfNothingMeasuresThem) {
   Graph graph;
   const auto x = graph.add_vertex(Vector2(1, 2));
   graph.add_edge([](const auto& v) { return 3.0 * v[0]; }, x);
@@ -98,7 +98,7 @@ TEST(FixedDirections, KeepThePositiveDiagonalWhereNothingMeasuresThem) {
             Eigen::Vector2d(9, 1).asDiagonal().toDenseMatrix());
 }
 
-TEST(FixedDirections, AllOfThemFixTheVertex) {
+TEST(FixedDirections, FixTheVertexIfTheyAreAllOfItsDirections) {
   World w = make_world(3);
   w.graph.fix_directions(w.poses[0], {0, 1, 2});
   const Plan plan = make_plan(w.graph, {});

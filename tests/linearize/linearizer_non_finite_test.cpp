@@ -45,7 +45,7 @@ TEST(NonFinite, AnErrorIsFoundAndItsEdgeNamed) {
   EXPECT_EQ(linearizer.find_non_finite_error(), std::nullopt);
 }
 
-TEST(NonFinite, ADisabledEdgeIsNotAsked) {
+TEST(NonFinite, ADisabledEdgeIsNotEvaluated) {
   Roots r;
   r.graph.set_enabled(r.of_negative, false);
   r.graph.set_enabled(r.of_zero, false);
@@ -57,7 +57,7 @@ TEST(NonFinite, ADisabledEdgeIsNotAsked) {
   EXPECT_EQ(linearizer.find_non_finite_jacobian({}), std::nullopt);
 }
 
-TEST(NonFinite, AJacobianIsFoundWhereTheErrorIsFinite) {
+TEST(NonFinite, AJacobianIsFoundEvenIfTheErrorIsFinite) {
   Roots r;
   r.graph.set_estimate(r.negative, 4.0);
   const Plan plan = make_plan(r.graph, {});

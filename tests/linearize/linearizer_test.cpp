@@ -41,7 +41,8 @@ struct Mixed {
   std::vector<EdgeRef> edges;
 };
 
-/// Poses and points, edges of several types, orders, arities, informations, and kernels; nothing fixed.
+/// Poses and points, edges of several types, orders, arities, information matrices, and kernels. No vertex is
+/// fixed.
 Mixed mixed_graph() {
   Mixed m;
   Graph& graph = m.graph;
@@ -97,7 +98,7 @@ TEST(Linearizer, PutsEliminatedVerticesFirst) {
   expect_equals_reference(m.graph, plan);
 }
 
-TEST(Linearizer, DisabledEdgesWeighNothingWithoutANewPlan) {
+TEST(Linearizer, GivesDisabledEdgesNoWeightWithoutANewPlan) {
   Mixed m = mixed_graph();
   const Plan plan = make_plan(m.graph, {});
   Linearizer linearizer(m.graph, plan);
@@ -131,7 +132,7 @@ std::pair<double, double> one_edge(double x, const K& kernel, bool triggs) {
   return {linearizer.values()[0], linearizer.gradient()[0]};
 }
 
-/// A user's kernel, ρ = e² exp(−e²), which falls beyond 1.
+/// A custom kernel, ρ = e² exp(−e²), which decreases beyond 1.
 class Falling final : public RobustKernel {
  public:
   Rho operator()(double e2) const override {
@@ -149,7 +150,7 @@ TEST(Linearizer, ClampsANegativeWeightToZero) {
   EXPECT_EQ(one_edge(2, Falling(), true).second, 0);
 }
 
-TEST(Linearizer, TriggsCorrectionIsTheSecondDerivativeWhereThatIsPositive) {
+TEST(Linearizer, AppliesTriggsCorrectionAsTheSecondDerivativeIfThatIsPositive) {
   // ρ(x²) of Cauchy: half its second derivative is ρ′ + 2x²ρ″ = (1 − x²)/(1 + x²)².
   const auto [hessian, gradient] = one_edge(0.5, Cauchy(1), true);
   EXPECT_NEAR(hessian, 0.75 / (1.25 * 1.25), 1e-15);
@@ -157,7 +158,7 @@ TEST(Linearizer, TriggsCorrectionIsTheSecondDerivativeWhereThatIsPositive) {
   EXPECT_NEAR(one_edge(0.5, Cauchy(1), false).first, 1 / 1.25, 1e-15);
 }
 
-TEST(Linearizer, TriggsCorrectionStaysPositiveSemiDefinite) {
+TEST(Linearizer, KeepsTriggsCorrectionPositiveSemiDefinite) {
   EXPECT_NEAR(one_edge(3, Cauchy(1), true).first, 0, 1e-15);
   Mixed m = mixed_graph();
   for (const EdgeRef& edge : m.edges) m.graph.set_kernel(edge, Welsch(0.2));
@@ -169,7 +170,7 @@ TEST(Linearizer, TriggsCorrectionStaysPositiveSemiDefinite) {
   EXPECT_GE(eigenvalues[0], -1e-13 * eigenvalues[eigenvalues.size() - 1]);
 }
 
-TEST(Linearizer, NumericJacobiansGiveTheSameSystem) {
+TEST(Linearizer, BuildsTheSameSystemFromNumericJacobians) {
   const Mixed m = mixed_graph();
   const Plan plan = make_plan(m.graph, {});
   Linearizer exact(m.graph, plan), numeric(m.graph, plan);
@@ -179,7 +180,7 @@ TEST(Linearizer, NumericJacobiansGiveTheSameSystem) {
     EXPECT_NEAR(exact.values()[k], numeric.values()[k], 1e-7);
 }
 
-TEST(Linearizer, TakesAnEdgeWithoutRows) {
+TEST(Linearizer, AcceptsAnEdgeWithoutRows) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Matrix<double, 6, 1>::Zero().eval());
   const auto b = graph.add_vertex(1.0);
@@ -208,7 +209,7 @@ Graph large_graph() {
     if (k % 3 == 0) graph.set_kernel(edge, Huber(1));
     graph.add_edge(kBehind, points[(k * 11) % points.size()], poses[k]);
     if (k % 2 == 0) graph.add_edge(kBetween, poses[(k * 17 + 1) % poses.size()], poses[k]);
-    // Runs of unary edges at one vertex, which another worker may own than the vertices before and after it.
+    // Runs of unary edges at one vertex. Another worker may own the vertices before and after it.
     for (std::size_t n = 0; n < k % 4; ++n) {
       const auto unary =
           graph.add_edge(kBearing, 1.0 + 0.1 * static_cast<double>(n), poses[(k * 13) % poses.size()]);
@@ -263,7 +264,7 @@ TEST(Linearizer, EqualsTheDenseReferenceForManyUnaryEdgesOfOneVertex) {
 }
 
 TEST(Linearizer, SumsChiSquaredPairwise) {
-  // 4096 times 0.1 summed in order loses digits; pairwise it does not.
+  // A sum of 4096 times 0.1 in order loses digits, but a pairwise sum does not.
   Graph graph;
   const double root = std::sqrt(0.1);
   double in_order = 0;

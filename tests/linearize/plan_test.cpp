@@ -33,7 +33,7 @@ std::vector<Id> held_ids(const Plan& plan) {
   return ids;
 }
 
-/// Of the only component that has any.
+/// The free motions of the only component that has any.
 std::string_view free_motions(const Plan& plan) {
   return plan.freedoms.size() == 1 ? to_string(plan.freedoms[0]) : "";
 }
@@ -60,7 +60,7 @@ struct Chain {
   }
 };
 
-TEST(Plan, HoldsTheLowestVertexOfLargestDimensionWhereNothingElseDoes) {
+TEST(Plan, HoldsTheLowestVertexOfLargestDimensionIfNothingElseHoldsTheGauge) {
   Chain c;
   const Plan plan = make_plan(c.graph, {});
   EXPECT_THAT(held_ids(plan), ElementsAre(10));
@@ -70,7 +70,7 @@ TEST(Plan, HoldsTheLowestVertexOfLargestDimensionWhereNothingElseDoes) {
   EXPECT_FALSE(c.graph.is_fixed(c.poses[0]));
 }
 
-TEST(Plan, HoldsNothingWhereAVertexIsFixed) {
+TEST(Plan, HoldsNothingIfAVertexIsFixed) {
   Chain c;
   c.graph.fix(c.poses[2]);
   const Plan plan = make_plan(c.graph, {});
@@ -79,7 +79,7 @@ TEST(Plan, HoldsNothingWhereAVertexIsFixed) {
   EXPECT_THAT(plan.freedoms, IsEmpty());
 }
 
-TEST(Plan, HoldsNothingWhereAPriorDoes) {
+TEST(Plan, HoldsNothingIfAPriorHoldsTheGauge) {
   Chain c;
   c.graph.add_edge(kPosePrior, c.poses[2]);
   EXPECT_THAT(held_ids(make_plan(c.graph, {})), IsEmpty());
@@ -152,7 +152,7 @@ struct SharedFocalLength {
   }
 };
 
-TEST(Plan, AFixedCameraCountsAlsoIfAThirdVertexOfItsEdgesMoves) {
+TEST(Plan, AFixedCameraCountsEvenIfAThirdVertexOfItsEdgesMoves) {
   SharedFocalLength world;
   for (std::size_t i = 0; i < 3; ++i) world.graph.fix(world.cameras[i]);
   const Plan held = make_plan(world.graph, {});
@@ -177,7 +177,7 @@ TEST(Plan, HoldsACameraAndNamesTheScaleIfNothingIsFixed) {
   EXPECT_EQ(free_motions(plan), "scale");
 }
 
-TEST(Plan, HoldsOfAVertexThatIsMoreThanGaugeOnlyTheFreeDirections) {
+TEST(Plan, HoldsOnlyTheDirectionsOfAVertexThatBelongToTheGauge) {
   using Camera = Product<SE2, Vector<double, 1>>;
   Graph graph;
   std::vector<VertexHandle<Camera>> cameras;
@@ -325,7 +325,7 @@ TEST(Plan, HoldsNothingOfVerticesWhoseProductIsMeasured) {
   EXPECT_EQ(plan.loose_blocks.size(), 1u);
 }
 
-TEST(Plan, CountsDisabledEdgesAmongThoseThatHold) {
+TEST(Plan, CountsDisabledEdgesAmongThoseThatHoldTheGauge) {
   Chain c;
   const auto prior = c.graph.add_edge(kPosePrior, c.poses[2]);
   c.graph.set_enabled(prior, false);

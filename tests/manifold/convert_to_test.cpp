@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// Types with the interface of Sophus: nothing more than what the conversions document.
+/// Types with the interface of Sophus, as far as the documentation of the conversions requires it.
 namespace sophus {
 template <class S>
 class SO2 {
@@ -142,7 +142,7 @@ TEST(ConvertTo, SimilaritiesAreAffineMapsOfOneScale) {
   EXPECT_EQ(convert_to<Sim3>(kPose).scale(), 1);
 }
 
-TEST(ConvertTo, TypesLikeThoseOfSophusGoThereAndBack) {
+TEST(ConvertTo, TypesLikeThoseOfSophusConvertBothWays) {
   EXPECT_NEAR(convert_to<SO2>(convert_to<sophus::SO2<double>>(SO2(2.5))).angle(), 2.5, kRounding);
   const SE2 pose2(1, -2, 2.5);
   const auto plane = convert_to<sophus::SE2<double>>(pose2);
@@ -173,7 +173,7 @@ concept Converts = requires(const From& x) {
   { convert_to<To>(x) } -> std::same_as<To>;
 };
 
-TEST(ConvertTo, RefusesToLoseAPart) {
+TEST(ConvertTo, RefusesToDropAPartOfATransformation) {
   EXPECT_TRUE((Converts<SE3, Eigen::Quaterniond>));
   EXPECT_FALSE((Converts<Eigen::Quaterniond, SE3>)) << "the translation";
   EXPECT_FALSE((Converts<Eigen::Isometry3d, Sim3>)) << "the scale";

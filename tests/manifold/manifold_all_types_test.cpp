@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All headers of manifold/ and autodiff/ in one translation unit. It should cost little more than
-// <Eigen/Core> alone (measured: 1.1 s against 0.9 s of processor time at -O2) and must stay below 3 s.
+// Properties of all manifold types. Includes all headers of manifold/ and autodiff/: that should cost little
+// more than <Eigen/Core> alone (measured: 1.1 s against 0.9 s of processor time at -O2) and must stay below
+// 3 s.
 #include <gtest/gtest.h>
 
 #include <type_traits>
@@ -21,18 +22,18 @@
 namespace boxplus {
 namespace {
 
-/// Plain numbers: copied with memcpy, no alignment beyond the scalar's, no padding.
+/// True if T can be copied by memcpy and has neither padding nor a larger alignment than its scalar.
 template <class T, int kNumbers>
 constexpr bool kIsPlain = std::is_trivially_copyable_v<T> && sizeof(T) == kNumbers * sizeof(double) &&
                           alignof(T) == alignof(double);
 
-TEST(ManifoldTypes, ArePlainNumbersWhateverTheCompilerFlags) {
+TEST(ManifoldTypes, HaveTheSameSizeAndAlignmentForAllCompilerFlags) {
   static_assert(kIsPlain<SO2, 1> && kIsPlain<SE2, 5> && kIsPlain<S2, 3> && kIsPlain<Sim3, 8>);
   static_assert(kIsPlain<SO3, 4> && kIsPlain<SO3RotationVector, 4>);
   static_assert(kIsPlain<SE3, 7> && kIsPlain<SE3RotationVector, 7>);
 }
 
-TEST(ManifoldTypes, AreAllLiftable) {
+TEST(ManifoldTypes, CanAllBeConvertedToDualNumbers) {
   using D = Dual<double, 12>;
   static_assert(LiftableManifold<SO2, D> && LiftableManifold<SE2, D> && LiftableManifold<S2, D>);
   static_assert(LiftableManifold<SO3, D> && LiftableManifold<SE3, D> && LiftableManifold<Sim3, D>);

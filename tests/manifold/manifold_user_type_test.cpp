@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Types of another library, which cannot be changed, become vertices through the trait alone.
+// The trait alone makes manifolds of types of another library that cannot be changed.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct Waypoint {
   double latitude, longitude, altitude;
 };
 
-/// A generic one.
+/// A generic type.
 template <class S>
 struct Interval {
   S center, log_width;
@@ -68,7 +68,7 @@ TEST(UserTypes, BecomeManifoldsByTheTraitAlone) {
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(UserTypes, AreLiftedWhereTheTraitSaysHow) {
+TEST(UserTypes, AreConvertedToDualNumbersIfTheTraitSaysHow) {
   static_assert(LiftableManifold<vendor::Interval<double>, D>);
   const ManifoldCheck check = check_manifold(vendor::Interval<double>{1, 2});
   EXPECT_TRUE(check) << check.message;

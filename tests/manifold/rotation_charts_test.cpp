@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(QuaternionChart, NormalizesStepsBeyondHalfATurnAndDropsNone) {
+TEST(QuaternionChart, NormalizesStepsBeyondHalfATurnAndIgnoresNone) {
   const double far[3] = {0, 3, 4};
   const SO3 x = Manifold<SO3>::oplus(SO3(), far);
   EXPECT_DOUBLE_EQ(x.data()[1], 0.6);

@@ -70,7 +70,7 @@ TYPED_TEST(PoseTest, ComposesLikeItsMatrices) {
   EXPECT_LT((a.inverse_times(b).vector() - (a.inverse() * b).vector()).norm(), 1e-13);
 }
 
-TEST(SE3, IsSevenPlainNumbersInTheOrderOfTheFiles) {
+TEST(SE3, IsSevenScalarsInTheOrderOfFiles) {
   static_assert(sizeof(SE3) == 7 * sizeof(double) && alignof(SE3) == alignof(double));
   static_assert(std::is_trivially_copyable_v<SE3>);
   Vector<double, 7> v;

@@ -25,8 +25,8 @@ using testing::HasSubstr;
 
 constexpr auto kDifference = [](const auto& x, const auto& y) { return y - x; };
 
-/// The inverse of H = Σ w JᵀΩJ, made edge by edge from what the graph tells of each. It knows nothing of the
-/// engine.
+/// The inverse of H = Σ w JᵀΩJ, summed edge by edge from the Jacobians and weights of the graph. It does not
+/// use the engine.
 class DenseInverse {
  public:
   DenseInverse(const Graph& graph, const std::vector<VertexRef>& moving, int level = 0) {
@@ -97,8 +97,8 @@ void expect_equal_to_dense(const Graph& graph, const std::vector<VertexRef>& ask
   }
 }
 
-/// Poses of the plane and of space, landmarks of both, a calibrated offset, vectors of run-time size, hyper-
-/// edges, edges with kernels, and one fixed pose of each kind.
+/// Poses and landmarks in the plane and in space, a calibrated offset, vectors of run-time size, hyper-edges,
+/// edges with kernels, and one fixed pose of each kind.
 struct RandomGraph {
   Graph graph;
   std::vector<VertexRef> moving, all;
@@ -218,7 +218,7 @@ TEST(Covariance, IsTheSameWhetherOrNotPointsAreEliminated) {
                         moving);
 }
 
-TEST(Covariance, OfARandomWalkGrowsByThatOfEachStep) {
+TEST(Covariance, OfARandomWalkGrowsByTheCovarianceOfEachStep) {
   Graph graph;
   std::vector<VertexHandle<double>> walk{graph.add_vertex(0.0)};
   for (int k = 0; k < 4; ++k) {
@@ -232,7 +232,7 @@ TEST(Covariance, OfARandomWalkGrowsByThatOfEachStep) {
   EXPECT_TRUE(result.joint().isApprox(expected, 1e-14)) << result.joint();
 }
 
-TEST(Covariance, OfWhatDoesNotMoveIsZero) {
+TEST(Covariance, OfAVertexThatDoesNotMoveIsZero) {
   Graph graph;
   const auto fixed = graph.add_vertex(1.0), free = graph.add_vertex(2.0), outside = graph.add_vertex(3.0);
   const auto parameter = graph.add_parameter(0.5);
@@ -267,7 +267,7 @@ TEST(Covariance, IsRelativeToTheVertexThatIsHeldForTheGauge) {
 TEST(Covariance, IsRefusedIfOnlyAPartOfTheGaugeIsHeld) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 6);
-  graph.add_edge(PositionPrior(Vector2(1, 2)), 4.0, poses[0]);  // the circle may still turn around it
+  graph.add_edge(PositionPrior(Vector2(1, 2)), 4.0, poses[0]);  // the circle may still rotate around it
   const Covariance open = covariance(graph, poses);
   EXPECT_EQ(open.status(), CovarianceStatus::kSingular);
   EXPECT_THAT(open.message(), HasSubstr("rotation"));
@@ -276,8 +276,7 @@ TEST(Covariance, IsRefusedIfOnlyAPartOfTheGaugeIsHeld) {
   expect_equal_to_dense(graph, graph.all_vertices(), graph.all_vertices());
 }
 
-/// The pinhole cameras of a bundle without odometry, seen from nowhere in particular: seven motions are
-/// gauge.
+/// The pinhole cameras of a bundle without odometry and without an anchor: seven motions are gauge.
 TEST(Covariance, OfFreeBundleAdjustmentIsRelativeToACameraAndAScale) {
   Bundle bundle = make_bundle(4, 30, true);
   Graph& graph = bundle.graph;
@@ -319,7 +318,7 @@ TEST(Covariance, OfVerticesOfUnknownTypeIsRelativeToOneIfNothingElseHoldsThem) {
   expect_equal_to_dense(graph, {a, b, c}, others);
 }
 
-TEST(Covariance, TakesTheEdgesOfTheLevelThatIsAskedFor) {
+TEST(Covariance, UsesTheEdgesOfTheRequestedLevel) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0);
   graph.fix(a);
@@ -337,7 +336,8 @@ TEST(Covariance, NamesAVertexThatTheEdgesLeaveUndetermined) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2(0, 0, 0));
   graph.fix(pose);
-  const auto seen = graph.add_vertex(Vector2(3, 4), 17);  // from one direction only: its distance is open
+  const auto seen =
+      graph.add_vertex(Vector2(3, 4), 17);  // from one direction only: its distance is not measured
   graph.add_edge([](const auto& x, const auto& p) { return (x.inverse_times(p))[1] / 4.0 - 1.0; }, pose,
                  seen);
   const auto good = graph.add_vertex(Vector2(1, 2));
@@ -362,7 +362,7 @@ TEST(Covariance, NamesAVertexThatNoEdgeTouches) {
   EXPECT_TRUE(covariance(graph, {a}).ok());
 }
 
-TEST(Covariance, OfAGraphThatNothingHoldsIsRefusedIfTheGaugeIsNotHeld) {
+TEST(Covariance, OfAFreeGraphIsRefusedIfTheGaugeIsNotHeld) {
   for (const GaugePolicy gauge : {GaugePolicy::kDamp, GaugePolicy::kError}) {
     Graph graph;
     const auto poses = add_noisy_grid(graph, 3);
@@ -383,7 +383,7 @@ TEST(Covariance, IsRefusedIfAnErrorIsNotFinite) {
   EXPECT_THAT(result.message(), HasSubstr("vertex 5"));
 }
 
-TEST(Covariance, RefusesWhatWasNotAskedFor) {
+TEST(Covariance, RefusesBlocksThatWereNotRequested) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), gone = graph.add_vertex(1.0);
   graph.add_edge(kDifference, a, b);
@@ -424,7 +424,7 @@ TEST(Covariance, HasTheSameBitsForAnyNumberOfThreads) {
   for (const VertexRef& vertex : all) ASSERT_EQ(one.of(vertex), four.of(vertex));
 }
 
-TEST(Covariance, LeavesEstimatesAndPlansAlone) {
+TEST(Covariance, DoesNotChangeEstimatesOrPlans) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 12);
   Optimizer optimizer(graph);

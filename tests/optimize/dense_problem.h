@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An independent, dense and slow least-squares solver: it shares nothing with the engine but ⊞ and the
-// kernels' ρ.
+// An independent, dense and slow least-squares solver. It shares only ⊞ and the kernels' ρ with the engine.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -17,7 +16,7 @@ namespace boxplus {
 
 class DenseProblem {
  public:
-  /// Adds a variable that lives in `value`; fixed ones are not moved.
+  /// Adds the variable `value`. A fixed variable does not move.
   template <class T>
   void add_variable(std::shared_ptr<T> value, bool fixed) {
     if (fixed) return;
@@ -43,7 +42,7 @@ class DenseProblem {
     return sum;
   }
 
-  /// Levenberg-Marquardt with numeric Jacobians, until nothing lowers the cost.
+  /// Levenberg-Marquardt with numeric Jacobians, until no step decreases the cost.
   double minimize() {
     double lambda = 1e-6, best = cost();
     for (int iteration = 0; iteration < 200; ++iteration) {

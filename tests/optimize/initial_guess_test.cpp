@@ -34,7 +34,7 @@ TYPED_TEST(InitialGuess, StartsFromPosePriors) {
   });
 }
 
-TYPED_TEST(InitialGuess, KeepsTheHeldPoseOfEachComponentWhereItIs) {
+TYPED_TEST(InitialGuess, DoesNotMoveTheHeldPoseOfEachComponent) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     for (double seed : {0.0, 0.7}) {
@@ -45,7 +45,7 @@ TYPED_TEST(InitialGuess, KeepsTheHeldPoseOfEachComponentWhereItIs) {
   });
 }
 
-TYPED_TEST(InitialGuess, KeepsThePoseOfLowestIdWhereNothingIsHeld) {
+TYPED_TEST(InitialGuess, DoesNotMoveThePoseOfLowestIdIfNothingIsHeld) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto first = add_loop(scene)[0];
@@ -56,7 +56,7 @@ TYPED_TEST(InitialGuess, KeepsThePoseOfLowestIdWhereNothingIsHeld) {
   });
 }
 
-TYPED_TEST(InitialGuess, FoldsSensorOffsetsInThroughTheHook) {
+TYPED_TEST(InitialGuess, AppliesSensorOffsetsByTheRelativeFrameOfTheEdge) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto mount = TypeParam::motion(9);
@@ -107,7 +107,7 @@ TYPED_TEST(InitialGuess, MovesOnlyTheActiveVertices) {
   });
 }
 
-TYPED_TEST(InitialGuess, LeavesVerticesThatNoRelativeMeasurementReaches) {
+TYPED_TEST(InitialGuess, DoesNotMoveVerticesThatNoRelativeMeasurementReaches) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
@@ -209,7 +209,7 @@ TYPED_TEST(InitialGuess, GivesTheSameBitsEveryTime) {
   });
 }
 
-TYPED_TEST(InitialGuess, DoesNotDependOnTheEstimatesOfActiveVerticesEvenWhereTheyAreNotFinite) {
+TYPED_TEST(InitialGuess, DoesNotDependOnTheEstimatesOfActiveVerticesEvenIfTheyAreNotFinite) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);

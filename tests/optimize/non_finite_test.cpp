@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers that are not finite, though every estimate and measurement is.
+// Values become infinite or NaN although every estimate and measurement is finite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Optimize, NamesAnEdgeWhereOnlyTheSumOverAllOverflows) {
+TEST(Optimize, NamesAnEdgeIfOnlyTheSumOverAllEdgesOverflows) {
   Graph graph;
   const auto x = graph.add_vertex(1e308, 7), y = graph.add_vertex(0.0, 8);
   graph.add_edge([](const auto& value) { return value - 1e308 - 3; }, x);
@@ -25,7 +25,7 @@ TEST(Optimize, NamesAnEdgeWhereOnlyTheSumOverAllOverflows) {
   EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
 }
 
-TEST(Optimize, NamesTheEdgeByWhichTheLinearSystemOverflows) {
+TEST(Optimize, NamesTheEdgeThatMakesTheLinearSystemOverflow) {
   for (const auto algorithm :
        {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kGaussNewton}) {
     Graph graph;
@@ -47,7 +47,7 @@ class NanWeight final : public RobustKernel {
   std::unique_ptr<RobustKernel> clone() const override { return std::make_unique<NanWeight>(); }
 };
 
-TEST(Optimize, NamesAnEdgeWhoseKernelGivesNoNumber) {
+TEST(Optimize, NamesAnEdgeWhoseKernelReturnsNan) {
   Graph graph;
   const auto x = graph.add_vertex(1.0);
   const auto edge = graph.add_edge([](const auto& value) { return value - 3; }, x);
@@ -58,7 +58,7 @@ TEST(Optimize, NamesAnEdgeWhoseKernelGivesNoNumber) {
   EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
 }
 
-TEST(Optimize, NeverCallsAProblemSolvedWhoseWeightsExceedTheDigitsOfDoubles) {
+TEST(Optimize, DoesNotReportConvergenceIfWeightsExceedThePrecisionOfDoubles) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     for (const int digits : {6, 10, 14, 16, 18, 20, 60, 100, 300}) {
       Graph graph;

@@ -46,7 +46,7 @@ TEST_P(SecondRun, AllocatesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, SecondRun, ::testing::Values(1, 2));
 
-/// A circle of poses, one of which a sensor looks at that may stop the run.
+/// A circle of poses. A sensor that observes one of them may stop the run.
 struct StoppableCircle {
   Graph graph;
   std::atomic<bool> stop = false;
@@ -55,7 +55,7 @@ struct StoppableCircle {
   StoppableCircle() {
     const auto poses = add_noisy_circle(graph, 50);
     const auto looks = [this]<class Pose>(const Pose& pose) {
-      if constexpr (!std::is_same_v<Pose, SE2>) stop = stops;  // derivatives are asked for
+      if constexpr (!std::is_same_v<Pose, SE2>) stop = stops;  // derivatives are computed
       return pose.x() - 1.0;
     };
     graph.add_edge(looks, poses[7]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundle adjustment of public problems with a camera edge of one's own, in every form that users write it.
+// Bundle adjustment of public problems with a custom camera edge, in every form that users write.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ BundleProblem read_problem(std::istream& in) {
   return problem;
 }
 
-/// The model of that paper: looks along −z; radial distortion 1 + k1 r² + k2 r⁴.
+/// The camera model of that paper: it looks along −z; radial distortion 1 + k1 r² + k2 r⁴.
 template <class Pose, class Intrinsics, class Point>
 auto reprojection_error(const Pose& T_camera_world, const Intrinsics& k, const Point& x, double u, double v) {
   const auto y = T_camera_world * x;
@@ -116,7 +116,7 @@ Graph make_graph(const BundleProblem& problem, Form form, Fixed fixed,
   return graph;
 }
 
-/// How many iterations it took to come within 1e-6 of `cost` (½ chi2), or a very large number.
+/// The number of iterations until ½ chi2 is within 1e-6 of `cost`, or a very large number.
 int iterations_to(const Report& report, double cost) {
   for (const IterationRecord& record : report.records) {
     if (record.chi2 / 2 <= cost * (1 + 1e-6)) return record.iteration + 1;

@@ -7,7 +7,7 @@
 namespace boxplus {
 namespace {
 
-/// Hands everything on to the dense solver, and counts.
+/// Passes each call to the dense solver, and counts the calls.
 class CountingSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "counting"; }
@@ -31,7 +31,7 @@ class CountingSolver final : public LinearSolver {
   std::unique_ptr<LinearSolver> dense_ = make_linear_solver(LinearSolverKind::kDense);
 };
 
-TEST(AnOwnLinearSolver, SolvesAllSystemsOfOptimizeAndIsNamedInTheReport) {
+TEST(CustomLinearSolver, SolvesAllSystemsOfOptimizeAndIsNamedInTheReport) {
   Graph own, library;
   add_noisy_circle(own, 20);
   add_noisy_circle(library, 20);
@@ -46,7 +46,7 @@ TEST(AnOwnLinearSolver, SolvesAllSystemsOfOptimizeAndIsNamedInTheReport) {
   EXPECT_NEAR(report.chi2_final, chi2, 1e-9 * chi2);
 }
 
-TEST(AnOwnLinearSolver, ServesSeveralGraphsInTurn) {
+TEST(CustomLinearSolver, SolvesForSeveralGraphsInTurn) {
   Graph small, large;
   const auto first = add_noisy_circle(small, 10);
   add_noisy_circle(large, 30);
@@ -60,11 +60,11 @@ TEST(AnOwnLinearSolver, ServesSeveralGraphsInTurn) {
   EXPECT_TRUE(again.converged()) << again;
   EXPECT_NEAR(again.chi2_final, chi2, 1e-8 * chi2);
   EXPECT_EQ(solver->analyses, 3);
-  EXPECT_NE(optimize(small).linear_solver, "counting") << "only where it is asked for";
+  EXPECT_NE(optimize(small).linear_solver, "counting") << "only if it is asked for";
 }
 
-/// Solves densely and spoils the solution by a relative residual that is as large as the control allows.
-/// Leaves every field of its result as it is, the number of iterations too.
+/// Solves densely, then scales the solution so that its relative residual is as large as the control allows.
+/// Leaves all fields of the result at their defaults, even the number of iterations.
 class RoughSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "rough"; }
@@ -92,7 +92,7 @@ class RoughSolver final : public LinearSolver {
   std::unique_ptr<LinearSolver> dense_ = make_linear_solver(LinearSolverKind::kDense);
 };
 
-/// The linear model is exact, so that chi2 falls by what it predicts, to within rounding.
+/// The linear model is exact, so chi2 decreases as predicted, up to rounding.
 Graph line_of_numbers() {
   Graph graph;
   auto last = graph.add_vertex(0.0);
@@ -106,9 +106,9 @@ Graph line_of_numbers() {
   return graph;
 }
 
-class AnInexactOwnSolver : public ::testing::TestWithParam<AlgorithmKind> {};
+class InexactCustomSolver : public ::testing::TestWithParam<AlgorithmKind> {};
 
-TEST_P(AnInexactOwnSolver, HasThePredictedDecreaseOfItsStepsNotThatOfExactOnes) {
+TEST_P(InexactCustomSolver, HasThePredictedDecreaseOfItsInexactSteps) {
   Graph graph = line_of_numbers();
   const auto solver = std::make_shared<RoughSolver>();
   Options options;
@@ -126,7 +126,7 @@ TEST_P(AnInexactOwnSolver, HasThePredictedDecreaseOfItsStepsNotThatOfExactOnes) 
   }
 }
 
-TEST_P(AnInexactOwnSolver, IsGivenTheToleranceInBothCalls) {
+TEST_P(InexactCustomSolver, ReceivesTheToleranceInBothCalls) {
   Graph graph = line_of_numbers();
   const auto solver = std::make_shared<RoughSolver>();
   Options options;
@@ -138,7 +138,7 @@ TEST_P(AnInexactOwnSolver, IsGivenTheToleranceInBothCalls) {
   EXPECT_EQ(solver->solve_tolerance, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Algorithms, AnInexactOwnSolver,
+INSTANTIATE_TEST_SUITE_P(Algorithms, InexactCustomSolver,
                          ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
                                            AlgorithmKind::kDogleg));
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination through optimize(): the same optimum as without it, and the same bits for any number of
+// optimize() with elimination finds the same optimum as without it, with the same bits for any number of
 // threads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr Way kWays[] = {{SchurMode::kExplicit, LinearSolverKind::kBlockCholesky
 class Elimination : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16));
 
-TEST_P(Elimination, EndsAtTheSameChiSquaredAsWithout) {
+TEST_P(Elimination, EndsAtTheSameChiSquaredAsTheFullSystem) {
   Bundle plain = make_bundle(GetParam(), 200, false);
   const Report expected = optimize(plain.graph, {.cost_tolerance = 1e-13});
   EXPECT_EQ(expected.status, Status::kConverged) << expected.message;
@@ -101,7 +101,7 @@ TEST(Elimination, OfTwoVerticesInOneEdgeIsRefused) {
   EXPECT_EQ(optimize(bundle.graph).status, Status::kConverged);
 }
 
-TEST(Elimination, RunsAgainAfterTheGraphHasMoved) {
+TEST(Elimination, RunsAgainAfterTheGraphWasMoved) {
   Bundle bundle = make_bundle(3, 30, true);
   const Report first = optimize(bundle.graph);
   Graph moved(std::move(bundle.graph));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices that stay in some directions of their tangent, with every solver and every kind of problem.
+// Vertices with fixed directions of their tangent, with every solver and every kind of problem.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ struct Drive {
   std::vector<VertexHandle<Vector3>> points;
 };
 
-/// A vehicle on a plane that drives in a circle and sees points; its measurements are tilted and noisy, so
-/// that the optimum would leave the plane.
+/// A vehicle on a plane that drives in a circle and sees points. Its measurements are tilted and noisy, so
+/// that the optimum without fixed directions is not in the plane.
 Drive make_drive(int count = 12) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0, 0.05);
@@ -122,7 +122,7 @@ TEST(FixedDirections, KeepAVehicleInThePlaneWithEverySolver) {
   }
 }
 
-TEST(FixedDirections, HoldWithoutAnyFixedVertex) {
+TEST(FixedDirections, ApplyWithoutAnyFixedVertex) {
   Drive anchored = make_drive(), loose = make_drive();
   anchored.graph.fix(anchored.poses[0]);
   ASSERT_EQ(optimize(anchored.graph).status, Status::kConverged);
@@ -132,7 +132,7 @@ TEST(FixedDirections, HoldWithoutAnyFixedVertex) {
   EXPECT_NEAR(report.chi2_final, anchored.graph.chi2(), 1e-6 * report.chi2_final);
 }
 
-TEST(FixedDirections, HoldWithRobustKernelsAndTheTriggsCorrection) {
+TEST(FixedDirections, ApplyWithRobustKernelsAndTheTriggsCorrection) {
   for (const bool triggs : {false, true}) {
     Drive drive = make_drive();
     drive.graph.fix(drive.poses[0]);
@@ -150,7 +150,7 @@ TEST(FixedDirections, HoldWithRobustKernelsAndTheTriggsCorrection) {
   }
 }
 
-TEST(FixedDirections, HoldOnSubsetsAndLevels) {
+TEST(FixedDirections, ApplyToSubsetsAndLevels) {
   Drive drive = make_drive();
   for (const EdgeRef& edge : drive.graph.all_edges())
     drive.graph.set_level(edge, static_cast<int>(edge.pool));
@@ -180,7 +180,7 @@ TEST(FixedDirections, HaveZeroCovariance) {
     EXPECT_EQ(joint.col(direction).norm(), 0);
   }
   for (const int direction : {0, 1, 5}) EXPECT_GT(joint(direction, direction), 0);
-  // The same as with only the free columns of a dense H.
+  // The result equals that of the free columns of a dense H.
   Drive stiff = make_drive();
   stiff.graph.fix(stiff.poses[0]);
   for (std::size_t k = 0; k < stiff.poses.size(); ++k) {
@@ -219,7 +219,7 @@ TEST(FixedDirections, KeepTheFocalLengthWhileTheDistortionMoves) {
   EXPECT_NEAR(graph.estimate(intrinsics)[1], 0.03, 1e-8);
 }
 
-TEST(FixedDirections, MayBeReadReplacedAndTakenBack) {
+TEST(FixedDirections, MayBeReadReplacedAndRemoved) {
   Graph graph;
   const auto x = graph.add_vertex(Vector3(1, 2, 3));
   EXPECT_TRUE(graph.fixed_directions(x).empty());
@@ -237,7 +237,7 @@ TEST(FixedDirections, MayBeReadReplacedAndTakenBack) {
   EXPECT_TRUE(graph.fixed_directions(graph.add_vertex(Vector3(0, 0, 0))).empty());
 }
 
-TEST(FixedDirections, OfAllComponentsKeepTheVertexAsFixedOnesDo) {
+TEST(FixedDirections, OfAllComponentsFixTheVertex) {
   Drive drive = make_drive(), fixed = make_drive();
   drive.graph.fix_directions(drive.poses[0], {0, 1, 2, 3, 4, 5});
   fixed.graph.fix(fixed.poses[0]);
@@ -245,7 +245,7 @@ TEST(FixedDirections, OfAllComponentsKeepTheVertexAsFixedOnesDo) {
   EXPECT_EQ(covariance(drive.graph, {drive.poses[0]}).of(drive.poses[0]), Eigen::MatrixXd::Zero(6, 6));
 }
 
-TEST(FixedDirections, OfAnOldVertexHoldInTheNextRun) {
+TEST(FixedDirections, OfAnOldVertexApplyInTheNextRun) {
   Graph graph;
   std::vector<VertexHandle<SE3>> poses;
   for (int k = 0; k < 5; ++k) poses.push_back(graph.add_vertex(planar(k, 0, 0)));

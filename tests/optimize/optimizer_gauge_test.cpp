@@ -31,7 +31,7 @@ TEST(Gauge, HoldsOneVertexPerComponent) {
   EXPECT_THAT(report.gauge.held, ElementsAre(0, 12));
 }
 
-TEST(Gauge, IsNotTouchedWhereAVertexIsFixedOrAnAbsolutePriorExists) {
+TEST(Gauge, IsNotHeldIfAVertexIsFixedOrAnAbsolutePriorExists) {
   Graph fixed;
   fixed.fix(add_noisy_circle(fixed, 12)[5]);
   EXPECT_THAT(optimize(fixed).gauge.held, IsEmpty());
@@ -50,8 +50,9 @@ TEST(Gauge, PrefersTheLargestDimension) {
   EXPECT_THAT(optimize(graph).gauge.held, ElementsAre(1));
 }
 
-TEST(Gauge, ThatIsHeldInPartLosesNoMoreThanItsFreedom) {
-  // One position fix leaves the heading free: holding a whole pose would bend the circle towards it.
+TEST(Gauge, HoldsOnlyTheMotionThatAPositionPriorLeavesFree) {
+  // One measured position leaves the heading free. If a whole pose were held, the circle would bend towards
+  // the measurement.
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
   Graph reference;
@@ -66,7 +67,7 @@ TEST(Gauge, ThatIsHeldInPartLosesNoMoreThanItsFreedom) {
   EXPECT_NEAR(graph.estimate(poses[7]).x(), 10, 1e-5);
 }
 
-TEST(Gauge, ByDampingEndsAtTheSameChi2) {
+TEST(Gauge, IsReplacedByDampingWithTheSameFinalChi2) {
   Graph held, damped;
   add_noisy_circle(held, 20);
   add_noisy_circle(damped, 20);
@@ -78,7 +79,7 @@ TEST(Gauge, ByDampingEndsAtTheSameChi2) {
   EXPECT_NEAR(report.chi2_final, optimize(held).chi2_final, 1e-9);
 }
 
-TEST(Gauge, IsAnErrorWhereTheUserSaysSo) {
+TEST(Gauge, IsAnErrorIfThePolicySaysSo) {
   Graph graph;
   add_noisy_circle(graph, 20);
   Options options;
@@ -144,14 +145,14 @@ TEST(Gauge, OfVerticesOfUnknownTypeIsHeldAtTheFirstOne) {
   }
 }
 
-TEST(Gauge, OfVerticesOfUnknownTypeIsAnErrorIfTheUserSaysSo) {
+TEST(Gauge, OfVerticesOfUnknownTypeIsAnErrorIfThePolicySaysSo) {
   Graph graph;
   add_rotations(graph, 12);
   EXPECT_EQ(optimize(graph, {.gauge = GaugePolicy::kError}).reason, Reason::kGaugeFreedom);
 }
 
-TEST(Gauge, ThatIsPartlyMeasuredIsFoundForTypesThatAreNeitherPosesNorPoints) {
-  // Similarities in a loop, of which one scale alone is measured: six directions are free.
+TEST(Gauge, IsFoundForTypesThatAreNeitherPosesNorPointsEvenIfItIsPartlyMeasured) {
+  // Similarities in a loop. Only one scale is measured, so six directions are free.
   const auto loop = [] {
     Graph graph;
     std::vector<VertexHandle<Sim3>> vertices;
@@ -192,8 +193,8 @@ TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
   }
 }
 
-TEST(Gauge, IsLetGoOnceAMotionThatTheStartLeftFreeIsMeasured) {
-  // Both poses coincide at first, so that nothing tells their heading.
+TEST(Gauge, IsReleasedOnceAMotionThatWasFreeAtTheStartIsMeasured) {
+  // Both poses coincide at first, so that nothing measures their heading.
   for (const auto algorithm :
        {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
     Graph graph;
@@ -209,7 +210,7 @@ TEST(Gauge, IsLetGoOnceAMotionThatTheStartLeftFreeIsMeasured) {
   }
 }
 
-TEST(Gauge, OfAStraightTrajectoryWithPositionsIsLetGoOnceItBends) {
+TEST(Gauge, OfAStraightTrajectoryWithPositionsIsReleasedOnceItBends) {
   for (const auto algorithm : {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg}) {
     Graph graph;
     std::vector<VertexHandle<SE3>> poses;
@@ -265,7 +266,7 @@ TEST(Gauge, StaysHeldIfDampingOrRadiusCutEveryStepShort) {
   }
 }
 
-TEST(Gauge, StaysHeldWhereTheDataFitPerfectly) {
+TEST(Gauge, StaysHeldIfTheDataFitPerfectly) {
   // chi2 is then rounding noise, and so is the gradient of the held vertex.
   for (const auto algorithm :
        {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optimizing when the program ends, after main() and the thread's own memory have gone.
+// optimize() works at the end of the program, after main() and after the destruction of thread-local memory.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Poses, and an edge over a tail of points that is differentiated automatically.
+/// Poses, and an edge over a range of points that is differentiated automatically.
 void optimize_a_small_graph() {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);

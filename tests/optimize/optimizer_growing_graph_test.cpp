@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// optimize() of a graph that grows, shrinks and changes: the same as of a new graph.
+// A graph that grows, shrinks and changes has the same optimum as a new graph.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +12,8 @@
 namespace boxplus {
 namespace {
 
-/// Poses that drive at random and see each other and points, under random additions, removals and fixings.
+/// A random drive of poses that see each other and points. Vertices and edges are added, removed and fixed at
+/// random.
 class World {
  public:
   World(unsigned seed, bool fix_first) : random_(seed) {
@@ -34,7 +35,7 @@ class World {
     if (dice == 4) graph.add_edge(Prior(graph.estimate(poses_.back())), 10.0, poses_.back());
   }
 
-  /// The same vertices and edges in a new graph, with the estimates of now.
+  /// The same vertices and edges in a new graph, with the current estimates.
   Graph copy() const {
     Graph result;
     for (const VertexRef& v : graph.all_vertices()) {
@@ -117,7 +118,7 @@ class World {
   std::vector<EdgeRef> closures_;
 };
 
-TEST(GrowingGraph, HasTheOptimumOfANewGraphWhateverIsAddedRemovedOrFixed) {
+TEST(GrowingGraph, HasTheOptimumOfANewGraphAfterVerticesWereAddedRemovedOrFixed) {
   int extended = 0, steps = 0;
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -161,7 +162,7 @@ TEST(GrowingGraph, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(GrowingGraph, SaysHowItCameByItsPlan) {
+TEST(GrowingGraph, ReportsHowItsPlanWasMade) {
   World world(1, true);
   Optimizer optimizer(world.graph);
   EXPECT_FALSE(optimizer.run().plan_extended);

@@ -7,7 +7,7 @@
 namespace boxplus {
 namespace {
 
-/// A robot that drives arcs, whose wheel factors are to be found along with its trajectory.
+/// A robot that drives arcs. Its wheel factors are estimated along with its trajectory.
 struct Calibration {
   Graph graph;
   VertexHandle<DifferentialDrive> wheels;
@@ -43,7 +43,7 @@ TEST(HyperEdge, FindsTheWheelCalibrationAlongWithTheTrajectory) {
   EXPECT_NEAR(found.baseline, true_wheels.baseline, 1e-9);
 }
 
-/// The mean of any number of scalars is measured.
+/// Measures the mean of any number of scalars.
 struct MeanOf {
   double z;
   template <class S>
@@ -54,7 +54,7 @@ struct MeanOf {
   }
 };
 
-TEST(HyperEdge, OfRunTimeArityTiesAnyNumberOfVertices) {
+TEST(HyperEdge, OfRunTimeArityConnectsAnyNumberOfVertices) {
   Graph graph;
   std::vector<VertexHandle<Vector<double, 1>>> all;
   for (int i = 0; i < 50; ++i) {
@@ -99,7 +99,7 @@ TEST(RunTimeSizeVertex, HoldsThePolynomialThatFitsTheSamples) {
   }
 }
 
-TEST(HyperEdge, SeesManyLandmarksFromOnePoseThroughATail) {
+TEST(HyperEdge, ObservesARangeOfManyLandmarksFromOnePose) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2(0.1, -0.2, 0.1));
   const SE2 truth(0.5, 0.3, -0.4);

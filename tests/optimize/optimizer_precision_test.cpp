@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which algorithms bear a factor in float.
+// The algorithms that work with a factor in float.
 #include <gtest/gtest.h>
 
 #include "boxplus/optimize/optimizer.h"
@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// A sphere that is large enough for float to pay, and its optimizer.
+/// A sphere that is large enough for float to be faster, and its optimizer.
 struct LargeSphere {
   Graph graph = simulate(World::kSphere, {.poses = 2500}).graph;
   Optimizer optimizer{graph};
@@ -22,7 +22,7 @@ struct LargeSphere {
   }
 };
 
-TEST(TheAutomaticPrecision, IsDoubleForGaussNewtonAndFloatForAlgorithmsThatJudgeTheirSteps) {
+TEST(AutomaticPrecision, IsDoubleForGaussNewtonAndFloatForAlgorithmsThatJudgeTheirSteps) {
   LargeSphere sphere;
   for (const AlgorithmKind algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     const Report report = sphere.two_iterations(algorithm);
@@ -35,14 +35,14 @@ TEST(TheAutomaticPrecision, IsDoubleForGaussNewtonAndFloatForAlgorithmsThatJudge
   EXPECT_FALSE(report.plan_reused);
 }
 
-TEST(TheAutomaticPrecision, OfAnotherAlgorithmDoesNotDependOnWhatRanBefore) {
+TEST(AutomaticPrecision, DoesNotDependOnTheAlgorithmThatRanBefore) {
   LargeSphere sphere;
   const double chi2 = sphere.two_iterations(AlgorithmKind::kDogleg).chi2_final;
   EXPECT_EQ(sphere.two_iterations(AlgorithmKind::kGaussNewton).iterations, 2);
   EXPECT_EQ(sphere.two_iterations(AlgorithmKind::kDogleg).chi2_final, chi2);
 }
 
-TEST(APrecisionByName, HoldsForGaussNewtonToo) {
+TEST(ChosenPrecision, AppliesToGaussNewtonToo) {
   LargeSphere sphere;
   const Report report = sphere.two_iterations(AlgorithmKind::kGaussNewton, Precision::kMixed);
   EXPECT_EQ(report.linear.precision, Precision::kMixed);

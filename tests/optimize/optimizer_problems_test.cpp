@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What optimize() makes of problems of all kinds.
+// optimize() of problems of many kinds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Optimize, NamesTheTranslationThatNothingMeasures) {
   const auto b = graph.add_vertex(Vector2(1, 1), 77);
   graph.fix(a);
   graph.add_edge([](const auto& x, const auto& y) { return y[0] - x[0] - 1.5; }, a, b);
-  for (int edges = 1; edges <= 2; ++edges) {  // two rows are no more than one in the same direction
+  for (int edges = 1; edges <= 2; ++edges) {  // two rows in the same direction measure no more than one
     const Report report = optimize(graph, {.algorithm = AlgorithmKind::kGaussNewton});
     EXPECT_TRUE(report.converged()) << report;
     ASSERT_EQ(report.gauge.free.size(), 1u);
@@ -65,7 +65,7 @@ TEST(Optimize, NamesTheVertexThatNothingMeasuresInSomeDirection) {
   EXPECT_EQ(singular.status, Status::kFailed);
   EXPECT_EQ(singular.reason, Reason::kNotPositiveDefinite);
   EXPECT_THAT(singular.message, HasSubstr("vertex 77"));
-  // Dogleg damps H and says so.
+  // Dogleg damps H and reports it.
   options.algorithm = AlgorithmKind::kDogleg;
   const Report damped = optimize(graph, options);
   EXPECT_TRUE(damped.converged()) << damped;
@@ -74,7 +74,7 @@ TEST(Optimize, NamesTheVertexThatNothingMeasuresInSomeDirection) {
   EXPECT_EQ(graph.estimate(b)[1], 1);
 }
 
-TEST(Optimize, RefusesOptionsThatMakeNoSense) {
+TEST(Optimize, RefusesInvalidOptions) {
   Graph graph;
   add_noisy_circle(graph, 5);
   const auto with = [](auto set) {
@@ -138,7 +138,7 @@ TEST(Optimize, DifferentiatesFunctionsOfPlainEigenVectorsNumerically) {
   EXPECT_NEAR(graph.estimate(x)[1], 1, 1e-9);
 }
 
-TEST(Optimize, SaysWhichEdgesAreDifferentiatedNumerically) {
+TEST(Optimize, ReportsWhichEdgesAreDifferentiatedNumerically) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 5);
   EXPECT_EQ(count_numeric(optimize(graph)), 0);
@@ -162,7 +162,7 @@ struct North {
   }
 };
 
-TEST(Optimize, SaysWhereTheJacobiansOfEachEdgeTypeComeFrom) {
+TEST(Optimize, ReportsTheSourceOfTheJacobiansOfEachEdgeType) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 5);
   graph.add_edge(East{}, poses[0]);

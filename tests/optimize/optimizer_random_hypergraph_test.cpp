@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random small hyper-graphs of mixed sizes, kernels and fixed vertices against the dense solver.
+// Compares random small hyper-graphs of mixed sizes, kernels and fixed vertices with the dense solver.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +17,7 @@ namespace {
 
 using Dynamic = Vector<double, kDynamic>;
 
-/// What an edge sees of an estimate: smooth functions that determine it.
+/// The smooth functions of an estimate that an edge measures. They determine the estimate.
 template <class S, int N>
 int features(const Vector<S, N>& x, S* out) {
   for (int i = 0; i < x.size(); ++i) out[i] = x[i];
@@ -246,7 +246,7 @@ class RandomProblem {
 
 class RandomHypergraph : public testing::TestWithParam<AlgorithmKind> {};
 
-TEST_P(RandomHypergraph, EndsWhereAnIndependentDenseSolverEnds) {
+TEST_P(RandomHypergraph, EndsAtTheOptimumOfAnIndependentDenseSolver) {
   for (unsigned seed = 0; seed < (kSanitized ? 40 : 200); ++seed) {
     RandomProblem problem(seed);
     problem.build();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits for any number of threads, within one process; tests/apps/same_bits.py runs several.
+// The result has the same bits for any number of threads in one process. tests/apps/same_bits.py compares
+// several processes.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -37,7 +38,7 @@ Outcome run(AlgorithmKind algorithm, LinearSolverKind solver, int threads) {
   return outcome;
 }
 
-TEST(SameBits, ForOneTwoAndThreeThreads) {
+TEST(SameBits, AreTheResultOfOneTwoAndThreeThreads) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     for (const auto solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg}) {
       const Outcome one = run(algorithm, solver, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs whose truth is known: the optimum is below the truth's chi2, and chi2 is as large as the noise says.
+// Graphs whose truth is known: chi2 at the optimum is below that of the truth, and as large as the noise
+// predicts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,14 +14,14 @@ namespace {
 
 class SimulatedGraphs : public ::testing::TestWithParam<World> {};
 
-/// Rows of all errors.
+/// The number of rows of all errors.
 double measurement_rows(const Graph& graph) {
   double rows = 0;
   for (const EdgeRef& edge : graph.all_edges()) rows += graph.information(edge).rows;
   return rows;
 }
 
-TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
+TEST_P(SimulatedGraphs, EndAtTheChi2OfTheirNoiseAndNotAboveThatOfTheTruth) {
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 3 : 20); ++seed) {
     Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed});
     const double rows = measurement_rows(simulation.graph);
@@ -35,7 +36,7 @@ TEST_P(SimulatedGraphs, EndBelowTheTruthWithTheChi2OfTheirNoise) {
   }
 }
 
-TEST_P(SimulatedGraphs, WithoutNoiseAreFittedExactlyAndSoon) {
+TEST_P(SimulatedGraphs, WithoutNoiseAreFittedExactlyInFewIterations) {
   for (const Start start : {Start::kAutomatic, Start::kCurrent, Start::kChordal}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed, .noise = 0});

@@ -27,7 +27,7 @@ TEST_P(EveryAlgorithm, ReachesTheSameOptimum) {
   Graph reference;
   add_noisy_grid(reference, 4);
   EXPECT_NEAR(report.chi2_final, optimize(reference).chi2_final, 1e-9 * report.chi2_final);
-  // Two orders of summation: equal to a few roundings.
+  // The orders of summation differ, so the sums are equal only up to rounding.
   EXPECT_NEAR(report.chi2_final, graph.chi2(), 1e-14 * graph.chi2());
 }
 
@@ -44,7 +44,7 @@ TEST_P(EveryAlgorithm, StopsAtTheIterationLimit) {
   EXPECT_EQ(optimize(graph, options_).iterations, 0);
 }
 
-TEST_P(EveryAlgorithm, StopsWhenTheFlagIsUpAndKeepsTheEstimates) {
+TEST_P(EveryAlgorithm, StopsWhenTheFlagIsSetAndKeepsTheEstimates) {
   Graph graph;
   add_noisy_grid(graph, 3);
   std::atomic<bool> stop = true;
@@ -55,7 +55,7 @@ TEST_P(EveryAlgorithm, StopsWhenTheFlagIsUpAndKeepsTheEstimates) {
   EXPECT_EQ(graph.chi2(), before);
 }
 
-TEST_P(EveryAlgorithm, StopsWhenTheCallbackSaysSo) {
+TEST_P(EveryAlgorithm, StopsWhenTheCallbackReturnsFalse) {
   Graph graph;
   add_noisy_grid(graph, 3);
   int calls = 0;
@@ -99,7 +99,7 @@ TEST_P(EveryAlgorithm, StopsAtTheTimeLimit) {
   EXPECT_EQ(optimize(graph, options_).reason, Reason::kTimeLimit);
 }
 
-TEST_P(EveryAlgorithm, MakesNoGuessOnceItIsToStop) {
+TEST_P(EveryAlgorithm, MakesNoGuessAfterAStopWasRequested) {
   for (const Start start : {Start::kOdometry, Start::kSpanningTree, Start::kChordal, Start::kAutomatic}) {
     Graph graph;
     add_noisy_circle(graph, 30);
@@ -117,14 +117,14 @@ TEST_P(EveryAlgorithm, MakesNoGuessOnceItIsToStop) {
   }
 }
 
-TEST_P(EveryAlgorithm, IsStoppedBetweenTheLinearizationAndTheStep) {
+TEST_P(EveryAlgorithm, CanBeStoppedBetweenTheLinearizationAndTheStep) {
   for (const LinearSolverKind solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg}) {
     Graph graph;
     const auto poses = add_noisy_circle(graph, 10);
     std::atomic<bool> stop = false;
     graph.add_edge(
         [&stop]<class Pose>(const Pose& pose) {
-          if constexpr (!std::is_same_v<Pose, SE2>) stop = true;  // derivatives are asked for
+          if constexpr (!std::is_same_v<Pose, SE2>) stop = true;  // derivatives are computed
           return pose.x();
         },
         poses[4]);
@@ -152,7 +152,7 @@ TEST_P(EveryAlgorithm, CallsBackAfterTheLastIterationTooWithoutChangingTheReason
   EXPECT_EQ(optimize(graph, options_).status, Status::kConverged);
 }
 
-TEST_P(EveryAlgorithm, TakesPcgWhereTheFactorWouldNotFitIntoMemory) {
+TEST_P(EveryAlgorithm, UsesPcgIfTheFactorDoesNotFitIntoMemory) {
   for (const Start start : {Start::kCurrent, Start::kChordal}) {
     Graph direct, iterative;
     add_noisy_grid(direct, 4);
@@ -183,7 +183,7 @@ TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
   EXPECT_EQ(reason_with(&Options::gradient_tolerance, 1e-1), Reason::kGradientTolerance);
 }
 
-TEST_P(EveryAlgorithm, EndsAtRoundingIfAskedForManyIterationsWithoutTolerances) {
+TEST_P(EveryAlgorithm, EndsAtRoundingErrorsIfAskedForManyIterationsWithoutTolerances) {
   Graph graph;
   add_noisy_grid(graph, 6);
   options_.cost_tolerance = options_.noise_tolerance = options_.step_tolerance = 0;
@@ -243,7 +243,7 @@ struct WrongJacobian {
   }
 };
 
-TEST(Optimize, DoesNotCallItConvergedWhereNoStepDoesWhatItPromised) {
+TEST(Optimize, DoesNotReportConvergenceIfNoStepReachesItsPredictedDecrease) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     Graph graph;
     const auto x = graph.add_vertex(0.0);
@@ -255,7 +255,7 @@ TEST(Optimize, DoesNotCallItConvergedWhereNoStepDoesWhatItPromised) {
   }
 }
 
-TEST(Optimize, IsNotConvergedWhereDampingOrRadiusCutEveryStepShort) {
+TEST(Optimize, DoesNotReportConvergenceIfDampingOrRadiusCutEveryStepShort) {
   for (const double tightness : {1e6, 1e10, 1e14, 1e30, 1e300}) {
     const Options damped{.algorithm = AlgorithmKind::kLevenbergMarquardt,
                          .max_iterations = 3,
@@ -275,7 +275,7 @@ TEST(Optimize, IsNotConvergedWhereDampingOrRadiusCutEveryStepShort) {
   }
 }
 
-TEST(Optimize, GetsAwayFromADampingOrARadiusThatPermitsNoStep) {
+TEST(Optimize, RecoversFromADampingOrARadiusThatPermitsNoStep) {
   Graph reference;
   add_noisy_grid(reference, 3);
   const double chi2 = optimize(reference).chi2_final;
@@ -293,7 +293,7 @@ TEST(Optimize, GetsAwayFromADampingOrARadiusThatPermitsNoStep) {
   }
 }
 
-TEST(Optimize, IsConvergedAtAMinimumHoweverDampedOrBounded) {
+TEST(Optimize, ReportsConvergenceAtAMinimumForAnyDampingAndRadius) {
   for (const Options& options :
        {Options{.algorithm = AlgorithmKind::kLevenbergMarquardt, .initial_lambda = 1e300},
         Options{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300}}) {
@@ -306,7 +306,7 @@ TEST(Optimize, IsConvergedAtAMinimumHoweverDampedOrBounded) {
   }
 }
 
-TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
+TEST(Optimize, RefusesARunOnTheSameGraphInsideItsCallback) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kGaussNewton}) {
     Graph graph;
     add_noisy_circle(graph, 20);
@@ -321,7 +321,7 @@ TEST(Optimize, RefusesToBeCalledForItsGraphByItsCallback) {
   }
 }
 
-TEST(Optimize, LeavesTheGraphUsableWhereAnErrorFunctionThrows) {
+TEST(Optimize, LeavesTheGraphUsableIfAnErrorFunctionThrows) {
   Graph graph;
   const auto x = graph.add_vertex(1.0);
   bool throws = true;

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr, ::testing::ThrowsMessage;
 
-TEST(AnOptimizer, FindsTheBitsOfTheOneLiner) {
+TEST(Optimizer, EndsAtTheSameBitsAsOptimize) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 30);
   Graph copy = graph;
@@ -27,7 +27,7 @@ TEST(AnOptimizer, FindsTheBitsOfTheOneLiner) {
   EXPECT_EQ(graph.estimate(poses[7]).vector(), copy.estimate(poses[7]).vector());
 }
 
-TEST(AnOptimizer, IsRefusedOnceItsGraphWasMovedAssignedToOrDestroyed) {
+TEST(Optimizer, IsRefusedAfterItsGraphWasMovedAssignedToOrDestroyed) {
   const auto refused = HasSubstr("its graph was moved, assigned to or destroyed");
   Graph graph;
   add_noisy_circle(graph, 10);
@@ -50,7 +50,7 @@ TEST(AnOptimizer, IsRefusedOnceItsGraphWasMovedAssignedToOrDestroyed) {
               ThrowsMessage<InvalidArgument>(refused));
 }
 
-TEST(AnOptimizer, CanBeMoved) {
+TEST(Optimizer, CanBeMoved) {
   Graph graph;
   add_noisy_circle(graph, 10);
   Optimizer first(graph, {.max_iterations = 7});
@@ -60,7 +60,7 @@ TEST(AnOptimizer, CanBeMoved) {
   EXPECT_TRUE(second.run().plan_reused);
 }
 
-TEST(AnOptimizer, MayBeMadeBeforeTheGraphIsFilled) {
+TEST(Optimizer, MayBeConstructedBeforeTheGraphIsFilled) {
   Graph graph;
   Optimizer optimizer(graph);
   EXPECT_EQ(optimizer.run().reason, Reason::kNothingToOptimize);
@@ -68,7 +68,7 @@ TEST(AnOptimizer, MayBeMadeBeforeTheGraphIsFilled) {
   EXPECT_GT(optimizer.run().iterations, 0);
 }
 
-TEST(AnOptimizer, IsRefusedInsideOfARunOnTheSameGraph) {
+TEST(Optimizer, IsRefusedInsideARunOnTheSameGraph) {
   Graph graph;
   add_noisy_circle(graph, 10);
   Optimizer other(graph);
@@ -85,7 +85,7 @@ TEST(AnOptimizer, IsRefusedInsideOfARunOnTheSameGraph) {
   EXPECT_TRUE(other.run().converged());
 }
 
-TEST(AnOptimizer, RunsAgainAfterAnExceptionOfAnErrorFunction) {
+TEST(Optimizer, RunsAgainAfterAnExceptionOfAnErrorFunction) {
   Graph graph;
   const auto x = graph.add_vertex(3.0);
   bool throws = true;
@@ -102,7 +102,7 @@ TEST(AnOptimizer, RunsAgainAfterAnExceptionOfAnErrorFunction) {
   EXPECT_NEAR(graph.estimate(x), 1, 1e-9);
 }
 
-TEST(AnOptimizer, ChecksItsOptionsInEachRun) {
+TEST(Optimizer, ChecksItsOptionsInEachRun) {
   Graph graph;
   add_noisy_circle(graph, 5);
   Optimizer optimizer(graph);
@@ -136,7 +136,7 @@ class SteepestDescent final : public Algorithm {
   std::vector<double> step_;
 };
 
-TEST(AnOptimizer, RunsTheAlgorithmOfAUser) {
+TEST(Optimizer, RunsACustomAlgorithm) {
   Graph graph;
   const auto x = graph.add_vertex(Vector2(5, -2));
   graph.add_edge([](const auto& p) { return p; }, x);

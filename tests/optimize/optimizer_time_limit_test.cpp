@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options::time_limit_s and Options::stop hold in every phase. The clock is a fake one.
+// Options::time_limit_s and Options::stop apply in every phase. The clock is a fake.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,8 +43,9 @@ Graph noisy_circle() {
   return graph;
 }
 
-/// A report that is honest about what was reached when the limit struck.
-void expect_honest(const Report& report, const Graph& graph, const std::vector<std::vector<double>>& before) {
+/// Checks that the report describes the estimates at the time limit correctly.
+void expect_correct_report(const Report& report, const Graph& graph,
+                           const std::vector<std::vector<double>>& before) {
   ASSERT_EQ(report.status, Status::kNotConverged) << report;
   ASSERT_EQ(report.reason, Reason::kTimeLimit) << report;
   if (std::isnan(report.chi2_initial)) {
@@ -60,32 +61,33 @@ void expect_honest(const Report& report, const Graph& graph, const std::vector<s
   }
 }
 
-class AnyStart : public ::testing::TestWithParam<std::tuple<Start, AlgorithmKind>> {
+class EveryStart : public ::testing::TestWithParam<std::tuple<Start, AlgorithmKind>> {
  protected:
-  ~AnyStart() override { testing::stop_clock(); }
+  ~EveryStart() override { testing::stop_clock(); }
 };
 
-TEST_P(AnyStart, MayEndAtAnyQuestionToTheClockWithAnHonestReport) {
+TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {
   Options options{.algorithm = std::get<1>(GetParam()), .start = std::get<0>(GetParam()), .threads = 1};
   options.time_limit_s = kHour / 2;
   Graph whole = noisy_circle();
-  const long begin = testing::clock_questions();
+  const long begin = testing::clock_readings();
   const Report reference = optimize(whole, options);
-  const long questions = testing::clock_questions() - begin;
+  const long questions = testing::clock_readings() - begin;
   ASSERT_TRUE(reference.converged()) << reference;
   bool before_chi2 = false, after_a_step = false;
-  for (long k = 2; k < questions; k += 1 + questions / 60) {  // the first is that of the stopwatch
+  for (long k = 2; k < questions; k += 1 + questions / 60) {  // the first reading is that of the stopwatch
     SCOPED_TRACE("question " + std::to_string(k));
     Graph graph = noisy_circle();
     const auto before = estimates(graph);
-    testing::jump_at_question(k);
-    const long asked = testing::clock_questions();
+    testing::jump_at_reading(k);
+    const long asked = testing::clock_readings();
     const Report report = optimize(graph, options);
-    constexpr long kMoreQuestions = 30;  // those of stopwatches, and of whoever notices in turn
-    EXPECT_LE(testing::clock_questions() - asked, k + kMoreQuestions);
+    constexpr long kMoreQuestions =
+        30;  // readings of stopwatches, and of each function that notices the limit
+    EXPECT_LE(testing::clock_readings() - asked, k + kMoreQuestions);
     testing::stop_clock();
-    if (report.converged()) continue;  // nobody asked whether to stop any more
-    expect_honest(report, graph, before);
+    if (report.converged()) continue;  // no function checked the limit afterwards
+    expect_correct_report(report, graph, before);
     before_chi2 |= std::isnan(report.chi2_final);
     after_a_step |= report.iterations > 0;
     const Report later = optimize(graph, options);
@@ -97,22 +99,22 @@ TEST_P(AnyStart, MayEndAtAnyQuestionToTheClockWithAnHonestReport) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    TimeLimit, AnyStart,
+    TimeLimit, EveryStart,
     ::testing::Combine(::testing::Values(Start::kCurrent, Start::kOdometry, Start::kSpanningTree,
                                          Start::kChordal, Start::kAutomatic),
                        ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
                                          AlgorithmKind::kDogleg)));
 
-TEST(TimeLimit, OfZeroEndsBeforeAnythingIsDone) {
+TEST(TimeLimit, OfZeroStopsBeforeAnyWork) {
   Graph graph = noisy_circle();
   const auto before = estimates(graph);
   const Report report = optimize(graph, {.time_limit_s = 0});
-  expect_honest(report, graph, before);
+  expect_correct_report(report, graph, before);
   EXPECT_TRUE(std::isnan(report.chi2_initial));
   EXPECT_THAT(to_string(report), HasSubstr("time limit"));
 }
 
-/// A phase on a problem of about so many poses, with a token.
+/// Runs a phase on a problem of about the given number of poses, with a stop token.
 using Phase = std::function<void(int, const StopToken&)>;
 
 BlockStructure structure_of(int poses) {
@@ -176,15 +178,15 @@ const std::vector<std::pair<std::string, Phase>>& phases() {
   return all;
 }
 
-/// So the work between two questions does not grow with the problem.
-TEST(TimeLimit, EveryPhaseAsksTheMoreOftenTheLargerTheProblemIs) {
+/// Therefore the work between two readings of the clock does not grow with the problem.
+TEST(TimeLimit, IsCheckedMoreOftenInEachPhaseOfALargerProblem) {
   for (const auto& [name, phase] : phases()) {
     SCOPED_TRACE(name);
     const auto questions = [run = phase](int poses) {
       const StopToken stop(nullptr, StopToken::Clock::now(), kHour);
-      const long before = testing::clock_questions();
+      const long before = testing::clock_readings();
       run(poses, stop);
-      return testing::clock_questions() - before;
+      return testing::clock_readings() - before;
     };
     const long small = questions(2197), large = questions(4 * 2197);
     EXPECT_GE(small, 2);
@@ -192,7 +194,7 @@ TEST(TimeLimit, EveryPhaseAsksTheMoreOftenTheLargerTheProblemIs) {
   }
 }
 
-TEST(TimeLimit, AnOrderingIsNotBegunIfItIsPredictedNotToEnd) {
+TEST(TimeLimit, PreventsAnOrderingThatIsPredictedToExceedIt) {
   const BlockStructure structure = structure_of(8000);
   EXPECT_THROW(amd_ordering(structure, {}, StopToken(nullptr, StopToken::Clock::now(), 1e-4)), Stopped);
   EXPECT_EQ(amd_ordering(structure, {}, StopToken(nullptr, StopToken::Clock::now(), kHour)).size(),

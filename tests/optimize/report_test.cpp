@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Report, ShowsNoSignOfWhatIsNotANumber) {
+TEST(Report, ShowsNanWithoutASign) {
   Report report;
   const double minus_nan = -std::numeric_limits<double>::quiet_NaN();
   report.chi2_initial = report.chi2_final = report.start.chi2_current = report.start.chi2_guess = minus_nan;
@@ -23,7 +23,7 @@ TEST(Report, ShowsNoSignOfWhatIsNotANumber) {
   EXPECT_THAT(text, testing::Not(HasSubstr("-nan")));
 }
 
-TEST(Report, TellsInTwoDigitsWhatTheFactorWouldTake) {
+TEST(Report, ShowsThePredictedCostOfTheFactorWithTwoDigits) {
   const auto text_for = [](std::uint64_t bytes) {
     Report report;
     report.linear.refused_factor_bytes = bytes;
@@ -38,7 +38,7 @@ TEST(Report, TellsInTwoDigitsWhatTheFactorWouldTake) {
   EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB and"));
 }
 
-TEST(Report, ReadsAsATable) {
+TEST(Report, IsPrintedAsATable) {
   Graph graph;
   add_noisy_circle(graph, 20);
   const std::string text = to_string(optimize(graph));

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// The iteration of a run with that last gain as a fraction of chi2 = 1000.
+/// The record of an iteration whose gain is the given fraction of chi2 = 1000.
 IterationRecord gain_of(double fraction) {
   IterationRecord record;
   record.chi2 = 1000;
@@ -16,7 +16,7 @@ IterationRecord gain_of(double fraction) {
   return record;
 }
 
-/// How many gains q, q², q³ … of chi2 it takes until none matters any more.
+/// The number of gains q, q², q³ … of chi2 until they are no longer significant.
 int iterations_until_lost(double first, double q, double tolerance, double degrees_of_freedom, int most) {
   Significance significance(tolerance, degrees_of_freedom);
   for (int k = 0; k < most; ++k) {

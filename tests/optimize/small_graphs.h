@@ -14,8 +14,8 @@
 
 namespace boxplus {
 
-/// `count` poses around a circle, chained and closed, with noisy measurements and a drifted start. No fixed
-/// vertex.
+/// `count` poses around a closed circle, with noisy measurements and estimates that drift. No vertex is
+/// fixed.
 inline std::vector<VertexHandle<SE2>> add_noisy_circle(Graph& graph, int count, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<> normal(0, 0.02);

@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-TEST(Chi2Quantile, IsThatOfTheTables) {
+TEST(Chi2Quantile, EqualsPublishedTables) {
   EXPECT_NEAR(chi2_quantile(1, 0.95), 3.841458820694124, 1e-12);
   EXPECT_NEAR(chi2_quantile(2, 0.95), -2 * std::log(0.05), 1e-12);
   EXPECT_NEAR(chi2_quantile(3, 0.95), 7.814727903251178, 1e-11);
@@ -23,17 +23,17 @@ TEST(Chi2Quantile, IsThatOfTheTables) {
   EXPECT_NEAR(chi2_quantile(2, 1 - 1e-9), -2 * std::log(1e-9), 1e-5);
 }
 
-TEST(Chi2Quantile, OfManyRowsApproachesThatOfTheNormalDistribution) {
+TEST(Chi2Quantile, ApproachesThatOfTheNormalDistributionForManyRows) {
   const double z = 1.6448536269514722;
   for (const int rows : {1'000, 1'000'000, std::numeric_limits<int>::max()}) {
     const double n = rows;
-    // The first terms of the expansion of Cornish and Fisher; what is left falls like 1 / √n.
+    // The first terms of the expansion of Cornish and Fisher. The remainder decreases like 1 / √n.
     const double expected = n + z * std::sqrt(2 * n) + 2.0 / 3 * (z * z - 1);
     EXPECT_NEAR(chi2_quantile(rows, 0.95), expected, 1 / std::sqrt(n) + 1e-9 * std::sqrt(n)) << rows;
   }
 }
 
-TEST(Chi2Quantile, LiesAboveThatShareOfGoodErrors) {
+TEST(Chi2Quantile, LiesAboveItsShareOfGoodErrors) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   for (const int rows : {1, 2, 3, 6, 40, 41, 80}) {
@@ -59,7 +59,7 @@ TEST(Chi2Quantile, GrowsWithTheProbabilityAndTheRows) {
   }
 }
 
-TEST(Chi2Quantile, RefusesWhatIsNoQuantile) {
+TEST(Chi2Quantile, RefusesInvalidRowsAndProbabilities) {
   EXPECT_THROW((void)chi2_quantile(0, 0.95), InvalidArgument);
   EXPECT_THROW((void)default_width(-3), InvalidArgument);
   for (const double p : {0.0, 1.0, -0.5, 2.0, std::nan("")})

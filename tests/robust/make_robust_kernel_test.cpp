@@ -66,7 +66,7 @@ TEST(MakeDefaultKernel, HasAWidthThatNinetyFivePercentOfGoodErrorsStayWithin) {
 }
 
 TEST(MakeDefaultKernel, SquaresTheWidthOfKernelsThatMeasureTheSquaredError) {
-  // A good error of 95 % probability is where DCS begins to act, as it is for Huber.
+  // DCS begins to act at the 95 % quantile of good errors, like Huber.
   for (const int rows : {1, 3, 6}) {
     const double e2 = chi2_quantile(rows, 0.95);
     for (const char* name : {"Huber", "DCS"}) {

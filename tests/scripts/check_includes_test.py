@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/check_includes.py finds each kind of wrong arrow, and nothing in a tree without one."""
+"""scripts/check_includes.py finds each kind of wrong include, and nothing in a tree without one."""
 
 import pathlib
 import subprocess
@@ -23,7 +23,6 @@ CLEAN = {
     "tests/graph/graph_test.cpp": '#include "boxplus/testing/check_edge.h"\n#include "graph/detail.h"\n',
 }
 
-
 def check(changes):
     """Exit status and lines of the checker on the clean tree with these files written over it."""
     with tempfile.TemporaryDirectory() as root:
@@ -34,15 +33,14 @@ def check(changes):
         done = subprocess.run([sys.executable, CHECKER, root], capture_output=True, text=True, check=False)
         return done.returncode, done.stdout.splitlines()
 
-
 class CheckIncludes(unittest.TestCase):
     def assert_caught(self, changes, line):
         self.assertEqual(check(changes), (1, [line]))
 
-    def test_a_tree_of_downward_arrows_passes(self):
+    def test_a_tree_of_downward_includes_passes(self):
         self.assertEqual(check({}), (0, []))
 
-    def test_an_upward_arrow_is_caught_with_its_line(self):
+    def test_an_upward_include_is_caught_with_its_line(self):
         self.assert_caught(
             {"include/boxplus/base/error.h": '#include <string>\n#include "boxplus/graph/graph.h"\n'},
             "include/boxplus/base/error.h:2: base must not include graph (boxplus/graph/graph.h)")
@@ -52,7 +50,7 @@ class CheckIncludes(unittest.TestCase):
             {"src/linear/solver.cpp": "#include <boxplus/graph/graph.h>\n"},
             "src/linear/solver.cpp:1: linear must not include graph (boxplus/graph/graph.h)")
 
-    def test_an_upward_arrow_to_a_private_header_is_caught(self):
+    def test_an_upward_include_of_a_private_header_is_caught(self):
         self.assert_caught(
             {"src/base/error.cpp": '#include "graph/detail.h"\n'},
             "src/base/error.cpp:1: base must not include graph (graph/detail.h)")
@@ -87,12 +85,11 @@ class CheckIncludes(unittest.TestCase):
             {"src/surprise/surprise.cpp": ""},
             "src/surprise/surprise.cpp:1: folder 'surprise' has no row in the table of scripts/check_includes.py")
 
-    def test_the_g2o_face_including_the_engine_is_caught(self):
+    def test_a_header_of_the_g2o_api_that_includes_the_engine_is_caught(self):
         self.assert_caught(
             {"g2o/include/g2o/core/solver.h": '#include "boxplus/graph/graph.h"\n'},
             "g2o/include/g2o/core/solver.h:1: the g2o face must not include boxplus (boxplus/graph/graph.h)",
         )
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -12,7 +12,6 @@ spec = importlib.util.spec_from_file_location("check_listings", SCRIPT)
 check_listings = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(check_listings)
 
-
 class CheckListings(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -28,22 +27,22 @@ class CheckListings(unittest.TestCase):
         path.chmod(0o755)
 
     def complaints(self, block):
-        """What the checker says about one block, and the block as it should be."""
+        """The messages of the checker for one block, and the corrected block."""
         found = []
         match = check_listings.BLOCK.search(block)
         corrected = check_listings.check_block(match, self.programs, lambda what, _: found.append(what))
         return found, corrected
 
-    def test_an_output_that_the_program_prints_is_right(self):
+    def test_an_output_that_the_program_prints_is_accepted(self):
         block = "<!-- output of hello -->\n```text\nchi2 2.5 in 0.9999 s\n```"
         self.assertEqual(self.complaints(block), ([], block))
 
-    def test_an_output_that_the_program_prints_no_more_is_wrong_and_corrected(self):
+    def test_an_outdated_output_is_reported_and_corrected(self):
         found, corrected = self.complaints("<!-- output of hello -->\n```text\nchi2 2.4 in 0.1 s\n```")
         self.assertEqual(found, ["differs from: output of hello"])
         self.assertIn("chi2 2.5 in 0.1234 s", corrected)
 
-    def test_the_command_and_its_complaints_are_checked(self):
+    def test_the_command_and_its_messages_are_checked(self):
         self.assertEqual(self.complaints("<!-- complaint of boxplus a 2 -->\n```text\nx of a\n```")[0], [])
         found, _ = self.complaints("<!-- output of boxplus a 2 -->\n```text\nx of a\n```")
         self.assertIn("exit code 2, expected 0", found[0])
@@ -73,7 +72,6 @@ class CheckListings(unittest.TestCase):
         (root / "docs/formats.md").touch()
         self.assertEqual(list(check_listings.missing_words(root)),
                          ["src/io: no register_*.cpp, so no tag of docs/formats.md was checked"])
-
 
 if __name__ == "__main__":
     unittest.main()

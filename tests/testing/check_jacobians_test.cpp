@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A point observation whose Jacobian with respect to the point forgets the rotation in one entry.
+/// A point observation. Its Jacobian with respect to the point lacks the rotation in one entry.
 struct WrongPointObservation : PointObservation2 {
   using PointObservation2::PointObservation2;
   template <class A, class B>
@@ -21,7 +21,7 @@ struct WrongPointObservation : PointObservation2 {
   }
 };
 
-/// The same without a generic error, so that only numeric derivatives can convict it.
+/// The same without a generic error, so that only numeric derivatives can detect the wrong entry.
 struct WrongPlainObservation {
   Vector2 error(const SE2& pose, const Vector2& point) const { return pose.inverse_times(point); }
   template <class A, class B>
@@ -34,7 +34,7 @@ struct WrongPlainObservation {
 const SE2 kPose(0.3, -0.2, 0.7);
 const Vector2 kPoint(1.5, 2.5);
 
-TEST(CheckJacobians, RightAnalyticJacobiansPass) {
+TEST(CheckJacobians, CorrectAnalyticJacobiansPass) {
   const JacobianCheck check = check_jacobians(PointObservation2(Vector2(1, 2)), kPose, kPoint);
   EXPECT_TRUE(check.ok) << check.message;
   EXPECT_EQ(check.message, "");
@@ -61,13 +61,13 @@ TEST(CheckJacobians, ALambdaIsCheckedAgainstNumericDerivatives) {
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(CheckJacobians, AVectorOfEstimatesStandsForATail) {
+TEST(CheckJacobians, AVectorOfEstimatesStandsForARange) {
   const PointsObservation2 seen(Eigen::Vector4d(1, 2, 3, 4));
   const JacobianCheck check = check_jacobians(seen, kPose, std::vector<Vector2>{kPoint, -kPoint});
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(CheckJacobians, SaysWhichJacobiansOptimizeTakes) {
+TEST(CheckJacobians, ReportsWhichJacobiansOptimizeUses) {
   const auto source = [](const auto& edge, const auto&... x) {
     return to_string(check_jacobians(edge, x...).source);
   };
@@ -76,7 +76,7 @@ TEST(CheckJacobians, SaysWhichJacobiansOptimizeTakes) {
   EXPECT_EQ(source([](const Vector2& x) { return x[0] * x[1]; }, kPoint), "numeric");
 }
 
-TEST(CheckJacobians, TakesEigensVectorsAsAGraphDoes) {
+TEST(CheckJacobians, AcceptsEigenVectorsAsAGraphDoes) {
   struct Plain {
     Eigen::Vector2d error(const SE2& pose, const Eigen::Vector2d& point) const {
       return pose.inverse_times(point);
@@ -88,7 +88,7 @@ TEST(CheckJacobians, TakesEigensVectorsAsAGraphDoes) {
   EXPECT_TRUE(check_jacobians(seen, kPose, std::vector<Eigen::Vector2d>{kPoint, -kPoint}).ok);
 }
 
-TEST(CheckJacobians, NotANumberIsWrong) {
+TEST(CheckJacobians, AJacobianThatIsNotANumberFails) {
   const auto broken = [](const auto& x) { return x[0] / (x[0] - x[0]); };
   EXPECT_FALSE(check_jacobians(broken, kPoint).ok);
 }

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// A user's kernel with a wrong derivative.
+/// A custom kernel with a wrong derivative.
 class Broken final : public RobustKernel {
  public:
   Rho operator()(double e2) const override { return {std::log1p(e2), 1 / (1 + e2), 1 / (1 + e2)}; }
@@ -25,7 +25,7 @@ TEST(CheckKernel, NamesTheViolatedLaw) {
   EXPECT_NE(check.message.find("Broken: ρ″ is the derivative of ρ′"), std::string::npos) << check.message;
 }
 
-/// ρ = e² exp(−e²), which falls beyond 1.
+/// ρ = e² exp(−e²), which decreases beyond 1.
 class Falling final : public RobustKernel {
  public:
   Rho operator()(double e2) const override {

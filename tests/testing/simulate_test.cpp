@@ -53,7 +53,7 @@ TEST(Simulate, GivesTheSameGraphForTheSameSeed) {
             simulate(World::kManhattan, {.poses = 50, .seed = 10}).graph.chi2());
 }
 
-TEST(Simulate, SeesStreetsAgainWithFourEdgesPerPose) {
+TEST(Simulate, RevisitsStreetsWithFourEdgesPerPose) {
   const Simulation streets = simulate(World::kStreets, {.poses = 50'000, .seed = 2});
   EXPECT_EQ(streets.graph.vertex_count(), 50'000u);
   EXPECT_THAT(static_cast<double>(streets.edges.size()) / 50'000, AllOf(Ge(3.7), Le(4.5)));
@@ -82,7 +82,7 @@ TEST(Simulate, SeesAFewLandmarksAheadInTheCity) {
   EXPECT_THAT(observations / 5000.0, AllOf(Ge(2), Le(8))) << "observations per pose";
 }
 
-TEST(Simulate, ReplacesTheShareOfRecognitionsAndNothingElse) {
+TEST(Simulate, ReplacesTheRequestedShareOfRecognitionsAndNothingElse) {
   for (World world : kWorlds) {
     const int poses = world == World::kStreets ? 5000 : 1500;
     const Simulation clean = simulate(world, {.poses = poses, .seed = 6});
@@ -107,7 +107,7 @@ TEST(Simulate, ReplacesTheShareOfRecognitionsAndNothingElse) {
   }
 }
 
-TEST(Simulate, CanBeWrongAboutEveryPlaceButNotAboutOdometry) {
+TEST(Simulate, MakesEveryRecognitionAnOutlierIfAskedToButNoOdometry) {
   const Simulation simulation = simulate(World::kSphere, {.poses = 100, .outliers = 1});
   EXPECT_THAT(simulation.kinds, ::testing::Not(::testing::Contains(EdgeKind::kRecognition)));
   EXPECT_THAT(simulation.kinds, ::testing::Contains(EdgeKind::kOdometry).Times(99));
@@ -143,7 +143,7 @@ TEST(Simulate, MakesOutliersThatARobustKernelWithstands) {
   expect_that_a_kernel_helps<SE3>(World::kSphere);
 }
 
-TEST(Simulate, RefusesNonsense) {
+TEST(Simulate, RefusesInvalidOptions) {
   EXPECT_THROW(simulate(World::kSphere, {.outliers = -0.1}), InvalidArgument);
   EXPECT_THROW(simulate(World::kSphere, {.outliers = 1.1}), InvalidArgument);
   EXPECT_THROW(simulate(World::kSphere, {.outliers = std::nan("")}), InvalidArgument);

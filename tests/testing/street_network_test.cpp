@@ -19,7 +19,7 @@ int end(const StreetNetwork& network, const Leg& leg) {
   return leg.forward ? network.street(leg).to : network.street(leg).from;
 }
 
-TEST(StreetNetwork, HasStreetsOfAtLeastHundredStepsOfAboutAMetre) {
+TEST(StreetNetwork, HasStreetsOfAtLeastHundredStepsOfAboutAMeter) {
   for (int size : kSizes) {
     RandomNumbers random(4);
     const StreetNetwork network(size, 140, random);
@@ -43,7 +43,7 @@ TEST(StreetNetwork, DrivesEachStreetTwoToFourTimes) {
   }
 }
 
-TEST(StreetNetwork, HasAClosedRouteOfTheLengthAskedFor) {
+TEST(StreetNetwork, HasAClosedRouteOfTheRequestedLength) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     constexpr int kSteps = 20'000;
     RandomNumbers random(seed);
@@ -61,7 +61,7 @@ TEST(StreetNetwork, HasAClosedRouteOfTheLengthAskedFor) {
   }
 }
 
-TEST(StreetNetwork, IsNoPerfectLattice) {
+TEST(StreetNetwork, IsNotAPerfectLattice) {
   RandomNumbers random(6);
   const StreetNetwork network(100'000, 140, random);
   std::vector<int> degree(network.crossings().size());
@@ -73,7 +73,7 @@ TEST(StreetNetwork, IsNoPerfectLattice) {
   EXPECT_THAT(degree, ::testing::Each(AllOf(Ge(2), Le(4))));
 }
 
-TEST(StreetNetwork, KeepsRightAndMeetsTheCrossings) {
+TEST(StreetNetwork, DrivesOnTheRightAndPassesTheCrossings) {
   RandomNumbers random(7);
   const StreetNetwork network(1000, 140, random);
   const Street& street = network.streets()[0];

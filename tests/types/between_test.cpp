@@ -15,44 +15,44 @@ const SE2 kA(1, 2, 0.5), kB(-2, 0.3, 2.9), kZ(0.7, -1.1, -2.5);
 const SE3 kA3 = pose(1, 2, 3, 0.3, -0.4, 0.9), kB3 = pose(-1, 0.5, 2, 1.2, 0.3, -2.0),
           kZ3 = pose(0.2, 0.1, -0.7, 0, 0.8, 0.1);
 
-TEST(Between, IsZeroWhereTheMeasurementIsMet) {
+TEST(Between, IsZeroIfTheMotionEqualsTheMeasurement) {
   EXPECT_LT(Between(kA.inverse() * kB).error(kA, kB).norm(), 1e-14);
   EXPECT_LT(Between(kA3.inverse() * kB3).error(kA3, kB3).norm(), 1e-14);
   EXPECT_LT(Between(Vector2(1, -1)).error(Vector2(2, 2), Vector2(3, 1)).norm(), 1e-14);
 }
 
-TEST(Between, OfPosesOfThePlaneIsTheMotionSeenFromTheMeasurement) {
+TEST(Between, IsTheMotionInTheFrameOfTheMeasurementForPosesInThePlane) {
   const Vector3 e = Between(SE2(1, 0, kPi / 2)).error(SE2(0, 0, 0), SE2(1, 2, kPi / 2 + 0.25));
   EXPECT_NEAR(e[0], 2, 1e-15);
   EXPECT_NEAR(e[1], 0, 1e-15);
   EXPECT_NEAR(e[2], 0.25, 1e-15);
 }
 
-TEST(Between, OfPosesOfSpaceMeasuresHalfAngles) {
+TEST(Between, MeasuresHalfAnglesBetweenPosesInSpace) {
   const auto e = Between(SE3()).error(SE3(), pose(1, 2, 3, 0, 0, 0.2));
   EXPECT_NEAR(e[5], std::sin(0.1), 1e-15);
   EXPECT_DOUBLE_EQ(e[2], 3);
 }
 
-TEST(Between, OfPosesOfSpaceTakesTheQuaternionWithPositiveW) {
+TEST(Between, TakesTheQuaternionWithPositiveWForPosesInSpace) {
   const SE3 turned = pose(0, 0, 0, 0, 0, 3.5);  // w = cos 1.75 < 0
   ASSERT_LT(turned.quaternion().w, 0);
   EXPECT_NEAR(Between(SE3()).error(SE3(), turned)[5], -std::sin(1.75), 1e-15);
 }
 
-TEST(Between, HasRightJacobians) {
-  expect_right_jacobians(Between(kZ), kA, kB);
-  expect_right_jacobians(Between(kZ3), kA3, kB3);
-  expect_right_jacobians(Between(kZ3), kB3, kA3);
-  expect_right_jacobians(Between(SE3()), SE3(), pose(0.1, 0, 0, 0, 0, 3.5));
-  expect_right_jacobians(Between(Vector3(1, 2, 3)), Vector3(0, 1, 0), Vector3(2, 2, 2));
-  expect_right_jacobians(Between(SO2(1)), SO2(0.2), SO2(2));
-  expect_right_jacobians(Between(SE3RotationVector(Vector3(1, 0, 0), kZ3.quaternion())),
-                         SE3RotationVector(Vector3(1, 2, 3), kA3.quaternion()),
-                         SE3RotationVector(Vector3(0, 2, 1), kB3.quaternion()));
+TEST(Between, HasCorrectJacobians) {
+  expect_correct_jacobians(Between(kZ), kA, kB);
+  expect_correct_jacobians(Between(kZ3), kA3, kB3);
+  expect_correct_jacobians(Between(kZ3), kB3, kA3);
+  expect_correct_jacobians(Between(SE3()), SE3(), pose(0.1, 0, 0, 0, 0, 3.5));
+  expect_correct_jacobians(Between(Vector3(1, 2, 3)), Vector3(0, 1, 0), Vector3(2, 2, 2));
+  expect_correct_jacobians(Between(SO2(1)), SO2(0.2), SO2(2));
+  expect_correct_jacobians(Between(SE3RotationVector(Vector3(1, 0, 0), kZ3.quaternion())),
+                           SE3RotationVector(Vector3(1, 2, 3), kA3.quaternion()),
+                           SE3RotationVector(Vector3(0, 2, 1), kB3.quaternion()));
 }
 
-TEST(Between, OfPosesIsDifferentiatedAnalytically) {
+TEST(Between, IsDifferentiatedAnalyticallyForPoses) {
   EXPECT_TRUE((edge::kAnalytic<Between<SE2>, SE2, SE2>));
   EXPECT_TRUE((edge::kAnalytic<Between<SE3>, SE3, SE3>));
   EXPECT_FALSE((edge::kAnalytic<Between<Vector2>, Vector2, Vector2>));
@@ -68,17 +68,18 @@ TEST(OffsetBetween, MeasuresFromSensorToSensor) {
   const SE2 p(0.5, 0, 0.1), q(0, -1, 2);
   const OffsetBetween<SE2> edge((kA * p).inverse() * (kB * q));
   EXPECT_LT(edge.error(kA, kB, p, q).norm(), 1e-14);
-  expect_right_jacobians(OffsetBetween<SE2>(kZ), kA, kB, p, q);
-  expect_right_jacobians(OffsetBetween<SE2>(kZ), kA, kB, p);
-  expect_right_jacobians(OffsetBetween<SE3>(kZ3), kA3, kB3, pose(1, 0, 0, 0, 1, 0), pose(0, 1, 0, 0.3, 0, 0));
+  expect_correct_jacobians(OffsetBetween<SE2>(kZ), kA, kB, p, q);
+  expect_correct_jacobians(OffsetBetween<SE2>(kZ), kA, kB, p);
+  expect_correct_jacobians(OffsetBetween<SE3>(kZ3), kA3, kB3, pose(1, 0, 0, 0, 1, 0),
+                           pose(0, 1, 0, 0.3, 0, 0));
 }
 
-TEST(OffsetBetween, MayHaveOneSensorAtBothEnds) {
+TEST(OffsetBetween, AcceptsOneSensorAtBothEnds) {
   const SE2 p(0.5, 0, 0.1);
   EXPECT_EQ(OffsetBetween<SE2>(kZ).error(kA, kB, p), OffsetBetween<SE2>(kZ).error(kA, kB, p, p));
 }
 
-TEST(Between, IsAReadyMadeEdgeOfAGraph) {
+TEST(Between, CanBeAddedToAGraph) {
   Graph graph;
   const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(0.9, 0.1, 0));
   const auto edge = graph.add_edge(Between(SE2(1, 0, 0)), 100.0, a, b);
@@ -86,7 +87,7 @@ TEST(Between, IsAReadyMadeEdgeOfAGraph) {
   EXPECT_EQ(graph.edge_pools()[0]->jacobian_source(), JacobianSource::kAnalytic);
 }
 
-TEST(Between, OfEigensVectorsIsThatOfOurs) {
+TEST(Between, AcceptsEigenVectorsAndVectorsOfTheLibrary) {
   static_assert(std::is_same_v<decltype(Between(Eigen::Vector2d(1, 2))), Between<Vector2>>);
   static_assert(std::is_same_v<decltype(Prior(Eigen::Vector3d(1, 2, 3))), Prior<Vector3>>);
   static_assert(std::is_same_v<decltype(PositionPrior(Eigen::Vector2d(1, 2))), PositionPrior<Vector2>>);

@@ -56,7 +56,7 @@ TEST(DensePrior, FromInformationHasTheCostOfItsQuadraticForm) {
   EXPECT_NEAR(prior.error(x, y).squaredNorm() - at_mean, delta.dot(H * delta) + 2 * b.dot(delta), 1e-12);
 }
 
-TEST(DensePrior, RefusesSizesThatDoNotFitAndMatricesThatAreNoInformation) {
+TEST(DensePrior, RefusesSizesThatDoNotMatchAndInvalidInformationMatrices) {
   const std::vector<Vector2> means{Vector2(1, 2)};
   EXPECT_THROW(DensePrior<Vector2>({means}, MatrixXd::Identity(2, 3)), InvalidArgument);
   EXPECT_THROW(DensePrior<Vector2>({means}, MatrixXd::Identity(2, 2), VectorXd::Zero(3)), InvalidArgument);
@@ -69,10 +69,9 @@ TEST(DensePrior, RefusesSizesThatDoNotFitAndMatricesThatAreNoInformation) {
   EXPECT_EQ(graph.edge_count(), 0u);
 }
 
-/// A chain of points with measured steps; the first `marginalized` of them are left out, and a DensePrior on
-/// the next one stands for them.
-TEST(DensePrior, StandsForTheVerticesThatWereMarginalized) {
-  // x0 has a prior; x0 → x1 → x2 and x0 → x2 are measured. H and b of (x0; x1, x2) around zero.
+/// A DensePrior on x1 and x2 replaces x0 and its edges.
+TEST(DensePrior, ReplacesTheVerticesThatWereMarginalized) {
+  // x0 has a prior, and the steps x0 → x1, x1 → x2 and x0 → x2 are measured.
   const auto add_rest = [](Graph& graph, auto x1, auto x2) {
     graph.add_edge(Between<Vector2>(Vector2(1, 0.5)), 3.0, x1, x2);
   };
@@ -85,6 +84,7 @@ TEST(DensePrior, StandsForTheVerticesThatWereMarginalized) {
   add_rest(whole, a1, a2);
   ASSERT_EQ(optimize(whole).status, Status::kConverged);
 
+  // H and b of (x0; x1, x2), linearized at zero, without the step x1 → x2.
   MatrixXd H = MatrixXd::Zero(6, 6);
   VectorXd b = VectorXd::Zero(6);
   const auto add = [&](const MatrixXd& J, const Vector2& e, double omega) {

@@ -11,7 +11,7 @@ namespace {
 const SE2 kX(1, 2, 0.5);
 const SE3 kX3 = pose(1, 2, 3, 0.3, -0.4, 0.9), kP3 = pose(0, 0.1, 0.2, 1, 1, 1);
 
-TEST(Prior, OfAPoseIsThePoseSeenFromTheMeasurement) {
+TEST(Prior, OfAPoseIsThePoseInTheFrameOfTheMeasurement) {
   const Vector3 e = Prior(SE2(1, 0, kPi / 2)).error(SE2(1, 2, kPi));
   EXPECT_NEAR(e[0], 2, 1e-15);
   EXPECT_NEAR(e[1], 0, 1e-15);
@@ -22,21 +22,21 @@ TEST(Prior, OfAPointIsTheDifference) {
   EXPECT_EQ(Prior(Vector2(1, 2)).error(Vector2(3, 5)), Vector2(2, 3));
 }
 
-TEST(Prior, HasRightJacobians) {
-  expect_right_jacobians(Prior(SE2(0.2, 0.1, 2)), kX);
-  expect_right_jacobians(Prior(kP3), kX3);
-  expect_right_jacobians(Prior(Vector3(1, 2, 3)), Vector3(3, 1, 2));
-  expect_right_jacobians(OffsetPrior<SE3>(pose(0, 1, 0, 0.2, 0.1, 0)), kX3, kP3);
-  expect_right_jacobians(PositionPrior(Vector2(3, 4)), kX);
-  expect_right_jacobians(PositionPrior(Vector3(3, 4, 5)), kX3);
-  expect_right_jacobians(PositionPrior(Vector3(3, 4, 5)), kX3, kP3);
+TEST(Prior, HasCorrectJacobians) {
+  expect_correct_jacobians(Prior(SE2(0.2, 0.1, 2)), kX);
+  expect_correct_jacobians(Prior(kP3), kX3);
+  expect_correct_jacobians(Prior(Vector3(1, 2, 3)), Vector3(3, 1, 2));
+  expect_correct_jacobians(OffsetPrior<SE3>(pose(0, 1, 0, 0.2, 0.1, 0)), kX3, kP3);
+  expect_correct_jacobians(PositionPrior(Vector2(3, 4)), kX);
+  expect_correct_jacobians(PositionPrior(Vector3(3, 4, 5)), kX3);
+  expect_correct_jacobians(PositionPrior(Vector3(3, 4, 5)), kX3, kP3);
 }
 
 TEST(OffsetPrior, MeasuresTheSensor) {
   EXPECT_LT(OffsetPrior<SE3>(kX3 * kP3).error(kX3, kP3).norm(), 1e-14);
 }
 
-TEST(PositionPrior, DoesNotLookAtTheHeading) {
+TEST(PositionPrior, DoesNotDependOnTheHeading) {
   EXPECT_EQ(PositionPrior(Vector2(0, 0)).error(SE2(1, 2, 0.1)),
             PositionPrior(Vector2(0, 0)).error(SE2(1, 2, 3)));
 }

@@ -50,7 +50,7 @@ const SE3 kX3 = pose(1, 2, 3, 0.3, -0.4, 0.9), kY3 = pose(0, 1, 0, 0.4, 0, 0),
           kP3 = pose(0, 0.1, 0.2, 1, 1, 1);
 constexpr double kTiny = 1e-13;
 
-TEST(RelativeFrames, OfThePlaneMakeTheErrorZero) {
+TEST(RelativeFrames, InThePlaneMakeTheErrorZero) {
   EXPECT_LT(error_at_guess(Between(SE2(1, 2, 3)), kX, kY), kTiny);
   EXPECT_LT(error_at_guess(OffsetBetween<SE2>(SE2(1, 2, 3)), kX, kY, kP, kX), kTiny);
   EXPECT_LT(error_at_guess(OffsetBetween<SE2>(SE2(1, 2, 3)), kX, kY, kP), kTiny);
@@ -61,7 +61,7 @@ TEST(RelativeFrames, OfThePlaneMakeTheErrorZero) {
   EXPECT_LT(error_at_absolute_guess(PositionPrior(Vector2(1, 2)), kX), kTiny);
 }
 
-TEST(RelativeFrames, OfSpaceMakeTheErrorZero) {
+TEST(RelativeFrames, InSpaceMakeTheErrorZero) {
   EXPECT_LT(error_at_guess(Between(kY3), kX3, SE3()), kTiny);
   EXPECT_LT(error_at_guess(OffsetBetween<SE3>(kY3), kX3, SE3(), kP3, kX3), kTiny);
   EXPECT_LT(error_at_guess(PointObservation3(Vector3(1, 2, 3)), kX3, Vector3(0, 0, 0)), kTiny);
@@ -71,7 +71,7 @@ TEST(RelativeFrames, OfSpaceMakeTheErrorZero) {
   EXPECT_LT(error_at_absolute_guess(PositionPrior(Vector3(1, 2, 3)), kX3, kP3), kTiny);
 }
 
-TEST(RelativeFrames, TellTheUnitOfTheRotation) {
+TEST(RelativeFrames, GiveTheUnitOfTheRotation) {
   EXPECT_EQ(Between(SE3()).relative_frame(SE3(), SE3()).rotation_unit, 0.5);
   EXPECT_EQ(Between(SE3()).relative_frame(SE3(), SE3()).rotation_row, 3);
   EXPECT_EQ(Between(SE2()).relative_frame(SE2(), SE2()).rotation_unit, 1);

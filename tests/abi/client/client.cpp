@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client with types of its own whose layout Eigen decides, kept and changed through the library's
-// templates.
+// A client with custom types. Eigen decides their layout, and templates of the library store and change
+// them.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>

@@ -35,7 +35,7 @@ class Sum : public g2o::BaseMultiEdge<Eigen::Dynamic, double> {
   bool write(std::ostream&) const override { return false; }
 };
 
-class AResizedEdge : public testing::Test {
+class ResizedEdge : public testing::Test {
  protected:
   void SetUp() override {
     optimizer.setAlgorithm(std::make_unique<g2o::OptimizationAlgorithmLevenberg>(small_graph::make_solver()));
@@ -62,7 +62,7 @@ class AResizedEdge : public testing::Test {
   Sum* sum = nullptr;
 };
 
-TEST_F(AResizedEdge, OfTheSameSizeIsUnchanged) {
+TEST_F(ResizedEdge, OfTheSameSizeIsUnchanged) {
   sum->resize(3);
   static_cast<Number*>(optimizer.vertex(0))->setEstimate(5);
   EXPECT_GT(optimizer.optimize(5), 0);
@@ -70,13 +70,13 @@ TEST_F(AResizedEdge, OfTheSameSizeIsUnchanged) {
   EXPECT_LT(optimizer.activeChi2(), 1e-8);
 }
 
-TEST_F(AResizedEdge, WithFewerVerticesIsOptimizedAgain) {
+TEST_F(ResizedEdge, WithFewerVerticesIsOptimizedAgain) {
   optimizer.vertex(2)->edges().erase(sum);
   sum->resize(2);
   expect_a_fit();
 }
 
-TEST_F(AResizedEdge, WithMoreVerticesIsOptimizedAgain) {
+TEST_F(ResizedEdge, WithMoreVerticesIsOptimizedAgain) {
   auto* v = new Number;
   v->setToOrigin();
   v->setId(3);
@@ -86,14 +86,14 @@ TEST_F(AResizedEdge, WithMoreVerticesIsOptimizedAgain) {
   expect_a_fit();
 }
 
-TEST_F(AResizedEdge, WithAnEmptyPositionIsNotOptimized) {
+TEST_F(ResizedEdge, WithAnEmptyPositionIsNotOptimized) {
   sum->resize(4);
   for (int id = 0; id < 3; ++id) sum->setVertex(static_cast<size_t>(id), optimizer.vertex(id));
   EXPECT_EQ(optimizer.optimize(5), -1);
   EXPECT_FALSE(optimizer.initializeOptimization());
 }
 
-TEST_F(AResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
+TEST_F(ResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
   struct Grow : g2o::HyperGraphAction {
     Sum* sum = nullptr;
     g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
@@ -107,7 +107,7 @@ TEST_F(AResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
   EXPECT_GT(sum->dimension(), 4);
 }
 
-TEST_F(AResizedEdge, WithMoreRowsHasMemoryForItsJacobians) {
+TEST_F(ResizedEdge, WithMoreRowsHasMemoryForItsJacobians) {
   sum->setDimension(2000);
   sum->setInformation(g2o::MatrixX::Identity(2000, 2000));
   expect_a_fit();

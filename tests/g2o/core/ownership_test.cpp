@@ -78,7 +78,7 @@ TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases
 }
 
 /// Reads and casts the algorithm of the base class, as clients do.
-class OwnOptimizer : public g2o::SparseOptimizer {
+class CustomOptimizer : public g2o::SparseOptimizer {
  public:
   double lambda() const {
     const auto* levenberg = dynamic_cast<g2o::OptimizationAlgorithmLevenberg*>(_algorithm);
@@ -87,7 +87,7 @@ class OwnOptimizer : public g2o::SparseOptimizer {
 };
 
 TEST(Ownership, ADerivedOptimizerMayCastItsAlgorithm) {
-  OwnOptimizer optimizer;
+  CustomOptimizer optimizer;
   EXPECT_EQ(optimizer.lambda(), -1);
   add_square(optimizer);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));

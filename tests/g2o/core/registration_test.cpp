@@ -91,7 +91,7 @@ TEST(UnloadingACopy, KeepsTheActionOfTheOtherCopy) {
   EXPECT_FALSE(is_there());
 }
 
-TEST(Registration, RepeatedOneIsWithdrawnOnce) {
+TEST(Registration, IsWithdrawnOnceEvenIfItWasRepeated) {
   auto* factory = g2o::RobustKernelFactory::instance();
   using Creator = g2o::RobustKernelCreator<g2o::RobustKernelHuber>;
   const auto a = std::make_shared<Creator>(), b = std::make_shared<Creator>();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The counterpart of the other files in this folder: all of it is right, and compiles.
+// The counterpart of the other files in this folder: it has no error, and compiles.
 #include <span>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
 
-/// Brings its Jacobian, and has members whose names only look like one.
+/// Has an analytic Jacobian, and members with similar names.
 struct Square {
   boxplus::Matrix<double, 1, 1> jacobian;
   template <class S>
@@ -25,7 +25,7 @@ struct Linear {
   }
 };
 
-/// Brings Jacobians for one of its types only.
+/// Has analytic Jacobians for one of its types only.
 template <class T>
 struct Doubled {
   static constexpr bool kJacobiansForSomeTypes = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// chi2 of public graphs, as they stand in their files, is what other evaluators of the same error functions
-// find.
+// Public graphs have the chi2 at the estimates of their files that other evaluators of the same error
+// functions find.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ struct Dataset {
   const char* file;
   std::size_t vertices, edges;
   double chi2;
-  double tolerance;  ///< relative; files of 3-D graphs carry rounded quaternions
+  double tolerance;  ///< relative; quaternions in files of 3-D graphs are rounded
 };
 
 void PrintTo(const Dataset& dataset, std::ostream* out) {
@@ -53,7 +53,7 @@ TEST_P(DatasetTest, IsReadBackBitForBit) {
   EXPECT_TRUE(format_graph(again) == text);
 }
 
-/// The numbers of the lines of edges, in order.
+/// The values of the lines of edges, in order.
 std::vector<double> edge_numbers(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream lines(text);
@@ -65,7 +65,7 @@ std::vector<double> edge_numbers(const std::string& text) {
   return numbers;
 }
 
-TEST_P(DatasetTest, KeepsTheNumbersOfMeasurementsAsTheyWerePrinted) {
+TEST_P(DatasetTest, KeepsTheDigitsOfMeasurementsAsTheyWerePrinted) {
   std::ostringstream text;
   text << std::ifstream(path()).rdbuf();
   const std::vector<double> printed = edge_numbers(text.str());
@@ -73,8 +73,8 @@ TEST_P(DatasetTest, KeepsTheNumbersOfMeasurementsAsTheyWerePrinted) {
   EXPECT_EQ(edge_numbers(format_graph(read_graph(path()))), printed);
 }
 
-// The tables print 14 digits of the 2-D values: half a unit of the last one is the best that can be asked
-// for.
+// The tables print 14 digits of the 2-D values, so the best possible accuracy is half a unit of the last
+// digit.
 INSTANTIATE_TEST_SUITE_P(
     Public, DatasetTest,
     testing::Values(Dataset{"posegraph2d/intel_1728.g2o", 1728, 2512, 551.73573084974, 1e-12},

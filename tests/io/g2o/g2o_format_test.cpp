@@ -6,7 +6,7 @@
 namespace boxplus {
 namespace {
 
-TEST(G2oFormat, TakesAnyText) {
+TEST(G2oFormat, RecognizesAnyText) {
   EXPECT_TRUE(g2o_format().recognize(""));
   EXPECT_TRUE(
       g2o_format().recognize("\x7f"

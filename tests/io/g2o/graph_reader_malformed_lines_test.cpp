@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad lines, one by one: what the strict reader says, and that the lenient one skips and counts them.
+// The strict reader names each bad line, and the lenient reader skips and counts it.
 #include <gtest/gtest.h>
 
 #include "boxplus/base/error.h"
@@ -19,7 +19,7 @@ void PrintTo(const Malformed& malformed, std::ostream* out) {
   *out << malformed.name;
 }
 
-/// Eight lines, all good: poses 0, 1 (2-D), point 2, poses 3, 4 (3-D), point 5, and two offsets.
+/// Eight valid lines: poses 0, 1 (2-D), point 2, poses 3, 4 (3-D), point 5, and two offsets.
 constexpr const char* kGood =
     "VERTEX_SE2 0 0 0 0\n"
     "VERTEX_SE2 1 1 0 0.5\n"

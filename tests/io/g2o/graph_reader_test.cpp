@@ -42,11 +42,11 @@ TEST(GraphReader, ReadsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(GraphReader, TakesAByteOrderMarkForNothing) {
+TEST(GraphReader, IgnoresAByteOrderMark) {
   EXPECT_EQ(parse_graph(std::string("\xEF\xBB\xBF") + kTwoPoses, "g").graph.vertex_count(), 2u);
 }
 
-TEST(GraphReader, ReadsWordsUnderOtherNames) {
+TEST(GraphReader, ReadsTagsUnderOtherNames) {
   ReadOptions options;
   options.renames = {{"POSE", "VERTEX_SE2"}, {"VERTEX_SE2", "VERTEX_XY"}};
   const GraphFile file = parse_graph("POSE 0 0 0 0\nVERTEX_SE2 1 2 3\n", "g", options);
@@ -78,7 +78,7 @@ TEST(GraphReader, ReadsEdgesOverAnyNumberOfPoints) {
   EXPECT_NEAR(file.graph.chi2(), 1, 1e-15);
 }
 
-TEST(GraphReader, SkipsAndCountsBadLinesWhereAskedTo) {
+TEST(GraphReader, SkipsAndCountsBadLinesIfAskedTo) {
   ReadOptions lenient;
   lenient.lenient = true;
   const GraphFile file =

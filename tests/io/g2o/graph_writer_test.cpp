@@ -9,7 +9,8 @@
 namespace boxplus {
 namespace {
 
-/// Parameters, vertices by id with their FIX lines and data, edges of several types in mixed order.
+/// A file with parameters, vertices by id with their FIX lines and data, and edges of several types in mixed
+/// order.
 constexpr const char* kCanonical =
     "PARAMS_SE2OFFSET 5 1 0 0.25\n"
     "PARAMS_SE3OFFSET 6 0 0 1 0 0 0 1\n"
@@ -47,7 +48,7 @@ TEST(GraphWriter, WritesAFileInItsOwnOrderByteForByte) {
   EXPECT_EQ(format_graph(parse_graph(kCanonical, "g")), kCanonical);
 }
 
-TEST(GraphWriter, WritesLinesThatAreNoElementsBackWhereTheyStood) {
+TEST(GraphWriter, WritesLinesThatAreNotElementsAtTheirOldPlaces) {
   const std::string text =
       "# about this file\n"
       "VERTEX_SE2 0 0 0 0\n"
@@ -71,7 +72,7 @@ TEST(GraphWriter, WritesLinesThatAreNoElementsBackWhereTheyStood) {
             "1\nMATCH 1\n");
 }
 
-TEST(GraphWriter, KeepsTheLinesOfAnEdgeThatIsGoneInTheirPlace) {
+TEST(GraphWriter, KeepsUnknownLinesInPlaceIfAnEdgeBeforeThemWasRemoved) {
   GraphFile file = parse_graph(
       "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nMATCH 1\nEDGE_SE2 1 0 -1 0 0 "
       "1 0 0 1 0 "
@@ -89,7 +90,7 @@ TEST(GraphWriter, WritesEdgesThatWereAddedAfterThoseOfTheFile) {
               testing::EndsWith("EDGE_POINTXY 0 1 1 0 1 0 1\nEDGE_PRIOR_XY 0 0.5 0 2 0 2\n"));
 }
 
-TEST(GraphWriter, OfAnOptimizedGraphReadsBackBitForBit) {
+TEST(GraphWriter, WritesAnOptimizedGraphThatIsReadBackBitForBit) {
   Simulation simulation = simulate(World::kSphere, {.poses = 100, .seed = 7});
   optimize(simulation.graph);
   const std::string path = temporary("sphere.g2o");
@@ -104,7 +105,7 @@ TEST(GraphWriter, OfAnOptimizedGraphReadsBackBitForBit) {
   std::filesystem::remove(path);
 }
 
-TEST(GraphWriter, NamesTheTypeThatNoWordStandsFor) {
+TEST(GraphWriter, NamesTheTypeThatHasNoTag) {
   Graph graph;
   const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2(1, 0, 0));
   graph.add_edge(Range(1), a, b);

@@ -10,7 +10,7 @@ using testing::ElementsAre;
 
 const Renames kNoRenames;
 
-TEST(LineBlock, SplitsLinesIntoTagsAndNumbers) {
+TEST(LineBlock, SplitsLinesIntoTagsAndValues) {
   LineBlock block;
   block.read(
       TextSource("# a comment\n\nVERTEX_SE2 7 1 0.5 -3 # odd\nVERTEX_SE2 8 x 0 0\nFIX 7\nODD 1\n", "g"), 0,

@@ -31,7 +31,7 @@ TEST(VertexIds, CreateTheVerticesOfAFileWithEdgesOnly) {
   EXPECT_THAT(file.notes[0].text, HasSubstr("3 vertices were created"));
 }
 
-TEST(VertexIds, OfUnassignedVerticesLeaveTheEdgeOut) {
+TEST(VertexIds, ExcludeAnEdgeWithUnassignedVertices) {
   const GraphFile file = parse_graph("VERTEX_SE2 0 0 0 0\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\n", "g");
   EXPECT_THAT(file.edges, IsEmpty());
   EXPECT_THAT(file.kept, SizeIs(1));

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-TEST(RegisterToro, ReadsTorosOrderOfInformation) {
+TEST(RegisterToro, ReadsTheInformationInTheOrderOfToro) {
   const GraphFile file =
       parse_graph("VERTEX2 0 0 0 0\nVERTEX2 1 1 0 0\nEDGE2 0 1 1 0 0 10 1 20 30 2 3\n", "g");
   const InformationView omega = file.graph.information(file.edges[0]);
@@ -20,7 +20,7 @@ TEST(RegisterToro, ReadsTorosOrderOfInformation) {
   EXPECT_EQ(omega(1, 2), 3);
 }
 
-TEST(RegisterToro, ReadsTorosRollPitchAndYaw) {
+TEST(RegisterToro, ReadsRollPitchAndYaw) {
   const GraphFile file = parse_graph(
       "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 2 3 0.3 -0.4 1.2\nEDGE3 0 1 1 2 3 0.3 -0.4 1.2 "
       "1 0 0 5 0 0 2 0 0 0 0 3 0 0 0 100 0 7 200 0 300\n",

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// A folder that stands for the root of a machine.
+/// A folder that represents the root folder of a machine.
 class PhysicalMemory : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::remove_all(root_); }
@@ -24,7 +24,7 @@ class PhysicalMemory : public testing::Test {
       (std::string("boxplus_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(PhysicalMemory, IsThatOfTheMachineWhereNothingLimitsIt) {
+TEST_F(PhysicalMemory, IsThatOfTheMachineIfNothingLimitsIt) {
   const std::uint64_t machine = physical_memory(root_);
   EXPECT_GT(machine, 1u << 20);
   write("proc/self/cgroup", "0::/user.slice\n");
@@ -35,13 +35,13 @@ TEST_F(PhysicalMemory, IsThatOfTheMachineWhereNothingLimitsIt) {
   EXPECT_EQ(physical_memory(root_), machine);
 }
 
-TEST_F(PhysicalMemory, IsWhatTheContainerMayUse) {
+TEST_F(PhysicalMemory, IsTheLimitOfTheContainer) {
   write("proc/self/cgroup", "0::/\n");
   write("sys/fs/cgroup/memory.max", "1048576\n");
   EXPECT_EQ(physical_memory(root_), 1048576u);
 }
 
-TEST_F(PhysicalMemory, IsTheLeastOfAllGroupsAbove) {
+TEST_F(PhysicalMemory, IsTheSmallestLimitOfAllParentGroups) {
   write("proc/self/cgroup", "0::/a/b/c\n");
   write("sys/fs/cgroup/a/b/c/memory.max", "max\n");
   write("sys/fs/cgroup/a/b/memory.max", "3000000\n");
@@ -49,11 +49,11 @@ TEST_F(PhysicalMemory, IsTheLeastOfAllGroupsAbove) {
   EXPECT_EQ(physical_memory(root_), 2000000u);
 }
 
-TEST_F(PhysicalMemory, IsLimitedByGroupsOfVersionOneToo) {
+TEST_F(PhysicalMemory, IsLimitedByControlGroupsOfVersionOneToo) {
   write("proc/self/cgroup", "5:cpu:/x\n4:hugetlb,memory:/docker/0123\n0::/\n");
-  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "1000000\n");  // as seen from within
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "1000000\n");  // as seen inside the container
   EXPECT_EQ(physical_memory(root_), 1000000u);
-  write("sys/fs/cgroup/memory/docker/0123/memory.limit_in_bytes", "500000\n");  // and from outside
+  write("sys/fs/cgroup/memory/docker/0123/memory.limit_in_bytes", "500000\n");  // and outside
   EXPECT_EQ(physical_memory(root_), 500000u);
 }
 

@@ -47,7 +47,7 @@ TEST(BlockCholesky, SolvesAsTheReferenceDoesOn200RandomStructures) {
   }
 }
 
-TEST(BlockCholesky, SolvesAsTheReferenceDoesWhateverIsMerged) {
+TEST(BlockCholesky, SolvesAsTheReferenceDoesForEveryRuleOfMerging) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const TestSystem system = random_system(1 + seed, seed, seed);
     expect_as_reference(system, {}, {.max_zero_fraction = -1});
@@ -90,13 +90,13 @@ TEST(BlockCholesky, JoinsBlocksIntoSupernodes) {
   EXPECT_GT(solver.statistics().factor_nonzeros, grid.structure.nonzero_values());
 }
 
-/// Large enough for several threads to get subtrees, and for fronts with threads inside.
+/// A system that is large enough for subtrees on several threads and for fronts that several threads share.
 TestSystem large_grid() {
   std::mt19937 random(9);
   return random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
 }
 
-TEST(BlockCholesky, TakesTheOrderThatItIsGiven) {
+TEST(BlockCholesky, UsesTheGivenOrder) {
   std::mt19937 random(3);
   const TestSystem grid = random_system(std::vector<std::uint32_t>(100, 3), grid_edges(10, 10), random);
   BlockCholesky first({.ordering = Ordering::kNestedDissection}), second;
@@ -111,7 +111,7 @@ TEST(BlockCholesky, TakesTheOrderThatItIsGiven) {
   EXPECT_LT(difference(y, b), 1e-9);
 }
 
-TEST(BlockCholesky, RefusesAnOrderThatIsNotOneOfAllBlocks) {
+TEST(BlockCholesky, RefusesAnOrderThatIsNotAPermutationOfAllBlocks) {
   const auto chain = make_block_structure(std::vector<std::uint32_t>(3, 2), chain_edges(3));
   for (const std::vector<std::uint32_t>& order :
        {std::vector<std::uint32_t>{0, 1}, std::vector<std::uint32_t>{0, 1, 1},
@@ -151,7 +151,7 @@ TEST(BlockCholesky, NamesTheSameVertexOnAnyNumberOfThreads) {
   EXPECT_THAT(named.front(), ::testing::AnyOf(100, 450, 700));
 }
 
-TEST(BlockCholesky, NeverTakesAStopForALostPivot) {
+TEST(BlockCholesky, NeverReportsAStopAsALostPivot) {
   const TestSystem system = large_grid();
   for (const int threads : {1, 2, 3}) {
     BlockCholesky solver;

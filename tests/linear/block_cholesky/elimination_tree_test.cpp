@@ -18,7 +18,7 @@ std::vector<std::uint32_t> natural(std::uint32_t blocks) {
   return order;
 }
 
-/// Rows of each column of L by eliminating one column after the other.
+/// The rows of each column of L, by elimination of one column after the other.
 std::vector<std::vector<bool>> filled_pattern(const BlockStructure& s) {
   const std::uint32_t n = s.blocks();
   std::vector<std::vector<bool>> l(n, std::vector<bool>(n, false));
@@ -45,7 +45,7 @@ TEST(EliminationTree, OfUnconnectedBlocksIsAForestOfRoots) {
   EXPECT_THAT(elimination_tree(UpperPattern(s, natural(2))), ElementsAre(kNoParent, kNoParent));
 }
 
-TEST(EliminationTree, AndCountsAgreeWithEliminationOnRandomPatterns) {
+TEST(EliminationTree, HasTheShapeAndTheCountsOfEliminationOnRandomPatterns) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     const BlockStructure s = random_system(2 + seed, seed, seed).structure;
     const auto l = filled_pattern(s);
@@ -71,7 +71,7 @@ TEST(Postorder, VisitsChildrenJustBeforeTheirParent) {
   EXPECT_THAT(postorder(parent, 0), ElementsAre(0, 2, 3, 1, 4, 5));
 }
 
-TEST(Postorder, LeavesKeptNodesAtTheEnd) {
+TEST(Postorder, PutsKeptNodesAtTheEnd) {
   const std::vector<std::uint32_t> parent{2, 3, 5, 4, kNoParent, kNoParent};
   EXPECT_THAT(postorder(parent, 2), ElementsAre(0, 2, 1, 3, 4, 5));
 }

@@ -85,9 +85,9 @@ Growing random_structure(std::mt19937& random, std::uint32_t blocks) {
   return result;
 }
 
-class Extended : public ::testing::TestWithParam<Precision> {};
+class ExtendedFactorOfEitherPrecision : public ::testing::TestWithParam<Precision> {};
 
-TEST_P(Extended, FactorsSolveAsNewOnesDo) {
+TEST_P(ExtendedFactorOfEitherPrecision, SolvesLikeANewFactor) {
   std::mt19937 random(1);
   int extended = 0;
   for (int round = 0; round < 20; ++round) {
@@ -119,7 +119,8 @@ TEST_P(Extended, FactorsSolveAsNewOnesDo) {
   EXPECT_GT(extended, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Precisions, Extended, ::testing::Values(Precision::kDouble, Precision::kMixed));
+INSTANTIATE_TEST_SUITE_P(Precisions, ExtendedFactorOfEitherPrecision,
+                         ::testing::Values(Precision::kDouble, Precision::kMixed));
 
 TEST(ExtendedFactor, HasTheSameBitsForAnyNumberOfThreads) {
   std::vector<std::vector<double>> solutions;

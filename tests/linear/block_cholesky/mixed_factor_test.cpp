@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A grid that hangs on one block, more loosely the smaller `prior` is.
+/// A grid that only a prior on one block holds. The smaller `prior`, the worse its condition.
 TestSystem loose_grid(double prior) {
   const auto edges = grid_edges(12, 12);
   TestSystem system(std::vector<std::uint32_t>(144, 3), edges);
@@ -42,7 +42,7 @@ Solution solve(TestSystem& system, Precision precision, const SolveControl& cont
   return solution;
 }
 
-TEST(AMixedFactor, IsRefinedToTheTolerance) {
+TEST(MixedFactor, RefinesItsSolutionToTheTolerance) {
   TestSystem system = loose_grid(1);
   for (const double tolerance : {1e-3, 1e-6, 1e-10, 1e-13}) {
     const Solution solution = solve(system, Precision::kMixed, {.relative_tolerance = tolerance});
@@ -54,21 +54,21 @@ TEST(AMixedFactor, IsRefinedToTheTolerance) {
   }
 }
 
-TEST(AMixedFactor, TakesFewStepsWhereFloatHasDigitsToSpare) {
+TEST(MixedFactor, TakesFewStepsIfFloatHasEnoughDigits) {
   TestSystem system = loose_grid(1);
   EXPECT_LE(solve(system, Precision::kMixed, {.relative_tolerance = 1e-6}).result.iterations, kUsualSteps);
 }
 
-TEST(AMixedFactor, IsLeftForDoubleWhereFloatHasNoDigits) {
+TEST(MixedFactor, FallsBackToDoubleIfFloatHasTooFewDigits) {
   TestSystem system = loose_grid(1e-7);
   const Solution solution = solve(system, Precision::kMixed);
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
-  EXPECT_LT(solution.residual, 1e-6);  // what a factor in double reaches, too
+  EXPECT_LT(solution.residual, 1e-6);  // the accuracy of a factor in double
   EXPECT_EQ(solution.statistics.precision, Precision::kDouble);
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
-TEST(AMixedFactor, IsLeftForDoubleWhereNumbersAreTooLargeForFloat) {
+TEST(MixedFactor, FallsBackToDoubleIfValuesAreTooLargeForFloat) {
   TestSystem system = loose_grid(1);
   for (double& value : system.values) value *= 1e60;
   const Solution solution = solve(system, Precision::kMixed);
@@ -77,7 +77,7 @@ TEST(AMixedFactor, IsLeftForDoubleWhereNumbersAreTooLargeForFloat) {
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
-TEST(AMixedFactor, IsLeftWithinASolveWhoseToleranceItDoesNotReach) {
+TEST(MixedFactor, FallsBackToDoubleDuringASolveThatMissesItsTolerance) {
   TestSystem system = loose_grid(1);
   const Solution solution = solve(system, Precision::kMixed, {.relative_tolerance = 1e-17});
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
@@ -85,8 +85,8 @@ TEST(AMixedFactor, IsLeftWithinASolveWhoseToleranceItDoesNotReach) {
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
-TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
-  // A chain that hangs on one block by its translation only: it may turn about that block.
+TEST(MixedFactor, FallsBackToDoubleToNameTheBlockOfASingularMatrix) {
+  // A chain that only the translation of one block holds, so that it may rotate about that block.
   TestSystem system(std::vector<std::uint32_t>(400, 3), chain_edges(400));
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d lever = identity;
@@ -111,7 +111,7 @@ TEST(AMixedFactor, LeavesASingularMatrixToDoubleWhichNamesTheBlock) {
   EXPECT_EQ(results[1].failed_block, results[0].failed_block);
 }
 
-TEST(AMixedFactor, IsTakenAgainAfterANewAnalysis) {
+TEST(MixedFactor, IsTriedAgainAfterANewAnalysis) {
   TestSystem bad = loose_grid(1e-7), good = loose_grid(1);
   BlockCholesky solver({.precision = Precision::kMixed});
   solver.analyze(bad.structure, {});
@@ -122,7 +122,7 @@ TEST(AMixedFactor, IsTakenAgainAfterANewAnalysis) {
   EXPECT_EQ(solver.statistics().precision, Precision::kMixed);
 }
 
-TEST(AMixedFactor, IsTheAutomaticChoiceForLargeFrontsOnly) {
+TEST(MixedFactor, IsTheAutomaticChoiceForLargeFrontsOnly) {
   const auto chosen = [](const BlockStructure& structure) {
     BlockCholesky solver;
     solver.analyze(structure, {});
@@ -133,7 +133,7 @@ TEST(AMixedFactor, IsTheAutomaticChoiceForLargeFrontsOnly) {
   EXPECT_EQ(chosen(cube(12, 6)), Precision::kMixed);
 }
 
-TEST(AMixedFactor, PaysForMoreStepsTheMoreTheFactorTakes) {
+TEST(MixedFactor, MayTakeMoreStepsTheMoreTheFactorizationCosts) {
   const BlockStructure structure = cube(6, 6);
   const double few = steps_that_pay(2e-3, 1e7, 1e5, structure);
   EXPECT_GT(few, 0);
@@ -141,7 +141,7 @@ TEST(AMixedFactor, PaysForMoreStepsTheMoreTheFactorTakes) {
   EXPECT_EQ(steps_that_pay(1e-5, 1e5, 1e3, structure), 0) << "too little to think about";
 }
 
-TEST(AMixedFactor, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
+TEST(MixedFactor, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   std::mt19937 random(9);
   const TestSystem system = random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
   const VectorXd b = VectorXd::Ones(system.structure.scalars());

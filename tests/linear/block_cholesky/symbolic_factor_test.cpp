@@ -87,7 +87,7 @@ TEST(SymbolicFactor, PutsEveryFrontInsideItsParent) {
   }
 }
 
-/// The prediction counts what one thread needs; the leading dimensions of fronts are rounded up.
+/// The prediction is for one thread. The factor is larger, because leading dimensions are rounded up.
 TEST(FactorOutline, PredictsTheSizeOfTheFactor) {
   for (const std::uint32_t side : {3u, 10u, 25u}) {
     const BlockStructure structure =

@@ -20,7 +20,7 @@ double load_of(const std::vector<TreeSchedule::Subtree>& share) {
 
 constexpr int kAll = 1000;
 
-/// Who does each front: a thread, or all of them after the threads.
+/// The owner of each front: one thread, or all threads together at the end.
 std::vector<int> owners(const SymbolicFactor& f) {
   constexpr int kNobody = -1;
   std::vector<int> owner(f.fronts.size(), kNobody);
@@ -49,7 +49,7 @@ void expect_valid(const SymbolicFactor& f) {
   EXPECT_TRUE(std::is_sorted(f.schedule.top.begin(), f.schedule.top.end()));
 }
 
-TEST(TreeSchedule, DoesEachFrontOnceAfterItsChildren) {
+TEST(TreeSchedule, ProcessesEachFrontOnceAfterItsChildren) {
   for (const int threads : {2, 3, 7}) expect_valid(analyze_structure(cube(9, 6), {}, {}, threads));
 }
 
@@ -62,7 +62,7 @@ TEST(TreeSchedule, SharesTheWorkEvenlyAndKeepsTheTopSmall) {
   EXPECT_LT(f.schedule.top.size(), 8u);
 }
 
-TEST(TreeSchedule, HasNoTopWhereThePiecesOfAGraphAreAlike) {
+TEST(TreeSchedule, HasNoTopIfThePartsOfAGraphAreEqual) {
   constexpr std::uint32_t kSide = 20, kPieces = 4;
   std::vector<BlockCoordinate> edges;
   for (std::uint32_t piece = 0; piece < kPieces; ++piece) {
@@ -81,7 +81,7 @@ TEST(TreeSchedule, IsValidAboveKeptBlocks) {
   expect_valid(analyze_structure(cube(9, 6), last, {}, 3));
 }
 
-TEST(TreeSchedule, TheStatisticsOfTheFactorCountItsThreads) {
+TEST(TreeSchedule, UsesOneThreadForASmallGraphAndAllForALargeOne) {
   const auto workers = [](std::uint32_t side) {
     const auto grid =
         make_block_structure(std::vector<std::uint32_t>(side * side, 6), grid_edges(side, side));

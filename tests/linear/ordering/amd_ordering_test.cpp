@@ -16,7 +16,7 @@ std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> v) {
   return v;
 }
 
-TEST(AmdOrdering, NamesEveryBlockOnce) {
+TEST(AmdOrdering, ContainsEveryBlockOnce) {
   const TestSystem system = random_system(200, 300, 5);
   std::vector<std::uint32_t> all(200);
   std::iota(all.begin(), all.end(), 0u);
@@ -38,7 +38,7 @@ TEST(AmdOrdering, PutsTheBlocksThatMustBeLastAtTheEndInTheirOrder) {
   EXPECT_EQ(sorted(order).back(), 49u);
 }
 
-TEST(AmdOrdering, AcceptsThatAllBlocksAreLastAndThatThereAreNone) {
+TEST(AmdOrdering, AcceptsStructuresWithoutBlocksAndWithLastBlocksOnly) {
   const std::vector<std::uint32_t> last{1, 0};
   EXPECT_EQ(amd_ordering(make_block_structure({1, 1}, {{1, 0}}), last), last);
   EXPECT_TRUE(amd_ordering(BlockStructure{}).empty());

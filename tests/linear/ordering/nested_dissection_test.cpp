@@ -30,7 +30,7 @@ std::vector<BlockStructure> shapes() {
   return all;
 }
 
-TEST(NestedDissection, NamesEveryBlockOnceForGraphsOfAllShapes) {
+TEST(NestedDissection, ContainsEveryBlockOnceForGraphsOfAllShapes) {
   for (const BlockStructure& structure : shapes()) {
     std::vector<std::uint32_t> order = nested_dissection(structure), all(structure.blocks());
     std::iota(all.begin(), all.end(), 0u);

@@ -55,7 +55,7 @@ TEST_F(PcgTest, StopsEarlierAtALooserTolerance) {
   EXPECT_LT(loose, solver.solve(b.data(), 1, x.data(), {.relative_tolerance = 1e-10}).iterations);
 }
 
-TEST_F(PcgTest, SaysThatTheIterationLimitWasReached) {
+TEST_F(PcgTest, ReportsThatTheIterationLimitWasReached) {
   const AssembledSystem view = system.view();
   ASSERT_EQ(solver.factorize(view, {}, {}).status, LinearStatus::kOk);
   const SolveResult result = solver.solve(b.data(), 1, x.data(), {.max_iterations = 2});
@@ -70,7 +70,7 @@ TEST_F(PcgTest, ObeysTheStopToken) {
   EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {.stop = StopToken(&stop)}).status, LinearStatus::kStopped);
 }
 
-TEST_F(PcgTest, NoticesNegativeCurvatureThatTheDiagonalBlocksHide) {
+TEST_F(PcgTest, DetectsNegativeCurvatureThatTheDiagonalBlocksHide) {
   TestSystem indefinite({1, 1}, {{1, 0}});
   indefinite.block(0, 0) << 1;
   indefinite.block(1, 0) << -2;

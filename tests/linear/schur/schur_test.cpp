@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination against the dense Schur complement of the dense H.
+// Compares elimination with the dense Schur complement of the dense H.
 #include "linear/schur/schur.h"
 
 #include <gmock/gmock.h>
@@ -73,7 +73,7 @@ void check_operator(Problem& problem, Schur& schur) {
   }
 }
 
-/// Reduce, solve densely, substitute back: the solution of the full system.
+/// Checks that reduction, a dense solve and back substitution give the solution of the full system.
 void check_solution(Problem& problem, Schur& schur) {
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(problem.hessian.rows(), 1, 3);
   Eigen::VectorXd reduced_r(problem.kept()), x(r.size());
@@ -122,7 +122,7 @@ TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
   check_elimination(problem, false);
 }
 
-TEST(Schur, TakesEdgesOfSeveralPoolsOntoTheSamePoints) {
+TEST(Schur, AcceptsEdgesOfSeveralPoolsToTheSamePoints) {
   Bundle bundle = make_bundle(3, 20, true);
   const auto size = bundle.graph.add_vertex(1.0);
   for (std::size_t k = 0; k < bundle.points.size(); ++k) {
@@ -163,7 +163,7 @@ TEST(Schur, NamesTheVertexWhoseBlockIsNotFinite) {
   EXPECT_EQ(result.failed_block, 3u);
 }
 
-/// Cameras of the given dimensions see all points of the given dimensions; no other two blocks are joined.
+/// Cameras of the given dimensions see all points of the given dimensions. No other blocks are connected.
 TestSystem system_of(const std::vector<std::uint32_t>& points, const std::vector<std::uint32_t>& cameras) {
   std::mt19937 random(11);
   std::vector<std::uint32_t> dims = points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the chordal guess, bare Gauss-Newton finds the best known minimum of every public graph.
+// Gauss-Newton without damping finds the best known minimum of every public graph from the chordal guess.
 #include <gtest/gtest.h>
 
 #include <cctype>

@@ -18,7 +18,7 @@ template <class World>
 class ChordalGuess : public ::testing::Test {};
 TYPED_TEST_SUITE(ChordalGuess, Worlds);
 
-TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseWhereNothingMeasuresIt) {
+TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseThatIsNotFullyMeasured) {
   Scene<TypeParam> scene;
   const auto poses = add_loop(scene);
   scene.fix(poses[0]);
@@ -32,7 +32,7 @@ TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseWhereNothingMeasuresIt) {
   EXPECT_LT(scene.graph.chi2(), 1e-6);  // the rest is as exact as its measurements
 }
 
-TYPED_TEST(ChordalGuess, SpreadsTheErrorOfALoopThatTheOthersLeaveInOneEdge) {
+TYPED_TEST(ChordalGuess, SpreadsTheErrorOfALoopThatOtherGuessesLeaveInOneEdge) {
   constexpr int kPoses = 8;
   std::array<double, 3> chi2{};
   for_each_guess([&](std::size_t k) {
@@ -55,7 +55,7 @@ TYPED_TEST(ChordalGuess, SpreadsTheErrorOfALoopThatTheOthersLeaveInOneEdge) {
   EXPECT_LT(chi2[2], 0.5 * chi2[1]);
 }
 
-/// Raises a flag when measurements were asked for so many times.
+/// Raises a flag when measurements have been read `at` times.
 struct Alarm {
   std::size_t at = 0, asked = 0;
   std::atomic<bool> raised = false;
@@ -81,7 +81,7 @@ TEST(StoppedChordalGuess, StopsAmongItsMeasurementsWithoutMovingAnything) {
   }
   const Plan plan = make_plan(graph, {});
   const double before = graph.chi2();
-  // They are asked for as they are found, for the joint problem, and for the positions.
+  // They are read when they are collected, for the joint problem, and for the positions.
   for (const std::size_t at : {std::size_t{1}, kMeasurements + 1, 2 * kMeasurements + 1}) {
     alarm.at = at;
     alarm.asked = 0;

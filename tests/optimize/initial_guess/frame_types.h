@@ -9,7 +9,7 @@
 
 namespace boxplus::test {
 
-/// The plane and space: the motion behind a pose, and its size.
+/// The plane and space: the motion of a pose, and its dimension.
 struct Plane {
   using Motion = SE2;
   static constexpr int kDim = 2, kPoseDim = 3;
@@ -124,7 +124,7 @@ struct Sighting {
   }
 };
 
-/// A pose sees in which direction a point lies, which is no relative frame.
+/// A pose measures the direction of a point, which is not a relative frame.
 template <class World>
 struct Direction {
   PointError<World> z;

@@ -31,7 +31,8 @@ TEST(NearestRotation, IsTheOrthogonalFactorOfAnyMatrix) {
     EXPECT_LT((r.transpose() * r - SmallMatrix::Identity(3, 3)).norm(), 1e-14);
     EXPECT_NEAR(Eigen::Matrix3d(r).determinant(), 1, 1e-14);
     EXPECT_LT((stretch - stretch.transpose()).norm(), 1e-13) << "M = R S with a symmetric S";
-    // Of all rotations it has the largest trace(Rᵀ M): no other sign of S's eigenvalues does better.
+    // It has the largest trace(Rᵀ M) of all rotations: no other sign of an eigenvalue of S gives a larger
+    // one.
     const Eigen::Vector3d s = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stretch).eigenvalues();
     EXPECT_GE(s[0] + s[1], -1e-13);
   }
@@ -49,7 +50,7 @@ TEST(NearestRotation, CompletesTwoDirectionsOfSpace) {
   EXPECT_LT((*nearest_rotation(m) - SmallMatrix::Identity(3, 3)).norm(), 1e-15);
 }
 
-TEST(NearestRotation, IsEmptyWhereTheRotationIsNotUnique) {
+TEST(NearestRotation, IsEmptyIfTheRotationIsNotUnique) {
   EXPECT_FALSE(nearest_rotation(SmallMatrix::Zero(3, 3)));
   EXPECT_FALSE(nearest_rotation(SmallMatrix::Zero(2, 2)));
   SmallMatrix mirror = SmallMatrix::Identity(2, 2);

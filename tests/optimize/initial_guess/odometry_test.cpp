@@ -21,7 +21,7 @@ TYPED_TEST(OdometryGuess, FollowsConsecutiveIdsAndBridgesGaps) {
   scene.join(b, d);  // the only way across the gap between 11 and 20
   scene.join(c, d);
   scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1e6, a,
-                       d);  // needs as many bridges, and is longer
+                       d);  // crosses as many gaps, and is longer
   EXPECT_TRUE(scene.apply(0).made);
   EXPECT_LT(scene.error(b), 1e-9);
   scene.graph.set_enabled(scene.graph.all_edges().back(), false);

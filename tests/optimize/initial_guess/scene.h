@@ -102,7 +102,7 @@ void for_each_guess(F&& body) {
   }
 }
 
-/// Five poses in a chain with loop closures, and three points, ids mixed.
+/// Five poses in a chain with loop closures, and three points, with mixed ids.
 template <class World>
 std::array<typename Scene<World>::PoseHandle, 5> add_loop(Scene<World>& scene, double seed = 0) {
   std::array<typename Scene<World>::PoseHandle, 5> poses;

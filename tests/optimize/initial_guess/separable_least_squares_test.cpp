@@ -56,7 +56,7 @@ TEST(SeparableLeastSquares, AgreesWithADenseQrOfTheStackedTerms) {
   }
 }
 
-TEST(SeparableLeastSquares, SaysWhenTheSolutionIsNotUnique) {
+TEST(SeparableLeastSquares, ReportsASolutionThatIsNotUnique) {
   SeparableLeastSquares system({1, 1}, 2);
   system.join(0, 1);
   system.finish_structure();

@@ -30,17 +30,17 @@ TEST(OffsetPointObservation2, AppliesTheOffset) {
   EXPECT_GT(edge.error(kX, kL, SE2()).norm(), 0.1);
 }
 
-TEST(Observations2, HaveRightJacobians) {
-  expect_right_jacobians(PointObservation2(Vector2(1, 2)), kX, kL);
-  expect_right_jacobians(OffsetPointObservation2(Vector2(1, 2)), kX, kL, kP);
-  expect_right_jacobians(BearingObservation2(2), kX, kL);
-  expect_right_jacobians(Range(2), kX, kL);
-  expect_right_jacobians(Range(2), kX, kP);
-  expect_right_jacobians(TwoPointsObservation2(Vector<double, 4>(1, 2, 3, 4)), kX, kL, kM);
-  expect_right_jacobians(PointsObservation2(Eigen::Vector4d(1, 2, 3, 4)), kX, std::vector<Vector2>{kL, kM});
+TEST(Observations2, HaveCorrectJacobians) {
+  expect_correct_jacobians(PointObservation2(Vector2(1, 2)), kX, kL);
+  expect_correct_jacobians(OffsetPointObservation2(Vector2(1, 2)), kX, kL, kP);
+  expect_correct_jacobians(BearingObservation2(2), kX, kL);
+  expect_correct_jacobians(Range(2), kX, kL);
+  expect_correct_jacobians(Range(2), kX, kP);
+  expect_correct_jacobians(TwoPointsObservation2(Vector<double, 4>(1, 2, 3, 4)), kX, kL, kM);
+  expect_correct_jacobians(PointsObservation2(Eigen::Vector4d(1, 2, 3, 4)), kX, std::vector<Vector2>{kL, kM});
 }
 
-TEST(Observations2, OfPointsAreAnalytic) {
+TEST(Observations2, OfPointsHaveAnalyticJacobians) {
   EXPECT_TRUE((edge::kAnalytic<PointObservation2, SE2, Vector2>));
   EXPECT_TRUE((edge::kAnalytic<OffsetPointObservation2, SE2, Vector2, SE2>));
 }

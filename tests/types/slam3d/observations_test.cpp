@@ -10,24 +10,24 @@ namespace {
 const SE3 kX = pose(1, 2, 3, 0.3, -0.4, 0.9), kP = pose(0, 0.1, 0.2, 1, 1, 1);
 const Vector3 kL(3, -1, 2), kM(-2, 4, 1);
 
-TEST(Observations3, HaveRightJacobians) {
-  expect_right_jacobians(PointObservation3(Vector3(1, 2, 3)), kX, kL);
-  expect_right_jacobians(OffsetPointObservation3(Vector3(1, 2, 3)), kX, kL, kP);
-  expect_right_jacobians(BearingObservation3(Vector3(1, 2, 3)), kX, kL);
-  expect_right_jacobians(Range(2), kX, kL);
-  expect_right_jacobians(PointsObservation3(Vector<double, 6>::Ones()), kX, std::vector<Vector3>{kL, kM});
+TEST(Observations3, HaveCorrectJacobians) {
+  expect_correct_jacobians(PointObservation3(Vector3(1, 2, 3)), kX, kL);
+  expect_correct_jacobians(OffsetPointObservation3(Vector3(1, 2, 3)), kX, kL, kP);
+  expect_correct_jacobians(BearingObservation3(Vector3(1, 2, 3)), kX, kL);
+  expect_correct_jacobians(Range(2), kX, kL);
+  expect_correct_jacobians(PointsObservation3(Vector<double, 6>::Ones()), kX, std::vector<Vector3>{kL, kM});
 }
 
-TEST(Observations3, OfPointsAreAnalytic) {
+TEST(Observations3, OfPointsHaveAnalyticJacobians) {
   EXPECT_TRUE((edge::kAnalytic<PointObservation3, SE3, Vector3>));
   EXPECT_TRUE((edge::kAnalytic<OffsetPointObservation3, SE3, Vector3, SE3>));
 }
 
-TEST(Observations3, ServeBothChartsOfPoses) {
+TEST(Observations3, WorkWithBothChartsOfPoses) {
   const SE3RotationVector x(kX.translation(), kX.quaternion());
   EXPECT_EQ(PointObservation3(Vector3(1, 2, 3)).error(x, kL),
             PointObservation3(Vector3(1, 2, 3)).error(kX, kL));
-  expect_right_jacobians(PointObservation3(Vector3(1, 2, 3)), x, kL);
+  expect_correct_jacobians(PointObservation3(Vector3(1, 2, 3)), x, kL);
 }
 
 TEST(OffsetPointObservation3, AppliesTheOffset) {
