@@ -16,7 +16,7 @@ namespace {
 using dense::EliminationKernels;
 using Matrix = Eigen::MatrixXd;
 
-/// Marks the memory beyond the end of an array, which a wrong kernel would overwrite.
+/// Rows of memory beyond the end of an array, which a wrong kernel would overwrite.
 constexpr int kPadding = 8;
 
 void expect_equal(const Matrix& fast, const Matrix& slow) {
