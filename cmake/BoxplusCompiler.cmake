@@ -9,7 +9,8 @@ find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # ccache hashes paths below the project relative to it, so that another clone can reuse the results.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_CURRENT_SOURCE_DIR}
-                                  CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
+                                  CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
+                                  ${CCACHE_PROGRAM})
 endif()
 
 add_library(boxplus_warnings INTERFACE)
@@ -19,7 +20,7 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports false positives of these warnings deep inside Eigen, <string> and <vector>.
-  target_compile_options(boxplus_warnings INTERFACE -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
+  target_compile_options(boxplus_warnings INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
 endif()
 
 set(BOXPLUS_SANITIZE "" CACHE STRING "address, undefined or thread")

@@ -52,7 +52,7 @@ int main() {
   // [lambda]
   // The robot stands on the road y = x / 2.
   graph.add_edge([](const auto& point) { return point.y() - 0.5 * point.x(); }, 1e6, robot);
-  optimize(graph);
+  if (!optimize(graph).converged()) return 1;
   // [/lambda]
   const Vector2 on_road = graph.estimate(robot);
   std::printf("on the road it is at (%.3f, %.3f)\n", on_road.x(), on_road.y());

@@ -4,6 +4,8 @@
 // Least squares trusts every measurement, so a few wrong ones pull the curve away. A robust kernel gives an
 // edge less weight when its error is large; its width is the (whitened) error at which this begins.
 #include <boxplus/boxplus.h>
+#include <boxplus/robust/default_width.h>
+#include <boxplus/robust/redescending.h>
 
 #include <cmath>
 #include <cstdio>
@@ -35,7 +37,7 @@ int main() {
     samples.push_back(graph.add_edge(sample, 1 / (sigma * sigma), curve));
   }
 
-  optimize(graph);
+  if (!optimize(graph).converged()) return 1;
   const Vector2 trusting = graph.estimate(curve);
   std::printf("least squares:  m %.3f, c %.3f\n", trusting[0], trusting[1]);
 

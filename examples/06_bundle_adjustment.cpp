@@ -27,7 +27,7 @@ struct Pixel {
 /// A camera on a circle around the origin, looking at the origin.
 SE3 camera_at(double angle) {
   const double half = 0.5 * (angle + kPi);
-  const Quaternion<double> turn{0, std::sin(half), 0, std::cos(half)};
+  const SE3::Quaternion turn{0, std::sin(half), 0, std::cos(half)};
   return SE3(Vector3(10 * std::sin(angle), 0, 10 * std::cos(angle)), turn);
 }
 

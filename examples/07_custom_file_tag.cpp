@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files with custom tags: a type that is added to the registry is read, optimized and written like any other.
 #include <boxplus/boxplus.h>
+#include <boxplus/io/registry.h>
 
 #include <iostream>
 

@@ -3,6 +3,7 @@
 //
 // It is a vertex that starts out fixed. Files write it as a PARAMS_ line. To calibrate it, unfix it.
 #include <boxplus/boxplus.h>
+#include <boxplus/types/slam2d.h>
 
 #include <cstdio>
 #include <vector>

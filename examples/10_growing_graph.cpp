@@ -35,7 +35,7 @@ int main() {
     const auto last = poses.back();
     poses.push_back(graph.add_vertex(graph.estimate(last) * measured));
     graph.add_edge(Between(measured), 100.0, last, poses.back());
-    optimize(graph);
+    if (!optimize(graph).converged()) return 1;
   }
 
   // After four sides the robot is back at its start, and recognizes it.

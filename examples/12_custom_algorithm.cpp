@@ -4,6 +4,7 @@
 // An algorithm sees the problem only as a System. It asks the System to linearize, to compute steps and to
 // try them; then it accepts or rejects each trial. It knows neither graphs nor matrices.
 #include <boxplus/boxplus.h>
+#include <boxplus/optimize/algorithm.h>
 
 #include <algorithm>
 #include <cmath>

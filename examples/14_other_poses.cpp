@@ -44,10 +44,13 @@ int main() {
       Information::diagonal(std::vector{meters, meters, meters, 4 * radians, 4 * radians, 4 * radians});
   halves.add_edge(Prior(convert_to<SE3>(measured)), Omega_halves, c);
   // [/half_angles]
-  optimize(halves);
+  const bool halves_converged = optimize(halves).converged();
   const Eigen::MatrixXd sigma_halves = covariance(halves, {c}).of(c);
   std::printf("half angles:      sigma of the rotation %.3f\n", std::sqrt(sigma_halves(5, 5)));
 
   const bool is_found = found.isApprox(measured, 1e-9) && std::abs(std::sqrt(sigma(5, 5)) - sigma_r) < 1e-9;
-  return converged && is_found && std::abs(std::sqrt(sigma_halves(5, 5)) - sigma_r / 2) < 1e-9 ? 0 : 1;
+  return converged && halves_converged && is_found &&
+                 std::abs(std::sqrt(sigma_halves(5, 5)) - sigma_r / 2) < 1e-9
+             ? 0
+             : 1;
 }

@@ -2,6 +2,7 @@
 // A program for GTSAM, rewritten for boxplus: keys, factors, noise models, a robust loss, marginal
 // covariances.
 #include <boxplus/boxplus.h>
+#include <boxplus/robust/huber.h>
 
 #include <Eigen/LU>
 #include <array>
@@ -33,7 +34,7 @@ Matrix<double, 6, 6> omega_of_se3(const Matrix<double, 6, 6>& covariance_of_pose
 /// For errors of a few millimeters and milliradians, chi2 equals that of Pose3 to first order.
 bool weighs_as_in_gtsam() {
   const Vector3 omega(0.002, -0.003, 0.001), t(0.004, 0.001, -0.002);
-  const SE3 error(t, Quaternion<double>{omega[0] / 2, omega[1] / 2, omega[2] / 2, 1});
+  const SE3 error(t, SE3::Quaternion{omega[0] / 2, omega[1] / 2, omega[2] / 2, 1});
   Matrix<double, 6, 6> root = Matrix<double, 6, 6>::Identity();
   for (int i = 0; i < 6; ++i) root(i, (i + 2) % 6) += 0.3 * i;
   const Matrix<double, 6, 6> covariance = root.transpose() * root;

@@ -55,7 +55,7 @@ double estimated_speed() {
                    states.back());
     if (i > 0) graph.add_edge(ConstantVelocity{1.0}, 1e4, states[states.size() - 2], states.back());
   }
-  optimize(graph);
+  if (!optimize(graph).converged()) return 0;
   return graph.estimate(states.back()).get<1>().x();
 }
 
@@ -66,7 +66,7 @@ double direction_error() {
   const auto up = graph.add_vertex(S2());  // starts as the z axis; 2 unknowns, no length
   for (const Vector3& measured : {Vector3(0.6, 0.1, 0.8), Vector3(0.6, -0.1, 0.8), Vector3(0.61, 0, 0.79)})
     graph.add_edge(Prior(S2(measured)), 1 / (0.1 * 0.1), up);  // sigma in radians
-  optimize(graph);
+  if (!optimize(graph).converged()) return 180;
   const Vector3 found = graph.estimate(up).vector();
   // [/direction]
   return std::acos(std::min(1.0, found.dot(Vector3(0.6, 0, 0.8)))) * 180 / kPi;
@@ -78,7 +78,7 @@ double scale_at_the_end() {
   // The scale of a single camera drifts if no length is known: here by 5 % in every step of a square. If the
   // keyframes are similarities, the loop closure can spread the drift over all of them.
   const Vector3 meter(1, 0, 0);
-  const auto turn = RotationVectorChart::exp(0.0, 0.0, kPi / 2);
+  const auto turn = SO3::from_rotation_vector(Vector3(0, 0, kPi / 2)).quaternion();
   const Sim3 measured(turn, meter, 1.05), closing(turn, meter, 1.0);
   Graph graph;
   std::vector<VertexHandle<Sim3>> keyframes{graph.add_vertex(Sim3())};
@@ -88,7 +88,7 @@ double scale_at_the_end() {
     graph.add_edge(Between(measured), 100.0, keyframes[keyframes.size() - 2], keyframes.back());
   }
   graph.add_edge(Between(closing), 1e6, keyframes.back(), keyframes.front());
-  optimize(graph);
+  if (!optimize(graph).converged()) return 0;
   const double scale = graph.estimate(keyframes.back()).scale();
   // [/similarity]
   return scale;

@@ -6,6 +6,9 @@
 // (α = 2) to a kernel that almost ignores large ones (α = −10). Graduated non-convexity works in the same
 // way.
 #include <boxplus/boxplus.h>
+#include <boxplus/robust/barron.h>
+#include <boxplus/robust/default_width.h>
+#include <boxplus/robust/redescending.h>
 #include <boxplus/testing/simulate.h>
 
 #include <algorithm>
@@ -44,8 +47,7 @@ double with_fixed_kernel(const RobustKernel* kernel) {
   for (const EdgeRef& edge : closures_of(world)) {
     if (kernel) world.graph.set_kernel(edge, kernel->clone());
   }
-  optimize(world.graph);
-  return error_of(world);
+  return optimize(world.graph).converged() ? error_of(world) : 1e9;
 }
 
 double annealed() {
@@ -63,10 +65,10 @@ double annealed() {
   };
   Options options;
   options.callback = anneal;
-  optimize(graph, options);
+  Report report = optimize(graph, options);
 
   while (shape > -10) anneal({});  // if the optimization stopped before
-  const Report report = optimize(graph);
+  report = optimize(graph);
   // [/anneal]
   return report.converged() ? error_of(world) : 1e9;
 }

@@ -2,6 +2,8 @@
 // A fixed-lag smoother: estimates only the last poses. The information of older poses stays, as a dense prior
 // on the vertices around them.
 #include <boxplus/boxplus.h>
+#include <boxplus/types/dense_prior.h>
+#include <boxplus/types/slam2d.h>
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -101,7 +103,7 @@ int main() {
       for (const auto& [tree, seen] : sightings)
         graph.add_edge(PointObservation2(seen), 2500.0, pose, points[tree]);
       poses.push_back(pose);
-      optimize(graph);
+      return optimize(graph).converged();
     };
     std::vector<std::pair<std::size_t, Vector2>> sightings;
     for (std::size_t tree = 0; tree < trees.size(); ++tree) {
@@ -109,8 +111,8 @@ int main() {
       if (k == 0 || seen.norm() < 9)
         sightings.emplace_back(tree, Vector2(seen[0] + noise(), seen[1] + noise()));
     }
-    add(all, all_poses, all_trees, sightings);
-    add(lagged, lagged_poses, lagged_trees, sightings);
+    if (!add(all, all_poses, all_trees, sightings)) return 1;
+    if (!add(lagged, lagged_poses, lagged_trees, sightings)) return 1;
     if (lagged_poses.size() > kLag) {
       marginalize(lagged, lagged_poses.front());
       lagged_poses.erase(lagged_poses.begin());

@@ -5,6 +5,7 @@
 // its control (the forcing term of Newton's method) or when its stop token is raised, and does not call its
 // solution exact: the algorithm then asks A what decrease of chi2 the model predicts.
 #include <boxplus/boxplus.h>
+#include <boxplus/linear/linear_solver.h>
 
 #include <Eigen/Core>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
+#include "boxplus/io/write_file.h"
 #include "boxplus/testing/simulate.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
@@ -92,7 +93,7 @@ std::string toro_plane() {
     out.token("EDGE2");
     for (const VertexRef& vertex : simulation.graph.vertices(edge)) out.integer(simulation.graph.id(vertex));
     FileFields<SE2>::write(simulation.graph.measurement(EdgeHandle<Between<SE2>>{edge}).measurement, out);
-    const InformationView omega = simulation.graph.information(edge);
+    const detail::InformationView omega = simulation.graph.information(edge);
     for (const auto& [i, j] : {std::pair{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}})
       out.number(omega(i, j));
     out.end_line();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "boxplus/base/parallel.h"
@@ -32,7 +33,7 @@ Figures run_native(Graph& graph) {
                                          .max_iterations = kIterations,
                                          .cost_tolerance = 0,
                                          .step_tolerance = 0,
-                                         .threads = hardware_threads()});
+                                         .threads = detail::hardware_threads()});
   graph.pop();
   std::vector<double> seconds;
   for (std::size_t i = 1; i < report.records.size(); ++i)
@@ -58,7 +59,7 @@ Figures run_face(g2o::SparseOptimizer& optimizer) {
 /// diverges on torus3D, differently in each API.
 GraphFile read_near_minimum(const std::string& path) {
   GraphFile file = read_anchored(path);
-  optimize(file.graph, {.start = Start::kChordal, .max_iterations = 1});
+  std::ignore = optimize(file.graph, {.start = Start::kChordal, .max_iterations = 1});
   return file;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 /// S with Ω = SᵀS, row by row: the transposed Cholesky factor, or √D Vᵀ if Ω is singular.
 template <std::size_t N>
-std::array<double, N> root_of(const InformationView& information) {
+std::array<double, N> root_of(const detail::InformationView& information) {
   const Eigen::MatrixXd omega = information.matrix();
   const Eigen::LLT<Eigen::MatrixXd> cholesky(omega);
   Eigen::MatrixXd root = cholesky.matrixU();
@@ -31,8 +31,8 @@ std::array<double, N> root_of(const InformationView& information) {
 }
 
 template <class Pose>
-bool add_motions(const EdgePool& pool, PlainGraph& out) {
-  const auto* motions = dynamic_cast<const TypedEdgePool<Between<Pose>, Pose, Pose>*>(&pool);
+bool add_motions(const detail::EdgePool& pool, PlainGraph& out) {
+  const auto* motions = dynamic_cast<const detail::TypedEdgePool<Between<Pose>, Pose, Pose>*>(&pool);
   if (motions == nullptr) return false;
   for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
     const auto vertices = pool.vertex_slots(edge);
@@ -43,8 +43,9 @@ bool add_motions(const EdgePool& pool, PlainGraph& out) {
   return true;
 }
 
-bool add_observations(const EdgePool& pool, PlainGraph& out) {
-  const auto* observations = dynamic_cast<const TypedEdgePool<PointObservation2, SE2, Vector2>*>(&pool);
+bool add_observations(const detail::EdgePool& pool, PlainGraph& out) {
+  const auto* observations =
+      dynamic_cast<const detail::TypedEdgePool<PointObservation2, SE2, Vector2>*>(&pool);
   if (observations == nullptr) return false;
   for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
     const auto vertices = pool.vertex_slots(edge);
@@ -55,8 +56,8 @@ bool add_observations(const EdgePool& pool, PlainGraph& out) {
 }
 
 template <class Pose>
-bool add_poses(const VertexPool& pool, PlainGraph& out) {
-  const auto* poses = dynamic_cast<const TypedVertexPool<Pose>*>(&pool);
+bool add_poses(const detail::VertexPool& pool, PlainGraph& out) {
+  const auto* poses = dynamic_cast<const detail::TypedVertexPool<Pose>*>(&pool);
   if (poses == nullptr || pool.slots() == 0) return false;
   out.pose_size = std::is_same_v<Pose, SE2> ? 3 : 7;
   for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
@@ -67,8 +68,8 @@ bool add_poses(const VertexPool& pool, PlainGraph& out) {
   return true;
 }
 
-void add_points(const VertexPool& pool, PlainGraph& out) {
-  const auto* points = dynamic_cast<const TypedVertexPool<Vector2>*>(&pool);
+void add_points(const detail::VertexPool& pool, PlainGraph& out) {
+  const auto* points = dynamic_cast<const detail::TypedVertexPool<Vector2>*>(&pool);
   if (points == nullptr) return;
   for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
     const Vector2& point = points->value(slot);
@@ -96,13 +97,13 @@ PlainGraph numbers_of(const Graph& graph) {
 void set_estimates(Graph& graph, const PlainGraph& numbers) {
   for (const auto& pool : graph.vertex_pools()) {
     for (std::uint32_t slot = 0; slot < pool->slots(); ++slot) {
-      if (auto* planar = dynamic_cast<TypedVertexPool<SE2>*>(pool.get())) {
+      if (auto* planar = dynamic_cast<detail::TypedVertexPool<SE2>*>(pool.get())) {
         const double* x = &numbers.poses[3 * slot];
         planar->value(slot) = SE2(x[0], x[1], x[2]);
-      } else if (auto* spatial = dynamic_cast<TypedVertexPool<SE3>*>(pool.get())) {
+      } else if (auto* spatial = dynamic_cast<detail::TypedVertexPool<SE3>*>(pool.get())) {
         spatial->value(slot) =
             SE3::from_vector(Eigen::Map<const Vector<double, 7>>(&numbers.poses[7 * slot]));
-      } else if (auto* points = dynamic_cast<TypedVertexPool<Vector2>*>(pool.get())) {
+      } else if (auto* points = dynamic_cast<detail::TypedVertexPool<Vector2>*>(pool.get())) {
         points->value(slot) = Vector2(numbers.points[2 * slot], numbers.points[2 * slot + 1]);
       }
     }

@@ -37,7 +37,7 @@ struct PlaneWithJacobians : Plane {
   using Plane::Plane;
   template <class J>
   void jacobians(const SE3& pose, J&& out) const {
-    const Vector3 m = rotate(pose.quaternion().conjugate(), n[0], n[1], n[2]);
+    const Vector3 m = detail::rotate(pose.quaternion().conjugate(), n[0], n[1], n[2]);
     out(0, 0) = m[0];
     out(0, 1) = m[1];
     out(0, 2) = m[2];
@@ -52,7 +52,7 @@ Graph make_graph(const IcpProblem& problem) {
   Graph graph;
   const auto& x = problem.start;
   const auto pose =
-      graph.add_vertex(SE3(Vector3(x[0], x[1], x[2]), Quaternion<double>{x[3], x[4], x[5], x[6]}));
+      graph.add_vertex(SE3(Vector3(x[0], x[1], x[2]), detail::Quaternion<double>{x[3], x[4], x[5], x[6]}));
   for (const Match& match : problem.matches) graph.add_edge(Edge(match), pose);
   return graph;
 }
@@ -102,7 +102,7 @@ __attribute__((noinline)) void accumulate_by_hand(const SE3& pose, const std::ve
 
 IcpRun run_by_hand(const IcpProblem& problem) {
   const auto& x = problem.start;
-  SE3 pose(Vector3(x[0], x[1], x[2]), Quaternion<double>{x[3], x[4], x[5], x[6]});
+  SE3 pose(Vector3(x[0], x[1], x[2]), detail::Quaternion<double>{x[3], x[4], x[5], x[6]});
   std::vector<double> marks;
   NormalEquations sums;
   for (int k = 0; k < kIcpIterations; ++k) {

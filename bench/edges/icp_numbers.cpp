@@ -16,7 +16,7 @@ IcpProblem make_icp_problem(std::size_t count) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::normal_distribution<double> noise(0, 0.01);
   const double delta[6] = {0.3, -0.2, 0.1, 0.05, -0.03, 0.08};
-  const SE3 start(Vector3(1, 2, 0.5), Quaternion<double>{0.1, -0.2, 0.3, 0.9});
+  const SE3 start(Vector3(1, 2, 0.5), detail::Quaternion<double>{0.1, -0.2, 0.3, 0.9});
   const SE3 truth = Manifold<SE3>::oplus(start, delta);
   IcpProblem problem;
   const auto vector = start.vector();

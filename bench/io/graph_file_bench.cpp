@@ -45,7 +45,7 @@ const LargeFile& large_file() {
 
 SE3 read_pose(std::istream& in) {
   Vector3 t;
-  Quaternion<double> q{};
+  detail::Quaternion<double> q{};
   in >> t[0] >> t[1] >> t[2] >> q.x >> q.y >> q.z >> q.w;
   return {t, q};
 }

@@ -69,7 +69,7 @@ class Drive {
   };
 
   Information information(EdgeRef edge) const {
-    const InformationView omega = world_.graph.information(edge);
+    const detail::InformationView omega = world_.graph.information(edge);
     Eigen::MatrixXd full(omega.rows, omega.rows);
     for (int i = 0; i < omega.rows; ++i) {
       for (int j = 0; j < omega.rows; ++j) full(i, j) = omega(i, j);

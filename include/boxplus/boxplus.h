@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that a program needs: graph, ready-made types, robust kernels, optimize(), files.
+// The common part of the library: graphs, poses, optimize(), covariances, and files. The rest has headers of
+// its own:
+//
+//     types/slam2d.h, types/slam3d.h       all ready-made edges of the plane and of space
+//     types/dense_prior.h                  a prior on several vertices at once
+//     manifold/so2.h, s2.h, sim3.h         rotations of the plane, directions, similarities
+//     manifold/convert_to.h                poses of Eigen, Sophus and other libraries
+//     robust/huber.h, redescending.h,      robust kernels; make_robust_kernel() makes them by name
+//     robust/barron.h, default_width.h
+//     io/registry.h, io/file_format.h      custom file tags and formats
+//     optimize/algorithm.h                 custom algorithms
+//     linear/linear_solver.h               custom linear solvers
+//     testing/check_jacobians.h, …         checks of custom types
 #pragma once
 
 // IWYU pragma: begin_exports
 #include "boxplus/base/error.h"
 #include "boxplus/graph/graph.h"
 #include "boxplus/io/graph_file.h"
-#include "boxplus/io/registry.h"
 #include "boxplus/manifold/product.h"
 #include "boxplus/manifold/rn.h"
-#include "boxplus/manifold/s2.h"
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
-#include "boxplus/manifold/sim3.h"
-#include "boxplus/manifold/so2.h"
 #include "boxplus/manifold/so3.h"
 #include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
-#include "boxplus/robust/barron.h"
-#include "boxplus/robust/default_width.h"
-#include "boxplus/robust/huber.h"
 #include "boxplus/robust/make_robust_kernel.h"
-#include "boxplus/robust/redescending.h"
-#include "boxplus/types/dense_prior.h"
-#include "boxplus/types/slam2d.h"
-#include "boxplus/types/slam3d.h"
+#include "boxplus/types/between.h"
+#include "boxplus/types/prior.h"
 // IWYU pragma: end_exports

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstdint>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 void prefer_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(MADV_HUGEPAGE)
@@ -23,4 +23,4 @@ void prefer_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] st
 #endif
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -19,7 +19,7 @@
 #include <immintrin.h>
 #endif
 
-namespace boxplus {
+namespace boxplus::detail {
 namespace {
 
 using Task = FunctionRef<void(int)>;
@@ -180,4 +180,4 @@ void parallel_tasks(int count, FunctionRef<void(int)> task) {
   }
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -11,7 +11,7 @@
 #include "boxplus/graph/make_room.h"
 #include "kernels/kernel_table.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 std::string_view to_string(JacobianSource source) {
   switch (source) {
@@ -24,7 +24,7 @@ std::string_view to_string(JacobianSource source) {
   }
 }
 
-void edge::throw_row_count(int expected, int actual) {
+void throw_row_count(int expected, int actual) {
   throw InvalidArgument("an error function returned " + std::to_string(actual) + " rows, expected the " +
                         std::to_string(expected) + " it had when its edge was added");
 }
@@ -129,11 +129,11 @@ void EdgePool::chi2(std::span<const std::uint32_t> edges, double* out) const {
 void EdgePool::reserve_slots(std::size_t edges) {
   const double growth = slots() == 0 ? 1 : static_cast<double>(edges) / slots();
   if (growth <= 1) return;
-  boxplus::reserve(vertex_slots_,
-                   static_cast<std::size_t>(growth * static_cast<double>(vertex_slots_.size())));
-  boxplus::reserve(flags_, edges);
-  boxplus::reserve(generations_, edges);
-  if (uniform_arity_ < 0) boxplus::reserve(vertex_start_, edges + 1);
+  boxplus::detail::reserve(vertex_slots_,
+                           static_cast<std::size_t>(growth * static_cast<double>(vertex_slots_.size())));
+  boxplus::detail::reserve(flags_, edges);
+  boxplus::detail::reserve(generations_, edges);
+  if (uniform_arity_ < 0) boxplus::detail::reserve(vertex_start_, edges + 1);
   information_.reserve(growth);
 }
 
@@ -207,4 +207,4 @@ void EdgePool::set_kernel(std::uint32_t edge, std::shared_ptr<const RobustKernel
   kernels_[edge] = std::move(kernel);
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

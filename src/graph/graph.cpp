@@ -9,7 +9,7 @@
 
 namespace boxplus {
 
-Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what) {
+Id Graph::claim_id(const detail::IdMap& ids, Id& next, std::optional<Id> id, const char* what) {
   if (!id) {
     while (ids.contains(next)) ++next;
     return next++;
@@ -21,7 +21,7 @@ Id Graph::claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char*
   return *id;
 }
 
-VertexRef Graph::lookup(const IdMap& ids, Id id, const char* what) const {
+VertexRef Graph::lookup(const detail::IdMap& ids, Id id, const char* what) const {
   const VertexRef* found = ids.find(id);
   if (!found) throw InvalidArgument("there is no " + std::string(what) + " " + std::to_string(id));
   return *found;
@@ -82,8 +82,8 @@ void Graph::check_distinct(std::span<const VertexRef> vertices) const {
 }
 
 void Graph::mark_parameter(VertexRef vertex) {
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kParameter, true);
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kFixed, true);
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kParameter, true);
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, true);
 }
 
 std::optional<VertexRef> Graph::find_vertex(Id id) const {
@@ -103,9 +103,9 @@ Id Graph::id(VertexRef vertex) const {
 
 void Graph::change_id(VertexRef vertex, Id new_id) {
   check(vertex);
-  VertexPool& pool = *vertex_pools_[vertex.pool];
+  detail::VertexPool& pool = *vertex_pools_[vertex.pool];
   if (pool.id(vertex.slot) == new_id) return;
-  IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
+  detail::IdMap& ids = pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_;
   Id unused = 0;
   claim_id(ids, unused, new_id, pool.parameter(vertex.slot) ? "parameter" : "vertex");
   ids.make_room();
@@ -122,7 +122,7 @@ int Graph::tangent_dim(VertexRef vertex) const {
 
 void Graph::set_fixed(VertexRef vertex, bool fixed) {
   if (is_fixed(vertex) == fixed) return;
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kFixed, fixed);
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, fixed);
   note_rewrite();
 }
 
@@ -154,7 +154,7 @@ std::span<const int> Graph::fixed_directions(VertexRef vertex) const {
 
 void Graph::set_eliminated(VertexRef vertex, bool eliminated) {
   if (is_eliminated(vertex) == eliminated) return;
-  vertex_pools_[vertex.pool]->set_flag(vertex.slot, VertexPool::kEliminated, eliminated);
+  vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kEliminated, eliminated);
   note_rewrite();
 }
 
@@ -165,7 +165,7 @@ bool Graph::is_eliminated(VertexRef vertex) const {
 
 std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
   check(edge);
-  const EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgePool& pool = *edge_pools_[edge.pool];
   std::vector<VertexRef> result;
   for (std::uint32_t slot : pool.vertex_slots(edge.slot)) {
     const std::uint32_t index = pool.vertex_pool(edge.slot, static_cast<int>(result.size()));
@@ -174,14 +174,14 @@ std::vector<VertexRef> Graph::vertices(EdgeRef edge) const {
   return result;
 }
 
-InformationView Graph::information(EdgeRef edge) const {
+detail::InformationView Graph::information(EdgeRef edge) const {
   check(edge);
   return edge_pools_[edge.pool]->information(edge.slot);
 }
 
 void Graph::set_information(EdgeRef edge, const Information& information) {
   check(edge);
-  EdgePool& pool = *edge_pools_[edge.pool];
+  detail::EdgePool& pool = *edge_pools_[edge.pool];
   pool.information_.set(edge.slot, information, pool.shape(edge.slot).rows);
 }
 
@@ -198,7 +198,8 @@ const RobustKernel* Graph::kernel(EdgeRef edge) const {
 void Graph::set_enabled(EdgeRef edge, bool enabled) {
   check(edge);
   auto& flags = edge_pools_[edge.pool]->flags_[edge.slot];
-  flags = static_cast<std::uint8_t>(enabled ? flags | EdgePool::kEnabled : flags & ~EdgePool::kEnabled);
+  flags = static_cast<std::uint8_t>(enabled ? flags | detail::EdgePool::kEnabled
+                                            : flags & ~detail::EdgePool::kEnabled);
 }
 
 bool Graph::is_enabled(EdgeRef edge) const {
@@ -208,7 +209,7 @@ bool Graph::is_enabled(EdgeRef edge) const {
 
 void Graph::set_level(EdgeRef edge, int level) {
   check(edge);
-  EdgePool& pool = *edge_pools_[edge.pool];
+  detail::EdgePool& pool = *edge_pools_[edge.pool];
   if (pool.level(edge.slot) == level) return;
   if (pool.levels_.empty()) pool.levels_.resize(pool.slots(), 0);
   pool.levels_[edge.slot] = level;
@@ -276,18 +277,18 @@ void Graph::pop() {
   stack_.pop_back();
   bool resized = false;
   for (std::size_t p = 0; p < saved.parts.size(); ++p) {
-    VertexPool& pool = *vertex_pools_[p];
+    detail::VertexPool& pool = *vertex_pools_[p];
     Saved::Part& part = saved.parts[p];
     std::vector<int> dims(part.slots.size());
     for (std::size_t k = 0; k < part.slots.size(); ++k) {
       const bool exists =
           contains(VertexRef{static_cast<std::uint32_t>(p), part.slots[k], part.generations[k]});
-      if (!exists) part.slots[k] = VertexPool::kNoSlot;
+      if (!exists) part.slots[k] = detail::VertexPool::kNoSlot;
       if (exists) dims[k] = pool.tangent_dim(part.slots[k]);
     }
     pool.restore(part.slots, *part.estimates);
     for (std::size_t k = 0; k < part.slots.size(); ++k)
-      resized |= part.slots[k] != VertexPool::kNoSlot && pool.tangent_dim(part.slots[k]) != dims[k];
+      resized |= part.slots[k] != detail::VertexPool::kNoSlot && pool.tangent_dim(part.slots[k]) != dims[k];
   }
   if (resized) note_rewrite();
 }

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace boxplus {
+namespace boxplus::detail {
 namespace {
 
 /// A hash of x: all bits of the result depend on all bits of x (xor-shifts and multiplications: Steele, Lea,
@@ -81,4 +81,4 @@ std::vector<VertexRef> IdMap::by_id() const {
   return result;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

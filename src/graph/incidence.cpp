@@ -9,7 +9,7 @@ namespace boxplus {
 Graph::Incidence::Incidence(const Graph& graph) {
   for (const auto& pool : graph.vertex_pools()) edges_.emplace_back(pool->slots());
   for (const EdgeRef& edge : graph.all_edges()) {
-    const EdgePool& pool = *graph.edge_pools()[edge.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[edge.pool];
     int position = 0;
     for (const std::uint32_t slot : pool.vertex_slots(edge.slot))
       edges_[pool.vertex_pool(edge.slot, position++)][slot].push_back(edge);
@@ -64,7 +64,7 @@ void Graph::index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexce
 std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
   std::vector<EdgeRef> result;
   for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {
-    const EdgePool& pool = *edge_pools_[p];
+    const detail::EdgePool& pool = *edge_pools_[p];
     for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
       if (!pool.alive(edge)) continue;
       const auto slots = pool.vertex_slots(edge);
@@ -82,7 +82,7 @@ void Graph::remove(VertexRef vertex) {
   check(vertex);
   const std::vector<EdgeRef> edges = incidence_ ? incidence_->take(*this, vertex) : find_edges(vertex);
   for (const EdgeRef& edge : edges) edge_pools_[edge.pool]->remove(edge.slot);
-  VertexPool& pool = *vertex_pools_[vertex.pool];
+  detail::VertexPool& pool = *vertex_pools_[vertex.pool];
   (pool.parameter(vertex.slot) ? parameter_ids_ : vertex_ids_).erase(pool.id(vertex.slot));
   pool.release_slot(vertex.slot);
   note_rewrite();

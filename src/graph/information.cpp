@@ -23,7 +23,7 @@ constexpr int kSmall = 6;
 
 /// The reason why a full Ω is invalid; empty if it is valid.
 template <class Storage>
-std::string complaint_about(const InformationView& omega) {
+std::string complaint_about(const detail::InformationView& omega) {
   const int rows = omega.rows;
   Storage full(rows, rows);
   for (int i = 0; i < rows; ++i) {
@@ -59,22 +59,22 @@ std::string complaint_about(const InformationView& omega) {
 
 }  // namespace
 
-double InformationView::operator()(int i, int j) const {
+double detail::InformationView::operator()(int i, int j) const {
   switch (kind) {
-    case InformationKind::kScalar:
+    case detail::InformationKind::kScalar:
       return i == j ? values[0] : 0;
-    case InformationKind::kDiagonal:
+    case detail::InformationKind::kDiagonal:
       return i == j ? values[i] : 0;
     default:
       return i <= j ? values[triangle_index(i, j, rows)] : values[triangle_index(j, i, rows)];
   }
 }
 
-void InformationView::apply(const double* x, int columns, double* y) const {
+void detail::InformationView::apply(const double* x, int columns, double* y) const {
   for (int c = 0; c < columns; ++c, x += rows, y += rows) {
-    if (kind == InformationKind::kScalar) {
+    if (kind == detail::InformationKind::kScalar) {
       for (int i = 0; i < rows; ++i) y[i] = values[0] * x[i];
-    } else if (kind == InformationKind::kDiagonal) {
+    } else if (kind == detail::InformationKind::kDiagonal) {
       for (int i = 0; i < rows; ++i) y[i] = values[i] * x[i];
     } else {
       std::fill_n(y, rows, 0.0);
@@ -91,9 +91,9 @@ void InformationView::apply(const double* x, int columns, double* y) const {
   }
 }
 
-double InformationView::weighted_squared_norm(const double* e) const {
+double detail::InformationView::weighted_squared_norm(const double* e) const {
   double sum = 0;
-  if (kind == InformationKind::kDiagonal) {
+  if (kind == detail::InformationKind::kDiagonal) {
     for (int i = 0; i < rows; ++i) sum += values[i] * e[i] * e[i];
     return sum;
   }
@@ -106,7 +106,7 @@ double InformationView::weighted_squared_norm(const double* e) const {
   return 2 * sum;
 }
 
-Information::Information(InformationKind kind, int rows, std::span<const double> values)
+Information::Information(detail::InformationKind kind, int rows, std::span<const double> values)
     : kind_(kind), rows_(rows), count_(values.size()) {
   if (count_ <= kNear) {
     std::copy(values.begin(), values.end(), near_.begin());
@@ -116,7 +116,7 @@ Information::Information(InformationKind kind, int rows, std::span<const double>
 }
 
 Information Information::diagonal(std::span<const double> values) {
-  return {InformationKind::kDiagonal, static_cast<int>(values.size()), values};
+  return {detail::InformationKind::kDiagonal, static_cast<int>(values.size()), values};
 }
 
 Information Information::upper_triangle(std::span<const double> values, int rows) {
@@ -132,9 +132,9 @@ Information Information::upper_triangle(std::span<const double> values, int rows
     scalar = scalar && on_diagonal == values[0];
     for (int j = i + 1; j < rows; ++j) diagonal = (*value++ == 0) && diagonal;
   }
-  if (diagonal && scalar) return {InformationKind::kScalar, rows, values.first(1)};
-  if (!diagonal) return {InformationKind::kFull, rows, values};
-  Information result(InformationKind::kDiagonal, rows, values.first(static_cast<std::size_t>(rows)));
+  if (diagonal && scalar) return {detail::InformationKind::kScalar, rows, values.first(1)};
+  if (!diagonal) return {detail::InformationKind::kFull, rows, values};
+  Information result(detail::InformationKind::kDiagonal, rows, values.first(static_cast<std::size_t>(rows)));
   double* out = result.far_.empty() ? result.near_.data() : result.far_.data();
   for (int i = 0; i < rows; ++i) *out++ = values[static_cast<std::size_t>(triangle_index(i, i, rows))];
   return result;
@@ -172,7 +172,7 @@ std::string Information::complaint(int rows) const {
   for (double v : values) {
     if (!std::isfinite(v)) return "information: expected finite values, got " + std::to_string(v);
   }
-  if (kind_ != InformationKind::kFull) {
+  if (kind_ != detail::InformationKind::kFull) {
     for (double v : values) {
       if (v < 0)
         return "information: expected a positive semi-definite matrix, got the diagonal entry " +
@@ -180,29 +180,29 @@ std::string Information::complaint(int rows) const {
     }
     return {};
   }
-  const InformationView omega{kind_, rows_, values.data()};
+  const detail::InformationView omega{kind_, rows_, values.data()};
   return rows_ <= kSmall
              ? complaint_about<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSmall, kSmall>>(
                    omega)
              : complaint_about<Eigen::MatrixXd>(omega);
 }
 
-void InformationStore::reserve(double growth) {
-  boxplus::reserve(entries_, static_cast<std::size_t>(growth * static_cast<double>(entries_.size())));
-  boxplus::reserve(values_, static_cast<std::size_t>(growth * static_cast<double>(values_.size())));
+void detail::InformationStore::reserve(double growth) {
+  boxplus::detail::reserve(entries_, static_cast<std::size_t>(growth * static_cast<double>(entries_.size())));
+  boxplus::detail::reserve(values_, static_cast<std::size_t>(growth * static_cast<double>(values_.size())));
 }
 
-void InformationStore::append(const Information& information, int rows) {
+void detail::InformationStore::append(const Information& information, int rows) {
   if (const std::string complaint = information.complaint(rows); !complaint.empty())
     throw InvalidArgument(complaint);
   const std::span<const double> values = information.values();
-  make_room(entries_);
-  make_room(values_, values.size());
+  detail::make_room(entries_);
+  detail::make_room(values_, values.size());
   entries_.push_back(entry(information.kind(), values.size(), values_.size()));
   values_.insert(values_.end(), values.begin(), values.end());
 }
 
-void InformationStore::set(std::uint32_t edge, const Information& information, int rows) {
+void detail::InformationStore::set(std::uint32_t edge, const Information& information, int rows) {
   if (const std::string complaint = information.complaint(rows); !complaint.empty())
     throw InvalidArgument(complaint);
   const std::span<const double> values = information.values();
@@ -217,7 +217,8 @@ void InformationStore::set(std::uint32_t edge, const Information& information, i
   entries_[edge] = entry(information.kind(), capacity, offset);
 }
 
-std::uint64_t InformationStore::entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset) {
+std::uint64_t detail::InformationStore::entry(detail::InformationKind kind, std::uint64_t capacity,
+                                              std::uint64_t offset) {
   return (static_cast<std::uint64_t>(kind) << 62) | (std::min(capacity, kCapacityMask) << kOffsetBits) |
          offset;
 }

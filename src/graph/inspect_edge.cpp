@@ -13,7 +13,7 @@ double Graph::chi2(EdgeRef edge) const {
 
 std::vector<double> Graph::error(EdgeRef edge) const {
   check(edge);
-  const EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgePool& pool = *edge_pools_[edge.pool];
   std::vector<double> result(static_cast<std::size_t>(pool.shape(edge.slot).rows));
   pool.errors(std::span(&edge.slot, 1), result.data());
   return result;
@@ -29,11 +29,11 @@ double Graph::weight(EdgeRef edge) const {
 
 std::vector<double> Graph::stacked_jacobian(EdgeRef edge) const {
   check(edge);
-  const EdgePool& pool = *edge_pools_[edge.pool];
-  const EdgeShape shape = pool.shape(edge.slot);
+  const detail::EdgePool& pool = *edge_pools_[edge.pool];
+  const detail::EdgeShape shape = pool.shape(edge.slot);
   std::vector<double> error(static_cast<std::size_t>(shape.rows));
   std::vector<double> jacobian(static_cast<std::size_t>(shape.rows) * static_cast<std::size_t>(shape.cols));
-  EdgeTile tile;
+  detail::EdgeTile tile;
   tile.error = error.data();
   tile.jacobian = jacobian.data();
   pool.linearize(std::span(&edge.slot, 1), tile, false);

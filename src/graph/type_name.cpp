@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 std::string demangle(const char* mangled) {
   int status = 0;
@@ -15,4 +15,4 @@ std::string demangle(const char* mangled) {
   return status == 0 ? plain.get() : mangled;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

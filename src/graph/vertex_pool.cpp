@@ -5,7 +5,7 @@
 
 #include "boxplus/graph/make_room.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 std::uint32_t VertexPool::acquire_slot(Id id) {
   if (!free_.empty()) {
@@ -43,4 +43,4 @@ void VertexPool::set_flag(std::uint32_t slot, Flag flag, bool on) {
   flags_[slot] = static_cast<std::uint8_t>(on ? flags_[slot] | flag : flags_[slot] & ~flag);
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

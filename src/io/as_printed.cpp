@@ -37,8 +37,8 @@ using Numbers = std::array<double, 4>;
 using Decimals = std::array<int, 4>;
 
 Numbers normalized_numbers(const Numbers& q) {
-  const Quaternion<double> unit =
-      SE3(Vector3(0, 0, 0), Quaternion<double>{q[0], q[1], q[2], q[3]}).quaternion();
+  const detail::Quaternion<double> unit =
+      SE3(Vector3(0, 0, 0), detail::Quaternion<double>{q[0], q[1], q[2], q[3]}).quaternion();
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
@@ -64,7 +64,7 @@ std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, 
 
 }  // namespace
 
-Quaternion<double> as_printed(const Quaternion<double>& q) {
+detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q) {
   constexpr int kFewestDigits = 1, kMostDigits = 13;
   const Numbers numbers{q.x, q.y, q.z, q.w};
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -90,7 +90,7 @@ double as_printed(double theta) {
   for (int decimals = kFewest; decimals <= kMost; ++decimals) {
     if (rounded(theta, decimals) == theta) return theta;
     const double printed = rounded(beyond, decimals);
-    if (normalize_angle(printed) == theta) return printed;
+    if (detail::normalize_angle(printed) == theta) return printed;
   }
   return theta;
 }

@@ -7,7 +7,7 @@
 namespace boxplus {
 
 /// A quaternion with fewer digits that becomes `q`, bit for bit, when it is normalized; `q` if there is none.
-Quaternion<double> as_printed(const Quaternion<double>& q);
+detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q);
 
 /// An angle with few digits, slightly beyond ±π, that becomes `theta`, bit for bit, when it is wrapped;
 /// `theta` if there is none.

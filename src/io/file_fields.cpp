@@ -51,7 +51,7 @@ SE3 FileFields<SE3>::read(FieldReader& in) {
     in.fail(place, fmt::format("expected a quaternion of length 1 (± {}), got one of length {}",
                                kNormTolerance, norm));
   }
-  const Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
+  const detail::Quaternion<double> as_read{q[0], q[1], q[2], q[3]};
   if (std::abs(norm - 1) <= kRounding) return SE3::from_unit(t, as_read);
   in.note(fmt::format("a quaternion of length {:.6g} was normalized", norm));
   return SE3(t, as_read);
@@ -63,7 +63,7 @@ void FileFields<SE3>::write(const SE3& x, FieldWriter& out) {
 
 void write_measurement(const SE3& z, FieldWriter& out) {
   for (int i = 0; i < 3; ++i) out.number(z.translation()[i]);
-  const Quaternion<double> q = as_printed(z.quaternion());
+  const detail::Quaternion<double> q = as_printed(z.quaternion());
   for (const double value : {q.x, q.y, q.z, q.w}) out.number(value);
 }
 

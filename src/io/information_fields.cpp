@@ -12,7 +12,7 @@ namespace {
 /// The values without a copy, if they have been converted already.
 std::span<const double> read_listed(FieldReader& in, std::size_t count) {
   if (const auto converted = in.converted(count); !converted.empty()) return converted;
-  auto& values = thread_scratch<std::vector<double>, struct ListedInformation>();
+  auto& values = detail::thread_scratch<std::vector<double>, struct ListedInformation>();
   values.resize(count);
   for (double& value : values) value = in.number("an entry of the information matrix");
   return values;
@@ -21,7 +21,7 @@ std::span<const double> read_listed(FieldReader& in, std::size_t count) {
 std::span<const double> as_upper_triangle(std::span<const double> listed,
                                           detail::ToUpperTriangle to_upper_triangle) {
   if (!to_upper_triangle) return listed;
-  auto& values = thread_scratch<std::vector<double>, struct UpperTriangle>();
+  auto& values = detail::thread_scratch<std::vector<double>, struct UpperTriangle>();
   values.assign(listed.begin(), listed.end());
   to_upper_triangle(values);
   return values;
@@ -49,7 +49,7 @@ Information read_information(FieldReader& in, int rows) {
   return std::move(information.value);
 }
 
-void write_information(const InformationView& information, FieldWriter& out) {
+void write_information(const detail::InformationView& information, FieldWriter& out) {
   for (int i = 0; i < information.rows; ++i) {
     for (int j = i; j < information.rows; ++j) out.number(information(i, j));
   }

@@ -17,7 +17,7 @@ namespace boxplus {
 template <class Item, class Prepare, class Consume>
 void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Consume&& consume) {
   constexpr std::size_t kItemsPerWorker = 4;
-  const auto most = static_cast<std::size_t>(threads > 0 ? threads : hardware_threads());
+  const auto most = static_cast<std::size_t>(threads > 0 ? threads : detail::hardware_threads());
   const std::size_t workers = std::min(most, std::max<std::size_t>(1, count));
   const std::size_t round = std::min(count, workers * kItemsPerWorker);
   std::vector<Item> ready(round), coming(round);
@@ -25,7 +25,7 @@ void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Cons
   for (std::size_t first = 0; first < count || ready_count > 0; first += round) {
     const std::size_t coming_count = first < count ? std::min(round, count - first) : 0;
     std::atomic<std::size_t> next = 0;
-    parallel_tasks(static_cast<int>(workers), [&](int worker) {
+    detail::parallel_tasks(static_cast<int>(workers), [&](int worker) {
       if (worker == 0) {
         for (std::size_t k = 0; k < ready_count; ++k) consume(ready[k]);
       }

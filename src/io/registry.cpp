@@ -59,7 +59,7 @@ void Registry::add_shared(const std::string& name, Tag tag) {
 }
 
 const Tag* Registry::tag_of(const Graph& graph, VertexRef vertex) const {
-  const VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+  const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
   const Tag::Kind kind = pool.parameter(vertex.slot) ? Tag::Kind::kParameter : Tag::Kind::kVertex;
   const auto [first, last] = by_pool_.equal_range(typeid(pool));
   const auto found = std::find_if(first, last, [&](const auto& entry) { return entry.second->kind == kind; });
@@ -67,7 +67,7 @@ const Tag* Registry::tag_of(const Graph& graph, VertexRef vertex) const {
 }
 
 const Tag* Registry::tag_of(const Graph& graph, EdgeRef edge) const {
-  const EdgePool& pool = *graph.edge_pools()[edge.pool];
+  const detail::EdgePool& pool = *graph.edge_pools()[edge.pool];
   const std::vector<VertexRef> vertices = graph.vertices(edge);
   const auto [first, last] = by_pool_.equal_range(typeid(pool));
   const auto found = std::find_if(

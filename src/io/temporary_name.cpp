@@ -9,7 +9,7 @@
 #include <cstring>
 #include <utility>
 
-#include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 
 namespace boxplus {
 namespace {

@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "boxplus/base/error.h"
-#include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 #include "io/temporary_name.h"
 
 namespace boxplus {
@@ -64,7 +64,8 @@ std::string target_of(const std::string& path) {
   return target.string();
 }
 
-void write_to(const FileDescriptor& file, const std::string& path, FunctionRef<void(TextSink)> write) {
+void write_to(const FileDescriptor& file, const std::string& path,
+              detail::FunctionRef<void(TextSink)> write) {
   write([&](std::string_view text) {
     if (const int error = write_all(file.value(), text); error != 0) fail(path, "cannot be written", error);
   });
@@ -166,7 +167,7 @@ std::size_t read_at(const FileDescriptor& file, const std::string& path, std::si
   return total;
 }
 
-void replace_file(const std::string& path, FunctionRef<void(TextSink)> write) {
+void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write) {
   if (is_special_file(path)) {
     const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (!file.is_open()) fail(path, "cannot be written", errno);

@@ -42,6 +42,6 @@ std::size_t read_at(const FileDescriptor& file, const std::string& path, std::si
 
 /// Replaces a file atomically. `write` gets a sink for the new text. Pipes and devices, such as /dev/stdout,
 /// are written to, because they cannot be replaced. Throws FileError.
-void replace_file(const std::string& path, FunctionRef<void(TextSink)> write);
+void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

@@ -13,7 +13,7 @@ namespace boxplus {
 class ConjugateGradients {
  public:
   /// y = A x, or z = M⁻¹ r.
-  using Operator = FunctionRef<void(const double* x, double* y)>;
+  using Operator = detail::FunctionRef<void(const double* x, double* y)>;
 
   void resize(std::size_t size);
   /// Solves A x = b from x = 0. x may be b. If the result is not kOk, x is the last iterate.

@@ -68,7 +68,7 @@ void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVe
 }
 
 /// `weighted` ← ΩJ; the first rows of `weighted_error` ← Ωe, and its other rows ← JᵀΩe.
-void weigh(const EdgeSystem& edge, const InformationView& information, double* weighted,
+void weigh(const EdgeSystem& edge, const detail::InformationView& information, double* weighted,
            double* weighted_error) {
   const int rows = edge.rows;
   information.apply(edge.jacobian, edge.cols, weighted);
@@ -82,9 +82,9 @@ void weigh(const EdgeSystem& edge, const InformationView& information, double* w
 }
 
 /// Adds the edge with scalar loops. It may have any size, and a rank-one weight.
-void accumulate_any(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
-                    const std::uint32_t* targets, double* values, double* gradient, double* weighted,
-                    double* weighted_error) {
+void accumulate_any(const EdgeSystem& edge, const detail::InformationView& information,
+                    const EdgeWeight& weight, const std::uint32_t* targets, double* values, double* gradient,
+                    double* weighted, double* weighted_error) {
   const int rows = edge.rows, cols = edge.cols;
   weigh(edge, information, weighted, weighted_error);
   const double* v = weighted_error + rows;
@@ -107,11 +107,12 @@ void accumulate_any(const EdgeSystem& edge, const InformationView& information, 
 }
 
 /// Adds the edge with the kernels for small edges: computes P = JᵀΩJ as a whole, then adds its blocks.
-void accumulate_small(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
-                      const std::uint32_t* targets, double* values, double* gradient) {
-  static_assert(static_cast<int>(InformationKind::kScalar) == dense::EdgeNumbers::kScalar &&
-                static_cast<int>(InformationKind::kDiagonal) == dense::EdgeNumbers::kDiagonal &&
-                static_cast<int>(InformationKind::kFull) == dense::EdgeNumbers::kFull);
+void accumulate_small(const EdgeSystem& edge, const detail::InformationView& information,
+                      const EdgeWeight& weight, const std::uint32_t* targets, double* values,
+                      double* gradient) {
+  static_assert(static_cast<int>(detail::InformationKind::kScalar) == dense::EdgeNumbers::kScalar &&
+                static_cast<int>(detail::InformationKind::kDiagonal) == dense::EdgeNumbers::kDiagonal &&
+                static_cast<int>(detail::InformationKind::kFull) == dense::EdgeNumbers::kFull);
   const dense::KernelTable& kernels = dense::kernels();
   double products[dense::kMostEdgeColumns * dense::kMostEdgeColumns],
       gradient_of_edge[dense::kMostEdgeColumns];
@@ -137,9 +138,9 @@ void accumulate_small(const EdgeSystem& edge, const InformationView& information
 
 /// Adds the edge with the dense kernels: computes the lower triangle of −ρ′JᵀΩJ in strips of columns, then
 /// adds its blocks.
-void accumulate_large(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
-                      const std::uint32_t* targets, double* values, double* gradient, double* weighted,
-                      double* weighted_error, double* dense) {
+void accumulate_large(const EdgeSystem& edge, const detail::InformationView& information,
+                      const EdgeWeight& weight, const std::uint32_t* targets, double* values,
+                      double* gradient, double* weighted, double* weighted_error, double* dense) {
   constexpr int kStripColumns = 48;
   const int rows = edge.rows, cols = edge.cols;
   weigh(edge, information, weighted, weighted_error);
@@ -184,7 +185,7 @@ std::size_t dense_scratch(int rows, int cols) {
 
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   if (kernel == nullptr) return {};
-  const Rho rho = (*kernel)(e2);
+  const RobustKernel::Rho rho = (*kernel)(e2);
   EdgeWeight weight{rho.first < 0 ? 0 : rho.first, 0};  // NaN stays NaN
   if (triggs && e2 > 0) {
     const double least = -weight.first / e2;
@@ -193,7 +194,7 @@ EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs) {
   return weight;
 }
 
-void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+void accumulate(const EdgeSystem& edge, const detail::InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense) {
   const bool is_small =

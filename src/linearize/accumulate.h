@@ -36,7 +36,7 @@ std::size_t dense_scratch(int rows, int cols);
 /// Adds the edge to H (`values`) and to the gradient, at the places `targets`. `weighted`, `weighted_error`
 /// and `dense` are scratch of rows·cols, rows + cols and dense_scratch() values. If `dense` is null, large
 /// edges are added with scalar loops.
-void accumulate(const EdgeSystem& edge, const InformationView& information, const EdgeWeight& weight,
+void accumulate(const EdgeSystem& edge, const detail::InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense = nullptr);
 

@@ -29,7 +29,7 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
   }
   PacedStop pace(request.stop);
   for (std::size_t p = 0; p < movable.size(); ++p) {
-    const VertexPool& pool = *graph.vertex_pools()[p];
+    const detail::VertexPool& pool = *graph.vertex_pools()[p];
     for (std::uint32_t slot = 0; slot < pool.slots(); ++slot) {
       pace.step();
       if (!pool.alive(slot) || pool.fixed(slot) || all_directions_fixed(pool, slot)) movable[p][slot] = 0;
@@ -39,7 +39,7 @@ Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
 }
 
 template <class F>
-void for_each_vertex(const EdgePool& pool, std::uint32_t edge, F&& f) {
+void for_each_vertex(const detail::EdgePool& pool, std::uint32_t edge, F&& f) {
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) f(pool.vertex_pool(edge, static_cast<int>(i)), slots[i]);
 }
@@ -57,7 +57,7 @@ std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const P
   PacedStop pace(request.stop);
   std::vector<std::vector<std::uint32_t>> result(graph.edge_pools().size());
   for (std::size_t p = 0; p < result.size(); ++p) {
-    const EdgePool& pool = *graph.edge_pools()[p];
+    const detail::EdgePool& pool = *graph.edge_pools()[p];
     for (std::uint32_t edge = 0; edge < pool.slots(); ++edge) {
       pace.step();
       if (!pool.alive(edge) || !wanted[p][edge]) continue;
@@ -99,7 +99,7 @@ void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSe
                    const StopToken& stop) {
   PacedStop pace(stop);
   const auto rank = [&](const VertexRef& v) {
-    const VertexPool& pool = *graph.vertex_pools()[v.pool];
+    const detail::VertexPool& pool = *graph.vertex_pools()[v.pool];
     return std::tuple(!pool.eliminated(v.slot), pool.id(v.slot), pool.parameter(v.slot));
   };
   const auto comes_before = [&](const VertexRef& a, const VertexRef& b) {

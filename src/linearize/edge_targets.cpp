@@ -12,7 +12,7 @@ std::uint32_t target(const BlockStructure& structure, const Chunk& chunk, std::u
 
 }  // namespace
 
-void append_edge(const EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
+void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
                  const BlockStructure& structure, const Chunk& chunk, Scatter& scatter) {
   scatter.edges.push_back(edge);
   if (!pool.uniform_shape())

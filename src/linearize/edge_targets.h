@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kNoBlock = BlockStructure::kAbsent;
 using BlockOf = std::vector<std::vector<std::uint32_t>>;
 
 /// The blocks of an edge's vertices, in order; kNoBlock for vertices that do not move.
-inline void edge_blocks(const EdgePool& pool, std::uint32_t edge, const BlockOf& block_of,
+inline void edge_blocks(const detail::EdgePool& pool, std::uint32_t edge, const BlockOf& block_of,
                         std::vector<std::uint32_t>& out) {
   out.clear();
   const auto slots = pool.vertex_slots(edge);
@@ -34,7 +34,7 @@ inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks
 }
 
 /// Appends an edge with these blocks to a scatter of the chunk.
-void append_edge(const EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
+void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
                  const BlockStructure& structure, const Chunk& chunk, Scatter& scatter);
 
 }  // namespace boxplus

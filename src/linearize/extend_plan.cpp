@@ -46,7 +46,7 @@ class Finder {
   bool find_edges(Additions& out) const {
     out.edges.resize(graph_.edge_pools().size());
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
-      const EdgePool& pool = *graph_.edge_pools()[p];
+      const detail::EdgePool& pool = *graph_.edge_pools()[p];
       for (std::uint32_t edge = p < old_edges_.size() ? old_edges_[p] : 0; edge < pool.slots(); ++edge) {
         if (request_.level < 0 || pool.level(edge) == request_.level) out.edges[p].push_back(edge);
       }
@@ -61,7 +61,7 @@ class Finder {
   bool find_vertices(BlockOf& blocks, Additions& out) const {
     constexpr std::uint32_t kSeen = kNoBlock - 1;
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
-      const EdgePool& pool = *graph_.edge_pools()[p];
+      const detail::EdgePool& pool = *graph_.edge_pools()[p];
       for (const std::uint32_t edge : out.edges[p]) {
         const auto slots = pool.vertex_slots(edge);
         for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -83,12 +83,12 @@ class Finder {
   }
 
   bool moves(std::uint32_t v, std::uint32_t slot) const {
-    const VertexPool& pool = *graph_.vertex_pools()[v];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v];
     return !pool.fixed(slot) && pool.tangent_dim(slot) > 0;
   }
 
   bool fits(const VertexRef& vertex) const {
-    const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
     const auto has_list = [&](const VertexList& list) { return list.pool == vertex.pool; };
     if (!std::any_of(plan_.vertices.begin(), plan_.vertices.end(), has_list)) return false;
     if (pool.eliminated(vertex.slot) || pool.parameter(vertex.slot)) return false;
@@ -110,7 +110,7 @@ class Finder {
     sets_ = DisjointSets(1 + out.vertices.size());  // 0 stands for all old vertices
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
-      const EdgePool& pool = *graph_.edge_pools()[p];
+      const detail::EdgePool& pool = *graph_.edge_pools()[p];
       for (const std::uint32_t edge : out.edges[p]) {
         const auto slots = pool.vertex_slots(edge);
         std::uint32_t free = 0, last = 0;
@@ -276,7 +276,7 @@ std::uint64_t count_values(const BlockStructure& structure, std::span<const std:
 /// Moves the targets of old edges with their blocks.
 void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   if (shifts.value.empty()) return;
-  const EdgePool& pool = *graph.edge_pools()[scatter.pool];
+  const detail::EdgePool& pool = *graph.edge_pools()[scatter.pool];
   for (std::uint32_t k = 0; k < scatter.edges.size(); ++k) {
     const int arity = pool.arity(scatter.edges[k]);
     std::uint32_t* target =
@@ -293,7 +293,7 @@ void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
 /// Appends the new edges of a pool to a chunk. Its runs are in the order of the pools.
 void append_edges(const Graph& graph, std::uint32_t p, const std::vector<std::uint32_t>& edges,
                   const BlockOf& block_of, const BlockStructure& structure, Chunk& chunk) {
-  const EdgePool& pool = *graph.edge_pools()[p];
+  const detail::EdgePool& pool = *graph.edge_pools()[p];
   std::vector<std::uint32_t> blocks;
   for (const std::uint32_t edge : edges) {
     edge_blocks(pool, edge, block_of, blocks);

@@ -46,7 +46,7 @@ void list_block(const FixedOfBlocks& fixed_of, const BlockStructure& structure, 
 
 }  // namespace
 
-bool all_directions_fixed(const VertexPool& pool, std::uint32_t slot) {
+bool all_directions_fixed(const detail::VertexPool& pool, std::uint32_t slot) {
   const auto fixed = pool.fixed_directions(slot);
   const auto dim = static_cast<std::ptrdiff_t>(pool.tangent_dim(slot));
   return std::count_if(fixed.begin(), fixed.end(), [&](int direction) { return direction < dim; }) == dim;

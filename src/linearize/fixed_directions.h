@@ -9,7 +9,7 @@
 namespace boxplus {
 
 /// Whether all directions of the vertex's tangent are fixed.
-bool all_directions_fixed(const VertexPool& pool, std::uint32_t slot);
+bool all_directions_fixed(const detail::VertexPool& pool, std::uint32_t slot);
 
 /// Fills Plan::fixed_scalars and Chunk::fixed of an otherwise complete plan. O(nonzero blocks of H) if any
 /// vertex has fixed directions.

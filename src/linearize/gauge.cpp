@@ -46,7 +46,7 @@ class EdgeEnds {
  private:
   template <class F>
   void for_each(EdgeSlot edge, F&& f) const {
-    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
@@ -126,7 +126,7 @@ class GaugeFinder {
   }
 
   void add_edge(EdgeSlot edge, int moving, Component& component) const {
-    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
     component.edges.push_back(edge);
     component.only_rigid = component.only_rigid && pool.is_rigid();
     component.anchored = component.anchored || moving == 1 || ends_.has_fixed(edge);
@@ -141,8 +141,8 @@ class GaugeFinder {
   /// The rank of a vertex; the first one is held. Vertices are ranked by dimension (the largest first), then
   /// by kind (poses, points, others), then by id. Eliminated vertices are not held.
   auto rank(VertexSlot v) const {
-    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
-    Frame frame;
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    detail::Frame frame;
     const bool has_frame = pool.get_frame(v.slot, frame);
     return std::tuple(pool.eliminated(v.slot), -pool.tangent_dim(v.slot),
                       has_frame ? (frame.has_rotation ? 0 : 1) : 2, pool.id(v.slot));
@@ -173,7 +173,7 @@ class GaugeFinder {
 
   bool has_frames(const Component& component, int dimension) const {
     return std::any_of(component.vertices.begin(), component.vertices.end(), [&](VertexSlot v) {
-      Frame frame;
+      detail::Frame frame;
       return graph_.vertex_pools()[v.pool]->get_frame(v.slot, frame) && frame.dimension == dimension;
     });
   }
@@ -264,7 +264,7 @@ class GaugeFinder {
     }
   }
 
-  GaugeFreedom describe(VertexSlot vertex, const SimilarityFreedom& left) const {
+  detail::GaugeFreedom describe(VertexSlot vertex, const SimilarityFreedom& left) const {
     constexpr double kZero = 1e-6;
     const MatrixXd turns = left.basis.bottomRows(left.motions.rotations() + 1);
     const int turning = left.directions() - static_cast<int>(kernel_of(turns, kZero).cols());
@@ -288,7 +288,7 @@ class GaugeFinder {
 
 }  // namespace
 
-std::string_view to_string(const GaugeFreedom& freedom) {
+std::string_view to_string(const detail::GaugeFreedom& freedom) {
   if (freedom.translation && freedom.rotation)
     return freedom.scale ? "translation, rotation and scale" : "translation and rotation";
   if (freedom.translation) return freedom.scale ? "translation and scale" : "translation";

@@ -18,7 +18,7 @@ struct TangentDirection {
 struct Gauge {
   std::vector<GaugeVertex> held;
   std::vector<TangentDirection> held_directions;  ///< of vertices that are not held completely
-  std::vector<GaugeFreedom> freedoms;
+  std::vector<detail::GaugeFreedom> freedoms;
   /// One vertex of each component that nothing anchors and whose freedom, if any, is not one of similarities.
   std::vector<VertexRef> loose;
 };

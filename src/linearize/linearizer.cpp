@@ -18,7 +18,8 @@ namespace boxplus {
 namespace {
 
 /// Tangent sizes of an edge's vertices.
-void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, std::vector<int>& dims) {
+void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t edge,
+                 std::vector<int>& dims) {
   dims.clear();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -28,11 +29,11 @@ void vertex_dims(const Graph& graph, const EdgePool& pool, std::uint32_t edge, s
 
 /// The number of edges between two checks of the stop token. It suits edges that take 1 µs as well as edges
 /// that take 100 µs. The second is the number of entries of H that are cleared in about the same time.
-constexpr std::uint32_t kEdgesBetweenStops = EdgeTile::kCapacity;
+constexpr std::uint32_t kEdgesBetweenStops = detail::EdgeTile::kCapacity;
 constexpr std::uint32_t kValuesBetweenStops = 1u << 15;
 
 /// ρ(eᵀΩe) of the listed edges.
-void evaluate(const EdgePool& pool, std::span<const std::uint32_t> edges, double* out) {
+void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, double* out) {
   pool.chi2(edges, out);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     if (!pool.enabled(edges[k])) out[k] = 0;
@@ -61,7 +62,7 @@ void Linearizer::allocate_values(std::size_t room) {
   values_.reset();
   values_ = std::make_unique_for_overwrite<double[]>(room);
   values_room_ = room;
-  prefer_large_pages(values_.get(), room * sizeof(double));
+  detail::prefer_large_pages(values_.get(), room * sizeof(double));
 }
 
 void Linearizer::extend() {
@@ -73,7 +74,7 @@ void Linearizer::extend() {
 
 void Linearizer::linearize(const LinearizeOptions& options) {
   stopped_ = false;
-  parallel_tasks(workers(), [&](int worker) {
+  detail::parallel_tasks(workers(), [&](int worker) {
     const auto w = static_cast<std::size_t>(worker);
     linearize_chunk(plan_->chunks[w], memory_[w], options);
   });
@@ -100,14 +101,14 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
 /// Returns false if the token was raised.
 bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                                const LinearizeOptions& options, PacedStop& pace) {
-  const EdgePool& pool = *graph_->edge_pools()[scatter.pool];
+  const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
   const bool uniform = pool.uniform_shape();
-  const EdgeShape shape = pool.shape(scatter.edges[run.begin]);
+  const detail::EdgeShape shape = pool.shape(scatter.edges[run.begin]);
   const std::size_t capacity = uniform ? static_cast<std::size_t>(tile_capacity(shape)) : 1;
-  const bool by_tiles = capacity >= EdgeTile::kLanes && !options.triggs_correction &&
+  const bool by_tiles = capacity >= detail::EdgeTile::kLanes && !options.triggs_correction &&
                         memory.adder.choose(shape.rows, memory.dims);
-  EdgeTile tile;
+  detail::EdgeTile tile;
   tile.error = memory.error.data();
   tile.jacobian = memory.jacobian.data();
   for (std::uint32_t next = run.begin; next < run.end;) {
@@ -126,12 +127,12 @@ bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
   return true;
 }
 
-void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges,
-                                const EdgeTile& tile, TileMemory& memory, bool triggs_correction) {
+void Linearizer::add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
+                                const detail::EdgeTile& tile, TileMemory& memory, bool triggs_correction) {
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const double* error = tile.error + k * static_cast<std::size_t>(tile.rows);
     const double* jacobian = tile.jacobian + k * static_cast<std::size_t>(tile.rows * tile.cols);
-    const InformationView omega = pool.information(edges[k], tile.rows);
+    const detail::InformationView omega = pool.information(edges[k], tile.rows);
     const RobustKernel* kernel = pool.kernel(edges[k]);
     const EdgeWeight weight =
         kernel ? edge_weight(kernel, omega.squared_norm(error), triggs_correction) : EdgeWeight{};
@@ -144,7 +145,7 @@ void Linearizer::add_one_by_one(const EdgePool& pool, std::span<const std::uint3
 double Linearizer::chi2() {
   stopped_ = false;
   const int count = workers();
-  parallel_tasks(count, [&](int worker) { evaluate_share(worker, count); });
+  detail::parallel_tasks(count, [&](int worker) { evaluate_share(worker, count); });
   return stopped_ ? std::numeric_limits<double>::quiet_NaN() : pairwise_sum(edge_chi2_);
 }
 
@@ -161,7 +162,7 @@ void Linearizer::evaluate_share(int worker, int workers) {
     const std::uint32_t from = std::clamp(begin, list.first, list.first + size);
     const std::uint32_t to = std::clamp(end, list.first, list.first + size);
     if (from == to) continue;
-    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph_->edge_pools()[list.pool];
     for (std::uint32_t first = from; first < to;) {
       const std::uint32_t count = std::min(kEdgesBetweenStops, to - first);
       if (stop_.raised()) return void(stopped_ = true);
@@ -173,7 +174,7 @@ void Linearizer::evaluate_share(int worker, int workers) {
 
 std::optional<EdgeRef> Linearizer::find_non_finite_error() const {
   for (const EdgeList& list : plan_->edges) {
-    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph_->edge_pools()[list.pool];
     for (std::size_t k = 0; k < list.edges.size(); ++k) {
       if (std::isfinite(edge_chi2_[list.first + k])) continue;
       return EdgeRef{list.pool, list.edges[k], pool.generation(list.edges[k])};
@@ -184,13 +185,13 @@ std::optional<EdgeRef> Linearizer::find_non_finite_error() const {
 
 std::optional<EdgeRef> Linearizer::find_non_finite_jacobian(const LinearizeOptions& options) const {
   for (const EdgeList& list : plan_->edges) {
-    const EdgePool& pool = *graph_->edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph_->edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (!pool.enabled(edge)) continue;
-      const EdgeShape shape = pool.shape(edge);
+      const detail::EdgeShape shape = pool.shape(edge);
       std::vector<double> error(static_cast<std::size_t>(shape.rows));
       std::vector<double> jacobian(static_cast<std::size_t>(shape.rows * shape.cols));
-      EdgeTile tile;
+      detail::EdgeTile tile;
       tile.error = error.data();
       tile.jacobian = jacobian.data();
       pool.linearize(std::span(&edge, 1), tile, options.numeric_jacobians);

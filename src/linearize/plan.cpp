@@ -18,11 +18,11 @@ namespace {
 constexpr double kMinWorkerNanoseconds = 120e3;
 
 /// The predicted time to linearize, per entry of the Jacobian.
-double nanoseconds_per_entry(JacobianSource source) {
+double nanoseconds_per_entry(detail::JacobianSource source) {
   switch (source) {
-    case JacobianSource::kAnalytic:
+    case detail::JacobianSource::kAnalytic:
       return 2.5;
-    case JacobianSource::kAutomatic:
+    case detail::JacobianSource::kAutomatic:
       return 15;
     default:
       return 50;
@@ -32,16 +32,16 @@ double nanoseconds_per_entry(JacobianSource source) {
 double predicted_nanoseconds(const Graph& graph, const Plan& plan, PacedStop& pace) {
   double total = 0;
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     const double per_entry = nanoseconds_per_entry(pool.jacobian_source());
     if (pool.uniform_shape() && !list.edges.empty()) {
-      const EdgeShape shape = pool.shape(list.edges.front());
+      const detail::EdgeShape shape = pool.shape(list.edges.front());
       total += per_entry * shape.rows * shape.cols * static_cast<double>(list.edges.size());
       continue;
     }
     for (const std::uint32_t edge : list.edges) {
       pace.step();
-      const EdgeShape shape = pool.shape(edge);
+      const detail::EdgeShape shape = pool.shape(edge);
       total += per_entry * shape.rows * shape.cols;
     }
   }
@@ -118,10 +118,10 @@ void list_vertices(const ActiveSet& active, Plan& plan, PacedStop& pace) {
 void list_edges(const Graph& graph, ActiveSet& active, Plan& plan, PacedStop& pace) {
   for (std::uint32_t p = 0; p < active.edges.size(); ++p) {
     if (active.edges[p].empty()) continue;
-    const EdgePool& pool = *graph.edge_pools()[p];
+    const detail::EdgePool& pool = *graph.edge_pools()[p];
     for (std::uint32_t edge : active.edges[p]) {
       pace.step();
-      const EdgeShape shape = pool.shape(edge);
+      const detail::EdgeShape shape = pool.shape(edge);
       const int capacity = pool.uniform_shape() ? tile_capacity(shape) : 1;
       plan.max_tile_values = std::max(plan.max_tile_values, capacity * std::max(1, shape.rows) * shape.cols);
       plan.max_tile_rows = std::max(plan.max_tile_rows, capacity * shape.rows);
@@ -211,7 +211,7 @@ class ChunkBuilder {
           k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
       if (starts_run) chunk_.runs.push_back({scatter, position, position});
       ++chunk_.runs.back().end;
-      const EdgePool& pool = *graph_.edge_pools()[entry.pool];
+      const detail::EdgePool& pool = *graph_.edge_pools()[entry.pool];
       edge_blocks(pool, entry.edge, active_.block, blocks_);
       append_edge(pool, entry.edge, blocks_, structure_, chunk_, chunk_.scatters[scatter]);
     }
@@ -229,11 +229,12 @@ class ChunkBuilder {
 
 }  // namespace
 
-int tile_capacity(const EdgeShape& shape) {
+int tile_capacity(const detail::EdgeShape& shape) {
   constexpr int kTileBytes = 16 * 1024;
   const int bytes = std::max(1, shape.rows * (shape.cols + 1)) * static_cast<int>(sizeof(double));
-  const int capacity = std::clamp(kTileBytes / bytes, 1, EdgeTile::kCapacity);
-  return capacity < EdgeTile::kLanes ? capacity : capacity / EdgeTile::kLanes * EdgeTile::kLanes;
+  const int capacity = std::clamp(kTileBytes / bytes, 1, detail::EdgeTile::kCapacity);
+  return capacity < detail::EdgeTile::kLanes ? capacity
+                                             : capacity / detail::EdgeTile::kLanes * detail::EdgeTile::kLanes;
 }
 
 Plan make_plan(const Graph& graph, const PlanRequest& request) {

@@ -24,7 +24,7 @@ class Resistance {
   explicit Resistance(int motions) : motions_(motions) {}
 
   /// `tangents`: one row per column of the Jacobian.
-  void add(const EdgeTile& edge, const double* tangents, double tolerance) {
+  void add(const detail::EdgeTile& edge, const double* tangents, double tolerance) {
     for (int row = 0; row < edge.rows; ++row) {
       std::array<double, WorldMotions::kMost> change{};
       double magnitude = 0;
@@ -91,7 +91,7 @@ std::vector<EdgeSlot> sample_of(std::span<const EdgeSlot> edges, std::size_t cou
 }  // namespace
 
 MatrixXd SimilarityFreedom::of_vertex(const Graph& graph, VertexSlot vertex) const {
-  const VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+  const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
   MatrixXd tangents(pool.tangent_dim(vertex.slot), motions.count());
   motion_tangents(pool, vertex.slot, (*roles)[vertex.pool][vertex.slot], motions, tangents.data());
   return tangents * basis;
@@ -121,7 +121,7 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
   std::map<std::tuple<std::uint32_t, int, std::uint32_t>, std::uint32_t> places;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
   for (const EdgeSlot edge : edges) {
-    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
@@ -141,10 +141,10 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
   for (const auto& [a, b] : equal) sets.join(a, b);
   std::vector<Kind> kinds;
   for (const VertexSlot v : vertices) {
-    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     std::uint32_t& kind = kind_of_[v.pool][v.slot];
     kind = sets.find(kind);
-    Frame frame;
+    detail::Frame frame;
     if (!pool.get_frame(v.slot, frame) || frame.dimension != dimension) continue;
     const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.id == kind; });
     if (known != kinds.end()) continue;
@@ -180,8 +180,8 @@ WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, i
   std::array<double, 3> sum{};
   double squares = 0, count = 0;
   for (const VertexSlot v : vertices) {
-    Frame frame;
-    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    detail::Frame frame;
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     if (!world_frame(pool, v.slot, roles_[v.pool][v.slot], dimension, frame)) continue;
     ++count;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -208,7 +208,7 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   PacedStop pace(stop_, 64);
   for (const VertexSlot v : vertices) {
     pace.step();
-    const VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     tangents_of_[v.pool][v.slot] = kStill;
     if (roles_[v.pool][v.slot] == WorldRole::kNone) continue;
     tangents.resize(pool.tangent_dim(v.slot), count);
@@ -223,12 +223,12 @@ MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const Worl
   return eigenvectors_of(sum, [&](double squared) { return squared > least; });
 }
 
-void SimilarityTest::tangents_of_edge(const EdgePool& pool, std::uint32_t edge, RowMajor& out) const {
+void SimilarityTest::tangents_of_edge(const detail::EdgePool& pool, std::uint32_t edge, RowMajor& out) const {
   double* row = out.data();
   const auto slots = pool.vertex_slots(edge);
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t p = pool.vertex_pool(edge, static_cast<int>(i));
-    const VertexPool& vertices = *graph_.vertex_pools()[p];
+    const detail::VertexPool& vertices = *graph_.vertex_pools()[p];
     const auto size = static_cast<std::size_t>(vertices.tangent_dim(slots[i]) * out.cols());
     const bool moves = movable_[p][slots[i]] && !vertices.parameter(slots[i]);
     const std::size_t from = moves ? tangents_of_[p][slots[i]] : kStill;
@@ -260,17 +260,17 @@ MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::s
   PacedStop pace(stop_, kBetweenStops);
   for (std::size_t k = 0; k < edges.size() && candidates.cols() > 0; ++k) {
     pace.step();
-    const EdgePool& pool = *graph_.edge_pools()[edges[k].pool];
-    const EdgeShape shape = pool.shape(edges[k].slot);
+    const detail::EdgePool& pool = *graph_.edge_pools()[edges[k].pool];
+    const detail::EdgeShape shape = pool.shape(edges[k].slot);
     tangents.resize(shape.cols, motions);
     tangents_of_edge(pool, edges[k].slot, tangents);
     jacobian.resize(shape.rows, shape.cols);
     error.resize(shape.rows);
-    EdgeTile tile;
+    detail::EdgeTile tile;
     tile.error = error.data();
     tile.jacobian = jacobian.data();
     pool.linearize(std::span(&edges[k].slot, 1), tile, false);
-    const bool exact = pool.jacobian_source() != JacobianSource::kNumeric;
+    const bool exact = pool.jacobian_source() != detail::JacobianSource::kNumeric;
     resistance.add(tile, tangents.data(), exact ? kExact : kNumeric);
     if (k % kEdgesBetweenChecks == kEdgesBetweenChecks - 1 && resistance.unresisted(candidates).cols() == 0)
       break;
@@ -303,7 +303,7 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
   const std::vector<EdgeSlot> sample = sample_of(edges, 8);
   std::vector<VertexSlot> seen;
   for (const EdgeSlot edge : sample) {
-    const EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));

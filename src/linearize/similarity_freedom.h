@@ -62,7 +62,7 @@ class SimilarityTest {
   Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
   Eigen::MatrixXd unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                              const WorldMotions& world, const Eigen::MatrixXd& candidates) const;
-  void tangents_of_edge(const EdgePool& pool, std::uint32_t edge, RowMajor& out) const;
+  void tangents_of_edge(const detail::EdgePool& pool, std::uint32_t edge, RowMajor& out) const;
   SimilarityFreedom free_motions(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                  int dimension);
 

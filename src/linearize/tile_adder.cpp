@@ -6,13 +6,13 @@
 namespace boxplus {
 namespace {
 
-static_assert(EdgeTile::kLanes == dense::kTileLanes);
+static_assert(detail::EdgeTile::kLanes == dense::kTileLanes);
 static_assert(Scatter::kNowhere == dense::kNoTarget && Scatter::kTransposed == dense::kTransposedTarget);
 
 /// Copies the error of edge k of a tile.
-void copy_error(const EdgeTile& tile, std::size_t k, double* out) {
+void copy_error(const detail::EdgeTile& tile, std::size_t k, double* out) {
   const auto rows = static_cast<std::size_t>(tile.rows);
-  constexpr std::size_t kLanes = EdgeTile::kLanes;
+  constexpr std::size_t kLanes = detail::EdgeTile::kLanes;
   for (std::size_t r = 0; r < rows; ++r) {
     out[r] =
         tile.in_lanes ? tile.error[(k / kLanes * rows + r) * kLanes + k % kLanes] : tile.error[k * rows + r];
@@ -22,8 +22,11 @@ void copy_error(const EdgeTile& tile, std::size_t k, double* out) {
 }  // namespace
 
 TileAdder::TileAdder(std::size_t values, std::size_t rows)
-    : jacobian_(values), error_(rows), omega_(rows * dense::kMostEdgeRows), omegas_(EdgeTile::kCapacity) {
-  weights_.reserve(EdgeTile::kCapacity);
+    : jacobian_(values),
+      error_(rows),
+      omega_(rows * dense::kMostEdgeRows),
+      omegas_(detail::EdgeTile::kCapacity) {
+  weights_.reserve(detail::EdgeTile::kCapacity);
 }
 
 bool TileAdder::choose(int rows, std::span<const int> dims) {
@@ -33,7 +36,8 @@ bool TileAdder::choose(int rows, std::span<const int> dims) {
   return add_edges_ != nullptr || add_unary_edges_ != nullptr;
 }
 
-void TileAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile) {
+void TileAdder::weigh(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
+                      const detail::EdgeTile& tile) {
   weights_.clear();
   if (!pool.has_kernels()) return;
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -49,17 +53,18 @@ void TileAdder::weigh(const EdgePool& pool, std::span<const std::uint32_t> edges
   }
 }
 
-void TileAdder::add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
-                    std::span<const std::uint32_t* const> targets, double* values, double* gradient) {
+void TileAdder::add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
+                    const detail::EdgeTile& tile, std::span<const std::uint32_t* const> targets,
+                    double* values, double* gradient) {
   weigh(pool, edges, tile);
-  const InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
+  const detail::InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
   if (add_edges_ != nullptr) return add_binary(tile, kind, targets.data(), values, gradient);
   add_unary_edges_({tile.count, tile.jacobian, tile.error, static_cast<dense::EdgeNumbers::Kind>(kind),
                     omegas_.data(), weights(), targets.data(), values, gradient});
 }
 
-void TileAdder::add_binary(const EdgeTile& tile, InformationKind kind, const std::uint32_t* const* targets,
-                           double* values, double* gradient) {
+void TileAdder::add_binary(const detail::EdgeTile& tile, detail::InformationKind kind,
+                           const std::uint32_t* const* targets, double* values, double* gradient) {
   const double *jacobian = tile.jacobian, *error = tile.error;
   if (!tile.in_lanes) {
     dense::kernels().to_lanes(jacobian, tile.rows * tile.cols, tile.count, jacobian_.data());

@@ -23,15 +23,16 @@ class TileAdder {
   /// Whether the kernel also reads tiles in lanes.
   bool takes_lanes() const { return add_edges_ != nullptr; }
   /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places `targets` (Scatter).
-  void add(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
+  void add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, const detail::EdgeTile& tile,
            std::span<const std::uint32_t* const> targets, double* values, double* gradient);
 
  private:
   const double* weights() const { return weights_.empty() ? nullptr : weights_.data(); }
-  void weigh(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile);
+  void weigh(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
+             const detail::EdgeTile& tile);
 
-  void add_binary(const EdgeTile& tile, InformationKind kind, const std::uint32_t* const* targets,
-                  double* values, double* gradient);
+  void add_binary(const detail::EdgeTile& tile, detail::InformationKind kind,
+                  const std::uint32_t* const* targets, double* values, double* gradient);
 
   dense::AddEdges add_edges_ = nullptr;             // binary
   dense::AddUnaryEdges add_unary_edges_ = nullptr;  // at most one of the two is set

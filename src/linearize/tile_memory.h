@@ -21,14 +21,14 @@ struct TileMemory {
         weighted_error(values + rows),
         dense(dense_values),
         adder(values, rows) {
-    edges.resize(EdgeTile::kCapacity);
-    targets.resize(EdgeTile::kCapacity);
+    edges.resize(detail::EdgeTile::kCapacity);
+    targets.resize(detail::EdgeTile::kCapacity);
   }
 
   /// Gathers the next enabled edges of a run, at most `capacity` of them, from `next` to `end`. Advances
   /// `next`.
-  std::span<const std::uint32_t> gather(const EdgePool& pool, const Scatter& scatter, std::uint32_t& next,
-                                        std::uint32_t end, std::size_t capacity) {
+  std::span<const std::uint32_t> gather(const detail::EdgePool& pool, const Scatter& scatter,
+                                        std::uint32_t& next, std::uint32_t end, std::size_t capacity) {
     const int arity = static_cast<int>(dims.size());
     std::size_t count = 0;
     for (; next < end && count < capacity; ++next) {

@@ -20,7 +20,7 @@ struct Pose {
   Pose inverse() const { return {rotation.transpose(), -(rotation.transpose() * translation)}; }
 };
 
-Pose pose_of(const Frame& frame) {
+Pose pose_of(const detail::Frame& frame) {
   Pose pose;
   for (int i = 0; i < frame.dimension; ++i) {
     pose.translation[i] = frame.translation[static_cast<std::size_t>(i)];
@@ -30,8 +30,8 @@ Pose pose_of(const Frame& frame) {
   return pose;
 }
 
-Frame frame_of(const Pose& pose, int dimension, bool has_rotation) {
-  Frame frame{dimension, has_rotation, {}, {}};
+detail::Frame frame_of(const Pose& pose, int dimension, bool has_rotation) {
+  detail::Frame frame{dimension, has_rotation, {}, {}};
   for (int i = 0; i < dimension; ++i) {
     frame.translation[static_cast<std::size_t>(i)] = pose.translation[i];
     for (int j = 0; j < dimension; ++j)
@@ -69,19 +69,20 @@ Pose moved(const Pose& pose, const WorldMotions& motions, int m, double amount) 
 
 }  // namespace
 
-bool world_frame(const VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension, Frame& out) {
+bool world_frame(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension,
+                 detail::Frame& out) {
   if (role == WorldRole::kNone || !pool.get_frame(slot, out) || out.dimension != dimension) return false;
   if (role == WorldRole::kInverse) out = frame_of(pose_of(out).inverse(), dimension, out.has_rotation);
   return true;
 }
 
 /// Uses central differences, whose truncation error is below 1e-9 of the result.
-void motion_tangents(const VertexPool& pool, std::uint32_t slot, WorldRole role, const WorldMotions& motions,
-                     double* out) {
+void motion_tangents(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role,
+                     const WorldMotions& motions, double* out) {
   constexpr double kAmount = 3e-5;
   const auto dim = static_cast<std::size_t>(pool.tangent_dim(slot));
   std::fill_n(out, dim * static_cast<std::size_t>(motions.count()), 0.0);
-  Frame frame;
+  detail::Frame frame;
   if (!world_frame(pool, slot, role, motions.dimension, frame)) return;
   const Pose pose = pose_of(frame);
   std::vector<double> backward(dim);

@@ -36,11 +36,12 @@ struct WorldMotions {
 
 /// The frame of a vertex in the world: T_world_body or a point. Returns false if it has no frame of that
 /// dimension.
-bool world_frame(const VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension, Frame& out);
+bool world_frame(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension,
+                 detail::Frame& out);
 
 /// Writes the derivative of the vertex's tangent with respect to each motion: tangent_dim × count(),
 /// column-major. Zero for WorldRole::kNone and for vertices without a frame of that dimension.
-void motion_tangents(const VertexPool& pool, std::uint32_t slot, WorldRole role, const WorldMotions& motions,
-                     double* out);
+void motion_tangents(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role,
+                     const WorldMotions& motions, double* out);
 
 }  // namespace boxplus

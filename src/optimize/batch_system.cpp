@@ -60,7 +60,7 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
   return true;
 }
 
-void BatchSystem::configure(const Options& options, Timings& timings, const StopToken& stop) {
+void BatchSystem::configure(const Options& options, Report::Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
   control_ = {.relative_tolerance = options.linear_tolerance, .stop = stop};
   lost_scalars_.clear();
@@ -102,7 +102,7 @@ Damping BatchSystem::full_damping(const StepDamping& damping) {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
   const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
   const bool holds = holds_ && damping.lambda == 0 && !plan_->held_scalars.empty();
-  const bool identity = damping.scale == DampingScale::kIdentity || damping.lambda == 0;
+  const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
   if (identity && gauge == 0 && !holds && lost_scalars_.empty()) return {damping.lambda, nullptr};
   const double floor = std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
   const auto scale = [&](std::size_t i) { return std::max(diagonal_[i], floor); };
@@ -190,7 +190,7 @@ bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const dou
 /// Whether vertices of other types than poses and points move. The plan finds all freedom of poses and
 /// points, but does not know the motions of other types.
 bool BatchSystem::has_other_types() const {
-  Frame frame;
+  detail::Frame frame;
   return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {
     return !list.slots.empty() && !graph_->vertex_pools()[list.pool]->get_frame(list.slots[0], frame);
   });

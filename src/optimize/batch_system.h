@@ -30,7 +30,7 @@ class BatchSystem final : public System {
 
   /// Sets the options that may differ from run to run. From now on, times are added to `timings`, and linear
   /// solvers stop when `stop` is raised.
-  void configure(const Options& options, Timings& timings, const StopToken& stop = {});
+  void configure(const Options& options, Report::Timings& timings, const StopToken& stop = {});
 
   double chi2() override;
   bool linearize() override;
@@ -88,7 +88,7 @@ class BatchSystem final : public System {
   SolveControl control_;
   int threads_ = 1;
   std::optional<bool> extensible_;  // set at the first use
-  Timings* timings_ = nullptr;
+  Report::Timings* timings_ = nullptr;
 };
 
 }  // namespace boxplus

@@ -51,7 +51,7 @@ class CovarianceMaker {
       const auto found = block_of.find(vertex);
       blocks_.push_back(found == block_of.end() ? kNoBlock : found->second);
       if (found == block_of.end() && dim > 0 && moves(vertex)) {
-        fail(CovarianceStatus::kSingular, vertex, "no edge that takes part touches it");
+        fail(Covariance::Status::kSingular, vertex, "no edge that takes part touches it");
       }
     }
     if (!blocks_.empty())
@@ -60,18 +60,18 @@ class CovarianceMaker {
 
   /// Fails if a motion is neither measured nor held.
   void refuse_freedoms() {
-    for (const GaugeFreedom& freedom : plan_.freedoms) {
+    for (const detail::GaugeFreedom& freedom : plan_.freedoms) {
       if (result_.ok() && !is_gauge(freedom))
-        fail(CovarianceStatus::kSingular, freedom.vertex,
+        fail(Covariance::Status::kSingular, freedom.vertex,
              "nothing measures the " + std::string(to_string(freedom)) + " of its part of the graph");
     }
   }
 
-  bool is_gauge(const GaugeFreedom& freedom) const {
+  bool is_gauge(const detail::GaugeFreedom& freedom) const {
     if (options_.gauge != GaugePolicy::kFixFirst) return false;
     const auto is_it = [&](const GaugeVertex& gauge) { return gauge.vertex == freedom.vertex; };
     if (std::any_of(plan_.held.begin(), plan_.held.end(), is_it)) return true;
-    Frame frame;
+    detail::Frame frame;
     graph_.vertex_pools()[freedom.vertex.pool]->get_frame(freedom.vertex.slot, frame);
     const int rigid_motions = frame.dimension == 2 ? 3 : 6;
     return freedom.translation && freedom.rotation && freedom.directions >= rigid_motions;
@@ -86,10 +86,10 @@ class CovarianceMaker {
     return options_.vertices.empty() || contains(options_.vertices);
   }
 
-  void fail(CovarianceStatus status, VertexRef vertex, std::string_view why) {
+  void fail(Covariance::Status status, VertexRef vertex, std::string_view why) {
     result_.status_ = status;
     result_.failed_vertex_ = vertex;
-    const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
     result_.message_ = pool.parameter(vertex.slot) ? "there is no covariance: parameter "
                                                    : "there is no covariance: vertex ";
     result_.message_ += std::to_string(graph_.id(vertex)) + " (" + std::string(pool.type_name()) +
@@ -115,9 +115,9 @@ class CovarianceMaker {
     if (factor.status == LinearStatus::kOk) return;
     const VertexRef vertex = plan_.block_vertex[factor.failed_block];
     if (factor.status == LinearStatus::kNotFinite) {
-      fail(CovarianceStatus::kNotFinite, vertex, "an error, a Jacobian or a weight is NaN or infinite");
+      fail(Covariance::Status::kNotFinite, vertex, "an error, a Jacobian or a weight is NaN or infinite");
     } else {
-      fail(CovarianceStatus::kSingular, vertex, "the edges leave it free to move in some direction");
+      fail(Covariance::Status::kSingular, vertex, "the edges leave it free to move in some direction");
     }
   }
 
@@ -158,7 +158,7 @@ class CovarianceMaker {
     if (wanted.empty()) return;
     InverseBlocks inverse(plan_.structure, wanted);
     if (!inverse.compute(*solver_)) {
-      fail(CovarianceStatus::kNotFinite, plan_.block_vertex[std::max(wanted[0].row, wanted[0].column)],
+      fail(Covariance::Status::kNotFinite, plan_.block_vertex[std::max(wanted[0].row, wanted[0].column)],
            "the inverse of H overflows");
       return;
     }

@@ -13,7 +13,7 @@ namespace {
 double count_degrees_of_freedom(const Graph& graph, const Plan& plan) {
   double rows = 0;
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (pool.enabled(edge)) rows += pool.shape(edge).rows;
     }
@@ -25,15 +25,15 @@ double count_degrees_of_freedom(const Graph& graph, const Plan& plan) {
 RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, int iterations) {
   switch (outcome) {
     case IterationOutcome::kNoFurtherDecrease:
-      return {Status::kConverged, Reason::kNoFurtherDecrease, chi2, iterations};
+      return {Report::Status::kConverged, Report::Reason::kNoFurtherDecrease, chi2, iterations};
     case IterationOutcome::kNoStepFound:
-      return {Status::kNotConverged, Reason::kNoStepFound, chi2, iterations};
+      return {Report::Status::kNotConverged, Report::Reason::kNoStepFound, chi2, iterations};
     case IterationOutcome::kStopped:
-      return {Status::kNotConverged, reason_of(stop), chi2, iterations};
+      return {Report::Status::kNotConverged, reason_of(stop), chi2, iterations};
     case IterationOutcome::kNotFinite:
-      return {Status::kFailed, Reason::kNotFinite, chi2, iterations};
+      return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, iterations};
     default:
-      return {Status::kFailed, Reason::kNotPositiveDefinite, chi2, iterations};
+      return {Report::Status::kFailed, Report::Reason::kNotPositiveDefinite, chi2, iterations};
   }
 }
 
@@ -53,14 +53,16 @@ bool gains_less_than(double fraction, const IterationRecord& record) {
          record.predicted_decrease <= fraction * record.chi2;
 }
 
-std::optional<Reason> convergence(const Options& options, const IterationRecord& record, double chi2_before,
-                                  std::size_t unknowns, double largest_step, bool cut_short) {
-  if (record.gradient_max <= options.gradient_tolerance) return Reason::kGradientTolerance;
-  if (is_exact(record, chi2_before, unknowns)) return Reason::kNoFurtherDecrease;
+std::optional<Report::Reason> convergence(const Options& options, const IterationRecord& record,
+                                          double chi2_before, std::size_t unknowns, double largest_step,
+                                          bool cut_short) {
+  if (record.gradient_max <= options.gradient_tolerance) return Report::Reason::kGradientTolerance;
+  if (is_exact(record, chi2_before, unknowns)) return Report::Reason::kNoFurtherDecrease;
   if (cut_short) return std::nullopt;
-  if (gains_less_than(kChi2Rounding, record)) return Reason::kNoFurtherDecrease;
-  if (record.step_max <= options.step_tolerance * largest_step) return Reason::kStepTolerance;
-  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before) return Reason::kCostTolerance;
+  if (gains_less_than(kChi2Rounding, record)) return Report::Reason::kNoFurtherDecrease;
+  if (record.step_max <= options.step_tolerance * largest_step) return Report::Reason::kStepTolerance;
+  if (std::abs(record.chi2_decrease) <= options.cost_tolerance * chi2_before)
+    return Report::Reason::kCostTolerance;
   return std::nullopt;
 }
 
@@ -81,8 +83,8 @@ RunResult Descent::run(double chi2) {
   return run_while([](const IterationRecord&) { return true; }, chi2);
 }
 
-RunResult Descent::run_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
-  if (!std::isfinite(chi2)) return {Status::kFailed, Reason::kNotFinite, chi2, 0};
+RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
+  if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
   algorithm_.reset(options_, system_.plan().scalars());
   const RunResult result = iterate(wanted, chi2);
   iterations_ += result.iterations;
@@ -90,13 +92,14 @@ RunResult Descent::run_while(FunctionRef<bool(const IterationRecord&)> wanted, d
   return result;
 }
 
-RunResult Descent::iterate(FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
+RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
   double largest_step = 0;
   Significance significance(options_.noise_tolerance, degrees_of_freedom_);
   for (int iteration = 0;; ++iteration) {
-    if (stop_.raised()) return {Status::kNotConverged, reason_of(stop_), chi2, iteration};
-    if (iteration >= most) return {Status::kNotConverged, Reason::kMaxIterations, chi2, iteration};
+    if (stop_.raised()) return {Report::Status::kNotConverged, reason_of(stop_), chi2, iteration};
+    if (iteration >= most)
+      return {Report::Status::kNotConverged, Report::Reason::kMaxIterations, chi2, iteration};
     IterationRecord record;
     record.iteration = static_cast<int>(records_.size());
     record.chi2 = chi2;
@@ -111,10 +114,10 @@ RunResult Descent::iterate(FunctionRef<bool(const IterationRecord&)> wanted, dou
     const bool goes_on = call_back(record) && wanted(record);
     const std::size_t unknowns = system_.gradient().size();
     if (const auto reason = convergence(options_, record, before, unknowns, largest_step, cut_short))
-      return {Status::kConverged, *reason, chi2, iteration + 1};
+      return {Report::Status::kConverged, *reason, chi2, iteration + 1};
     if (significance.is_lost(record))
-      return {Status::kConverged, Reason::kCostTolerance, chi2, iteration + 1};
-    if (!goes_on) return {Status::kNotConverged, Reason::kCallback, chi2, iteration + 1};
+      return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};
+    if (!goes_on) return {Report::Status::kNotConverged, Report::Reason::kCallback, chi2, iteration + 1};
   }
 }
 

@@ -11,20 +11,21 @@
 namespace boxplus {
 
 struct RunResult {
-  Status status = Status::kNotConverged;
-  Reason reason = Reason::kMaxIterations;
+  Report::Status status = Report::Status::kNotConverged;
+  Report::Reason reason = Report::Reason::kMaxIterations;
   double chi2 = 0;
   int iterations = 0;
 };
 
 /// Whether the user or the time limit ended the run.
-constexpr bool is_interruption(Reason reason) {
-  return reason == Reason::kStopFlag || reason == Reason::kTimeLimit || reason == Reason::kCallback;
+constexpr bool is_interruption(Report::Reason reason) {
+  return reason == Report::Reason::kStopFlag || reason == Report::Reason::kTimeLimit ||
+         reason == Report::Reason::kCallback;
 }
 
 /// The reason why the token is raised.
-inline Reason reason_of(const StopToken& stop) {
-  return stop.flag_raised() ? Reason::kStopFlag : Reason::kTimeLimit;
+inline Report::Reason reason_of(const StopToken& stop) {
+  return stop.flag_raised() ? Report::Reason::kStopFlag : Report::Reason::kTimeLimit;
 }
 
 /// Runs an algorithm. The limits on iterations and time hold for all runs together.
@@ -42,8 +43,9 @@ class Descent {
 
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult run(double chi2);
-  /// The same, but ends with Reason::kCallback after the first iteration for which `wanted` returns false.
-  RunResult run_while(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
+  /// The same, but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
+  /// false.
+  RunResult run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
 
   /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
@@ -55,7 +57,7 @@ class Descent {
   double degrees_of_freedom() const { return degrees_of_freedom_; }
 
  private:
-  RunResult iterate(FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
+  RunResult iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
 
   Graph& graph_;

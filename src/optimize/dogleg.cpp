@@ -37,7 +37,7 @@ void Dogleg::scale_from(const System& system) {
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
   regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
   for (;;) {
-    const StepResult solved = system.solve({regularization_, DampingScale::kDiagonal}, newton_);
+    const StepResult solved = system.solve({regularization_, Options::DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
     newton_is_exact_ = solved.exact;
     if (solved.status == LinearStatus::kOk && all_finite(newton_)) {

@@ -23,7 +23,7 @@ class Estimates {
  private:
   struct Part {
     std::uint32_t pool = 0;
-    std::unique_ptr<SavedEstimates> estimates;
+    std::unique_ptr<detail::SavedEstimates> estimates;
   };
   std::vector<Part> parts_;  // per list of Plan::vertices
 };

@@ -18,8 +18,8 @@ namespace {
 /// Empties the report but keeps its memory.
 void reset(Report& report) {
   std::vector<IterationRecord> records = std::move(report.records);
-  std::vector<EdgeJacobians> jacobians = std::move(report.jacobians);
-  GaugeReport gauge = std::move(report.gauge);
+  std::vector<Report::EdgeJacobians> jacobians = std::move(report.jacobians);
+  Report::GaugeReport gauge = std::move(report.gauge);
   std::string message = std::move(report.message);
   report = Report();
   records.clear();
@@ -35,8 +35,9 @@ void reset(Report& report) {
 
 /// Whether large weights may have hidden other edges: the minimum is then not one of the problem.
 bool may_be_swamped(const RunResult& result) {
-  return result.status == Status::kConverged || result.reason == Reason::kMaxIterations ||
-         result.reason == Reason::kNoStepFound || result.reason == Reason::kNotPositiveDefinite;
+  return result.status == Report::Status::kConverged || result.reason == Report::Reason::kMaxIterations ||
+         result.reason == Report::Reason::kNoStepFound ||
+         result.reason == Report::Reason::kNotPositiveDefinite;
 }
 
 std::string vertex_text(const Graph& graph, VertexRef vertex) {
@@ -45,12 +46,12 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
 }
 
 /// Adds the vertex or edge that caused the end of the run.
-void add_culprit(std::string& message, Reason reason, const Graph& graph, BatchSystem& system,
+void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
                  const std::optional<SwampingEdge>& swamping) {
-  if (reason == Reason::kNotPositiveDefinite) {
+  if (reason == Report::Reason::kNotPositiveDefinite) {
     message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
                "; nothing measures it in some direction";
-  } else if (reason == Reason::kNotFinite) {
+  } else if (reason == Report::Reason::kNotFinite) {
     message += ": " + describe_non_finite(graph, system);
   } else if (swamping) {
     message += ": " + edge_text(graph, swamping->edge) + " is too heavy for other edges to count at vertex " +
@@ -84,9 +85,9 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
   for (const GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
   report.gauge.free = plan.freedoms;
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
-    report.jacobians.push_back(
-        {pool.type_name(), options.numeric_jacobians ? JacobianSource::kNumeric : pool.jacobian_source()});
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
+    report.jacobians.push_back({pool.type_name(), options.numeric_jacobians ? detail::JacobianSource::kNumeric
+                                                                            : pool.jacobian_source()});
     report.disabled_edges += static_cast<std::uint32_t>(std::count_if(
         list.edges.begin(), list.edges.end(), [&](std::uint32_t edge) { return !pool.enabled(edge); }));
   }
@@ -96,8 +97,8 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   std::optional<SwampingEdge> swamping;
   if (may_be_swamped(result)) swamping = find_swamping_edge(graph, system.plan());
   if (swamping) {
-    result.status = Status::kNotConverged;
-    result.reason = Reason::kWeightSpan;
+    result.status = Report::Status::kNotConverged;
+    result.reason = Report::Reason::kWeightSpan;
   }
   report.status = result.status;
   report.reason = result.reason;
@@ -114,8 +115,8 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
 
 // If the plan changed after a run, the estimates are those of that run.
 void finish_report_without_plan(Report& report, const Stopped& stopped) {
-  report.status = Status::kNotConverged;
-  report.reason = stopped.by_flag() ? Reason::kStopFlag : Reason::kTimeLimit;
+  report.status = Report::Status::kNotConverged;
+  report.reason = stopped.by_flag() ? Report::Reason::kStopFlag : Report::Reason::kTimeLimit;
   report.chi2_final = report.records.empty() ? report.chi2_initial : report.records.back().chi2;
   report.message.assign(to_string(report.reason)) += " while planning";
   if (std::isnan(report.chi2_initial)) report.message += ", before chi2 was evaluated";

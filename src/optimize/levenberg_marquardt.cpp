@@ -22,7 +22,8 @@ void LevenbergMarquardt::reset(const Options& options, std::size_t scalars) {
 }
 
 double LevenbergMarquardt::default_damping(const System& system) const {
-  const double unit = scale_ == DampingScale::kIdentity ? std::max(max_abs(system.diagonal()), 1e-300) : 1;
+  const double unit =
+      scale_ == Options::DampingScale::kIdentity ? std::max(max_abs(system.diagonal()), 1e-300) : 1;
   return kInitialDamping * unit;
 }
 

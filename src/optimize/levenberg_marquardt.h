@@ -23,7 +23,7 @@ class LevenbergMarquardt final : public Algorithm {
   LinearStatus find_first_step(System& system, double chi2, IterationRecord& record);
   bool take_step(System& system, double chi2, IterationRecord& record);
 
-  DampingScale scale_ = DampingScale::kDiagonal;
+  Options::DampingScale scale_ = Options::DampingScale::kDiagonal;
   double user_lambda_ = 0;
   double lambda_ = 0, growth_ = 2;
   bool started_ = false;

@@ -12,11 +12,11 @@ namespace {
 
 /// The active edge with the largest `size`. A size that is not finite counts as the largest.
 EdgeRef largest_edge(const Graph& graph, const Plan& plan,
-                     FunctionRef<double(const EdgePool&, std::uint32_t)> size) {
+                     detail::FunctionRef<double(const detail::EdgePool&, std::uint32_t)> size) {
   double largest = -1;
   EdgeRef result;
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (!pool.enabled(edge)) continue;
       double value = size(pool, edge);
@@ -30,11 +30,11 @@ EdgeRef largest_edge(const Graph& graph, const Plan& plan,
 }
 
 /// The trace of JᵀΩJ.
-double curvature_of(const EdgePool& pool, std::uint32_t edge, bool numeric) {
-  const EdgeShape shape = pool.shape(edge);
+double curvature_of(const detail::EdgePool& pool, std::uint32_t edge, bool numeric) {
+  const detail::EdgeShape shape = pool.shape(edge);
   std::vector<double> error(static_cast<std::size_t>(shape.rows));
   std::vector<double> jacobian(static_cast<std::size_t>(shape.rows * shape.cols));
-  EdgeTile tile;
+  detail::EdgeTile tile;
   tile.error = error.data();
   tile.jacobian = jacobian.data();
   pool.linearize(std::span(&edge, 1), tile, numeric);
@@ -62,7 +62,7 @@ std::string describe_non_finite(const Graph& graph, BatchSystem& system) {
     return "a Jacobian (or the weight of the robust kernel) of " + edge_text(graph, *edge) +
            " is NaN or infinite";
   if (!std::isfinite(system.chi2())) {
-    const auto chi2 = [](const EdgePool& pool, std::uint32_t edge) {
+    const auto chi2 = [](const detail::EdgePool& pool, std::uint32_t edge) {
       double value = 0;
       pool.chi2(std::span(&edge, 1), &value);
       return value;
@@ -70,7 +70,7 @@ std::string describe_non_finite(const Graph& graph, BatchSystem& system) {
     return "chi2 overflows; the largest part is that of " +
            edge_text(graph, largest_edge(graph, system.plan(), chi2));
   }
-  const auto curvature = [&](const EdgePool& pool, std::uint32_t edge) {
+  const auto curvature = [&](const detail::EdgePool& pool, std::uint32_t edge) {
     return curvature_of(pool, edge, options.numeric_jacobians);
   };
   return "the linear system overflows; the largest Jacobian is that of " +

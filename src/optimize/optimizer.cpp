@@ -123,10 +123,11 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
                                     const Stopwatch& clock) {
   BatchSystem& system = planned.system();
   const double chi2 = report.chi2_initial;
-  if (system.stopped()) return {Status::kNotConverged, reason_of(stop), chi2, 0};
-  if (system.plan().scalars() == 0) return {Status::kConverged, Reason::kNothingToOptimize, chi2, 0};
+  if (system.stopped()) return {Report::Status::kNotConverged, reason_of(stop), chi2, 0};
+  if (system.plan().scalars() == 0)
+    return {Report::Status::kConverged, Report::Reason::kNothingToOptimize, chi2, 0};
   if (options.gauge == GaugePolicy::kError && system.is_free())
-    return {Status::kFailed, Reason::kGaugeFreedom, chi2, 0};
+    return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
   Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
   const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
   report.iterations = descent.iterations();

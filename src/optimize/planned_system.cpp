@@ -17,7 +17,7 @@ Precision resolved_precision(const Options& options) {
 }  // namespace
 
 int resolved_threads(const Options& options) {
-  return options.threads > 0 ? options.threads : hardware_threads();
+  return options.threads > 0 ? options.threads : detail::hardware_threads();
 }
 
 PlannedSystem::Origin PlannedSystem::update(Graph& graph, const Options& options, const StopToken& stop) {

@@ -81,7 +81,7 @@ void add_ids(Text& text, std::string_view what, const std::vector<Id>& ids) {
   if (ids.size() > kShown) add(text, ", … ({} in all)", ids.size());
 }
 
-void add_start(Text& text, const StartReport& start) {
+void add_start(Text& text, const Report::StartReport& start) {
   add(text, "  {:<16}{}", "start", to_string(start.used));
   if (start.requested != start.used) add(text, " (requested: {})", to_string(start.requested));
   add(text, "; chi2 {:.7g} as given", without_sign_of_nan(start.chi2_current));
@@ -97,14 +97,15 @@ void add_start(Text& text, const StartReport& start) {
 }
 
 /// "analytic: Between<SE2>, …; exact: …; numeric: …"
-void add_jacobians(Text& text, const std::vector<EdgeJacobians>& jacobians) {
+void add_jacobians(Text& text, const std::vector<Report::EdgeJacobians>& jacobians) {
   if (jacobians.empty()) return;
   add(text, "  {:<16}", "Jacobians");
   std::string_view separator;
-  for (const JacobianSource source :
-       {JacobianSource::kAnalytic, JacobianSource::kAutomatic, JacobianSource::kNumeric}) {
+  for (const detail::JacobianSource source :
+       {detail::JacobianSource::kAnalytic, detail::JacobianSource::kAutomatic,
+        detail::JacobianSource::kNumeric}) {
     std::vector<std::string_view> types;
-    for (const EdgeJacobians& edge : jacobians) {
+    for (const Report::EdgeJacobians& edge : jacobians) {
       if (edge.source == source) types.push_back(edge.edge_type);
     }
     if (types.empty()) continue;
@@ -114,7 +115,7 @@ void add_jacobians(Text& text, const std::vector<EdgeJacobians>& jacobians) {
   add(text, "\n");
 }
 
-void add_gauge(Text& text, const GaugeReport& gauge) {
+void add_gauge(Text& text, const Report::GaugeReport& gauge) {
   if (!gauge.held.empty()) {
     add(text, "  {:<16}", "gauge");
     add_ids(text, gauge.held.size() == 1 ? "held vertex" : "held vertices", gauge.held);
@@ -155,7 +156,7 @@ std::string to_string(const Report& report) {
       report.workers, report.threads, report.threads == 1 ? "" : "s");
   add_start(text, report.start);
   add_notes(text, report);
-  const Timings& t = report.time;
+  const Report::Timings& t = report.time;
   add(text,
       "  {:<16}plan {:.4f}, start {:.4f}, linearize {:.4f}, factorize {:.4f}, solve {:.4f}, evaluate "
       "{:.4f}\n",
@@ -168,44 +169,44 @@ std::ostream& operator<<(std::ostream& out, const Report& report) {
   return out << to_string(report);
 }
 
-std::string_view to_string(Status status) {
+std::string_view to_string(Report::Status status) {
   switch (status) {
-    case Status::kConverged:
+    case Report::Status::kConverged:
       return "converged";
-    case Status::kNotConverged:
+    case Report::Status::kNotConverged:
       return "not converged";
     default:
       return "failed";
   }
 }
 
-std::string_view to_string(Reason reason) {
+std::string_view to_string(Report::Reason reason) {
   switch (reason) {
-    case Reason::kCostTolerance:
+    case Report::Reason::kCostTolerance:
       return "chi2 no longer falls noticeably";
-    case Reason::kStepTolerance:
+    case Report::Reason::kStepTolerance:
       return "the step is negligible";
-    case Reason::kGradientTolerance:
+    case Report::Reason::kGradientTolerance:
       return "the gradient vanishes";
-    case Reason::kNoFurtherDecrease:
+    case Report::Reason::kNoFurtherDecrease:
       return "no step lowers chi2 by more than rounding";
-    case Reason::kNothingToOptimize:
+    case Report::Reason::kNothingToOptimize:
       return "there is nothing to optimize: no active edge touches a vertex that may move";
-    case Reason::kMaxIterations:
+    case Report::Reason::kMaxIterations:
       return "the iteration limit is reached";
-    case Reason::kTimeLimit:
+    case Report::Reason::kTimeLimit:
       return "the time limit is reached";
-    case Reason::kStopFlag:
+    case Report::Reason::kStopFlag:
       return "it was interrupted";
-    case Reason::kCallback:
+    case Report::Reason::kCallback:
       return "the callback asked to stop";
-    case Reason::kNoStepFound:
+    case Report::Reason::kNoStepFound:
       return "no step that lowers chi2 was found";
-    case Reason::kNotPositiveDefinite:
+    case Report::Reason::kNotPositiveDefinite:
       return "the linear system cannot be solved";
-    case Reason::kWeightSpan:
+    case Report::Reason::kWeightSpan:
       return "the weights span more digits than double precision has";
-    case Reason::kNotFinite:
+    case Report::Reason::kNotFinite:
       return "the problem is not finite";
     default:
       return "a component can move without changing any error (Options::gauge = error)";

@@ -36,7 +36,9 @@ struct Candidate {
 
   /// Whether to keep this candidate rather than the other.
   bool is_better_than(const Candidate& other) const {
-    const auto rank = [](const RunResult& r) { return std::pair(r.status == Status::kFailed, r.chi2); };
+    const auto rank = [](const RunResult& r) {
+      return std::pair(r.status == Report::Status::kFailed, r.chi2);
+    };
     return rank(result) < rank(other.result);
   }
 };
@@ -53,7 +55,7 @@ bool keeps_prediction(const IterationRecord& step) {
 /// a minimum is.
 bool has_robust_kernels(const Graph& graph, const Plan& plan) {
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (pool.kernel(edge) != nullptr) return true;
     }
@@ -63,7 +65,7 @@ bool has_robust_kernels(const Graph& graph, const Plan& plan) {
 
 class StartSearch {
  public:
-  StartSearch(Descent& descent, StartReport& report, double& guess_seconds, Estimates& came)
+  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, Estimates& came)
       : descent_(descent),
         report_(report),
         guess_seconds_(guess_seconds),
@@ -87,7 +89,8 @@ class StartSearch {
     RunResult result = descent_.run(report_.chi2_guess);
     // A guess may be worse than the current estimates. If the run is stopped before its chi2 is below theirs,
     // the current estimates are restored.
-    const bool stopped = result.reason == Reason::kTimeLimit || result.reason == Reason::kStopFlag;
+    const bool stopped =
+        result.reason == Report::Reason::kTimeLimit || result.reason == Report::Reason::kStopFlag;
     if (!stopped || !(result.chi2 > chi2_came_)) return result;
     came_.put_back(graph(), plan());
     report_.used = Start::kCurrent;
@@ -104,7 +107,7 @@ class StartSearch {
         !has_robust_kernels(graph(), plan())) {
       bool gave_up = false;
       const RunResult result = try_current(gave_up);
-      const bool is_good = result.status == Status::kConverged && is_plausible(result.chi2);
+      const bool is_good = result.status == Report::Status::kConverged && is_plausible(result.chi2);
       const bool may_go_on = !is_interruption(result.reason) && descent_.may_go_on();
       if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(result);
       if (result.chi2 < chi2) {
@@ -120,8 +123,8 @@ class StartSearch {
     return run_from_better(chi2);
   }
 
-  /// Runs from the current estimates. Gives up, with Reason::kCallback, if the first step does not lower chi2
-  /// as predicted, or if the run does not converge soon, as Gauss-Newton does in the right valley.
+  /// Runs from the current estimates. Gives up, with Report::Reason::kCallback, if the first step does not
+  /// lower chi2 as predicted, or if the run does not converge soon, as Gauss-Newton does in the right valley.
   RunResult try_current(bool& gave_up) {
     constexpr int kMostIterations = 9;
     const auto wanted = [&](const IterationRecord& step) {
@@ -135,7 +138,7 @@ class StartSearch {
     };
     report_.used = Start::kCurrent;
     const RunResult result = descent_.run_while(wanted, chi2_came_);
-    gave_up = gave_up && result.reason == Reason::kCallback;
+    gave_up = gave_up && result.reason == Report::Reason::kCallback;
     return result;
   }
 
@@ -158,11 +161,11 @@ class StartSearch {
     const bool leaves_iterations = std::isfinite(other.chi2) && has_robust_kernels(graph(), plan());
     const RunResult first =
         run_for(share_of_iterations(leaves_iterations), guess_first ? chi2_guess : chi2_current);
-    const bool is_good = first.status == Status::kConverged && !(first.chi2 > other.chi2);
+    const bool is_good = first.status == Report::Status::kConverged && !(first.chi2 > other.chi2);
     const bool may_go_on = !is_interruption(first.reason) && descent_.may_go_on();
     if (is_good || !may_go_on || !std::isfinite(other.chi2)) return first;
     const RunResult best = run_from_other(first, std::move(other), share_of_iterations(leaves_iterations));
-    const bool is_unfinished = best.reason == Reason::kMaxIterations && descent_.may_go_on();
+    const bool is_unfinished = best.reason == Report::Reason::kMaxIterations && descent_.may_go_on();
     return is_unfinished ? descent_.run(best.chi2) : best;
   }
 
@@ -176,7 +179,8 @@ class StartSearch {
   RunResult run_for(int most, double chi2) {
     int left = most;
     RunResult result = descent_.run_while([&](const IterationRecord&) { return --left > 0; }, chi2);
-    if (result.reason == Reason::kCallback && left == 0) result.reason = Reason::kMaxIterations;
+    if (result.reason == Report::Reason::kCallback && left == 0)
+      result.reason = Report::Reason::kMaxIterations;
     return result;
   }
 
@@ -242,7 +246,7 @@ class StartSearch {
   }
 
   Descent& descent_;
-  StartReport& report_;
+  Report::StartReport& report_;
   double& guess_seconds_;
   Estimates& came_;         // the original estimates, or the result of try_current()
   const double chi2_came_;  // of the original estimates
@@ -250,7 +254,7 @@ class StartSearch {
 
 }  // namespace
 
-RunResult minimize_from_starts(Descent& descent, StartReport& report, double& guess_seconds,
+RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
                                Estimates& memory) {
   return StartSearch(descent, report, guess_seconds, memory).run();
 }

@@ -15,7 +15,7 @@ namespace boxplus {
 /// better of both. Fills `report`; the caller sets report.chi2_current, the chi2 of the current estimates.
 /// Adds the time of guesses to `guess_seconds`. `memory` is scratch for estimates, which later calls may use
 /// again.
-RunResult minimize_from_starts(Descent& descent, StartReport& report, double& guess_seconds,
+RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
                                Estimates& memory);
 
 }  // namespace boxplus

@@ -25,7 +25,7 @@ struct Span {
 template <class F>
 void for_each_enabled_edge(const Graph& graph, const Plan& plan, F&& f) {
   for (const EdgeList& list : plan.edges) {
-    const EdgePool& pool = *graph.edge_pools()[list.pool];
+    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     for (const std::uint32_t edge : list.edges) {
       if (pool.enabled(edge)) f(pool, EdgeRef{list.pool, edge, pool.generation(edge)});
     }
@@ -35,9 +35,9 @@ void for_each_enabled_edge(const Graph& graph, const Plan& plan, F&& f) {
 /// Whether the diagonals of Ω span more digits than double precision has.
 bool weights_span_all_digits(const Graph& graph, const Plan& plan) {
   Span span;
-  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const detail::EdgePool& pool, EdgeRef edge) {
     const int rows = pool.shape(edge.slot).rows;
-    const InformationView omega = pool.information(edge.slot, rows);
+    const detail::InformationView omega = pool.information(edge.slot, rows);
     for (int i = 0; i < rows; ++i) span.add(omega(i, i));
   });
   return span.swamps();
@@ -46,15 +46,15 @@ bool weights_span_all_digits(const Graph& graph, const Plan& plan) {
 /// The traces of an edge's contributions to the diagonal blocks of its vertices.
 class Contributions {
  public:
-  std::span<const double> of(const Graph& graph, const EdgePool& pool, std::uint32_t edge) {
-    const EdgeShape shape = pool.shape(edge);
+  std::span<const double> of(const Graph& graph, const detail::EdgePool& pool, std::uint32_t edge) {
+    const detail::EdgeShape shape = pool.shape(edge);
     error_.resize(static_cast<std::size_t>(shape.rows));
     jacobian_.resize(static_cast<std::size_t>(shape.rows * shape.cols));
-    EdgeTile tile;
+    detail::EdgeTile tile;
     tile.error = error_.data();
     tile.jacobian = jacobian_.data();
     pool.linearize(std::span(&edge, 1), tile, false);
-    const InformationView omega = pool.information(edge, shape.rows);
+    const detail::InformationView omega = pool.information(edge, shape.rows);
     traces_.clear();
     const double* column = tile.jacobian;
     const auto slots = pool.vertex_slots(edge);
@@ -83,7 +83,7 @@ std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& p
   }
   for (const VertexRef& vertex : plan.block_vertex) moves[vertex.pool][vertex.slot] = 1;
   Contributions contributions;
-  const auto for_each_end = [&](const EdgePool& pool, EdgeRef edge, auto&& f) {
+  const auto for_each_end = [&](const detail::EdgePool& pool, EdgeRef edge, auto&& f) {
     const auto traces = contributions.of(graph, pool, edge.slot);
     const auto slots = pool.vertex_slots(edge.slot);
     int moving = 0;
@@ -95,13 +95,13 @@ std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& p
         f(VertexRef{p, slots[i], graph.vertex_pools()[p]->generation(slots[i])}, traces[i], moving);
     }
   };
-  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const detail::EdgePool& pool, EdgeRef edge) {
     for_each_end(pool, edge,
                  [&](VertexRef v, double trace, int /*moving*/) { spans[v.pool][v.slot].add(trace); });
   });
   std::optional<SwampingEdge> found;
   double heaviest = 0;
-  for_each_enabled_edge(graph, plan, [&](const EdgePool& pool, EdgeRef edge) {
+  for_each_enabled_edge(graph, plan, [&](const detail::EdgePool& pool, EdgeRef edge) {
     for_each_end(pool, edge, [&](VertexRef v, double trace, int moving) {
       const bool swamps = moving > 1 && trace >= kAllDigits * spans[v.pool][v.slot].least;
       if (!swamps || trace <= heaviest) return;

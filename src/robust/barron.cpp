@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-Barron::Barron(double shape, double c) : shape_(shape), c_(checked_kernel_width(c, "Barron")) {
+Barron::Barron(double shape, double c) : shape_(shape), c_(detail::checked_kernel_width(c, "Barron")) {
   if (std::isnan(shape)) throw InvalidArgument("robust kernel Barron: expected a shape α, got NaN");
 }
 
@@ -16,7 +16,7 @@ std::unique_ptr<RobustKernel> Barron::clone() const {
   return std::make_unique<Barron>(*this);
 }
 
-Rho Barron::operator()(double e2) const {
+RobustKernel::Rho Barron::operator()(double e2) const {
   const double c2 = c_ * c_;
   const double r = e2 / c2;
   const double sign = shape_ < 2 ? -1 : 1;

@@ -6,14 +6,14 @@
 
 namespace boxplus {
 
-Rho Huber::operator()(double e2) const {
+RobustKernel::Rho Huber::operator()(double e2) const {
   if (e2 <= delta_ * delta_) return {e2, 1, 0};
   const double e = std::sqrt(e2);
   const double weight = delta_ / e;
   return {2 * delta_ * e - delta_ * delta_, weight, -0.5 * weight / e2};
 }
 
-Rho PseudoHuber::operator()(double e2) const {
+RobustKernel::Rho PseudoHuber::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   const double root = std::sqrt(1 + e2 / d2);
   const double weight = 1 / root;
@@ -33,7 +33,7 @@ double x_minus_log1p(double x) {
 
 }  // namespace
 
-Rho Fair::operator()(double e2) const {
+RobustKernel::Rho Fair::operator()(double e2) const {
   const double x = std::sqrt(e2) / delta_;
   const double weight = 1 / (1 + x);
   const double x_kept = std::max(x, 1e-6);

@@ -5,25 +5,25 @@
 
 namespace boxplus {
 
-Rho Cauchy::operator()(double e2) const {
+RobustKernel::Rho Cauchy::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   const double weight = 1 / (1 + e2 / d2);
   return {d2 * std::log1p(e2 / d2), weight, -weight * weight / d2};
 }
 
-Rho GemanMcClure::operator()(double e2) const {
+RobustKernel::Rho GemanMcClure::operator()(double e2) const {
   const double scale = delta_ / (delta_ + e2);
   const double weight = scale * scale;
   return {e2 * scale, weight, -2 * weight / (delta_ + e2)};
 }
 
-Rho Welsch::operator()(double e2) const {
+RobustKernel::Rho Welsch::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   const double weight = std::exp(-e2 / d2);
   return {-d2 * std::expm1(-e2 / d2), weight, -weight / d2};
 }
 
-Rho Tukey::operator()(double e2) const {
+RobustKernel::Rho Tukey::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   if (e2 > d2) return {d2 / 3, 0, 0};
   const double r = e2 / d2, inner = 1 - r;
@@ -31,13 +31,13 @@ Rho Tukey::operator()(double e2) const {
   return {e2 * (1 - r + r * r / 3), inner * inner, -2 * inner / d2};
 }
 
-Rho Saturated::operator()(double e2) const {
+RobustKernel::Rho Saturated::operator()(double e2) const {
   const double d2 = delta_ * delta_;
   if (e2 > d2) return {d2, 0, 0};
   return {e2, 1, 0};
 }
 
-Rho DCS::operator()(double e2) const {
+RobustKernel::Rho DCS::operator()(double e2) const {
   if (e2 <= delta_) return {e2, 1, 0};
   const double sum = delta_ + e2;
   const double scale = 2 * delta_ / sum;

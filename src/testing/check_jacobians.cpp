@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace boxplus::edge {
+namespace boxplus::detail {
 
 void compare_jacobians(std::span<const double> expected, std::span<const double> actual, int rows,
                        double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
@@ -36,4 +36,4 @@ void compare_jacobians(std::span<const double> expected, std::span<const double>
   }
 }
 
-}  // namespace boxplus::edge
+}  // namespace boxplus::detail

@@ -11,7 +11,7 @@ namespace {
 
 SE3 turned(const Vector3& axis, double angle) {
   const Vector3 omega = axis * angle;
-  return SE3::from_unit(Vector3(0, 0, 0), RotationVectorChart::exp(omega[0], omega[1], omega[2]));
+  return SE3::from_unit(Vector3(0, 0, 0), detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]));
 }
 
 /// The number of laps for about `poses` poses, if a lap has as many poses as there are laps.
@@ -28,7 +28,7 @@ Simulation simulate_sphere(const SimulationOptions& options) {
   for (int k = 0; k < count; ++k) {
     const double longitude = 2 * kPi * k / per_lap, latitude = kPi * ((k + 0.5) / count - 0.5);
     const SE3 turn = turned(Vector3(0, 0, 1), longitude) * turned(Vector3(0, 1, 0), -latitude);
-    simulator.drive_to(turn * SE3(Vector3(kRadius, 0, 0), Quaternion<double>::identity()));
+    simulator.drive_to(turn * SE3(Vector3(kRadius, 0, 0), detail::Quaternion<double>::identity()));
     if (k >= per_lap) simulator.recognize(k - per_lap, k);
   }
   return simulator.take();
@@ -40,10 +40,10 @@ Simulation simulate_torus(const SimulationOptions& options) {
   Simulator<SE3> simulator(options, {0.05, 0.02});
   for (int k = 0; k < count; ++k) {
     const double around = 2 * kPi * k / count, tube = 2 * kPi * k / per_lap;
-    const SE3 ring =
-        turned(Vector3(0, 0, 1), around) * SE3(Vector3(kMajorRadius, 0, 0), Quaternion<double>::identity());
+    const SE3 ring = turned(Vector3(0, 0, 1), around) *
+                     SE3(Vector3(kMajorRadius, 0, 0), detail::Quaternion<double>::identity());
     simulator.drive_to(ring * turned(Vector3(0, 1, 0), tube) *
-                       SE3(Vector3(kMinorRadius, 0, 0), Quaternion<double>::identity()));
+                       SE3(Vector3(kMinorRadius, 0, 0), detail::Quaternion<double>::identity()));
     if (k >= per_lap) simulator.recognize(k - per_lap, k);
     if (k >= count - per_lap) simulator.recognize(k - (count - per_lap), k);
   }

@@ -3,7 +3,7 @@
 
 #include "kernels/kernel_table.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian) {
@@ -15,4 +15,4 @@ void linearize_between(std::type_identity<SE3>, int count, const double* const* 
   dense::kernels().between_se3({count, measurement, from, to}, error, jacobian);
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

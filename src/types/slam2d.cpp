@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/types/slam2d.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template class TypedVertexPool<SE2>;
 template class TypedVertexPool<Vector2>;
@@ -21,4 +21,4 @@ template class TypedEdgePool<BearingObservation2, SE2, Vector2>;
 template class TypedEdgePool<Range, SE2, Vector2>;
 template class TypedEdgePool<WheelOdometry, SE2, SE2, DifferentialDrive>;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/types/slam3d.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template class TypedVertexPool<SE3>;
 template class TypedVertexPool<Vector3>;
@@ -20,4 +20,4 @@ template class TypedEdgePool<PointsObservation3, SE3, Tail<Vector3>>;
 template class TypedEdgePool<BearingObservation3, SE3, Vector3>;
 template class TypedEdgePool<Range, SE3, Vector3>;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

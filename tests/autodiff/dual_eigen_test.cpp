@@ -7,7 +7,7 @@
 namespace boxplus {
 namespace {
 
-using D2 = Dual<double, 2>;
+using D2 = detail::Dual<double, 2>;
 
 Matrix<double, 2, 2> literal_matrix() {
   Matrix<double, 2, 2> m;
@@ -66,11 +66,11 @@ TEST(DualInEigen, AppliesFunctionsToArrays) {
 }
 
 TEST(DualInEigen, NestedDualsMixWithInnerOnes) {
-  using H = Dual<Dual<double, 1>, 2>;
+  using H = detail::Dual<detail::Dual<double, 1>, 2>;
   const Vector<H, 2> x(H::variable(5, 0), H::variable(6, 1));
-  const Vector<Dual<double, 1>, 2> inner(Dual<double, 1>(1), Dual<double, 1>(2));
+  const Vector<detail::Dual<double, 1>, 2> inner(detail::Dual<double, 1>(1), detail::Dual<double, 1>(2));
   const Vector<H, 2> y = literal_matrix() * x + inner;
-  EXPECT_EQ(scalar_value(y[0]), 18);
+  EXPECT_EQ(detail::scalar_value(y[0]), 18);
 }
 
 }  // namespace

@@ -9,20 +9,20 @@
 namespace boxplus {
 namespace {
 
-using D1 = Dual<double, 1>;
-using D2 = Dual<double, 2>;
+using D1 = detail::Dual<double, 1>;
+using D2 = detail::Dual<double, 2>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The dual derivative of f at x, and that of its first derivative (nested), against numeric ones.
 template <class F>
 void expect_derivatives(const char* name, const F& f, std::initializer_list<double> points) {
-  NumericOptions options;
+  detail::NumericOptions options;
   options.initial_step = 0.01;
-  NumericDerivative differentiate(options);
+  detail::NumericDerivative differentiate(options);
   for (const double x : points) {
     SCOPED_TRACE(testing::Message() << name << " at " << x);
     const D1 dual = f(D1::variable(x, 0));
-    const Dual<D1, 1> nested = f(Dual<D1, 1>(D1::variable(x, 0), {D1(1)}));
+    const detail::Dual<D1, 1> nested = f(detail::Dual<D1, 1>(D1::variable(x, 0), {D1(1)}));
     double first = 0, second = 0;
     differentiate([&](double h, double* out) { *out = f(x + h); }, 1, &first);
     differentiate([&](double h, double* out) { *out = f(D1::variable(x + h, 0)).derivative[0]; }, 1, &second);

@@ -8,8 +8,8 @@
 namespace boxplus {
 namespace {
 
-using D2 = Dual<double, 2>;
-using D1 = Dual<double, 1>;
+using D2 = detail::Dual<double, 2>;
+using D1 = detail::Dual<double, 1>;
 
 const D2 kX = D2::variable(3, 0);
 const D2 kY = D2::variable(4, 1);
@@ -78,9 +78,9 @@ TEST(Dual, WorksInConstantExpressions) {
 }
 
 TEST(Dual, ScalarValueIsTheInnermostValue) {
-  EXPECT_EQ(scalar_value(2), 2.0);
-  EXPECT_EQ(scalar_value(kX), 3.0);
-  EXPECT_EQ(scalar_value(Dual<Dual<D1, 2>, 3>(7)), 7.0);
+  EXPECT_EQ(detail::scalar_value(2), 2.0);
+  EXPECT_EQ(detail::scalar_value(kX), 3.0);
+  EXPECT_EQ(detail::scalar_value(detail::Dual<detail::Dual<D1, 2>, 3>(7)), 7.0);
 }
 
 /// x y² + sin(x) y.
@@ -91,7 +91,7 @@ S polynomial(const S& x, const S& y) {
 }
 
 TEST(Dual, NestsIntoTheHessian) {
-  using H = Dual<D2, 2>;
+  using H = detail::Dual<D2, 2>;
   H x(D2::variable(3, 0)), y(D2::variable(4, 1));
   x.derivative[0] = D2(1);
   y.derivative[1] = D2(1);
@@ -106,7 +106,7 @@ TEST(Dual, NestsIntoTheHessian) {
 }
 
 TEST(Dual, NestedMixesWithEveryInnerScalar) {
-  using H = Dual<D1, 2>;
+  using H = detail::Dual<D1, 2>;
   const H x(D1::variable(3, 0));
   const H f = 2 * x + x * D1(2) + 1.0 - D1(1) / x;
   EXPECT_DOUBLE_EQ(f.value.value, 13 - 1.0 / 3);

@@ -9,9 +9,9 @@ namespace boxplus {
 namespace {
 
 template <class F>
-double derivative_of(const F& f, const NumericOptions& options = {}) {
+double derivative_of(const F& f, const detail::NumericOptions& options = {}) {
   double derivative = 0;
-  NumericDerivative differentiate(options);
+  detail::NumericDerivative differentiate(options);
   differentiate([&](double h, double* out) { *out = f(h); }, 1, &derivative);
   return derivative;
 }
@@ -34,7 +34,7 @@ TEST(NumericDerivative, RecoversIfLargeStepsLeaveTheDomain) {
 
 TEST(NumericDerivative, EstimatesItsError) {
   double derivative = 0;
-  NumericDerivative differentiate;
+  detail::NumericDerivative differentiate;
   const double smooth = differentiate([](double h, double* out) { *out = std::exp(h); }, 1, &derivative);
   const double kinked = differentiate([](double h, double* out) { *out = std::cbrt(h); }, 1, &derivative);
   EXPECT_LT(smooth, 1e-10);
@@ -43,7 +43,7 @@ TEST(NumericDerivative, EstimatesItsError) {
 
 TEST(NumericDerivative, ReportsAFunctionThatIsNowhereFinite) {
   double derivative = 0;
-  NumericDerivative differentiate;
+  detail::NumericDerivative differentiate;
   const double error = differentiate([](double, double* out) { *out = std::nan(""); }, 1, &derivative);
   EXPECT_TRUE(std::isinf(error));
   EXPECT_TRUE(std::isnan(derivative));

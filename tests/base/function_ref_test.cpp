@@ -13,27 +13,27 @@ namespace {
 TEST(FunctionRef, CallsTheOriginalAndNotACopy) {
   int calls = 0;
   auto count = [calls]() mutable { return ++calls; };
-  const FunctionRef<int()> reference = count;
+  const detail::FunctionRef<int()> reference = count;
   reference();
   EXPECT_EQ(count(), 2);
 }
 
 TEST(FunctionRef, CallsConstCallables) {
   const auto twice = [](int x) { return 2 * x; };
-  EXPECT_EQ(FunctionRef<int(int)>(twice)(21), 42);
+  EXPECT_EQ(detail::FunctionRef<int(int)>(twice)(21), 42);
 }
 
 TEST(FunctionRef, ForwardsReferencesAndMoveOnlyArguments) {
   auto store = [](std::unique_ptr<int> from, int& to) { to = *from; };
-  const FunctionRef<void(std::unique_ptr<int>, int&)> reference = store;
+  const detail::FunctionRef<void(std::unique_ptr<int>, int&)> reference = store;
   int value = 0;
   reference(std::make_unique<int>(7), value);
   EXPECT_EQ(value, 7);
 }
 
 TEST(FunctionRef, IsTwoWordsAndTriviallyCopied) {
-  EXPECT_EQ(sizeof(FunctionRef<void(int)>), 2 * sizeof(void*));
-  EXPECT_TRUE(std::is_trivially_copyable_v<FunctionRef<void(int)>>);
+  EXPECT_EQ(sizeof(detail::FunctionRef<void(int)>), 2 * sizeof(void*));
+  EXPECT_TRUE(std::is_trivially_copyable_v<detail::FunctionRef<void(int)>>);
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ TEST(AllocationCounter, SeesNewAndEigen) {
 TEST(ParallelTasks, AllocateNothingOnceTheWorkersExist) {
   if (!testing::allocations_are_counted()) GTEST_SKIP();
   std::atomic<int> runs{0};
-  parallel_tasks(4, [&](int) { ++runs; });
+  detail::parallel_tasks(4, [&](int) { ++runs; });
   const long before = testing::allocation_count();
-  for (int call = 0; call < 100; ++call) parallel_tasks(1 + call % 4, [&](int) { ++runs; });
+  for (int call = 0; call < 100; ++call) detail::parallel_tasks(1 + call % 4, [&](int) { ++runs; });
   EXPECT_EQ(testing::allocation_count(), before);
   EXPECT_EQ(runs, 4 + 250);
 }

@@ -26,21 +26,22 @@ using testing::ElementsAre;
 
 std::vector<std::thread::id> threads_of_tasks(int count) {
   std::vector<std::thread::id> ids(static_cast<std::size_t>(count));
-  parallel_tasks(count, [&](int i) { ids[static_cast<std::size_t>(i)] = std::this_thread::get_id(); });
+  detail::parallel_tasks(count,
+                         [&](int i) { ids[static_cast<std::size_t>(i)] = std::this_thread::get_id(); });
   return ids;
 }
 
 /// How often each task of one call runs.
 std::vector<int> runs_of_tasks(int count) {
   std::vector<int> runs(static_cast<std::size_t>(count));
-  parallel_tasks(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
+  detail::parallel_tasks(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
   return runs;
 }
 
 /// The exception of a call if its tasks throw their index from `first` on; -1 if it throws nothing.
 int index_thrown(int count, int first) {
   try {
-    parallel_tasks(count, [&](int i) {
+    detail::parallel_tasks(count, [&](int i) {
       if (i >= first) throw i;
     });
   } catch (int index) {
@@ -50,7 +51,7 @@ int index_thrown(int count, int first) {
 }
 
 TEST(HardwareThreads, AreAtLeastOne) {
-  EXPECT_GE(hardware_threads(), 1);
+  EXPECT_GE(detail::hardware_threads(), 1);
 }
 
 TEST(ParallelTasks, RunEachTaskOnce) {
@@ -61,7 +62,7 @@ TEST(ParallelTasks, RunEachTaskOnce) {
 }
 
 TEST(ParallelTasks, RunNothingForANegativeCount) {
-  parallel_tasks(-1, [](int) { FAIL(); });
+  detail::parallel_tasks(-1, [](int) { FAIL(); });
 }
 
 TEST(ParallelTasks, RunOnOneWorkerEachAndTheFirstOnTheCaller) {
@@ -81,7 +82,7 @@ TEST(ParallelTasks, AreAllDoneAtReturnInManyCallsOfChangingSize) {
   std::array<int, 5> sums{};
   for (int call = 0; call < 20000; ++call) {
     const int count = 1 + call % 5;
-    parallel_tasks(count, [&](int i) { ++sums[static_cast<std::size_t>(i)]; });
+    detail::parallel_tasks(count, [&](int i) { ++sums[static_cast<std::size_t>(i)]; });
   }
   EXPECT_THAT(sums, ElementsAre(20000, 16000, 12000, 8000, 4000));
 }
@@ -95,7 +96,7 @@ TEST(ParallelTasks, WakeWorkersThatFellAsleep) {
 
 TEST(ParallelTasks, WaitForATaskThatOutlastsTheSpinning) {
   std::vector<int> slept(3);
-  parallel_tasks(3, [&](int i) {
+  detail::parallel_tasks(3, [&](int i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5 * i));
     slept[static_cast<std::size_t>(i)] = 1;
   });
@@ -105,9 +106,9 @@ TEST(ParallelTasks, WaitForATaskThatOutlastsTheSpinning) {
 TEST(ParallelTasks, RunNestedCallsInOrderOnTheCallingWorker) {
   std::array<std::vector<int>, 4> orders;
   std::atomic<int> strays{0};
-  parallel_tasks(4, [&](int outer) {
+  detail::parallel_tasks(4, [&](int outer) {
     const auto here = std::this_thread::get_id();
-    parallel_tasks(3, [&](int inner) {
+    detail::parallel_tasks(3, [&](int inner) {
       orders[static_cast<std::size_t>(outer)].push_back(inner);
       if (std::this_thread::get_id() != here) ++strays;
     });
@@ -117,7 +118,7 @@ TEST(ParallelTasks, RunNestedCallsInOrderOnTheCallingWorker) {
 }
 
 TEST(ParallelTasks, ForkAgainAfterNestedAndThrowingCalls) {
-  parallel_tasks(2, [](int) { parallel_tasks(2, [](int) {}); });
+  detail::parallel_tasks(2, [](int) { detail::parallel_tasks(2, [](int) {}); });
   EXPECT_EQ(index_thrown(2, 0), 0);
   EXPECT_NE(threads_of_tasks(2)[1], std::this_thread::get_id());
 }
@@ -130,14 +131,14 @@ TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndex) {
 
 TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndexFromNestedCalls) {
   std::array<int, 3> thrown{};
-  parallel_tasks(3, [&](int i) { thrown[static_cast<std::size_t>(i)] = index_thrown(4, i); });
+  detail::parallel_tasks(3, [&](int i) { thrown[static_cast<std::size_t>(i)] = index_thrown(4, i); });
   EXPECT_THAT(thrown, ElementsAre(0, 1, 2));
 }
 
 TEST(ParallelTasks, RunToTheEndEvenIfSomeThrow) {
   const auto count_runs = [](std::atomic<int>& runs) {
     try {
-      parallel_tasks(4, [&](int) {
+      detail::parallel_tasks(4, [&](int) {
         ++runs;
         throw std::runtime_error("each");
       });
@@ -146,7 +147,7 @@ TEST(ParallelTasks, RunToTheEndEvenIfSomeThrow) {
   };
   std::atomic<int> outer{0}, nested{0};
   count_runs(outer);
-  parallel_tasks(2, [&](int i) {
+  detail::parallel_tasks(2, [&](int i) {
     if (i == 1) count_runs(nested);
   });
   EXPECT_EQ(outer, 4);
@@ -177,7 +178,7 @@ TEST(ParallelTasks, ServeSeveralCallersAtOnce) {
 #ifndef BOXPLUS_SANITIZED  // the sanitizers allow neither fork with threads nor a tight limit of address
                            // space
 TEST(ParallelTasks, WorkInAForkedChild) {
-  parallel_tasks(4, [](int) {});
+  detail::parallel_tasks(4, [](int) {});
   const pid_t child = fork();
   if (child == 0) _exit(runs_of_tasks(4) == std::vector<int>(4, 1) ? 0 : 1);
   int status = -1;
@@ -210,7 +211,7 @@ TEST(ParallelTasksDeathTest, AllRunOnTheCallerIfTheSystemGrantsNoThreads) {
 struct RunsTasksAtTheEnd {
   ~RunsTasksAtTheEnd() {
     std::atomic<int> done = 0;
-    parallel_tasks(3, [&](int) { ++done; });
+    detail::parallel_tasks(3, [&](int) { ++done; });
     if (done != 3) std::abort();
   }
 } runs_tasks_at_the_end;

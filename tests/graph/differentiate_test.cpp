@@ -66,13 +66,13 @@ namespace {
 
 /// The exact Jacobian of `e` at x. Checks that the numeric Jacobian and both errors agree with it.
 template <class... V, class E>
-Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
-  const int cols = (edge::argument_dim<V>(x) + ...);
+Eigen::MatrixXd jacobian(const E& e, int rows, detail::Argument<V>... x) {
+  const int cols = (detail::argument_dim<V>(x) + ...);
   Eigen::VectorXd error(rows), numeric_error(rows), value(rows);
   Eigen::MatrixXd exact(rows, cols), numeric(rows, cols);
-  edge::automatic_jacobian<V...>(e, error.data(), exact.data(), rows, cols, x...);
-  edge::numeric_jacobian<V...>(e, numeric_error.data(), numeric.data(), rows, cols, x...);
-  edge::copy_rows(edge::evaluate(e, x...), rows, value.data());
+  detail::automatic_jacobian<V...>(e, error.data(), exact.data(), rows, cols, x...);
+  detail::numeric_jacobian<V...>(e, numeric_error.data(), numeric.data(), rows, cols, x...);
+  detail::copy_rows(detail::evaluate(e, x...), rows, value.data());
   EXPECT_LE((exact - numeric).norm(), 1e-8 * (1 + exact.norm()));
   EXPECT_LE((error - value).norm(), 1e-14 * (1 + value.norm()));
   EXPECT_EQ(numeric_error, value);
@@ -80,12 +80,12 @@ Eigen::MatrixXd jacobian(const E& e, int rows, edge::Argument<V>... x) {
 }
 
 /// Errors and Jacobians of edges of one row, linearized `at_once` at a time.
-std::vector<double> linearize(const EdgePool& pool, std::span<const std::uint32_t> edges,
+std::vector<double> linearize(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
                               std::size_t at_once) {
   std::vector<double> numbers;
   for (std::size_t k = 0; k < edges.size(); k += at_once) {
-    double error[EdgeTile::kCapacity], jacobian[EdgeTile::kCapacity * 16];
-    EdgeTile tile;
+    double error[detail::EdgeTile::kCapacity], jacobian[detail::EdgeTile::kCapacity * 16];
+    detail::EdgeTile tile;
     tile.error = error;
     tile.jacobian = jacobian;
     pool.linearize(edges.subspan(k, at_once), tile, false);
@@ -104,7 +104,7 @@ TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsConvertedToDualNumbersOnce) 
   for (int k = 0; k < 12; ++k) graph.add_edge(product, c, b);
   std::vector<std::uint32_t> edges(16);
   std::iota(edges.begin(), edges.end(), 0u);
-  const EdgePool& pool = *graph.edge_pools()[0];
+  const detail::EdgePool& pool = *graph.edge_pools()[0];
   const std::vector<double> alone = linearize(pool, edges, 1);
   EXPECT_EQ(Counted<double>::lifts, 32);
   Counted<double>::lifts = 0;
@@ -127,17 +127,17 @@ TEST(Jacobian, OfATileOfEdgesEqualsThatOfEachEdgeAlone) {
   const auto c = graph.add_vertex(Vector<double, 6>(Vector<double, 6>::LinSpaced(5, 6)));
   const auto e = [](const auto& x, const auto& y) { return x.squaredNorm() * y.sum(); };
   for (const auto& x : {a, a, b}) graph.add_edge(e, x, c);
-  const EdgePool& pool = *graph.edge_pools()[0];
+  const detail::EdgePool& pool = *graph.edge_pools()[0];
   const std::uint32_t edges[] = {0, 1, 2};
   std::vector<double> error(3), jacobian(90), one(30);
-  EdgeTile tile;
+  detail::EdgeTile tile;
   tile.error = error.data();
   tile.jacobian = jacobian.data();
   pool.linearize(edges, tile, false);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& x = graph.estimate(k < 2 ? a : b);
-    edge::automatic_jacobian<Vector<double, 24>, Vector<double, 6>>(e, &error[0], one.data(), 1, 30, x,
-                                                                    graph.estimate(c));
+    detail::automatic_jacobian<Vector<double, 24>, Vector<double, 6>>(e, &error[0], one.data(), 1, 30, x,
+                                                                      graph.estimate(c));
     EXPECT_EQ(std::vector<double>(jacobian.begin() + 30 * static_cast<long>(k),
                                   jacobian.begin() + 30 * static_cast<long>(k + 1)),
               one);
@@ -200,7 +200,7 @@ constexpr auto kProducts = [](const auto& a, const auto& b, const auto& c, const
 
 TEST(Jacobian, OfThirtyColumnsIsComputedInPasses) {
   using Vector6 = Eigen::Matrix<double, 6, 1>;
-  static_assert(edge::kDualSize<Vector6, Vector6, Vector6, Vector6, Vector6> == edge::kDualChunk);
+  static_assert(detail::kDualSize<Vector6, Vector6, Vector6, Vector6, Vector6> == detail::kDualChunk);
   Vector6 x;
   x << 1, 2, 3, 4, 5, 6;
   const Eigen::MatrixXd J =
@@ -225,7 +225,7 @@ TEST(Jacobian, OfARangeHasTheColumnsOfItsElements) {
     return sum;
   };
   const std::vector<Eigen::Vector3d> points(11, Eigen::Vector3d(1, 2, 3));
-  const Eigen::MatrixXd J = jacobian<double, Tail<Eigen::Vector3d>>(e, 3, 2, points);
+  const Eigen::MatrixXd J = jacobian<double, detail::Tail<Eigen::Vector3d>>(e, 3, 2, points);
   ASSERT_EQ(J.cols(), 34);
   EXPECT_EQ(J.col(0), 66 * points[0]);
   for (int k = 0; k < 11; ++k) {
@@ -235,7 +235,7 @@ TEST(Jacobian, OfARangeHasTheColumnsOfItsElements) {
 
 TEST(Jacobian, OfAnEmptyRangeHasTheColumnsOfTheOtherVertices) {
   const auto e = [](const auto& x, const auto& tail) { return x * x + static_cast<double>(tail.size()); };
-  EXPECT_EQ((jacobian<double, Tail<double>>(e, 1, 3, {}))(0, 0), 6);
+  EXPECT_EQ((jacobian<double, detail::Tail<double>>(e, 1, 3, {}))(0, 0), 6);
 }
 
 TEST(Jacobian, OfRunTimeSizesEqualsTheFormula) {
@@ -260,7 +260,7 @@ TEST(Jacobian, NumericStaysAccurateForLargeAndSmallScales) {
       return scale * sin(x);
     };
     double error = 0, derivative = 0;
-    edge::numeric_jacobian<double>(e, &error, &derivative, 1, 1, 0.7);
+    detail::numeric_jacobian<double>(e, &error, &derivative, 1, 1, 0.7);
     EXPECT_NEAR(derivative, scale * std::cos(0.7), 1e-10 * scale);
   }
 }

@@ -75,8 +75,8 @@ TEST(SeveralRanges, HaveExactJacobiansWithTheColumnsOfEachRangeSideBySide) {
   World w;
   const auto edge = w.graph.add_edge(Stack{}, w.pose, w.points, w.scales);
   const auto own = w.graph.add_edge(StackWithJacobians{}, w.pose, w.points, w.scales);
-  EXPECT_EQ(w.graph.edge_pools()[edge.pool]->jacobian_source(), JacobianSource::kAutomatic);
-  EXPECT_EQ(w.graph.edge_pools()[own.pool]->jacobian_source(), JacobianSource::kAnalytic);
+  EXPECT_EQ(w.graph.edge_pools()[edge.pool]->jacobian_source(), detail::JacobianSource::kAutomatic);
+  EXPECT_EQ(w.graph.edge_pools()[own.pool]->jacobian_source(), detail::JacobianSource::kAnalytic);
   const auto exact = w.graph.jacobian(edge), analytic = w.graph.jacobian(own);
   ASSERT_EQ(exact.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) EXPECT_LE((exact[k] - analytic[k]).norm(), 1e-13) << k;
@@ -145,7 +145,7 @@ TEST(AnalyticJacobians, AreUsedForRunTimeRows) {
   const auto x = graph.add_vertex(3.0);
   const auto p = graph.add_vertex(Vector2(5, 7));
   const auto edge = graph.add_edge(RunTimeRows{4}, x, p);
-  EXPECT_EQ(graph.edge_pools()[edge.pool]->jacobian_source(), JacobianSource::kAnalytic);
+  EXPECT_EQ(graph.edge_pools()[edge.pool]->jacobian_source(), detail::JacobianSource::kAnalytic);
   EXPECT_EQ(graph.jacobian(edge)[0], Eigen::Vector4d::Constant(5));
   EXPECT_EQ(graph.jacobian(edge)[1].col(1), Eigen::Vector4d(0, 1, 2, 3));
   EXPECT_TRUE(check_jacobians(RunTimeRows{4}, 3.0, Vector2(5, 7)).ok);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boxplus/graph/graph.h"
+#include "boxplus/graph/numeric.h"
 #include "boxplus/manifold/rn.h"
 
 namespace boxplus {
@@ -19,7 +20,7 @@ using Handles = std::vector<VertexHandle<double>>;
 using testing::ElementsAre;
 
 template <class E>
-JacobianSource source(const Graph& graph, EdgeHandle<E> edge) {
+detail::JacobianSource source(const Graph& graph, EdgeHandle<E> edge) {
   return graph.edge_pools()[edge.pool]->jacobian_source();
 }
 
@@ -29,7 +30,7 @@ TEST(Edge, ALambdaIsAnEdgeWithExactJacobians) {
   const auto edge = graph.add_edge([](const auto& p, const auto& q) { return (q - p).eval(); }, a, b);
   EXPECT_THAT(graph.error(edge), ElementsAre(3, 4));
   EXPECT_EQ(graph.chi2(edge), 25);
-  EXPECT_EQ(source(graph, edge), JacobianSource::kAutomatic);
+  EXPECT_EQ(source(graph, edge), detail::JacobianSource::kAutomatic);
 }
 
 TEST(Edge, ALambdaMayCaptureItsMeasurement) {
@@ -50,7 +51,7 @@ TEST(Edge, APlainDoubleFunctionIsDifferentiatedNumerically) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
   const auto edge = graph.add_edge([](double x) { return x * x; }, a);
-  EXPECT_EQ(source(graph, edge), JacobianSource::kNumeric);
+  EXPECT_EQ(source(graph, edge), detail::JacobianSource::kNumeric);
   EXPECT_EQ(graph.chi2(edge), 81);
 }
 
@@ -59,7 +60,7 @@ TEST(Edge, NumericWrapsAGenericFunction) {
   const auto a = graph.add_vertex(3.0);
   // Generic by its signature only: the body needs a double.
   const auto body = [](const auto& x) { return static_cast<double>(static_cast<long>(x)) + x; };
-  EXPECT_EQ(source(graph, graph.add_edge(Numeric{body}, a)), JacobianSource::kNumeric);
+  EXPECT_EQ(source(graph, graph.add_edge(Numeric{body}, a)), detail::JacobianSource::kNumeric);
 }
 
 struct Analytic {
@@ -78,12 +79,12 @@ struct Analytic {
 TEST(Edge, ItsAnalyticJacobiansAreUsed) {
   Graph graph;
   const auto edge = graph.add_edge(Analytic{}, graph.add_vertex(3.0), graph.add_vertex(Point(5, 7)));
-  EXPECT_EQ(source(graph, edge), JacobianSource::kAnalytic);
-  const EdgePool& pool = *graph.edge_pools()[edge.pool];
+  EXPECT_EQ(source(graph, edge), detail::JacobianSource::kAnalytic);
+  const detail::EdgePool& pool = *graph.edge_pools()[edge.pool];
   for (const bool numeric : {false, true}) {
     std::array<double, 1> error{};
     std::array<double, 3> jacobian{};
-    EdgeTile tile{.error = error.data(), .jacobian = jacobian.data()};
+    detail::EdgeTile tile{.error = error.data(), .jacobian = jacobian.data()};
     pool.linearize(std::span(&edge.slot, 1), tile, numeric);
     EXPECT_EQ(error[0], 37);
     EXPECT_THAT(jacobian, testing::Pointwise(testing::DoubleNear(1e-9), {10.0, 6.0, 1.0}));
@@ -104,10 +105,10 @@ TEST(Edge, ATemplateOverEigenVectorsIsDifferentiatedExactly) {
   for (const auto& point : {graph.add_vertex(Vector2(3, 4)), graph.add_vertex(Eigen::Vector2d(3, 4))}) {
     const auto edge = graph.add_edge(Eigens{}, point, scale);
     EXPECT_THAT(graph.error(edge), ElementsAre(6, 8));
-    EXPECT_EQ(source(graph, edge), JacobianSource::kAutomatic);
+    EXPECT_EQ(source(graph, edge), detail::JacobianSource::kAutomatic);
     std::array<double, 2> error{};
     std::array<double, 6> jacobian{};
-    EdgeTile tile{.error = error.data(), .jacobian = jacobian.data()};
+    detail::EdgeTile tile{.error = error.data(), .jacobian = jacobian.data()};
     graph.edge_pools()[edge.pool]->linearize(std::span(&edge.slot, 1), tile, false);
     EXPECT_THAT(jacobian, ElementsAre(2, 0, 0, 2, 3, 4));
   }
@@ -130,7 +131,7 @@ TEST(Edge, ARangeMayBeASpanOfEigenVectors) {
                                                           graph.add_vertex(Vector2(5, 6))};
   const auto exact = graph.add_edge(EigensSum{}, scale, points);
   EXPECT_THAT(graph.error(exact), ElementsAre(16, 20));
-  EXPECT_EQ(source(graph, exact), JacobianSource::kAutomatic);
+  EXPECT_EQ(source(graph, exact), detail::JacobianSource::kAutomatic);
   EXPECT_EQ(graph.jacobian(exact)[0], Vector2(8, 10));
   EXPECT_EQ(graph.jacobian(exact)[2], 2 * Eigen::Matrix2d::Identity());
   const auto plain =
@@ -213,7 +214,7 @@ TEST(Edge, VerticesMayHaveRunTimeSize) {
   EXPECT_EQ(graph.tangent_dim(a), 3);
   const auto edge = graph.add_edge([](const auto& x, const auto& y) { return (y - x).eval(); }, a, b);
   EXPECT_THAT(graph.error(edge), ElementsAre(3, 3, 3));
-  const EdgeShape shape = graph.edge_pools()[edge.pool]->shape(edge.slot);
+  const detail::EdgeShape shape = graph.edge_pools()[edge.pool]->shape(edge.slot);
   EXPECT_EQ(shape.rows, 3);
   EXPECT_EQ(shape.cols, 6);
 }

@@ -120,16 +120,16 @@ TEST(GraphStack, RestoringTheSizeOfAVertexChangesTheStructure) {
 }
 
 TEST(SavedEstimates, AreIndependentOfThePool) {
-  TypedVertexPool<double> pool;
+  detail::TypedVertexPool<double> pool;
   const std::uint32_t a = pool.add(1.0, 0), b = pool.add(2.0, 1);
-  std::unique_ptr<SavedEstimates> both, last;
+  std::unique_ptr<detail::SavedEstimates> both, last;
   pool.save(std::array{a, b}, both);
   pool.value(a) = 5.0;
   pool.value(b) = 6.0;
   pool.save(std::array{b}, last);
-  const std::unique_ptr<SavedEstimates> copy = both->clone();
+  const std::unique_ptr<detail::SavedEstimates> copy = both->clone();
   pool.save(std::array{b}, both);  // of another list
-  pool.restore(std::array{VertexPool::kNoSlot, b}, *copy);
+  pool.restore(std::array{detail::VertexPool::kNoSlot, b}, *copy);
   EXPECT_EQ(pool.value(a), 5);
   EXPECT_EQ(pool.value(b), 2);
   pool.restore(std::array{a}, *both);

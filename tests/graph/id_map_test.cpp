@@ -14,7 +14,7 @@ RC_GTEST_PROP(IdMap, AgreesWithAnOrderedMapOverRandomInsertionsAndRemovals, ()) 
   const auto any_id = rc::gen::map(rc::gen::pair(rc::gen::inRange<Id>(0, 40), rc::gen::inRange<Id>(0, 4)),
                                    [](const auto& parts) { return parts.first + (parts.second << 40); });
   const auto ids = *rc::gen::container<std::vector<Id>>(any_id);
-  IdMap map;
+  detail::IdMap map;
   std::map<Id, VertexRef> expected;
   std::uint32_t slot = 0;
   for (const Id id : ids) {
@@ -37,14 +37,14 @@ RC_GTEST_PROP(IdMap, AgreesWithAnOrderedMapOverRandomInsertionsAndRemovals, ()) 
 }
 
 TEST(IdMap, FindsNothingInAnEmptyMapNorUnderNegativeIds) {
-  IdMap map;
+  detail::IdMap map;
   EXPECT_EQ(map.find(0), nullptr);
   map.insert(0, {});
   for (const Id id : {Id{-1}, Id{-2}}) EXPECT_EQ(map.find(id), nullptr);
 }
 
 TEST(IdMap, EndsEverySearchWhileVerticesAreAddedAndRemoved) {
-  IdMap map;
+  detail::IdMap map;
   for (Id id = 0; id < 100'000; ++id) {
     map.insert(id, {});
     if (id >= 8) map.erase(id - 8);
@@ -57,7 +57,7 @@ TEST(IdMap, AcceptsIdsThatShareTheirLowBits) {
   // If they collided repeatedly, so many insertions would take minutes or hours.
   constexpr Id kCount = 300'000;
   for (const int shift : {20, 36, 40, 44}) {
-    IdMap map;
+    detail::IdMap map;
     for (Id k = 0; k < kCount; ++k) map.insert(k << shift, {0, static_cast<std::uint32_t>(k), 0});
     for (Id k = 0; k < kCount; ++k) ASSERT_EQ(map.find(k << shift)->slot, static_cast<std::uint32_t>(k));
   }
@@ -65,7 +65,7 @@ TEST(IdMap, AcceptsIdsThatShareTheirLowBits) {
 
 TEST(IdMap, AcceptsIdsWhoseHighBitsAreTags) {
   for (const int tag_bits : {5, 8, 14}) {
-    IdMap map;
+    detail::IdMap map;
     const Id tags = Id{1} << tag_bits, numbers = 300'000 / tags;
     for (Id tag = 0; tag < tags; ++tag) {
       for (Id k = 0; k < numbers; ++k) map.insert((tag << (62 - tag_bits)) + k, {});

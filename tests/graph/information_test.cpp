@@ -27,20 +27,20 @@ TEST(Information, IsStoredInTheShortestFormOfItsTriangle) {
   for (int i = 0; i < kRows; ++i) {
     for (int j = i; j < kRows; ++j) triangle.push_back(i != j ? 0 : i < 3 ? 1.5 : 7);
   }
-  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kDiagonal);
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), detail::InformationKind::kDiagonal);
   EXPECT_EQ(Information::upper_triangle(triangle, kRows).values().size(), 6u);
   triangle[1] = 0.25;
-  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kFull);
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), detail::InformationKind::kFull);
   for (double& value : triangle) value = value == 0 || value == 0.25 ? 0 : 4;
-  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), InformationKind::kScalar);
+  EXPECT_EQ(Information::upper_triangle(triangle, kRows).kind(), detail::InformationKind::kScalar);
 }
 
 TEST(Information, IsStoredAsScalarDiagonalOrFullMatrix) {
-  EXPECT_EQ(Information(2.0).kind(), InformationKind::kScalar);
-  EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).kind(), InformationKind::kScalar);
+  EXPECT_EQ(Information(2.0).kind(), detail::InformationKind::kScalar);
+  EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).kind(), detail::InformationKind::kScalar);
   EXPECT_EQ(Information(Eigen::Matrix3d::Identity()).values().size(), 1u);
-  EXPECT_EQ(Information(matrix2(1, 0, 0, 2)).kind(), InformationKind::kDiagonal);
-  EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).kind(), InformationKind::kFull);
+  EXPECT_EQ(Information(matrix2(1, 0, 0, 2)).kind(), detail::InformationKind::kDiagonal);
+  EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).kind(), detail::InformationKind::kFull);
   EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).values().size(), 3u);
 }
 
@@ -50,7 +50,7 @@ TEST(Information, ViewsOfAllKindsAgreeWithTheDenseMatrix) {
   const Eigen::Vector3d e(1, -2, 3);
   for (const Information& information :
        {Information(5.0), Information::diagonal(diagonal), Information::upper_triangle(triangle, 3)}) {
-    const InformationView view{information.kind(), 3, information.values().data()};
+    const detail::InformationView view{information.kind(), 3, information.values().data()};
     const Eigen::Matrix3d dense = view.matrix();
     EXPECT_EQ(dense, dense.transpose());
     EXPECT_NEAR(view.squared_norm(e.data()), e.dot(dense * e), 1e-13);
@@ -124,7 +124,7 @@ TEST(Information, MayChangeItsKind) {
   EXPECT_EQ(graph.chi2(edge), 14);
   graph.set_information(edge, matrix2(2, 0, 0, 3));
   EXPECT_EQ(graph.chi2(edge), 14);
-  EXPECT_EQ(graph.information(edge).kind, InformationKind::kDiagonal);
+  EXPECT_EQ(graph.information(edge).kind, detail::InformationKind::kDiagonal);
   graph.set_information(edge, 2.0);
   EXPECT_EQ(graph.chi2(edge), 10);
   EXPECT_EQ(graph.chi2(other), 35);

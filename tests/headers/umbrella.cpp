@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus.h alone declares every manifold, kernel and function that a program needs.
+// boxplus.h alone suffices for a pose graph with a custom edge, a robust kernel, covariances and files.
 #include "boxplus/boxplus.h"
 
 using namespace boxplus;
 
-static_assert(ManifoldType<Product<SE3, Vector3>>);
-static_assert(ManifoldType<S2> && ManifoldType<Sim3> && ManifoldType<SO2> && ManifoldType<SO3>);
-static_assert(ManifoldType<SE2> && ManifoldType<SE3> && ManifoldType<Vector2> && ManifoldType<double>);
-static_assert(std::derived_from<Barron, RobustKernel> && std::derived_from<DCS, RobustKernel>);
-static_assert(requires { default_width(3); });
+static_assert(requires(Graph graph, VertexHandle<SE2> pose, VertexHandle<Product<SE3, Vector3>> camera) {
+  graph.add_edge(Between(SE2(1, 0, 0)), pose, pose);
+  graph.add_edge(Prior(SE2(1, 0, 0)), pose);
+  graph.estimate(camera);
+  graph.set_kernel(graph.add_edge(Prior(SE2()), pose), make_robust_kernel("Huber", 1));
+});
+static_assert(requires(Graph graph, Options options, Optimizer optimizer, VertexRef vertex) {
+  optimize(graph, options).converged();
+  optimizer.run().reason == Report::Reason::kStopFlag;
+  covariance(graph, {vertex}).of(vertex);
+  write_graph("graph.g2o", read_graph("graph.g2o").graph);
+});

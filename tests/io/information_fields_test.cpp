@@ -11,7 +11,7 @@ namespace {
 TEST(InformationFields, AreTheUpperTriangleByRows) {
   FieldReader in("g", 1, "4 1 0 3 0.5 2");
   const Information omega = read_information(in, 3);
-  const InformationView view{omega.kind(), 3, omega.values().data()};
+  const detail::InformationView view{omega.kind(), 3, omega.values().data()};
   EXPECT_EQ(view(0, 1), 1);
   EXPECT_EQ(view(2, 1), 0.5);
   std::string text;

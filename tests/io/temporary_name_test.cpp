@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 
 namespace boxplus {
 namespace {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 
 namespace boxplus {
 namespace {

@@ -16,7 +16,7 @@ class BetweenLanes : public EveryIsa {
   SE2 pose(std::type_identity<SE2>) { return {number(10), number(10), number(kPi)}; }
   SE3 pose(std::type_identity<SE3>) {
     return {Vector3(number(10), number(10), number(10)),
-            Quaternion<double>{number(1), number(1), number(1), number(1)}};
+            detail::Quaternion<double>{number(1), number(1), number(1), number(1)}};
   }
   Information information(int rows, int kind) {
     if (kind == 0) return 2.5;
@@ -40,11 +40,11 @@ class BetweenLanes : public EveryIsa {
                      vertices[k % 5], vertices[(k + 1 + k % 3) % 5]);
       edges.push_back(static_cast<std::uint32_t>(count - 1 - k));
     }
-    const EdgePool& pool = *graph.edge_pools()[0];
+    const detail::EdgePool& pool = *graph.edge_pools()[0];
     std::vector<double> error[2], jacobian[2];
-    EdgeTile tile[2];
+    detail::EdgeTile tile[2];
     for (int lanes = 0; lanes < 2; ++lanes) {
-      error[lanes].resize(kDim * EdgeTile::kCapacity);
+      error[lanes].resize(kDim * detail::EdgeTile::kCapacity);
       jacobian[lanes].resize(2 * kDim * error[lanes].size());
       tile[lanes].error = error[lanes].data();
       tile[lanes].jacobian = jacobian[lanes].data();
@@ -55,7 +55,8 @@ class BetweenLanes : public EveryIsa {
     const auto expect_same = [&](const double* plain, const double* by_lanes, int size) {
       for (int k = 0; k < count; ++k) {
         for (int m = 0; m < size; ++m) {
-          const int lane = ((k / EdgeTile::kLanes) * size + m) * EdgeTile::kLanes + k % EdgeTile::kLanes;
+          const int lane = ((k / detail::EdgeTile::kLanes) * size + m) * detail::EdgeTile::kLanes +
+                           k % detail::EdgeTile::kLanes;
           ASSERT_NEAR(by_lanes[lane], plain[k * size + m], 1e-13 * (1 + 30 * std::abs(plain[k * size + m])))
               << "number " << m << " of edge " << k;
         }
@@ -97,12 +98,12 @@ TEST_P(BetweenLanes, WrapAnglesAsThePlainFunctionDoes) {
       }
     }
   }
-  const EdgePool& pool = *graph.edge_pools()[0];
+  const detail::EdgePool& pool = *graph.edge_pools()[0];
   for (const std::uint32_t& edge : edges) {
-    double plain[3], lanes[3 * EdgeTile::kLanes];
+    double plain[3], lanes[3 * detail::EdgeTile::kLanes];
     pool.errors(std::span(&edge, 1), plain);
     ASSERT_TRUE(pool.errors_in_lanes(std::span(&edge, 1), lanes));
-    EXPECT_EQ(lanes[2 * EdgeTile::kLanes], plain[2]);
+    EXPECT_EQ(lanes[2 * detail::EdgeTile::kLanes], plain[2]);
   }
 }
 
@@ -115,7 +116,7 @@ TEST_P(BetweenLanes, GiveTheSameBitsOfChi2ForAnEdgeWhicheverEdgesAreNextToIt) {
     graph.add_edge(Between(pose(std::type_identity<SE3>())), information(6, k % 3), a, b);
     edges.push_back(static_cast<std::uint32_t>(k));
   }
-  const EdgePool& pool = *graph.edge_pools()[0];
+  const detail::EdgePool& pool = *graph.edge_pools()[0];
   std::vector<double> together(30), alone(30);
   pool.chi2(edges, together.data());
   for (std::size_t k = 0; k < 30; ++k) pool.chi2(std::span(&edges[k], 1), &alone[k]);

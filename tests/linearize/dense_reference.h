@@ -38,11 +38,11 @@ struct DenseEdge {
   Eigen::VectorXd error;
   Eigen::MatrixXd jacobian, omega;
 
-  DenseEdge(const EdgePool& pool, std::uint32_t edge) {
-    const EdgeShape shape = pool.shape(edge);
+  DenseEdge(const detail::EdgePool& pool, std::uint32_t edge) {
+    const detail::EdgeShape shape = pool.shape(edge);
     error.resize(shape.rows);
     jacobian.resize(shape.rows, shape.cols);
-    EdgeTile tile;
+    detail::EdgeTile tile;
     tile.error = error.data();
     tile.jacobian = jacobian.data();
     pool.linearize(std::span(&edge, 1), tile, false);
@@ -56,7 +56,7 @@ inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustK
   if (kernel == nullptr) return edge.omega;
   const Eigen::VectorXd omega_e = edge.omega * edge.error;
   const double e2 = edge.error.dot(omega_e);
-  const Rho rho = (*kernel)(e2);
+  const RobustKernel::Rho rho = (*kernel)(e2);
   const double first = std::max(0.0, rho.first);
   Eigen::MatrixXd weighted = first * edge.omega;
   if (triggs && e2 > 0) weighted += std::max(2 * rho.second, -first / e2) * omega_e * omega_e.transpose();
@@ -79,7 +79,7 @@ inline DenseSystem dense_reference(const Graph& graph, const Plan& plan, bool tr
   const auto offsets = block_offsets(plan);
   for (const EdgeList& list : plan.edges) {
     for (const std::uint32_t slot : list.edges) {
-      const EdgePool& pool = *graph.edge_pools()[list.pool];
+      const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
       if (!pool.enabled(slot)) continue;
       const DenseEdge edge(pool, slot);
       Eigen::MatrixXd J = Eigen::MatrixXd::Zero(edge.error.size(), n);

@@ -83,7 +83,8 @@ constexpr double kRounding = 1e-14;
 const Vector3 kPoint(0.3, -2, 5);
 const Vector2 kPoint2(0.3, -2);
 
-const Quaternion<double> kRotation = normalized(Quaternion<double>{0.1, -0.7, 0.3, -0.4});
+const detail::Quaternion<double> kRotation =
+    detail::normalized(detail::Quaternion<double>{0.1, -0.7, 0.3, -0.4});
 const SE3 kPose(Vector3(1, -2, 3), kRotation);
 
 template <class A, class B>
@@ -126,7 +127,7 @@ TEST(ConvertTo, QuaternionsAreNormalized) {
   expect_same_point(convert_to<SO3>(Eigen::Quaterniond(2, 0, 0, 2)).rotation_vector(),
                     Vector3(0, 0, kPi / 2));
   // A pose from a file with few digits keeps the norm of its quaternion, but no isometry shows it.
-  const SE3 rounded = SE3::from_unit(Vector3(1, 2, 3), Quaternion<double>{0, 0, 0.707107, 0.707107});
+  const SE3 rounded = SE3::from_unit(Vector3(1, 2, 3), detail::Quaternion<double>{0, 0, 0.707107, 0.707107});
   const Eigen::Matrix3d R = convert_to<Eigen::Isometry3d>(rounded).linear();
   EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), kRounding);
   EXPECT_EQ(convert_to<SE3RotationVector>(rounded).vector(), rounded.vector());

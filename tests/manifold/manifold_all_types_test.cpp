@@ -34,12 +34,15 @@ TEST(ManifoldTypes, HaveTheSameSizeAndAlignmentForAllCompilerFlags) {
 }
 
 TEST(ManifoldTypes, CanAllBeConvertedToDualNumbers) {
-  using D = Dual<double, 12>;
-  static_assert(LiftableManifold<SO2, D> && LiftableManifold<SE2, D> && LiftableManifold<S2, D>);
-  static_assert(LiftableManifold<SO3, D> && LiftableManifold<SE3, D> && LiftableManifold<Sim3, D>);
-  static_assert(LiftableManifold<SO3RotationVector, D> && LiftableManifold<SE3RotationVector, D>);
-  static_assert(LiftableManifold<double, D> && LiftableManifold<Vector<double, 3>, D>);
-  static_assert(LiftableManifold<Product<SE3, Vector<double, kDynamic>>, Dual<D, 1>>);
+  using D = detail::Dual<double, 12>;
+  static_assert(detail::LiftableManifold<SO2, D> && detail::LiftableManifold<SE2, D> &&
+                detail::LiftableManifold<S2, D>);
+  static_assert(detail::LiftableManifold<SO3, D> && detail::LiftableManifold<SE3, D> &&
+                detail::LiftableManifold<Sim3, D>);
+  static_assert(detail::LiftableManifold<SO3RotationVector, D> &&
+                detail::LiftableManifold<SE3RotationVector, D>);
+  static_assert(detail::LiftableManifold<double, D> && detail::LiftableManifold<Vector<double, 3>, D>);
+  static_assert(detail::LiftableManifold<Product<SE3, Vector<double, kDynamic>>, detail::Dual<D, 1>>);
 }
 
 }  // namespace

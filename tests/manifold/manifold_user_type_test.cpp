@@ -58,28 +58,28 @@ struct boxplus::Manifold<vendor::Interval<S>> {
 namespace boxplus {
 namespace {
 
-using D = Dual<double, 1>;
+using D = detail::Dual<double, 1>;
 
 TEST(UserTypes, BecomeManifoldsByTheTraitAlone) {
-  static_assert(ManifoldType<vendor::Waypoint>);
-  static_assert(!LiftableManifold<vendor::Waypoint, D>);
-  static_assert(!ManifoldType<std::string>);
+  static_assert(detail::ManifoldType<vendor::Waypoint>);
+  static_assert(!detail::LiftableManifold<vendor::Waypoint, D>);
+  static_assert(!detail::ManifoldType<std::string>);
   const ManifoldCheck check = check_manifold(vendor::Waypoint{0, 48, 8, 1000});
   EXPECT_TRUE(check) << check.message;
 }
 
 TEST(UserTypes, AreConvertedToDualNumbersIfTheTraitSaysHow) {
-  static_assert(LiftableManifold<vendor::Interval<double>, D>);
+  static_assert(detail::LiftableManifold<vendor::Interval<double>, D>);
   const ManifoldCheck check = check_manifold(vendor::Interval<double>{1, 2});
   EXPECT_TRUE(check) << check.message;
 }
 
 TEST(UserTypes, ArePartsOfProducts) {
   const Product liftable(vendor::Interval<double>{1, 2}, 3.0);
-  static_assert(LiftableManifold<std::decay_t<decltype(liftable)>, D>);
+  static_assert(detail::LiftableManifold<std::decay_t<decltype(liftable)>, D>);
   const Product plain(vendor::Waypoint{0, 48, 8, 1000}, 3.0);
-  static_assert(ManifoldType<std::decay_t<decltype(plain)>>);
-  static_assert(!LiftableManifold<std::decay_t<decltype(plain)>, D>);
+  static_assert(detail::ManifoldType<std::decay_t<decltype(plain)>>);
+  static_assert(!detail::LiftableManifold<std::decay_t<decltype(plain)>, D>);
   EXPECT_TRUE(check_manifold(liftable));
   EXPECT_TRUE(check_manifold(plain));
 }

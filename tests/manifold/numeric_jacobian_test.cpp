@@ -14,7 +14,7 @@ namespace {
 TEST(NumericJacobian, DifferentiatesThroughBoxplus) {
   const SE2 x(1, 2, 0.5);
   Matrix<double, 2, 3> jacobian;
-  const double error = numeric_jacobian([](const SE2& p) { return p.translation(); }, x, jacobian);
+  const double error = detail::numeric_jacobian([](const SE2& p) { return p.translation(); }, x, jacobian);
   EXPECT_LT(error, 1e-10);
   Matrix<double, 2, 3> expected;
   expected << std::cos(0.5), -std::sin(0.5), 0, std::sin(0.5), std::cos(0.5), 0;
@@ -23,14 +23,14 @@ TEST(NumericJacobian, DifferentiatesThroughBoxplus) {
 
 TEST(NumericJacobian, TakesFunctionsThatReturnANumber) {
   Matrix<double, 1, 1> jacobian;
-  numeric_jacobian([](double x) { return x * x; }, 3.0, jacobian);
+  detail::numeric_jacobian([](double x) { return x * x; }, 3.0, jacobian);
   EXPECT_NEAR(jacobian(0, 0), 6, 1e-12);
 }
 
 TEST(NumericJacobian, TakesRunTimeSizes) {
   const Vector<double, kDynamic> x = Vector<double, kDynamic>::Constant(4, 2.0);
   Matrix<double, kDynamic, kDynamic> jacobian(4, 4);
-  numeric_jacobian([](const auto& v) { return v.cwiseProduct(v).eval(); }, x, jacobian);
+  detail::numeric_jacobian([](const auto& v) { return v.cwiseProduct(v).eval(); }, x, jacobian);
   EXPECT_LT((jacobian - Eigen::MatrixXd::Identity(4, 4) * 4).norm(), 1e-11);
 }
 

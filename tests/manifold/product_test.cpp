@@ -28,7 +28,7 @@ TEST(Product, ObeysTheLaws) {
 TEST(Product, ObeysTheLawsWithARunTimeSize) {
   const Product bias(S2(), Eigen::VectorXd(Eigen::VectorXd::LinSpaced(4, 0, 1)), 2.0);
   static_assert(Manifold<std::decay_t<decltype(bias)>>::kDim == kDynamic);
-  EXPECT_EQ(tangent_dim(bias), 2 + 4 + 1);
+  EXPECT_EQ(detail::tangent_dim(bias), 2 + 4 + 1);
   const ManifoldCheck check = check_manifold(bias);
   EXPECT_TRUE(check) << check.message;
 }
@@ -58,13 +58,13 @@ TEST(Product, HasExactJacobiansThroughBoxplus) {
     return (pose * velocity * bias).eval();
   };
   Matrix<double, 3, 10> numeric;
-  numeric_jacobian(error, x, numeric);
+  detail::numeric_jacobian(error, x, numeric);
   EXPECT_LT((dual_jacobian<3>(error, x) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(Product, Nests) {
   const Product nested(Product(1.0, 2.0), S2());
-  EXPECT_EQ(tangent_dim(nested), 4);
+  EXPECT_EQ(detail::tangent_dim(nested), 4);
   const ManifoldCheck check = check_manifold(nested);
   EXPECT_TRUE(check) << check.message;
 }

@@ -28,13 +28,13 @@ TEST(Rn, KnowsItsTangentSize) {
   static_assert(Manifold<double>::kDim == 1);
   static_assert(Manifold<Eigen::Vector3d>::kDim == 3);
   static_assert(Manifold<Eigen::VectorXd>::kDim == kDynamic);
-  EXPECT_EQ(tangent_dim(Eigen::VectorXd(7)), 7);
+  EXPECT_EQ(detail::tangent_dim(Eigen::VectorXd(7)), 7);
 }
 
 TEST(Rn, KeepsItsOptionsWhenLifted) {
-  using D = Dual<double, 3>;
-  static_assert(std::is_same_v<Rebind<Eigen::Vector3d, D>, Eigen::Matrix<D, 3, 1>>);
-  static_assert(std::is_same_v<Rebind<Vector<double, 3>, D>, Vector<D, 3>>);
+  using D = detail::Dual<double, 3>;
+  static_assert(std::is_same_v<detail::Rebind<Eigen::Vector3d, D>, Eigen::Matrix<D, 3, 1>>);
+  static_assert(std::is_same_v<detail::Rebind<Vector<double, 3>, D>, Vector<D, 3>>);
 }
 
 TEST(Rn, AddsTheTangent) {

@@ -22,21 +22,22 @@ TEST(QuaternionChart, NormalizesStepsBeyondHalfATurnAndIgnoresNone) {
 }
 
 TEST(QuaternionChart, MinimalPicksTheSignWithNonNegativeW) {
-  EXPECT_EQ(SO3(Quaternion<double>{0.6, 0, 0, -0.8}).minimal()[0], -0.6);
-  EXPECT_EQ(SO3(Quaternion<double>{0.6, 0, 0, 0.8}).minimal()[0], 0.6);
+  EXPECT_EQ(SO3(detail::Quaternion<double>{0.6, 0, 0, -0.8}).minimal()[0], -0.6);
+  EXPECT_EQ(SO3(detail::Quaternion<double>{0.6, 0, 0, 0.8}).minimal()[0], 0.6);
 }
 
 TEST(RotationVectorChart, MatchesAtBothSidesOfItsTaylorBranch) {
   for (const double angle : {0.0, 1e-9, 1e-4, 0.00999999, 0.01000001, 0.1, 2.0, 3.1}) {
-    const Quaternion<double> q = RotationVectorChart::exp(angle, 0.0, 0.0);
+    const detail::Quaternion<double> q = detail::RotationVectorChart::exp(angle, 0.0, 0.0);
     EXPECT_NEAR(q.x, std::sin(angle / 2), 1e-16);
     EXPECT_NEAR(q.w, std::cos(angle / 2), 2e-16);
-    EXPECT_NEAR(RotationVectorChart::log(q)[0], angle, 1e-15);
+    EXPECT_NEAR(detail::RotationVectorChart::log(q)[0], angle, 1e-15);
   }
 }
 
 TEST(RotationVectorChart, ReturnsAngleUpToPi) {
-  const Vector<double, 3> log = RotationVectorChart::log(RotationVectorChart::exp(0.0, 4.0, 0.0));
+  const Vector<double, 3> log =
+      detail::RotationVectorChart::log(detail::RotationVectorChart::exp(0.0, 4.0, 0.0));
   EXPECT_NEAR(log[1], 4 - 2 * kPi, 1e-15);
 }
 

@@ -40,10 +40,10 @@ class Samples {
 template <int Rows, class T, class F>
 Matrix<double, Rows, Manifold<T>::kDim> dual_jacobian(const F& f, const T& x) {
   constexpr int n = Manifold<T>::kDim;
-  using D = Dual<double, n>;
+  using D = detail::Dual<double, n>;
   D delta[n];
   for (int i = 0; i < n; ++i) delta[i] = D::variable(0, i);
-  const Vector<D, Rows> e = f(Manifold<Rebind<T, D>>::oplus(Manifold<T>::template cast<D>(x), delta));
+  const Vector<D, Rows> e = f(Manifold<detail::Rebind<T, D>>::oplus(Manifold<T>::template cast<D>(x), delta));
   Matrix<double, Rows, n> jacobian;
   for (int i = 0; i < Rows; ++i) {
     for (int k = 0; k < n; ++k) jacobian(i, k) = e[i].derivative[k];

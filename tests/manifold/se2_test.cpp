@@ -64,7 +64,7 @@ TEST(SE2, HasExactJacobiansThroughBoxplus) {
     return (measurement.inverse() * (a.inverse() * (x * b))).vector();
   };
   Matrix<double, 3, 3> numeric;
-  numeric_jacobian(error, a, numeric);
+  detail::numeric_jacobian(error, a, numeric);
   EXPECT_LT((dual_jacobian<3>(error, a) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 

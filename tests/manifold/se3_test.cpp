@@ -40,19 +40,19 @@ TYPED_TEST(PoseTest, HasExactJacobiansOfItsEdgeError) {
     return (measurement.inverse() * (a.inverse() * x)).minimal();
   };
   Matrix<double, 6, 6> numeric;
-  numeric_jacobian(error_of_a, a, numeric);
+  detail::numeric_jacobian(error_of_a, a, numeric);
   EXPECT_LT((dual_jacobian<6>(error_of_a, a) - numeric).cwiseAbs().maxCoeff(), 1e-9);
-  numeric_jacobian(error_of_b, b, numeric);
+  detail::numeric_jacobian(error_of_b, b, numeric);
   EXPECT_LT((dual_jacobian<6>(error_of_b, b) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TYPED_TEST(PoseTest, LiftsByCastOrDirectlyWithTheSameDerivatives) {
-  using D = Dual<double, 6>;
+  using D = detail::Dual<double, 6>;
   const TypeParam x = this->random();
   D delta[6];
   for (int i = 0; i < 6; ++i) delta[i] = D::variable(0.1 * i, i);
   const auto direct = Manifold<TypeParam>::oplus(x, delta);
-  const auto cast = Manifold<Rebind<TypeParam, D>>::oplus(x.template cast<D>(), delta);
+  const auto cast = Manifold<detail::Rebind<TypeParam, D>>::oplus(x.template cast<D>(), delta);
   for (int c = 0; c < 7; ++c) {
     EXPECT_DOUBLE_EQ(direct.data()[c].value, cast.data()[c].value);
     for (int i = 0; i < 6; ++i)
@@ -89,7 +89,7 @@ TEST(SE3, MinimalIsTranslationAndQuaternionVectorWithNonNegativeW) {
 }
 
 TEST(SE3, MovesInItsOwnFrameByTranslationAndQuaternionVector) {
-  const SE3 x(Vector<double, 3>(1, 1, 1), Quaternion<double>{0, 0, std::sqrt(0.5), std::sqrt(0.5)});
+  const SE3 x(Vector<double, 3>(1, 1, 1), detail::Quaternion<double>{0, 0, std::sqrt(0.5), std::sqrt(0.5)});
   const double delta[6] = {1, 0, 0, 0, 0, 0.6};
   const SE3 y = Manifold<SE3>::oplus(x, delta);
   EXPECT_NEAR(y.translation()[1], 2, 1e-15);

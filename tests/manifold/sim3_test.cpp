@@ -56,8 +56,8 @@ TEST(Sim3, CouplingAgreesBetweenSeriesAndClosedForm) {
   for (const double theta : {0.001, 0.04, 0.06, 1.0, 3.1}) {
     for (const double sigma : {-4.0, -3.5, 3.5, 4.0, 0.2}) {
       if (sigma == 0.2 && theta < 1) continue;  // the closed form needs |z| away from 0
-      const auto series = Sim3Coupling<double>::from_series(sigma, theta * theta);
-      const auto closed = Sim3Coupling<double>::from_closed_form(sigma, theta * theta);
+      const auto series = detail::Sim3Coupling<double>::from_series(sigma, theta * theta);
+      const auto closed = detail::Sim3Coupling<double>::from_closed_form(sigma, theta * theta);
       EXPECT_NEAR(series.a, closed.a, 3e-13) << theta << " " << sigma;
       EXPECT_NEAR(series.b, closed.b, 3e-13) << theta << " " << sigma;
       EXPECT_NEAR(series.c, closed.c, 3e-13) << theta << " " << sigma;
@@ -66,9 +66,9 @@ TEST(Sim3, CouplingAgreesBetweenSeriesAndClosedForm) {
 }
 
 /// The series with many terms, in long double.
-Sim3Coupling<long double> long_series(long double sigma, long double theta2) {
+detail::Sim3Coupling<long double> long_series(long double sigma, long double theta2) {
   long double p = 1, q = 0, r = 0, power = 1, factor = 1;
-  Sim3Coupling<long double> sum{0, 0, 1};
+  detail::Sim3Coupling<long double> sum{0, 0, 1};
   for (int n = 1; n < 60; ++n) {
     factor /= n + 1;
     r = sigma * r + q;
@@ -88,7 +88,7 @@ TEST(Sim3, CouplingIsExactForEveryNumberOfTermsThatItSums) {
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
       for (const double sign : {-1.0, 1.0}) {
         const double sigma = sign * size * share, theta2 = size * size * (1 - share * share);
-        const auto coupling = Sim3Coupling<double>::of(sigma, theta2);
+        const auto coupling = detail::Sim3Coupling<double>::of(sigma, theta2);
         const auto expected = long_series(sigma, theta2);
         const double tolerance = 2e-15 * std::exp(size);
         EXPECT_NEAR(coupling.a, static_cast<double>(expected.a), tolerance) << sigma << " " << theta2;
@@ -124,7 +124,7 @@ TEST(Sim3, HasExactJacobiansThroughBoxplus) {
     const Sim3 b = a * Sim3::exp(Vector<double, 7>(size * random_tangent(s, 1, 1)));
     const auto error = [&](const auto& x) { return (b.inverse() * x).log(); };
     Matrix<double, 7, 7> numeric;
-    numeric_jacobian(error, a, numeric);
+    detail::numeric_jacobian(error, a, numeric);
     EXPECT_LT((dual_jacobian<7>(error, a) - numeric).cwiseAbs().maxCoeff(), 1e-8);
   }
 }

@@ -58,7 +58,7 @@ TYPED_TEST(RotationTest, HasExactJacobiansThroughBoxplus) {
   const TypeParam x = this->random(), y = this->random();
   const auto error = [&](const auto& z) { return (y.inverse() * z).rotation_vector(); };
   Matrix<double, 3, 3> numeric;
-  numeric_jacobian(error, x, numeric);
+  detail::numeric_jacobian(error, x, numeric);
   EXPECT_LT((dual_jacobian<3>(error, x) - numeric).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((dual_jacobian<3>(error, y) -
              Matrix<double, 3, 3>::Identity() * (std::is_same_v<TypeParam, SO3> ? 2 : 1))
@@ -68,8 +68,8 @@ TYPED_TEST(RotationTest, HasExactJacobiansThroughBoxplus) {
 }
 
 TYPED_TEST(RotationTest, HasSecondDerivativesAtZero) {
-  using D = Dual<double, 3>;
-  using H = Dual<D, 3>;
+  using D = detail::Dual<double, 3>;
+  using H = detail::Dual<D, 3>;
   H delta[3];
   for (int i = 0; i < 3; ++i) {
     delta[i] = H(D::variable(0, i));
@@ -104,11 +104,11 @@ TEST(SO3, RecoversTheQuaternionOfEveryRotationMatrix) {
 }
 
 TEST(SO3, KeepsAUnitQuaternionBitForBitAndNormalizesOthers) {
-  const SO3 kept(Quaternion<double>{0.1, 0.2, 0.3, std::sqrt(1 - 0.14)});
+  const SO3 kept(detail::Quaternion<double>{0.1, 0.2, 0.3, std::sqrt(1 - 0.14)});
   EXPECT_EQ(kept.data()[0], 0.1);
-  const SO3 normalized(Quaternion<double>{0, 0, 3, 4});
+  const SO3 normalized(detail::Quaternion<double>{0, 0, 3, 4});
   EXPECT_DOUBLE_EQ(normalized.data()[2], 0.6);
-  EXPECT_EQ(SO3(Quaternion<double>{0, 0, 0, 0}).data()[3], 1);
+  EXPECT_EQ(SO3(detail::Quaternion<double>{0, 0, 0, 0}).data()[3], 1);
 }
 
 }  // namespace

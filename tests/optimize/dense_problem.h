@@ -21,7 +21,7 @@ class DenseProblem {
   void add_variable(std::shared_ptr<T> value, bool fixed) {
     if (fixed) return;
     auto saved = std::make_shared<T>(*value);
-    variables_.push_back({tangent_dim(*value),
+    variables_.push_back({detail::tangent_dim(*value),
                           [value, saved](const double* delta) { *value = Manifold<T>::oplus(*saved, delta); },
                           [value, saved] { *saved = *value; }});
   }

@@ -95,7 +95,7 @@ TYPED_TEST(InitialGuess, MovesOnlyTheActiveVertices) {
     scene.join(b, c);
     scene.join(c, d);
     scene.graph.set_estimate(a, Pose<TypeParam>{scene.truth(a)});
-    const Frame before = frame_of<TypeParam>(scene.graph.estimate(d).motion);
+    const detail::Frame before = frame_of<TypeParam>(scene.graph.estimate(d).motion);
     const std::array<VertexRef, 2> active{b, c};
     PlanRequest request;
     request.vertices = active;
@@ -214,7 +214,7 @@ TYPED_TEST(InitialGuess, DoesNotDependOnTheEstimatesOfActiveVerticesEvenIfTheyAr
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
     scene.fix(poses[0]);
-    Frame frame = frame_of<TypeParam>(scene.truth(poses[1]));
+    detail::Frame frame = frame_of<TypeParam>(scene.truth(poses[1]));
     frame.translation.fill(std::numeric_limits<double>::quiet_NaN());
     scene.graph.set_estimate(poses[1], Pose<TypeParam>{TypeParam::from(frame)});
     scene.expect_truth_from(k);

@@ -20,7 +20,7 @@ TEST(Optimize, NamesAnEdgeIfOnlyTheSumOverAllEdgesOverflows) {
   graph.add_edge([](const auto& value) { return value - 1e154; }, y);
   graph.add_edge([](const auto& a, const auto& b) { return 1.2e-154 * a + b; }, x, y);
   const Report report = optimize(graph);
-  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_EQ(report.reason, Report::Reason::kNotFinite);
   EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part is that of the edge"));
   EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
 }
@@ -33,7 +33,7 @@ TEST(Optimize, NamesTheEdgeThatMakesTheLinearSystemOverflow) {
     graph.add_edge([](const auto& value) { return value - 3; }, x);
     graph.add_edge([](const auto& a, const auto& b) { return 1e300 * (2 * a - b); }, x, y);
     const Report report = optimize(graph, {.algorithm = algorithm});
-    EXPECT_EQ(report.reason, Reason::kNotFinite);
+    EXPECT_EQ(report.reason, Report::Reason::kNotFinite);
     EXPECT_THAT(report.message, HasSubstr("the linear system overflows; the largest Jacobian"));
     EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
   }
@@ -53,7 +53,7 @@ TEST(Optimize, NamesAnEdgeWhoseKernelReturnsNan) {
   const auto edge = graph.add_edge([](const auto& value) { return value - 3; }, x);
   graph.set_kernel(edge, NanWeight());
   const Report report = optimize(graph);
-  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_EQ(report.reason, Report::Reason::kNotFinite);
   EXPECT_THAT(report.message, HasSubstr("the weight of the robust kernel"));
   EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
 }
@@ -73,7 +73,8 @@ TEST(Optimize, DoesNotReportConvergenceIfWeightsExceedThePrecisionOfDoubles) {
       } else if (report.converged()) {
         EXPECT_NEAR(report.chi2_final, 0.5, 1e-4) << digits << report;
       } else {
-        EXPECT_THAT(report.reason, ::testing::AnyOf(Reason::kWeightSpan, Reason::kNotFinite)) << digits;
+        EXPECT_THAT(report.reason, ::testing::AnyOf(Report::Reason::kWeightSpan, Report::Reason::kNotFinite))
+            << digits;
         EXPECT_THAT(report.message, HasSubstr("the edge Between<SE2> between vertices 0 1")) << digits;
       }
     }

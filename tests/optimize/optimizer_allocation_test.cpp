@@ -93,7 +93,7 @@ TEST(SecondRunAfterOneThatWasStopped, AllocatesNothing) {
     options.max_iterations = 100;
     optimizer.set_options(options);
     optimizer.run(report);
-    ASSERT_EQ(report.reason, Reason::kStopFlag);
+    ASSERT_EQ(report.reason, Report::Reason::kStopFlag);
     ASSERT_EQ(report.iterations, 0);
     circle.stop = circle.stops = false;
     const long before = boxplus::testing::allocation_count();
@@ -121,7 +121,7 @@ TEST(SecondRunThatIsStopped, AllocatesNothing) {
     const long before = boxplus::testing::allocation_count();
     optimizer.run(report);
     EXPECT_EQ(boxplus::testing::allocation_count() - before, 0);
-    EXPECT_EQ(report.reason, limit == 0 ? Reason::kTimeLimit : Reason::kStopFlag);
+    EXPECT_EQ(report.reason, limit == 0 ? Report::Reason::kTimeLimit : Report::Reason::kStopFlag);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(SecondRunAfterAChange, PlansAgain) {
   optimizer.set_options({.linear_solver = LinearSolverKind::kPcg});
   EXPECT_FALSE(optimizer.run().plan_reused);
   graph.clear();
-  EXPECT_EQ(optimizer.run().reason, Reason::kNothingToOptimize);
+  EXPECT_EQ(optimizer.run().reason, Report::Reason::kNothingToOptimize);
 }
 
 TEST(SecondRunByAnotherAlgorithm, KeepsThePlan) {

@@ -9,6 +9,7 @@
 
 #include "boxplus/boxplus.h"
 #include "boxplus/manifold/product.h"
+#include "boxplus/robust/huber.h"
 
 namespace boxplus {
 namespace {

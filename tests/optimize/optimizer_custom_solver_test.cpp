@@ -2,6 +2,8 @@
 // A linear solver that the library does not know.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "optimize/small_graphs.h"
 
 namespace boxplus {
@@ -133,7 +135,7 @@ TEST_P(InexactCustomSolver, ReceivesTheToleranceInBothCalls) {
   options.algorithm = GetParam();
   options.custom_linear_solver = solver;
   options.linear_tolerance = 0.01;
-  optimize(graph, options);
+  std::ignore = optimize(graph, options);
   EXPECT_EQ(solver->factorize_tolerance, 0.01);
   EXPECT_EQ(solver->solve_tolerance, 0.01);
 }

@@ -30,13 +30,13 @@ INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16));
 TEST_P(Elimination, EndsAtTheSameChiSquaredAsTheFullSystem) {
   Bundle plain = make_bundle(GetParam(), 200, false);
   const Report expected = optimize(plain.graph, {.cost_tolerance = 1e-13});
-  EXPECT_EQ(expected.status, Status::kConverged) << expected.message;
+  EXPECT_EQ(expected.status, Report::Status::kConverged) << expected.message;
   EXPECT_LT(expected.chi2_final, 0.5 * expected.chi2_initial);
   for (const Way& way : kWays) {
     Bundle bundle = make_bundle(GetParam(), 200, true);
     const Options options{.linear_solver = way.solver, .schur = way.schur, .cost_tolerance = 1e-13};
     const Report report = optimize(bundle.graph, options);
-    EXPECT_EQ(report.status, Status::kConverged) << report.message;
+    EXPECT_EQ(report.status, Report::Status::kConverged) << report.message;
     EXPECT_EQ(report.eliminated, 200u);
     EXPECT_NEAR(report.chi2_final, expected.chi2_final, 1e-9 * expected.chi2_final)
         << to_string(way.solver) << " " << static_cast<int>(way.schur);
@@ -78,7 +78,7 @@ TEST(Elimination, OfEverythingIsTheFullSolve) {
   Bundle bundle = make_bundle(3, 30, true);
   for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
   const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
-  EXPECT_EQ(report.status, Status::kConverged) << report.message;
+  EXPECT_EQ(report.status, Report::Status::kConverged) << report.message;
   EXPECT_EQ(report.eliminated, 30u);
 }
 
@@ -88,9 +88,9 @@ TEST(Elimination, NamesThePointWithoutEnoughRays) {
   bundle.graph.set_eliminated(lonely, true);
   bundle.graph.add_edge(Reprojection{10, 20}, bundle.cameras[1], lonely);
   const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
-  EXPECT_EQ(report.reason, Reason::kNotPositiveDefinite);
+  EXPECT_EQ(report.reason, Report::Reason::kNotPositiveDefinite);
   EXPECT_THAT(report.message, testing::HasSubstr("777"));
-  EXPECT_EQ(optimize(bundle.graph).status, Status::kConverged);  // damping steps over it
+  EXPECT_EQ(optimize(bundle.graph).status, Report::Status::kConverged);  // damping steps over it
 }
 
 TEST(Elimination, OfTwoVerticesInOneEdgeIsRefused) {
@@ -98,7 +98,7 @@ TEST(Elimination, OfTwoVerticesInOneEdgeIsRefused) {
   bundle.graph.set_eliminated(bundle.cameras[2], true);
   EXPECT_THROW(optimize(bundle.graph), InvalidArgument);
   bundle.graph.set_eliminated(bundle.cameras[2], false);
-  EXPECT_EQ(optimize(bundle.graph).status, Status::kConverged);
+  EXPECT_EQ(optimize(bundle.graph).status, Report::Status::kConverged);
 }
 
 TEST(Elimination, RunsAgainAfterTheGraphWasMoved) {

@@ -86,8 +86,8 @@ TEST(Gauge, IsAnErrorIfThePolicySaysSo) {
   options.gauge = GaugePolicy::kError;
   const double before = graph.chi2();
   const Report report = optimize(graph, options);
-  EXPECT_EQ(report.status, Status::kFailed);
-  EXPECT_EQ(report.reason, Reason::kGaugeFreedom);
+  EXPECT_EQ(report.status, Report::Status::kFailed);
+  EXPECT_EQ(report.reason, Report::Reason::kGaugeFreedom);
   EXPECT_EQ(graph.chi2(), before);
 }
 
@@ -113,7 +113,7 @@ TEST(Gauge, HoldsNothingOfAProblemThatIsObservableWithoutPriorOrFixedVertex) {
   EXPECT_NEAR(graph.estimate(a)[0], 2.5, 1e-8);
   EXPECT_NEAR(graph.estimate(b)[0], -0.7, 1e-8);
   const Report error = optimize(graph, {.gauge = GaugePolicy::kError});
-  EXPECT_NE(error.reason, Reason::kGaugeFreedom);
+  EXPECT_NE(error.reason, Report::Reason::kGaugeFreedom);
 }
 
 /// Rotations relative to each other: free as a whole, but not by a similarity of points.
@@ -148,7 +148,7 @@ TEST(Gauge, OfVerticesOfUnknownTypeIsHeldAtTheFirstOne) {
 TEST(Gauge, OfVerticesOfUnknownTypeIsAnErrorIfThePolicySaysSo) {
   Graph graph;
   add_rotations(graph, 12);
-  EXPECT_EQ(optimize(graph, {.gauge = GaugePolicy::kError}).reason, Reason::kGaugeFreedom);
+  EXPECT_EQ(optimize(graph, {.gauge = GaugePolicy::kError}).reason, Report::Reason::kGaugeFreedom);
 }
 
 TEST(Gauge, IsFoundForTypesThatAreNeitherPosesNorPointsEvenIfItIsPartlyMeasured) {
@@ -170,7 +170,7 @@ TEST(Gauge, IsFoundForTypesThatAreNeitherPosesNorPointsEvenIfItIsPartlyMeasured)
     return graph;
   };
   Graph free = loop(), damped = loop(), anchored = loop();
-  EXPECT_EQ(optimize(free, {.gauge = GaugePolicy::kError}).reason, Reason::kGaugeFreedom);
+  EXPECT_EQ(optimize(free, {.gauge = GaugePolicy::kError}).reason, Report::Reason::kGaugeFreedom);
   const Report report =
       optimize(damped, {.algorithm = AlgorithmKind::kGaussNewton, .gauge = GaugePolicy::kDamp});
   EXPECT_TRUE(report.converged()) << report;
@@ -261,7 +261,7 @@ TEST(Gauge, StaysHeldIfDampingOrRadiusCutEveryStepShort) {
     Graph graph;
     add_noisy_circle(graph, 20);
     const Report report = optimize(graph, options);
-    EXPECT_EQ(report.status, Status::kNotConverged) << report;
+    EXPECT_EQ(report.status, Report::Status::kNotConverged) << report;
     EXPECT_THAT(report.gauge.held, ElementsAre(0));
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "optimize/small_graphs.h"
 
@@ -15,22 +16,23 @@ namespace {
 using testing::HasSubstr;
 
 std::ptrdiff_t count_numeric(const Report& report) {
-  return std::count_if(report.jacobians.begin(), report.jacobians.end(),
-                       [](const EdgeJacobians& edge) { return edge.source == JacobianSource::kNumeric; });
+  return std::count_if(
+      report.jacobians.begin(), report.jacobians.end(),
+      [](const Report::EdgeJacobians& edge) { return edge.source == detail::JacobianSource::kNumeric; });
 }
 
 TEST(Optimize, OfAnEmptyGraphHasNothingToDo) {
   Graph graph;
   const Report report = optimize(graph);
   EXPECT_TRUE(report.converged());
-  EXPECT_EQ(report.reason, Reason::kNothingToOptimize);
+  EXPECT_EQ(report.reason, Report::Reason::kNothingToOptimize);
 }
 
 TEST(Optimize, WithEverythingFixedReportsTheChi2) {
   Graph graph;
   for (const auto& pose : add_noisy_circle(graph, 5)) graph.fix(pose);
   const Report report = optimize(graph);
-  EXPECT_EQ(report.reason, Reason::kNothingToOptimize);
+  EXPECT_EQ(report.reason, Report::Reason::kNothingToOptimize);
   EXPECT_GT(report.chi2_final, 0);
 }
 
@@ -62,8 +64,8 @@ TEST(Optimize, NamesTheVertexThatNothingMeasuresInSomeDirection) {
   Options options;
   options.algorithm = AlgorithmKind::kGaussNewton;
   const Report singular = optimize(graph, options);
-  EXPECT_EQ(singular.status, Status::kFailed);
-  EXPECT_EQ(singular.reason, Reason::kNotPositiveDefinite);
+  EXPECT_EQ(singular.status, Report::Status::kFailed);
+  EXPECT_EQ(singular.reason, Report::Reason::kNotPositiveDefinite);
   EXPECT_THAT(singular.message, HasSubstr("vertex 77"));
   // Dogleg damps H and reports it.
   options.algorithm = AlgorithmKind::kDogleg;
@@ -111,14 +113,14 @@ TEST(Optimize, UsesTheEdgesOfOneLevel) {
   graph.add_edge([](const auto& v) { return v[0] - 1.0; }, x);
   const auto other = graph.add_edge([](const auto& v) { return v[0] - 5.0; }, x);
   graph.set_level(other, 1);
-  optimize(graph);
+  std::ignore = optimize(graph);
   EXPECT_NEAR(graph.estimate(x)[0], 1, 1e-12);
   Options options;
   options.level = 1;
-  optimize(graph, options);
+  std::ignore = optimize(graph, options);
   EXPECT_NEAR(graph.estimate(x)[0], 5, 1e-12);
   options.level = -1;
-  optimize(graph, options);
+  std::ignore = optimize(graph, options);
   EXPECT_NEAR(graph.estimate(x)[0], 3, 1e-12);
 }
 

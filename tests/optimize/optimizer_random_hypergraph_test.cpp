@@ -142,7 +142,7 @@ class RandomProblem {
     std::vector<Twin<T>> result;
     for (int k = 0; k < count; ++k) {
       const T truth = make();
-      std::vector<double> delta(static_cast<std::size_t>(tangent_dim(truth)));
+      std::vector<double> delta(static_cast<std::size_t>(detail::tangent_dim(truth)));
       for (double& d : delta) d = 0.05 * normal();
       const bool fixed = uniform() < 0.2;
       const T start = fixed ? truth : Manifold<T>::oplus(truth, delta.data());
@@ -150,7 +150,7 @@ class RandomProblem {
       graph.set_fixed(twin.handle, fixed);
       dense.add_variable(twin.value, fixed);
       distance.push_back([this, twin] {
-        std::vector<double> d(static_cast<std::size_t>(tangent_dim(*twin.value)));
+        std::vector<double> d(static_cast<std::size_t>(detail::tangent_dim(*twin.value)));
         Manifold<T>::ominus(graph.estimate(twin.handle), *twin.value, d.data());
         double largest = 0;
         for (double v : d) largest = std::max(largest, std::abs(v));
@@ -169,7 +169,7 @@ class RandomProblem {
   /// A weak prior on every vertex, so that the optimum is unique.
   void determine(const auto&... groups) {
     const auto all = [&](const auto& group) {
-      for (const auto& twin : group) add<kDynamic>(tangent_dim(twin.truth) + 4, twin);
+      for (const auto& twin : group) add<kDynamic>(detail::tangent_dim(twin.truth) + 4, twin);
     };
     (all(groups), ...);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 
 #include "optimize/small_graphs.h"
@@ -36,8 +37,8 @@ TEST_P(EveryAlgorithm, StopsAtTheIterationLimit) {
   add_noisy_grid(graph, 3);
   options_.max_iterations = 1;
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.status, Status::kNotConverged);
-  EXPECT_EQ(report.reason, Reason::kMaxIterations);
+  EXPECT_EQ(report.status, Report::Status::kNotConverged);
+  EXPECT_EQ(report.reason, Report::Reason::kMaxIterations);
   EXPECT_EQ(report.iterations, 1);
   EXPECT_EQ(report.records.size(), 1u);
   options_.max_iterations = 0;
@@ -51,7 +52,7 @@ TEST_P(EveryAlgorithm, StopsWhenTheFlagIsSetAndKeepsTheEstimates) {
   options_.stop = &stop;
   const double before = graph.chi2();
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.reason, Reason::kStopFlag);
+  EXPECT_EQ(report.reason, Report::Reason::kStopFlag);
   EXPECT_EQ(graph.chi2(), before);
 }
 
@@ -65,7 +66,7 @@ TEST_P(EveryAlgorithm, StopsWhenTheCallbackReturnsFalse) {
     return ++calls < 2;
   };
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.reason, Reason::kCallback);
+  EXPECT_EQ(report.reason, Report::Reason::kCallback);
   EXPECT_EQ(calls, 2);
 }
 
@@ -96,7 +97,7 @@ TEST_P(EveryAlgorithm, StopsAtTheTimeLimit) {
   Graph graph;
   add_noisy_grid(graph, 3);
   options_.time_limit_s = 0;
-  EXPECT_EQ(optimize(graph, options_).reason, Reason::kTimeLimit);
+  EXPECT_EQ(optimize(graph, options_).reason, Report::Reason::kTimeLimit);
 }
 
 TEST_P(EveryAlgorithm, MakesNoGuessAfterAStopWasRequested) {
@@ -107,11 +108,11 @@ TEST_P(EveryAlgorithm, MakesNoGuessAfterAStopWasRequested) {
     options_.start = start;
     const std::atomic<bool> stop = true;
     options_.stop = &stop;
-    EXPECT_EQ(optimize(graph, options_).reason, Reason::kStopFlag);
+    EXPECT_EQ(optimize(graph, options_).reason, Report::Reason::kStopFlag);
     EXPECT_EQ(graph.chi2(), before);
     options_.stop = nullptr;
     options_.time_limit_s = 0;
-    EXPECT_EQ(optimize(graph, options_).reason, Reason::kTimeLimit);
+    EXPECT_EQ(optimize(graph, options_).reason, Report::Reason::kTimeLimit);
     EXPECT_EQ(graph.chi2(), before);
     options_.time_limit_s = 1e9;
   }
@@ -132,8 +133,8 @@ TEST_P(EveryAlgorithm, CanBeStoppedBetweenTheLinearizationAndTheStep) {
     options_.stop = &stop;
     options_.linear_solver = solver;
     const Report report = optimize(graph, options_);
-    EXPECT_EQ(report.status, Status::kNotConverged);
-    EXPECT_EQ(report.reason, Reason::kStopFlag);
+    EXPECT_EQ(report.status, Report::Status::kNotConverged);
+    EXPECT_EQ(report.reason, Report::Reason::kStopFlag);
     EXPECT_EQ(report.iterations, 0);
     EXPECT_EQ(graph.chi2(), before);
   }
@@ -149,7 +150,7 @@ TEST_P(EveryAlgorithm, CallsBackAfterTheLastIterationTooWithoutChangingTheReason
   EXPECT_EQ(calls, report.iterations);
   options_.cost_tolerance = 1e30;
   options_.callback = [](const IterationRecord&) { return false; };
-  EXPECT_EQ(optimize(graph, options_).status, Status::kConverged);
+  EXPECT_EQ(optimize(graph, options_).status, Report::Status::kConverged);
 }
 
 TEST_P(EveryAlgorithm, UsesPcgIfTheFactorDoesNotFitIntoMemory) {
@@ -178,9 +179,9 @@ TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
     options_.*tolerance = value;
     return optimize(graph, options_).reason;
   };
-  EXPECT_EQ(reason_with(&Options::cost_tolerance, 1e-3), Reason::kCostTolerance);
-  EXPECT_EQ(reason_with(&Options::step_tolerance, 1e-3), Reason::kStepTolerance);
-  EXPECT_EQ(reason_with(&Options::gradient_tolerance, 1e-1), Reason::kGradientTolerance);
+  EXPECT_EQ(reason_with(&Options::cost_tolerance, 1e-3), Report::Reason::kCostTolerance);
+  EXPECT_EQ(reason_with(&Options::step_tolerance, 1e-3), Report::Reason::kStepTolerance);
+  EXPECT_EQ(reason_with(&Options::gradient_tolerance, 1e-1), Report::Reason::kGradientTolerance);
 }
 
 TEST_P(EveryAlgorithm, EndsAtRoundingErrorsIfAskedForManyIterationsWithoutTolerances) {
@@ -189,7 +190,7 @@ TEST_P(EveryAlgorithm, EndsAtRoundingErrorsIfAskedForManyIterationsWithoutTolera
   options_.cost_tolerance = options_.noise_tolerance = options_.step_tolerance = 0;
   options_.max_iterations = 512;
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.reason, Reason::kNoFurtherDecrease) << report;
+  EXPECT_EQ(report.reason, Report::Reason::kNoFurtherDecrease) << report;
   EXPECT_LT(report.iterations, 20) << report;
 }
 
@@ -198,8 +199,8 @@ TEST_P(EveryAlgorithm, NamesTheEdgeWhoseErrorIsNotANumber) {
   const auto poses = add_noisy_circle(graph, 10);
   graph.add_edge([](const auto& x) { return sqrt(x.x() - 1e6); }, poses[4]);
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.status, Status::kFailed);
-  EXPECT_EQ(report.reason, Reason::kNotFinite);
+  EXPECT_EQ(report.status, Report::Status::kFailed);
+  EXPECT_EQ(report.reason, Report::Reason::kNotFinite);
   EXPECT_THAT(report.message, HasSubstr("between vertices 4 is NaN"));
 }
 
@@ -209,7 +210,7 @@ TEST_P(EveryAlgorithm, NamesTheEdgeWhoseJacobianIsNotANumber) {
   // √ has no derivative at 0.
   graph.add_edge([x = graph.estimate(poses[4]).x()](const auto& p) { return sqrt(p.x() - x); }, poses[4]);
   const Report report = optimize(graph, options_);
-  EXPECT_EQ(report.status, Status::kFailed);
+  EXPECT_EQ(report.status, Report::Status::kFailed);
   EXPECT_THAT(report.message, HasSubstr("a Jacobian (or the weight of the robust kernel) of"));
   EXPECT_THAT(report.message, HasSubstr("between vertices 4 is NaN"));
 }
@@ -249,8 +250,8 @@ TEST(Optimize, DoesNotReportConvergenceIfNoStepReachesItsPredictedDecrease) {
     const auto x = graph.add_vertex(0.0);
     graph.add_edge(WrongJacobian{5}, x);
     const Report report = optimize(graph, {.algorithm = algorithm});
-    EXPECT_EQ(report.status, Status::kNotConverged);
-    EXPECT_EQ(report.reason, Reason::kNoStepFound);
+    EXPECT_EQ(report.status, Report::Status::kNotConverged);
+    EXPECT_EQ(report.reason, Report::Reason::kNoStepFound);
     EXPECT_EQ(graph.estimate(x), 0.0);
   }
 }
@@ -269,8 +270,8 @@ TEST(Optimize, DoesNotReportConvergenceIfDampingOrRadiusCutEveryStepShort) {
       Graph graph;
       add_noisy_grid(graph, 3);
       const Report report = optimize(graph, options);
-      EXPECT_EQ(report.status, Status::kNotConverged) << report;
-      EXPECT_EQ(report.reason, Reason::kMaxIterations);
+      EXPECT_EQ(report.status, Report::Status::kNotConverged) << report;
+      EXPECT_EQ(report.reason, Report::Reason::kMaxIterations);
     }
   }
 }
@@ -279,7 +280,8 @@ TEST(Optimize, RecoversFromADampingOrARadiusThatPermitsNoStep) {
   Graph reference;
   add_noisy_grid(reference, 3);
   const double chi2 = optimize(reference).chi2_final;
-  for (const DampingScale scale : {DampingScale::kIdentity, DampingScale::kDiagonal}) {
+  for (const Options::DampingScale scale :
+       {Options::DampingScale::kIdentity, Options::DampingScale::kDiagonal}) {
     const Options damped{
         .algorithm = AlgorithmKind::kLevenbergMarquardt, .damping = scale, .initial_lambda = 1e300};
     const Options bounded{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300};
@@ -299,7 +301,7 @@ TEST(Optimize, ReportsConvergenceAtAMinimumForAnyDampingAndRadius) {
         Options{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300}}) {
     Graph graph;
     add_noisy_grid(graph, 3);
-    optimize(graph);
+    std::ignore = optimize(graph);
     const Report report = optimize(graph, options);
     EXPECT_TRUE(report.converged()) << report;
     EXPECT_LT(report.iterations, 3);
@@ -312,7 +314,7 @@ TEST(Optimize, RefusesARunOnTheSameGraphInsideItsCallback) {
     add_noisy_circle(graph, 20);
     Options options{.algorithm = algorithm};
     options.callback = [&](const IterationRecord&) {
-      optimize(graph);
+      std::ignore = optimize(graph);
       return true;
     };
     EXPECT_THROW(optimize(graph, options), InvalidArgument);

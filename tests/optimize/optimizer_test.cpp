@@ -63,7 +63,7 @@ TEST(Optimizer, CanBeMoved) {
 TEST(Optimizer, MayBeConstructedBeforeTheGraphIsFilled) {
   Graph graph;
   Optimizer optimizer(graph);
-  EXPECT_EQ(optimizer.run().reason, Reason::kNothingToOptimize);
+  EXPECT_EQ(optimizer.run().reason, Report::Reason::kNothingToOptimize);
   add_noisy_circle(graph, 10);
   EXPECT_GT(optimizer.run().iterations, 0);
 }

@@ -46,8 +46,8 @@ Graph noisy_circle() {
 /// Checks that the report describes the estimates at the time limit correctly.
 void expect_correct_report(const Report& report, const Graph& graph,
                            const std::vector<std::vector<double>>& before) {
-  ASSERT_EQ(report.status, Status::kNotConverged) << report;
-  ASSERT_EQ(report.reason, Reason::kTimeLimit) << report;
+  ASSERT_EQ(report.status, Report::Status::kNotConverged) << report;
+  ASSERT_EQ(report.reason, Report::Reason::kTimeLimit) << report;
   if (std::isnan(report.chi2_initial)) {
     EXPECT_TRUE(std::isnan(report.chi2_final));
     EXPECT_EQ(report.iterations, 0);

@@ -48,7 +48,7 @@ inline std::vector<VertexHandle<SE3>> add_noisy_grid(Graph& graph, int side, uns
   };
   for (int k = 0; k < side * side * side; ++k) {
     const int x = k % side, y = k / side % side, z = k / side / side;
-    truth.push_back(perturbed(SE3(Vector3(x, y, z), Quaternion<double>::identity()), 0.1));
+    truth.push_back(perturbed(SE3(Vector3(x, y, z), detail::Quaternion<double>::identity()), 0.1));
     poses.push_back(graph.add_vertex(perturbed(truth.back(), 0.05)));
   }
   const auto link = [&](std::size_t a, std::size_t b) {

@@ -98,7 +98,7 @@ TEST(AutomaticStart, CallsBackForEveryIterationAndStopsIfTheCallbackSaysSo) {
   Options options = kAutomaticStart;
   options.callback = [&](const IterationRecord&) { return ++calls < 1; };
   const Report report = optimize(graph, options);
-  EXPECT_EQ(report.reason, Reason::kCallback);
+  EXPECT_EQ(report.reason, Report::Reason::kCallback);
   EXPECT_EQ(calls, 1);
   EXPECT_LT(report.start.chi2_guess, 0);
 }
@@ -134,7 +134,7 @@ TEST(AutomaticStart, ContinuesIfTheGuessIsNotFinite) {
   graph.add_edge([]<class S>(const BasicSE2<S>& pose) { return S(0.1) * sqrt(pose.x() - S(9)); }, poses[30]);
   const Report report =
       optimize(graph, {.algorithm = AlgorithmKind::kLevenbergMarquardt, .start = Start::kAutomatic});
-  EXPECT_NE(report.reason, Reason::kNotFinite) << report;
+  EXPECT_NE(report.reason, Report::Reason::kNotFinite) << report;
   EXPECT_LT(report.chi2_final, report.chi2_initial);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void expect_near(const Rho& a, const Rho& b, double tolerance) {
+void expect_near(const RobustKernel::Rho& a, const RobustKernel::Rho& b, double tolerance) {
   EXPECT_NEAR(a.value, b.value, tolerance);
   EXPECT_NEAR(a.first, b.first, tolerance);
   EXPECT_NEAR(a.second, b.second, tolerance);

@@ -40,7 +40,7 @@ TEST(RobustKernels, StayFiniteForHugeErrors) {
   for (const detail::KernelEntry& kernel : detail::kernel_table()) {
     const std::string name = name_of(kernel);
     for (const double e2 : {1e-300, 1e100, 1e300}) {
-      const Rho rho = (*make_robust_kernel(name, 1.0))(e2);
+      const RobustKernel::Rho rho = (*make_robust_kernel(name, 1.0))(e2);
       EXPECT_TRUE(std::isfinite(rho.value) && std::isfinite(rho.first) && std::isfinite(rho.second))
           << name << " at " << e2;
     }

@@ -28,14 +28,14 @@ struct Manifold<Line<kDefect, S>> {
   template <class T>
   using Rebind = Line<kDefect, T>;
   template <class T>
-  static Rebind<T> cast(const Point& x) {
+  static detail::Rebind<T> cast(const Point& x) {
     return {T(x.value)};
   }
   static Point oplus(const Point& x, const S* delta) {
     if (kDefect == Defect::kDrift) return {x.value + delta[0] + 1e-3};
     if (kDefect == Defect::kWrongScale) return {x.value + 2.0 * delta[0]};
     if (kDefect == Defect::kNotSmooth) return {x.value + delta[0] * abs(delta[0])};
-    if constexpr (kIsDual<S>) {
+    if constexpr (detail::kIsDual<S>) {
       if (kDefect == Defect::kLiftedValue) return {x.value + delta[0] + 1e-3};
       if (kDefect == Defect::kLiftedDerivative) return {S(x.value.value + delta[0].value)};
     }

@@ -53,15 +53,15 @@ TEST(Between, HasCorrectJacobians) {
 }
 
 TEST(Between, IsDifferentiatedAnalyticallyForPoses) {
-  EXPECT_TRUE((edge::kAnalytic<Between<SE2>, SE2, SE2>));
-  EXPECT_TRUE((edge::kAnalytic<Between<SE3>, SE3, SE3>));
-  EXPECT_FALSE((edge::kAnalytic<Between<Vector2>, Vector2, Vector2>));
+  EXPECT_TRUE((detail::kAnalytic<Between<SE2>, SE2, SE2>));
+  EXPECT_TRUE((detail::kAnalytic<Between<SE3>, SE3, SE3>));
+  EXPECT_FALSE((detail::kAnalytic<Between<Vector2>, Vector2, Vector2>));
 }
 
 TEST(Between, IsNamedAfterItsType) {
-  EXPECT_EQ(type_name<Between<SE2>>(), "Between<SE2>");
-  EXPECT_EQ(type_name<Between<SE3RotationVector>>(), "Between<SE3RotationVector>");
-  EXPECT_EQ(type_name<Between<Vector2>>(), "Between<Vector2>");
+  EXPECT_EQ(detail::type_name<Between<SE2>>(), "Between<SE2>");
+  EXPECT_EQ(detail::type_name<Between<SE3RotationVector>>(), "Between<SE3RotationVector>");
+  EXPECT_EQ(detail::type_name<Between<Vector2>>(), "Between<Vector2>");
 }
 
 TEST(OffsetBetween, MeasuresFromSensorToSensor) {
@@ -84,7 +84,7 @@ TEST(Between, CanBeAddedToAGraph) {
   const auto a = graph.add_vertex(SE2(0, 0, 0)), b = graph.add_vertex(SE2(0.9, 0.1, 0));
   const auto edge = graph.add_edge(Between(SE2(1, 0, 0)), 100.0, a, b);
   EXPECT_NEAR(graph.chi2(edge), 100 * 0.02, 1e-13);
-  EXPECT_EQ(graph.edge_pools()[0]->jacobian_source(), JacobianSource::kAnalytic);
+  EXPECT_EQ(graph.edge_pools()[0]->jacobian_source(), detail::JacobianSource::kAnalytic);
 }
 
 TEST(Between, AcceptsEigenVectorsAndVectorsOfTheLibrary) {

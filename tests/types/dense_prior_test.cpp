@@ -25,12 +25,12 @@ MatrixXd random_matrix(int rows, int cols, unsigned seed) {
 
 SE3 random_pose(unsigned seed) {
   const MatrixXd v = random_matrix(7, 1, seed);
-  return SE3(Vector3(v.topRows(3)), Quaternion<double>{v(3), v(4), v(5), 1 + v(6) * v(6)});
+  return SE3(Vector3(v.topRows(3)), detail::Quaternion<double>{v(3), v(4), v(5), 1 + v(6) * v(6)});
 }
 
 template <class T>
 T moved(const T& x, double size, unsigned seed) {
-  const VectorXd delta = size * random_matrix(boxplus::tangent_dim(x), 1, seed);
+  const VectorXd delta = size * random_matrix(boxplus::detail::tangent_dim(x), 1, seed);
   return Manifold<T>::oplus(x, delta.data());
 }
 
@@ -82,7 +82,7 @@ TEST(DensePrior, ReplacesTheVerticesThatWereMarginalized) {
   whole.add_edge(Between<Vector2>(Vector2(1, 0)), 4.0, a0, a1);
   whole.add_edge(Between<Vector2>(Vector2(2.2, 0.3)), 0.5, a0, a2);
   add_rest(whole, a1, a2);
-  ASSERT_EQ(optimize(whole).status, Status::kConverged);
+  ASSERT_EQ(optimize(whole).status, Report::Status::kConverged);
 
   // H and b of (x0; x1, x2), linearized at zero, without the step x1 → x2.
   MatrixXd H = MatrixXd::Zero(6, 6);
@@ -110,7 +110,7 @@ TEST(DensePrior, ReplacesTheVerticesThatWereMarginalized) {
       DensePrior<Vector2>::from_information({{Vector2(0, 0), Vector2(0, 0)}}, reduced_H, reduced_b),
       std::vector{x1, x2});
   add_rest(reduced, x1, x2);
-  ASSERT_EQ(optimize(reduced).status, Status::kConverged);
+  ASSERT_EQ(optimize(reduced).status, Report::Status::kConverged);
   EXPECT_LE((reduced.estimate(x1) - whole.estimate(a1)).norm(), 1e-9);
   EXPECT_LE((reduced.estimate(x2) - whole.estimate(a2)).norm(), 1e-9);
 }
@@ -131,9 +131,9 @@ TEST(DensePrior, OnHundredsOfUnknownsOptimizesInSeconds) {
   const int size = 24 * 6 + 48 * 3;
   const MatrixXd root = MatrixXd::Identity(size, size) + 0.02 * random_matrix(size, size, 400);
   const auto edge = graph.add_edge(DensePrior<SE3, Vector3>(means, root), poses, points);
-  EXPECT_EQ(graph.edge_pools()[edge.pool]->jacobian_source(), JacobianSource::kAnalytic);
+  EXPECT_EQ(graph.edge_pools()[edge.pool]->jacobian_source(), detail::JacobianSource::kAnalytic);
   const Report report = optimize(graph);
-  EXPECT_EQ(report.status, Status::kConverged);
+  EXPECT_EQ(report.status, Report::Status::kConverged);
   EXPECT_EQ(report.scalars, static_cast<unsigned>(size));
   EXPECT_LE(report.chi2_final, 1e-12);
   EXPECT_LE(report.time.total_s, 10);

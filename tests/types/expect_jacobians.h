@@ -11,12 +11,12 @@ namespace boxplus {
 template <class E, class... X>
 void expect_correct_jacobians(const E& edge, const X&... x) {
   const JacobianCheck check = check_jacobians(edge, x...);
-  EXPECT_TRUE(check.ok) << type_name<E>() << "\n" << check.message;
+  EXPECT_TRUE(check.ok) << detail::type_name<E>() << "\n" << check.message;
 }
 
 /// A pose in space, rotated by |rotation_vector| radians.
 inline SE3 pose(double x, double y, double z, double rx, double ry, double rz) {
-  return SE3(Vector3(x, y, z), RotationVectorChart::exp(rx, ry, rz));
+  return SE3(Vector3(x, y, z), detail::RotationVectorChart::exp(rx, ry, rz));
 }
 
 }  // namespace boxplus

@@ -9,9 +9,9 @@
 namespace boxplus {
 namespace {
 
-Frame compose(const Frame& a, const Frame& b) {
+detail::Frame compose(const detail::Frame& a, const detail::Frame& b) {
   const int d = b.dimension;
-  Frame c = b;
+  detail::Frame c = b;
   for (int i = 0; i < d; ++i) {
     c.translation[i] = a.translation[i];
     for (int k = 0; k < d; ++k) c.translation[i] += a.rotation[i * d + k] * b.translation[k];
@@ -26,22 +26,22 @@ Frame compose(const Frame& a, const Frame& b) {
 /// The largest error that is left in the measured rows after `to` moved as relative_frame() says.
 template <class E, class From, class To, class... Rest>
 double error_at_guess(const E& edge, const From& from, To to, const Rest&... rest) {
-  const RelativeFrame relative = edge.relative_frame(from, to, rest...);
+  const detail::RelativeFrame relative = edge.relative_frame(from, to, rest...);
   EXPECT_EQ(relative.from, 0);
   EXPECT_EQ(relative.to, 1);
-  FrameTrait<To>::set(to, compose(FrameTrait<From>::get(from), relative.motion));
+  detail::FrameTrait<To>::set(to, compose(detail::FrameTrait<From>::get(from), relative.motion));
   return edge.error(from, to, rest...).norm();
 }
 
 template <class E, class To, class... Rest>
 double error_at_absolute_guess(const E& edge, To to, const Rest&... rest) {
-  const RelativeFrame relative = edge.relative_frame(to, rest...);
-  EXPECT_EQ(relative.from, RelativeFrame::kWorld);
+  const detail::RelativeFrame relative = edge.relative_frame(to, rest...);
+  EXPECT_EQ(relative.from, detail::RelativeFrame::kWorld);
   EXPECT_EQ(relative.to, 0);
-  Frame frame = FrameTrait<To>::get(to);
+  detail::Frame frame = detail::FrameTrait<To>::get(to);
   frame.translation = relative.motion.translation;
   if (relative.motion.has_rotation) frame.rotation = relative.motion.rotation;
-  FrameTrait<To>::set(to, frame);
+  detail::FrameTrait<To>::set(to, frame);
   return edge.error(to, rest...).norm();
 }
 

@@ -24,7 +24,7 @@ bool is_tum(std::string_view text) {
   return false;
 }
 
-TrajectoryPose pose_of(const Frame& frame, Id id) {
+TrajectoryPose pose_of(const detail::Frame& frame, Id id) {
   TrajectoryPose pose;
   pose.id = id;
   for (int row = 0; row < frame.dimension; ++row) {
@@ -33,14 +33,14 @@ TrajectoryPose pose_of(const Frame& frame, Id id) {
       pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
   }
   // The length of a quaternion from a file has rounding errors, so it must be normalized.
-  pose.rotation = rotation_matrix(normalized(quaternion_of(pose.rotation)));
+  pose.rotation = detail::rotation_matrix(detail::normalized(detail::quaternion_of(pose.rotation)));
   return pose;
 }
 
 Trajectory poses_of(const Graph& graph, const std::string& name) {
   Trajectory trajectory{.is_timed = false, .dimension = 0};
   for (const VertexRef& vertex : graph.all_vertices()) {
-    Frame frame;
+    detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) || !frame.has_rotation) continue;
     if (trajectory.dimension != 0 && trajectory.dimension != frame.dimension)
       throw FileError(name + ": expected poses in the plane or poses in space, got both");

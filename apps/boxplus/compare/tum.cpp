@@ -18,9 +18,9 @@ namespace {
 /// A quaternion shorter (or longer) than this is an error of the file, not of rounding.
 constexpr double kShortest = 0.5, kLongest = 2;
 
-Quaternion<double> read_quaternion(FieldReader& in) {
+detail::Quaternion<double> read_quaternion(FieldReader& in) {
   const FieldPlace place = in.place();
-  Quaternion<double> q;
+  detail::Quaternion<double> q;
   q.x = in.number("qx");
   q.y = in.number("qy");
   q.z = in.number("qz");
@@ -37,7 +37,7 @@ TrajectoryPose read_pose(FieldReader& in) {
   pose.position[0] = in.number("x");
   pose.position[1] = in.number("y");
   pose.position[2] = in.number("z");
-  pose.rotation = rotation_matrix(normalized(read_quaternion(in)));
+  pose.rotation = detail::rotation_matrix(detail::normalized(read_quaternion(in)));
   in.expect_end();
   pose.id = in.line_number();
   return pose;

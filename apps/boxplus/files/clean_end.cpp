@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-#include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 
 namespace boxplus::app {
 

@@ -9,6 +9,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/graph_file.h"
+#include "boxplus/io/write_file.h"
 #include "command_line/message.h"
 #include "files/graph_input.h"
 

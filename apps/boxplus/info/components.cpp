@@ -66,7 +66,7 @@ void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFac
   }
   const Plan plan = make_plan(graph, {});
   for (const GaugeVertex& held : plan.held) components[sets.find(held.id)].held.push_back(held.id);
-  for (const GaugeFreedom& freedom : plan.freedoms)
+  for (const detail::GaugeFreedom& freedom : plan.freedoms)
     components[sets.find(freedom.id)].free = to_string(freedom);
 
   for (auto& [root, component] : components) {

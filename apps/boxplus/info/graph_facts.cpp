@@ -81,7 +81,7 @@ void find_extent(const Graph& graph, GraphFacts& facts) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
   for (const VertexRef& vertex : graph.all_vertices()) {
-    Frame frame;
+    detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
     facts.dimension = std::max(facts.dimension, frame.dimension);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(frame.dimension); ++axis) {

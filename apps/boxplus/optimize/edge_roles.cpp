@@ -6,8 +6,8 @@
 namespace boxplus::app {
 
 VertexRole role_of(const Graph& graph, VertexRef vertex) {
-  Frame frame;
-  const VertexPool& pool = *graph.vertex_pools()[vertex.pool];
+  detail::Frame frame;
+  const detail::VertexPool& pool = *graph.vertex_pools()[vertex.pool];
   if (pool.parameter(vertex.slot) || !pool.get_frame(vertex.slot, frame)) return VertexRole::kOther;
   return frame.has_rotation ? VertexRole::kPose : VertexRole::kLandmark;
 }
@@ -37,7 +37,7 @@ EdgeRole EdgeRoles::operator()(EdgeRef edge) const {
   std::size_t vertices = 0, landmarks = 0;
   std::vector<std::size_t> ranks;
   for (const VertexRef& vertex : graph_->vertices(edge)) {
-    const VertexPool& pool = *graph_->vertex_pools()[vertex.pool];
+    const detail::VertexPool& pool = *graph_->vertex_pools()[vertex.pool];
     if (pool.parameter(vertex.slot)) continue;
     ++vertices;
     const VertexRole role = role_of(*graph_, vertex);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "boxplus/base/error.h"
+#include "boxplus/robust/default_width.h"
 #include "boxplus/robust/kernel_table.h"
 #include "boxplus/robust/make_robust_kernel.h"
 

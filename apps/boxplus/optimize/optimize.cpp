@@ -26,11 +26,11 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-int exit_code(Status status) {
+int exit_code(Report::Status status) {
   switch (status) {
-    case Status::kConverged:
+    case Report::Status::kConverged:
       return kSuccess;
-    case Status::kNotConverged:
+    case Report::Status::kNotConverged:
       return kNotConverged;
     default:
       return kNumericalFailure;

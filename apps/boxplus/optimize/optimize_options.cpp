@@ -38,8 +38,8 @@ Choices<LinearSolverKind> solver_choices() {
 
 const Choices<GaugePolicy> kGauges{
     {"fix-first", GaugePolicy::kFixFirst}, {"damp", GaugePolicy::kDamp}, {"error", GaugePolicy::kError}};
-const Choices<DampingScale> kDampings{{"identity", DampingScale::kIdentity},
-                                      {"diagonal", DampingScale::kDiagonal}};
+const Choices<Options::DampingScale> kDampings{{"identity", Options::DampingScale::kIdentity},
+                                               {"diagonal", Options::DampingScale::kDiagonal}};
 const Choices<Precision> kPrecisions{
     {"automatic", Precision::kAutomatic}, {"double", Precision::kDouble}, {"mixed", Precision::kMixed}};
 const Choices<KernelScope> kScopes{{"all", KernelScope::kAll}, {"loop-closures", KernelScope::kLoopClosures}};

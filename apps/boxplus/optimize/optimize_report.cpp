@@ -49,7 +49,7 @@ void print_report(const Report& report, const RunFacts& facts, const OptimizeArg
 
 void print_why_stopped(const Report& report, const OptimizeArguments& arguments) {
   if (report.converged()) return;
-  if (report.reason == Reason::kStopFlag) {
+  if (report.reason == Report::Reason::kStopFlag) {
     print_message(fmt::format("{}: interrupted after {} iteration{}; the best estimate is {}",
                               input_name(arguments.input), report.iterations,
                               report.iterations == 1 ? "" : "s", where_written(arguments)));

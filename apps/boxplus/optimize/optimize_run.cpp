@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "boxplus/optimize/optimizer.h"
+#include "boxplus/robust/default_width.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "command_line/message.h"
 #include "optimize/edge_roles.h"

@@ -26,7 +26,7 @@ Json unless_zero(std::uint64_t value) {
   return value == 0 ? Json(nullptr) : Json(value);
 }
 
-Json start_json(const StartReport& start) {
+Json start_json(const Report::StartReport& start) {
   return {{"requested", to_string(start.requested)},
           {"used", to_string(start.used)},
           {"chi2_current", start.chi2_current},
@@ -37,9 +37,9 @@ Json start_json(const StartReport& start) {
           {"note", start.note}};
 }
 
-Json gauge_json(const GaugeReport& gauge) {
+Json gauge_json(const Report::GaugeReport& gauge) {
   Json free = Json::array();
-  for (const GaugeFreedom& freedom : gauge.free) {
+  for (const detail::GaugeFreedom& freedom : gauge.free) {
     free.push_back({{"vertex", freedom.id},
                     {"directions", freedom.directions},
                     {"translation", freedom.translation},
@@ -57,15 +57,15 @@ Json kernel_json(const KernelFacts& kernel) {
   return {{"name", kernel.name}, {"width_by_rows", widths}, {"edges", kernel.edges}};
 }
 
-Json jacobians_json(const std::vector<EdgeJacobians>& jacobians) {
+Json jacobians_json(const std::vector<Report::EdgeJacobians>& jacobians) {
   Json result = Json::array();
-  for (const EdgeJacobians& edge : jacobians) {
+  for (const Report::EdgeJacobians& edge : jacobians) {
     result.push_back({{"edge_type", edge.edge_type}, {"source", to_string(edge.source)}});
   }
   return result;
 }
 
-Json time_json(const Timings& time, const RunFacts& facts) {
+Json time_json(const Report::Timings& time, const RunFacts& facts) {
   return {{"load", facts.load_s},     {"plan", time.plan_s},           {"start", time.start_s},
           {"optimize", time.total_s}, {"linearize", time.linearize_s}, {"factorize", time.factorize_s},
           {"solve", time.solve_s},    {"evaluate", time.evaluate_s},   {"total", facts.total_s}};

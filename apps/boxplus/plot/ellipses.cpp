@@ -16,7 +16,7 @@ namespace {
 constexpr double kChi2 = 5.991464547107979;
 
 /// Maps the frame of a pose, or the world for a point, to the picture plane.
-Eigen::MatrixXd to_picture(const Frame& frame, const View& view) {
+Eigen::MatrixXd to_picture(const detail::Frame& frame, const View& view) {
   const int d = frame.dimension;
   Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
   for (int axis = 0; axis < d; ++axis) {
@@ -57,7 +57,7 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
   std::vector<Ellipse> ellipses;
   std::size_t poses = 0;
   for (const VertexRef& vertex : vertices) {
-    Frame frame;
+    detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
     // The first entries of the tangents of poses and points are translations.
     const Eigen::MatrixXd P = to_picture(frame, view);

@@ -46,7 +46,7 @@ class SceneMaker {
   Place& place_of(VertexRef vertex) { return places_[vertex.pool][vertex.slot]; }
 
   void place(VertexRef vertex) {
-    Frame frame;
+    detail::Frame frame;
     if (!graph_.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) return;
     const Spot spot = project(frame.translation, frame.dimension, view_);
     if (!is_near(spot)) {

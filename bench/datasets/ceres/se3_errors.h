@@ -19,11 +19,11 @@ struct SE3MotionError {
   template <class T>
   bool operator()(const T* ti, const T* qi, const T* tj, const T* qj, T* out) const {
     using Vector = Eigen::Matrix<T, 3, 1>;
-    using Quaternion = Eigen::Quaternion<T>;
-    const Quaternion from_i = Eigen::Map<const Quaternion>(qi).conjugate();
-    const Quaternion from_z = q_z.conjugate().template cast<T>();
+    using detail::Quaternion = Eigen::Quaternion<T>;
+    const detail::Quaternion from_i = Eigen::Map<const Quaternion>(qi).conjugate();
+    const detail::Quaternion from_z = q_z.conjugate().template cast<T>();
     const Vector t = from_i * Vector(Eigen::Map<const Vector>(tj) - Eigen::Map<const Vector>(ti));
-    const Quaternion q = from_z * (from_i * Eigen::Map<const Quaternion>(qj));
+    const detail::Quaternion q = from_z * (from_i * Eigen::Map<const Quaternion>(qj));
     Eigen::Matrix<T, 6, 1> e;
     e << from_z * Vector(t - t_z.template cast<T>()), (q.w() < T(0) ? Vector(-q.vec()) : Vector(q.vec()));
     Eigen::Map<Eigen::Matrix<T, 6, 1>>{out} = root.template cast<T>() * e;

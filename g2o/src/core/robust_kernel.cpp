@@ -21,7 +21,7 @@ void robustify_by(double delta, double e2, Vector3& rho) {
     rho.setZero();
     return;
   }
-  const boxplus::Rho value = Kernel(delta)(e2);
+  const boxplus::RobustKernel::Rho value = Kernel(delta)(e2);
   rho << value.value, value.first, value.second;
 }
 

@@ -74,9 +74,9 @@ class VertexParts {
 };
 
 /// Runs task(0) … task(parts − 1) on all threads.
-void for_each_part(int parts, boxplus::FunctionRef<void(int)> task) {
-  const int threads = std::min(boxplus::hardware_threads(), parts);
-  boxplus::parallel_tasks(threads, [&](int thread) {
+void for_each_part(int parts, boxplus::detail::FunctionRef<void(int)> task) {
+  const int threads = std::min(boxplus::detail::hardware_threads(), parts);
+  boxplus::detail::parallel_tasks(threads, [&](int thread) {
     for (int part = thread; part < parts; part += threads) task(part);
   });
 }
@@ -104,14 +104,14 @@ void EdgeParts::part(const Edges& edges, int vertices) {
   }
 }
 
-void EdgeParts::for_each(boxplus::FunctionRef<void(Edge&)> f) const {
+void EdgeParts::for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const {
   if (left_.size() < edges_.size())
     for_each_part(kParts, [&](int part) { for_each_ahead(parts_[static_cast<size_t>(part)], f); });
   for_each_ahead(left_, f);
 }
 
 void EdgeParts::for_each_by_parts(JacobianWorkspace& workspace,
-                                  boxplus::FunctionRef<void(Edge&, JacobianWorkspace&)> f) {
+                                  boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f) {
   if (left_.size() < edges_.size()) {
     for_each_part(kParts, [&](int number) {
       const auto part = static_cast<size_t>(number);

@@ -36,11 +36,11 @@ class EdgeParts {
   bool is_of(const Edges& edges) const;
 
   /// Calls f(edge) once for each edge, in any order.
-  void for_each(boxplus::FunctionRef<void(Edge&)> f) const;
+  void for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const;
   /// Calls f(edge, workspace) for the edges of each part in order, and for the remaining edges after all
   /// parts. Edges with a robust kernel of the client also come after all parts.
   void for_each_by_parts(JacobianWorkspace& workspace,
-                         boxplus::FunctionRef<void(Edge&, JacobianWorkspace&)> f);
+                         boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f);
 
  private:
   static constexpr int kParts = 8;

@@ -29,7 +29,7 @@ inline boxplus::LinearSolverOptions solver_options(const EngineSettings& setting
 }
 
 inline boxplus::AnalyzeHints analyze_hints(std::uint32_t eliminated_blocks = 0) {
-  return {.threads = boxplus::hardware_threads(), .eliminated_blocks = eliminated_blocks};
+  return {.threads = boxplus::detail::hardware_threads(), .eliminated_blocks = eliminated_blocks};
 }
 
 /// The accuracy for the right-hand side b of n values.

@@ -87,7 +87,7 @@ void read_omega(boxplus::FieldReader& in, Omega& information) {
     return;
   }
   const boxplus::Information omega = boxplus::read_information(in, rows);
-  information = boxplus::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
+  information = boxplus::detail::InformationView{omega.kind(), rows, omega.values().data()}.matrix();
 }
 template <class Omega>
 int omega_fields(const Omega& information) {
@@ -178,19 +178,19 @@ void to_g2o_tangent(const V&, double*) {}
 /// Fills the Jacobians of an engine edge: analytic ones if it has them, else by dual numbers.
 template <class E, class... V>
 void linearize(const E& edge, const Argument<V>&... arguments) {
-  constexpr int kRows = boxplus::edge::kRows<boxplus::edge::Result<E, V...>>;
-  constexpr int kCols = boxplus::edge::kCols<V...>;
+  constexpr int kRows = boxplus::detail::kRows<boxplus::detail::Result<E, V...>>;
+  constexpr int kCols = boxplus::detail::kCols<V...>;
   std::array<double, static_cast<std::size_t>(kRows * kCols)> buffer;
   double* block = buffer.data();
   const auto next = [&](int dim) { return std::exchange(block, block + kRows * dim); };
-  if constexpr (boxplus::edge::kAnalytic<E, V...>) {
-    std::tuple<boxplus::edge::JacobianBlock<V, kRows>...> blocks{
-        boxplus::edge::JacobianBlock<V, kRows>(next(boxplus::Manifold<V>::kDim))...};
+  if constexpr (boxplus::detail::kAnalytic<E, V...>) {
+    std::tuple<boxplus::detail::JacobianBlock<V, kRows>...> blocks{
+        boxplus::detail::JacobianBlock<V, kRows>(next(boxplus::Manifold<V>::kDim))...};
     std::apply([&](auto&... J) { edge.jacobians(arguments.value..., J...); }, blocks);
   } else {
     std::array<double, static_cast<std::size_t>(kRows)> error;
-    boxplus::edge::automatic_jacobian<V...>(edge, error.data(), buffer.data(), kRows, kCols,
-                                            arguments.value...);
+    boxplus::detail::automatic_jacobian<V...>(edge, error.data(), buffer.data(), kRows, kCols,
+                                              arguments.value...);
   }
   block = buffer.data();
   const auto deliver = [&](const auto& argument, int dim) {

@@ -23,7 +23,7 @@ inline Eigen::Matrix<double, 3, 6> motion_of_point(const Vector3& p) {
 
 /// ∂ log(exp(δ) x)/∂δ.
 inline Matrix7 left_jacobian_of_log(const boxplus::Sim3& x) {
-  using S = boxplus::Dual<double, 7>;
+  using S = boxplus::detail::Dual<double, 7>;
   boxplus::Vector<S, 7> delta;
   for (int i = 0; i < 7; ++i) delta[i] = S::variable(0, i);
   const boxplus::Vector<S, 7> log = (boxplus::BasicSim3<S>::exp(delta) * x.cast<S>()).log();

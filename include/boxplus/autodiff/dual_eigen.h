@@ -11,8 +11,8 @@
 namespace Eigen {
 
 template <class S, int N>
-struct NumTraits<boxplus::Dual<S, N>> {
-  using Real = boxplus::Dual<S, N>;
+struct NumTraits<boxplus::detail::Dual<S, N>> {
+  using Real = boxplus::detail::Dual<S, N>;
   using NonInteger = Real;
   using Literal = Real;
   using Nested = Real;
@@ -35,14 +35,14 @@ struct NumTraits<boxplus::Dual<S, N>> {
 };
 
 template <class S, int N, class T, class Op>
-requires boxplus::LowerScalar<T, S>
-struct ScalarBinaryOpTraits<boxplus::Dual<S, N>, T, Op> {
-  using ReturnType = boxplus::Dual<S, N>;
+requires boxplus::detail::LowerScalar<T, S>
+struct ScalarBinaryOpTraits<boxplus::detail::Dual<S, N>, T, Op> {
+  using ReturnType = boxplus::detail::Dual<S, N>;
 };
 template <class S, int N, class T, class Op>
-requires boxplus::LowerScalar<T, S>
-struct ScalarBinaryOpTraits<T, boxplus::Dual<S, N>, Op> {
-  using ReturnType = boxplus::Dual<S, N>;
+requires boxplus::detail::LowerScalar<T, S>
+struct ScalarBinaryOpTraits<T, boxplus::detail::Dual<S, N>, Op> {
+  using ReturnType = boxplus::detail::Dual<S, N>;
 };
 
 }  // namespace Eigen

@@ -12,7 +12,7 @@
 
 #include "boxplus/autodiff/dual_number.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 // With these, unqualified calls in generic code of this namespace work for double and for duals.
 using std::abs;
@@ -240,4 +240,4 @@ bool isfinite(const Dual<S, N>& x) {
   return finite;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -13,7 +13,7 @@
 #include <compare>
 #include <type_traits>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template <class S, int N>
 struct Dual;
@@ -179,4 +179,4 @@ constexpr double scalar_value(const Dual<S, N>& x) {
   return scalar_value(x.value);
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

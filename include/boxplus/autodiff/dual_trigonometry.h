@@ -4,7 +4,7 @@
 
 #include "boxplus/autodiff/dual_functions.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 using std::acos;
 using std::acosh;
@@ -97,4 +97,4 @@ Dual<S, N> atanh(const Dual<S, N>& x) {
   return chain_singular(S(atanh(x.value)), S(S(1) / ((S(1) - x.value) * (S(1) + x.value))), x);
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -12,7 +12,7 @@
 #include <limits>
 #include <vector>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 struct NumericOptions {
   double initial_step = 0.1;  ///< first (largest) step, in the units of the argument
@@ -89,4 +89,4 @@ class NumericDerivative {
   std::vector<double> plus_, minus_, best_, error_, row_;
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

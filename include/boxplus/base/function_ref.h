@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template <class T, class U>
 concept OtherThan = !std::is_same_v<std::remove_cvref_t<T>, U>;
@@ -35,4 +35,4 @@ class FunctionRef<Result(Arguments...)> {
   Result (*call_)(void*, Arguments...);
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -6,10 +6,10 @@
 
 #include "boxplus/base/abi.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// Tells the system that newly allocated memory will be used as a whole. The system may then use pages of 2
 /// MiB instead of 4 KiB, which saves page faults and TLB misses. A hint; does nothing for small blocks.
 void prefer_large_pages(const void* memory, std::size_t bytes);
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

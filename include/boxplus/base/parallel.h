@@ -5,7 +5,7 @@
 #include "boxplus/base/abi.h"
 #include "boxplus/base/function_ref.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// Number of hardware threads, at least 1.
 int hardware_threads() noexcept;
@@ -21,4 +21,4 @@ int hardware_threads() noexcept;
 /// All tasks run, even if some of them throw. The exception of the lowest index is then rethrown.
 void parallel_tasks(int count, FunctionRef<void(int)> task);
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

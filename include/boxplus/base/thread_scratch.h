@@ -2,7 +2,7 @@
 // Memory that a thread keeps between calls.
 #pragma once
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// One T per thread and Tag, made on first use and freed when its thread ends. Unlike a thread_local T, it
 /// may be used later too: in destructors of global objects, which run after the main thread's objects are
@@ -23,4 +23,4 @@ T& thread_scratch() {
   return *memory;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

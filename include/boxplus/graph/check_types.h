@@ -9,9 +9,7 @@
 #include "boxplus/graph/member_names.h"
 #include "boxplus/graph/vector_parameters.h"
 
-namespace boxplus {
-
-namespace edge {
+namespace boxplus::detail {
 
 template <class E, class... A>
 inline constexpr bool kCallableUnlessConst = requires(E& e, A&&... a) {
@@ -30,8 +28,6 @@ template <class E, class... V>
 inline constexpr bool kUsesItsJacobians =
     kAnalytic<E, V...> || JacobiansForSomeTypes<E> || !kNamesJacobianFunction<E>;
 
-}  // namespace edge
-
 /// Returns true. Does not compile unless a graph can hold estimates of type T.
 template <class T>
 consteval bool check_vertex_type() {
@@ -45,22 +41,22 @@ consteval bool check_vertex_type() {
 /// that E defines can be called.
 template <class E, class... V>
 consteval bool check_edge_type() {
-  using edge::Argument, edge::Parameters;
+  using detail::Argument, detail::Parameters;
   static_assert(std::copy_constructible<E>,
                 "an error function must be copyable: the graph keeps a copy of it");
-  static_assert(edge::kHasFunction<E>, "an edge needs a member error(...) const, or to be callable itself");
-  if constexpr (edge::Callable<E, Argument<V>...>) {
-    static_assert(edge::kAllFit<typename edge::KnownParameters<E>::Type, V...>,
+  static_assert(detail::kHasFunction<E>, "an edge needs a member error(...) const, or to be callable itself");
+  if constexpr (detail::Callable<E, Argument<V>...>) {
+    static_assert(detail::kAllFit<typename detail::KnownParameters<E>::Type, V...>,
                   "the error function takes a vector of another type than its vertex: estimates that are "
                   "vectors arrive as const boxplus::Vector<S, N>&, N being the size of the vertex");
     static_assert(
-        edge::kUsesItsJacobians<E, V...>,
+        detail::kUsesItsJacobians<E, V...>,
         "the edge has a member function jacobians (or jacobian) that cannot be called as "
         "jacobians(x_1, ..., x_q, J_1, ..., J_q) const, where J_i is an Eigen::Ref of a matrix with "
         "the rows of the error and the columns of x_i (or a template parameter)");
-  } else if constexpr (edge::kHasFunction<E>) {
-    constexpr bool kLacksConst = edge::kCallableUnlessConst<E, Argument<V>...>;
-    constexpr bool kTakesOtherVectors = edge::kTakesOtherVectors<E, Parameters<>, Parameters<V...>>;
+  } else if constexpr (detail::kHasFunction<E>) {
+    constexpr bool kLacksConst = detail::kCallableUnlessConst<E, Argument<V>...>;
+    constexpr bool kTakesOtherVectors = detail::kTakesOtherVectors<E, Parameters<>, Parameters<V...>>;
     static_assert(!kLacksConst,
                   "the error function must be const: error(...) const, or a lambda that is not mutable");
     static_assert(!kTakesOtherVectors,
@@ -72,4 +68,4 @@ consteval bool check_edge_type() {
   return true;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

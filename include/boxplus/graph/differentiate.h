@@ -16,28 +16,28 @@
 #include "boxplus/base/thread_scratch.h"
 #include "boxplus/graph/error_function.h"
 
-namespace boxplus::edge {
+namespace boxplus::detail {
 
 /// The tangent size of an argument; for a tail, the sum over its elements.
 template <class V>
 int argument_dim(Argument<V> x) {
   if constexpr (kIsTail<V>) {
     int sum = 0;
-    for (const auto& element : x) sum += boxplus::tangent_dim(element);
+    for (const auto& element : x) sum += detail::tangent_dim(element);
     return sum;
   } else {
-    return boxplus::tangent_dim(x);
+    return detail::tangent_dim(x);
   }
 }
 
 /// x ⊞ δ over dual numbers. δ is 0, and the derivative of its k-th entry is the unit vector with index
 /// `column + k − first`. Entries outside of the dual's window are constant.
 template <class S, class T>
-boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
+detail::Rebind<T, S> lift(const T& x, int column, int first) {
   constexpr int kWindow = static_cast<int>(std::tuple_size<decltype(S::derivative)>::value);
   constexpr int kDim = Manifold<T>::kDim;
   auto lifted = Manifold<T>::template cast<S>(x);
-  const int dim = boxplus::tangent_dim(x);
+  const int dim = detail::tangent_dim(x);
   if (column >= first + kWindow || column + dim <= first) return lifted;
   const auto seed = [&](auto& delta) {
     for (int k = 0; k < dim; ++k) {
@@ -47,7 +47,7 @@ boxplus::Rebind<T, S> lift(const T& x, int column, int first) {
         delta[static_cast<std::size_t>(k)].derivative[static_cast<std::size_t>(derivative)] = 1;
       }
     }
-    return Manifold<boxplus::Rebind<T, S>>::oplus(lifted, delta.data());
+    return Manifold<detail::Rebind<T, S>>::oplus(lifted, delta.data());
   };
   if constexpr (kDim == kDynamic) {
     auto& delta = thread_scratch<std::vector<S>, struct LiftedDelta>();
@@ -68,12 +68,12 @@ class LiftedArgument {
   /// next argument.
   void lift(const V& x, std::uint32_t slot, int& column, int first) {
     if (!value_ || slot_ != slot || column_ != column || first_ != first) {
-      value_.emplace(edge::lift<S>(x, column, first));
+      value_.emplace(detail::lift<S>(x, column, first));
       slot_ = slot;
       column_ = column;
       first_ = first;
     }
-    column += boxplus::tangent_dim(x);
+    column += detail::tangent_dim(x);
   }
   const Lifted<V, S>& get() const { return *value_; }
 
@@ -89,14 +89,14 @@ class LiftedArgument<Tail<T>, S> {
     values_.clear();
     values_.reserve(x.size());
     for (const T& element : x) {
-      values_.push_back(edge::lift<S>(element, column, first));
-      column += boxplus::tangent_dim(element);
+      values_.push_back(detail::lift<S>(element, column, first));
+      column += detail::tangent_dim(element);
     }
   }
-  std::span<const boxplus::Rebind<T, S>> get() const { return values_; }
+  std::span<const detail::Rebind<T, S>> get() const { return values_; }
 
  private:
-  std::vector<boxplus::Rebind<T, S>> values_;
+  std::vector<detail::Rebind<T, S>> values_;
 };
 
 /// Jacobians by forward-mode dual numbers, exact up to rounding. One object differentiates several edges in
@@ -191,7 +191,7 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
   const auto columns_of = [&](auto& slot) {
     using T = std::remove_reference_t<decltype(slot)>;
     const T original = slot;
-    const int dim = boxplus::tangent_dim(original);
+    const int dim = detail::tangent_dim(original);
     for (int k = 0; k < dim; ++k, ++column) {
       const auto along_k = [&](double h, double* out) {
         delta[static_cast<std::size_t>(k)] = h;
@@ -214,4 +214,4 @@ void numeric_jacobian(const E& e, double* error, double* jacobian, int rows, int
   kept = std::move(memory);
 }
 
-}  // namespace boxplus::edge
+}  // namespace boxplus::detail

@@ -17,6 +17,10 @@
 #include "boxplus/robust/robust_kernel.h"
 
 namespace boxplus {
+class Graph;
+}
+
+namespace boxplus::detail {
 
 /// The sizes of an edge: how many vertices, how many rows of error, and the sum of its vertices' tangent
 /// sizes.
@@ -131,7 +135,7 @@ class EdgePool {
                              int rows);
 
  private:
-  friend class Graph;
+  friend class boxplus::Graph;
   std::size_t vertex_start(std::uint32_t edge) const {
     return uniform_arity_ >= 0 ? std::size_t{edge} * static_cast<std::size_t>(uniform_arity_)
                                : vertex_start_[edge];
@@ -162,4 +166,4 @@ class EdgePool {
   std::uint32_t next_generation_ = 0;  // of the next edge, in any slot
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

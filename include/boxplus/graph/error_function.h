@@ -36,7 +36,7 @@
 #include "boxplus/graph/jacobian_source.h"
 #include "boxplus/manifold/manifold.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// Stands in a list of vertex types for "any number of T".
 template <class T>
@@ -53,8 +53,6 @@ template <class... V>
 inline constexpr bool kTailsAreLast = true;
 template <class V, class W, class... Rest>
 inline constexpr bool kTailsAreLast<V, W, Rest...> = (!kIsTail<V> || kIsTail<W>)&&kTailsAreLast<W, Rest...>;
-
-namespace edge {
 
 template <class V>
 struct Element {
@@ -82,11 +80,11 @@ using Argument = typename ArgumentOf<V>::Type;
 
 template <class V, class S>
 struct LiftedOf {
-  using Type = boxplus::Rebind<V, S>;
+  using Type = detail::Rebind<V, S>;
 };
 template <class T, class S>
 struct LiftedOf<Tail<T>, S> {
-  using Type = Tail<boxplus::Rebind<T, S>>;
+  using Type = Tail<detail::Rebind<T, S>>;
 };
 /// V, or the elements of the tail, over the scalar S.
 template <class V, class S>
@@ -334,22 +332,8 @@ inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? J
                                                   : kDifferentiable<E, V...> ? JacobianSource::kAutomatic
                                                                              : JacobianSource::kNumeric;
 
-}  // namespace edge
-
 /// E is an error function of the vertex types V... (T, or Tail<T> in the last places).
 template <class E, class... V>
-concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && edge::Callable<E, edge::Argument<V>...>;
+concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && Callable<E, Argument<V>...>;
 
-/// Wraps an error function, so that its Jacobians are numeric.
-template <class E>
-struct Numeric {
-  static constexpr bool kNumeric = true;
-  E function;
-  template <class... A>
-  requires edge::Callable<E, A...>
-  auto operator()(A&&... a) const { return edge::call(function, std::forward<A>(a)...); }
-};
-template <class E>
-Numeric(E) -> Numeric<E>;
-
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -5,7 +5,7 @@
 #include <array>
 #include <concepts>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// A pose (T_world_body) or, without rotation, a point in the world.
 struct Frame {
@@ -39,4 +39,4 @@ struct RelativeFrame {
   double rotation_unit = 1;  ///< error units per radian (½ for quaternion vectors)
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -25,7 +25,7 @@
 
 namespace boxplus {
 
-namespace edge {
+namespace detail {
 template <class H>
 inline constexpr bool kIsVertexHandle = false;
 template <class T>
@@ -40,9 +40,9 @@ struct VertexTypeOf<VertexHandle<T>> {
 template <std::ranges::range R>
 requires kIsVertexHandle<std::ranges::range_value_t<R>>
 struct VertexTypeOf<R> {
-  using Type = Tail<typename std::ranges::range_value_t<R>::Estimate>;
+  using Type = detail::Tail<typename std::ranges::range_value_t<R>::Estimate>;
 };
-/// T for VertexHandle<T>, Tail<T> for a range of them.
+/// T for VertexHandle<T>, detail::Tail<T> for a range of them.
 template <class H>
 using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
 
@@ -67,7 +67,7 @@ template <class H>
 concept Attachable = requires {
   typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
 };
-}  // namespace edge
+}  // namespace detail
 
 /// A hyper-graph: vertices of any manifold type, edges over any number of them.
 ///
@@ -94,51 +94,51 @@ class Graph {
   /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument if the id is taken or
   /// negative.
   template <class T>
-  VertexHandle<StoredEstimate<T>> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
-    static_assert(check_vertex_type<StoredEstimate<T>>());
+  VertexHandle<detail::StoredEstimate<T>> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
+    static_assert(detail::check_vertex_type<detail::StoredEstimate<T>>());
     const Id chosen = claim_id(vertex_ids_, next_id_, id, "vertex");
-    return register_vertex<StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
+    return register_vertex<detail::StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
   }
 
   /// Adds a shared constant (a sensor offset, a camera). It is a vertex that begins fixed, does not fix the
   /// gauge, and has an id among the parameters. To calibrate it, unfix() it.
   template <class T>
-  VertexHandle<StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
-    static_assert(check_vertex_type<StoredEstimate<T>>());
+  VertexHandle<detail::StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
+    static_assert(detail::check_vertex_type<detail::StoredEstimate<T>>());
     const Id chosen = claim_id(parameter_ids_, next_parameter_id_, id, "parameter");
-    const auto handle = register_vertex<StoredEstimate<T>>(std::move(value), chosen, parameter_ids_);
+    const auto handle = register_vertex<detail::StoredEstimate<T>>(std::move(value), chosen, parameter_ids_);
     mark_parameter(handle);
     return handle;
   }
 
   /// The vertex (parameter) with that id. Throws InvalidArgument if there is none, or if it has another type.
-  template <ManifoldType T>
-  VertexHandle<StoredEstimate<T>> vertex(Id id) const {
+  template <detail::ManifoldType T>
+  VertexHandle<detail::StoredEstimate<T>> vertex(Id id) const {
     return typed<T>(lookup(vertex_ids_, id, "vertex"));
   }
-  template <ManifoldType T>
-  VertexHandle<StoredEstimate<T>> parameter(Id id) const {
+  template <detail::ManifoldType T>
+  VertexHandle<detail::StoredEstimate<T>> parameter(Id id) const {
     return typed<T>(lookup(parameter_ids_, id, "parameter"));
   }
   std::optional<VertexRef> find_vertex(Id id) const;
   std::optional<VertexRef> find_parameter(Id id) const;
   /// `vertex` as a handle of its type. Throws InvalidArgument if the estimate is no T.
-  template <ManifoldType T>
-  VertexHandle<StoredEstimate<T>> typed(VertexRef vertex) const {
+  template <detail::ManifoldType T>
+  VertexHandle<detail::StoredEstimate<T>> typed(VertexRef vertex) const {
     typed_pool<T>(vertex);
     return {vertex};
   }
 
-  template <ManifoldType T>
-  const StoredEstimate<T>& estimate(VertexHandle<T> vertex) const {
+  template <detail::ManifoldType T>
+  const detail::StoredEstimate<T>& estimate(VertexHandle<T> vertex) const {
     return typed_pool<T>(vertex).value(vertex.slot);
   }
   /// Sets the estimate of a vertex. If a run-time-size estimate changes its size, the error functions of its
   /// edges must accept the new size.
-  template <ManifoldType T>
-  void set_estimate(VertexHandle<T> vertex, std::type_identity_t<StoredEstimate<T>> estimate) {
-    StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
-    const bool resized = boxplus::tangent_dim(value) != boxplus::tangent_dim(estimate);
+  template <detail::ManifoldType T>
+  void set_estimate(VertexHandle<T> vertex, std::type_identity_t<detail::StoredEstimate<T>> estimate) {
+    detail::StoredEstimate<T>& value = typed_pool<T>(vertex).value(vertex.slot);
+    const bool resized = boxplus::detail::tangent_dim(value) != boxplus::detail::tangent_dim(estimate);
     value = std::move(estimate);
     if (resized) note_rewrite();
   }
@@ -184,7 +184,7 @@ class Graph {
   /// Adds an edge with the identity as information. The vertices are handles; the last ones may be ranges of
   /// handles, each of any type. Throws InvalidArgument if a vertex appears twice or is stale.
   template <class E, class... H>
-  requires(edge::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
+  requires(detail::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
   }
 
@@ -192,19 +192,20 @@ class Graph {
   /// does not fit the size of the error, is not symmetric positive semi-definite, or is not finite.
   template <class E, class... H>
   requires(sizeof...(H) > 0 &&
-           (edge::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
-                                                                const H&... vertices) {
-    static_assert(kTailsAreLast<edge::VertexType<H>...>, "only the last arguments may be ranges of handles");
-    static_assert(check_edge_type<E, edge::VertexType<H>...>());
-    edge::ListFor<VertexRef, edge::VertexType<H>...> refs;
+           (detail::Attachable<H> && ...)) EdgeHandle<E> add_edge(E error, const Information& information,
+                                                                  const H&... vertices) {
+    static_assert(detail::kTailsAreLast<detail::VertexType<H>...>,
+                  "only the last arguments may be ranges of handles");
+    static_assert(detail::check_edge_type<E, detail::VertexType<H>...>());
+    detail::ListFor<VertexRef, detail::VertexType<H>...> refs;
     (gather(refs, vertices), ...);
     check_distinct(refs);
-    edge::ListFor<std::uint32_t, edge::VertexType<H>...> slots;
+    detail::ListFor<std::uint32_t, detail::VertexType<H>...> slots;
     for (const VertexRef& ref : refs) slots.push_back(ref.slot);
-    const std::uint32_t index = edge_pool_for<E, edge::VertexType<H>...>();
-    auto& pool = static_cast<TypedEdgePool<E, edge::VertexType<H>...>&>(*edge_pools_[index]);
-    constexpr std::size_t kTails = (0 + ... + std::size_t{kIsTail<edge::VertexType<H>>});
-    edge::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
+    const std::uint32_t index = edge_pool_for<E, detail::VertexType<H>...>();
+    auto& pool = static_cast<detail::TypedEdgePool<E, detail::VertexType<H>...>&>(*edge_pools_[index]);
+    constexpr std::size_t kTails = (0 + ... + std::size_t{detail::kIsTail<detail::VertexType<H>>});
+    detail::ShortList<std::uint32_t, std::max<std::size_t>(kTails, 1)> tail_sizes;
     (append_tail_size(tail_sizes, vertices), ...);
     const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(error), information, slots, tail_sizes);
@@ -234,7 +235,7 @@ class Graph {
   /// of every vertex, in O(vertices + edges). From then on this index is kept up to date: each call takes
   /// O(d log d) for d edges, and add_edge() takes a little longer.
   std::vector<EdgeRef> edges(VertexRef vertex) const;
-  InformationView information(EdgeRef edge) const;
+  detail::InformationView information(EdgeRef edge) const;
   void set_information(EdgeRef edge, const Information& information);
   /// nullptr removes the kernel. Kernels may be shared between edges.
   void set_kernel(EdgeRef edge, std::shared_ptr<const RobustKernel> kernel);
@@ -287,8 +288,8 @@ class Graph {
 
   // ---- For the engine ----
 
-  std::span<const std::unique_ptr<VertexPool>> vertex_pools() const { return vertex_pools_; }
-  std::span<const std::unique_ptr<EdgePool>> edge_pools() const { return edge_pools_; }
+  std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools() const { return vertex_pools_; }
+  std::span<const std::unique_ptr<detail::EdgePool>> edge_pools() const { return edge_pools_; }
   /// Changes when the structure of the problem changes: elements, fixed and eliminated flags, fixed
   /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are no part of the structure.
   std::uint64_t revision() const { return revision_; }
@@ -310,7 +311,7 @@ class Graph {
   struct Saved {
     struct Part {
       std::vector<std::uint32_t> slots, generations;
-      std::unique_ptr<SavedEstimates> estimates;
+      std::unique_ptr<detail::SavedEstimates> estimates;
     };
     Saved() = default;
     Saved(Saved&&) = default;
@@ -325,8 +326,8 @@ class Graph {
   static std::uint32_t new_epoch() noexcept;
   void note_rewrite() { last_rewrite_ = ++revision_; }
   void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
-  static Id claim_id(const IdMap& ids, Id& next, std::optional<Id> id, const char* what);
-  VertexRef lookup(const IdMap& ids, Id id, const char* what) const;
+  static Id claim_id(const detail::IdMap& ids, Id& next, std::optional<Id> id, const char* what);
+  VertexRef lookup(const detail::IdMap& ids, Id id, const char* what) const;
   [[noreturn]] void throw_wrong_type(VertexRef vertex, std::string_view expected) const;
   [[noreturn]] void throw_wrong_type(EdgeRef edge, std::string_view expected) const;
   void check(VertexRef vertex) const;
@@ -363,13 +364,13 @@ class Graph {
     return found == vertex_pool_of_.end() ? 0xFFFFFFFFu : found->second;
   }
   template <class T>
-  TypedVertexPool<StoredEstimate<T>>& typed_pool(VertexRef vertex) const {
+  detail::TypedVertexPool<detail::StoredEstimate<T>>& typed_pool(VertexRef vertex) const {
     check(vertex);
-    VertexPool& pool = *vertex_pools_[vertex.pool];
-    if (typeid(pool) != typeid(TypedVertexPool<StoredEstimate<T>>)) {
-      throw_wrong_type(vertex, type_name<StoredEstimate<T>>());
+    detail::VertexPool& pool = *vertex_pools_[vertex.pool];
+    if (typeid(pool) != typeid(detail::TypedVertexPool<detail::StoredEstimate<T>>)) {
+      throw_wrong_type(vertex, detail::type_name<detail::StoredEstimate<T>>());
     }
-    return static_cast<TypedVertexPool<StoredEstimate<T>>&>(pool);
+    return static_cast<detail::TypedVertexPool<detail::StoredEstimate<T>>&>(pool);
   }
   /// The index of the pool of T. Makes the pool if there is none.
   template <class T>
@@ -378,16 +379,16 @@ class Graph {
     const auto [entry, fresh] =
         vertex_pool_of_.try_emplace(typeid(T), static_cast<std::uint32_t>(vertex_pools_.size()));
     if (fresh) {
-      vertex_pools_.push_back(std::make_unique<TypedVertexPool<T>>());
+      vertex_pools_.push_back(std::make_unique<detail::TypedVertexPool<T>>());
       vertex_pools_.back()->next_generation_ = epoch_;
     }
     last_vertex_pool_ = {&typeid(T), entry->second};
     return entry->second;
   }
   template <class T>
-  VertexHandle<T> register_vertex(T estimate, Id id, IdMap& ids) {
+  VertexHandle<T> register_vertex(T estimate, Id id, detail::IdMap& ids) {
     const std::uint32_t index = require_vertex_pool<T>();
-    auto& pool = static_cast<TypedVertexPool<T>&>(*vertex_pools_[index]);
+    auto& pool = static_cast<detail::TypedVertexPool<T>&>(*vertex_pools_[index]);
     ids.make_room();
     const std::uint32_t end = pool.slots();
     const std::uint32_t slot = pool.add(std::move(estimate), id);
@@ -401,16 +402,16 @@ class Graph {
   /// vertices.
   struct EdgeAccess {
     const std::type_info* type;
-    const void* (*value)(const EdgePool&, std::uint32_t slot);
-    void (*replace)(EdgePool&, std::uint32_t slot, void* error);
+    const void* (*value)(const detail::EdgePool&, std::uint32_t slot);
+    void (*replace)(detail::EdgePool&, std::uint32_t slot, void* error);
 
     template <class E, class Pool>
     static EdgeAccess of() {
       return {&typeid(E),
-              [](const EdgePool& pool, std::uint32_t slot) -> const void* {
+              [](const detail::EdgePool& pool, std::uint32_t slot) -> const void* {
                 return &static_cast<const Pool&>(pool).value(slot);
               },
-              [](EdgePool& pool, std::uint32_t slot, void* error) {
+              [](detail::EdgePool& pool, std::uint32_t slot, void* error) {
                 static_cast<Pool&>(pool).replace(slot, std::move(*static_cast<E*>(error)));
               }};
     }
@@ -419,21 +420,21 @@ class Graph {
   const EdgeAccess& edge_access(EdgeRef edge) const {
     check(edge);
     const EdgeAccess& access = edge_access_[edge.pool];
-    if (*access.type != typeid(E)) throw_wrong_type(edge, type_name<E>());
+    if (*access.type != typeid(E)) throw_wrong_type(edge, detail::type_name<E>());
     return access;
   }
 
   /// The index of the pool of these edges. Makes the pool if there is none.
   template <class E, class... V>
   std::uint32_t edge_pool_for() {
-    using Pool = TypedEdgePool<E, V...>;
+    using Pool = detail::TypedEdgePool<E, V...>;
     if (last_edge_pool_.type == &typeid(Pool)) return last_edge_pool_.index;
     const auto [entry, fresh] =
         edge_pool_of_.try_emplace(typeid(Pool), static_cast<std::uint32_t>(edge_pools_.size()));
     if (fresh) {
-      const std::vector<std::uint32_t> indices{require_vertex_pool<edge::ElementOf<V>>()...};
-      typename Pool::VertexPools pools{static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
-          vertex_pools_[vertex_pool_index<edge::ElementOf<V>>()].get())...};
+      const std::vector<std::uint32_t> indices{require_vertex_pool<detail::ElementOf<V>>()...};
+      typename Pool::VertexPools pools{static_cast<const detail::TypedVertexPool<detail::ElementOf<V>>*>(
+          vertex_pools_[vertex_pool_index<detail::ElementOf<V>>()].get())...};
       edge_pools_.push_back(std::make_unique<Pool>(indices, pools));
       edge_pools_.back()->next_generation_ = epoch_;
       edge_access_.push_back(EdgeAccess::of<E, Pool>());
@@ -449,12 +450,12 @@ class Graph {
     std::uint32_t index = 0;
   };
 
-  std::vector<std::unique_ptr<VertexPool>> vertex_pools_;
-  std::vector<std::unique_ptr<EdgePool>> edge_pools_;
+  std::vector<std::unique_ptr<detail::VertexPool>> vertex_pools_;
+  std::vector<std::unique_ptr<detail::EdgePool>> edge_pools_;
   std::vector<EdgeAccess> edge_access_;  // per edge pool
   std::unordered_map<std::type_index, std::uint32_t> vertex_pool_of_, edge_pool_of_;
   LastPool last_vertex_pool_, last_edge_pool_;
-  IdMap vertex_ids_, parameter_ids_;
+  detail::IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
   std::uint64_t revision_ = 1, last_rewrite_ = 1;
   std::uint32_t epoch_ = new_epoch();  // of new pools

@@ -41,11 +41,12 @@ struct VertexHandle : VertexRef {
 /// Another name of the same vertex type: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert into
 /// each other.
 template <class T>
-requires(!std::same_as<T, StoredEstimate<T>>) struct VertexHandle<T> : VertexHandle<StoredEstimate<T>> {
+requires(!std::same_as<T, detail::StoredEstimate<T>>) struct VertexHandle<T>
+    : VertexHandle<detail::StoredEstimate<T>> {
   VertexHandle() = default;
-  VertexHandle(const VertexHandle<StoredEstimate<T>>& vertex)  // NOLINT(google-explicit-constructor)
-      : VertexHandle<StoredEstimate<T>>(vertex) {}
-  explicit VertexHandle(const VertexRef& vertex) : VertexHandle<StoredEstimate<T>>{vertex} {}
+  VertexHandle(const VertexHandle<detail::StoredEstimate<T>>& vertex)  // NOLINT(google-explicit-constructor)
+      : VertexHandle<detail::StoredEstimate<T>>(vertex) {}
+  explicit VertexHandle(const VertexRef& vertex) : VertexHandle<detail::StoredEstimate<T>>{vertex} {}
 };
 
 /// An edge whose error function is an E.

@@ -7,7 +7,7 @@
 
 #include "boxplus/graph/handle.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// A hash table in one piece of memory, made for consecutive ids. These lie side by side, which suits edges,
 /// because the ids of an edge's vertices are mostly close to each other. If an entry is taken, the search
@@ -41,4 +41,4 @@ class IdMap {
   std::size_t size_ = 0, used_ = 0;
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

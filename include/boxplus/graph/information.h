@@ -10,7 +10,7 @@
 
 #include "boxplus/base/matrix.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// The layout of the values of an Ω of n rows: 1 value, n values, or the n(n+1)/2 values of the upper
 /// triangle row by row (Ω11 Ω12 … Ω1n Ω22 …).
@@ -46,11 +46,18 @@ struct InformationView {
   double weighted_squared_norm(const double* e) const;  // diagonal or full
 };
 
+}  // namespace boxplus::detail
+
+namespace boxplus {
+
 /// An Ω that is passed to a graph.
 class Information {
  public:
+  using Kind = detail::InformationKind;
+  using View = detail::InformationView;
+
   /// value · I, for an error of any size.
-  Information(double value) : Information(InformationKind::kScalar, 0, std::span(&value, 1)) {}
+  Information(double value) : Information(Kind::kScalar, 0, std::span(&value, 1)) {}
   /// A symmetric n × n matrix. Throws InvalidArgument if it is not square or not symmetric.
   template <class Derived>
   Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
@@ -58,7 +65,7 @@ class Information {
   /// n(n+1)/2 values, row by row. Scalar and diagonal matrices are recognized and stored as such.
   static Information upper_triangle(std::span<const double> values, int rows);
 
-  InformationKind kind() const { return kind_; }
+  Kind kind() const { return kind_; }
   std::span<const double> values() const {
     return count_ <= kNear ? std::span(near_.data(), count_) : std::span(far_);
   }
@@ -68,17 +75,21 @@ class Information {
   std::string complaint(int rows) const;
 
  private:
-  Information(InformationKind kind, int rows, std::span<const double> values);
+  Information(Kind kind, int rows, std::span<const double> values);
   static Information from_matrix(const Eigen::MatrixXd& matrix);
 
   /// Up to six rows need no memory of their own.
   static constexpr std::size_t kNear = 21;
-  InformationKind kind_;
+  Kind kind_;
   int rows_;
   std::size_t count_;
   std::array<double, kNear> near_;
   std::vector<double> far_;  // all values, if they are more than kNear
 };
+
+}  // namespace boxplus
+
+namespace boxplus::detail {
 
 /// The Ω of all edges of a pool, one after the other.
 class InformationStore {
@@ -104,4 +115,4 @@ class InformationStore {
   std::vector<double> values_;
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

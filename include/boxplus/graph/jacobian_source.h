@@ -7,7 +7,7 @@
 
 #include "boxplus/base/abi.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 enum class JacobianSource : std::uint8_t {
   kAnalytic,   ///< "analytic": the member jacobians() of the edge type
@@ -16,4 +16,4 @@ enum class JacobianSource : std::uint8_t {
 };
 std::string_view to_string(JacobianSource source);
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -9,7 +9,7 @@
 
 #include "boxplus/base/large_pages.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// Makes room for a total of `count` elements, in large pages if this is much memory.
 template <class T>
@@ -26,4 +26,4 @@ void make_room(std::vector<T>& vector, std::size_t extra = 1) {
   if (needed > vector.capacity()) reserve(vector, std::max(needed, 2 * vector.capacity()));
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -14,7 +14,7 @@
 #include "boxplus/manifold/se2.h"
 #include "boxplus/manifold/se3.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template <>
 struct FrameTrait<SE2> {
@@ -67,4 +67,4 @@ struct FrameTrait<Product<First, Rest...>> {
   }
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

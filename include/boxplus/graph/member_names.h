@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-namespace boxplus::edge {
+namespace boxplus::detail {
 
 /// A base class with a member of the same name makes the name ambiguous in a derived class. This also finds
 /// templates and overloads, whose address cannot be taken.
@@ -66,4 +66,4 @@ inline constexpr bool kNamesJacobianFunction = (kNamesJacobian<E> &&
                                                (kNamesJacobians<E> &&
                                                 !requires(const E& e) { sizeof(e.jacobians); });
 
-}  // namespace boxplus::edge
+}  // namespace boxplus::detail

@@ -6,7 +6,7 @@
 
 #include "boxplus/base/matrix.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// An Eigen column vector of doubles, or an expression of such a type.
 template <class T>
@@ -30,4 +30,4 @@ struct StoredAs<T> {
 template <class T>
 using StoredEstimate = typename StoredAs<T>::Type;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -9,7 +9,7 @@
 #include "boxplus/base/abi.h"
 #include "boxplus/base/matrix.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// The C++ name for `mangled`, or `mangled` itself if it cannot be demangled.
 std::string demangle(const char* mangled);
@@ -34,4 +34,4 @@ std::string_view type_name() {
   }
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -16,7 +16,7 @@
 #include "boxplus/graph/type_name.h"
 #include "boxplus/graph/typed_vertex_pool.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// Specialized for edge types for which the library has a kernel that linearizes several edges at a time
 /// (types/between.h).
@@ -28,15 +28,15 @@ struct LaneKernel {
 template <class E, class... V>
 requires EdgeType<E, V...>
 class TypedEdgePool final : public EdgePool {
-  using Result = edge::Result<E, V...>;
+  using Result = detail::Result<E, V...>;
   static constexpr int kArguments = sizeof...(V);
-  static constexpr int kRows = edge::kRows<Result>;
-  static constexpr int kCols = edge::kCols<V...>;
+  static constexpr int kRows = detail::kRows<Result>;
+  static constexpr int kCols = detail::kCols<V...>;
   static constexpr int kTails = (0 + ... + static_cast<int>(kIsTail<V>));
   using Indices = std::make_index_sequence<sizeof...(V)>;
 
  public:
-  using VertexPools = std::tuple<const TypedVertexPool<edge::ElementOf<V>>*...>;
+  using VertexPools = std::tuple<const TypedVertexPool<detail::ElementOf<V>>*...>;
 
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kTails), pools_(pools) {}
@@ -82,14 +82,14 @@ class TypedEdgePool final : public EdgePool {
 
   void reserve(std::size_t edges) override {
     reserve_slots(edges);
-    boxplus::reserve(edges_, edges);
-    if constexpr (kRows == kDynamic) boxplus::reserve(rows_, edges);
+    detail::reserve(edges_, edges);
+    if constexpr (kRows == kDynamic) detail::reserve(rows_, edges);
   }
 
   std::unique_ptr<EdgePool> clone(std::span<const std::unique_ptr<VertexPool>> vertex_pools) const override {
     auto copy = std::make_unique<TypedEdgePool>(*this);
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      copy->pools_ = {static_cast<const TypedVertexPool<edge::ElementOf<V>>*>(
+      copy->pools_ = {static_cast<const TypedVertexPool<detail::ElementOf<V>>*>(
           vertex_pools[argument_pool(static_cast<int>(I))].get())...};
     }
     (Indices{});
@@ -98,15 +98,16 @@ class TypedEdgePool final : public EdgePool {
 
   const E& value(std::uint32_t edge) const { return edges_[edge]; }
 
-  std::string_view type_name() const override { return boxplus::type_name<E>(); }
+  std::string_view type_name() const override { return detail::type_name<E>(); }
   bool uniform_shape() const override { return kRows != kDynamic && kCols != kDynamic; }
-  JacobianSource jacobian_source() const override { return edge::kJacobianSource<E, V...>; }
+  JacobianSource jacobian_source() const override { return detail::kJacobianSource<E, V...>; }
 
   EdgeShape shape(std::uint32_t edge) const override {
     if constexpr (kCols != kDynamic) {
       return {kArguments, rows(edge), kCols};
     } else {
-      const int cols = with_arguments(edge, [](auto... x) { return (edge::argument_dim<V>(x.get()) + ...); });
+      const int cols =
+          with_arguments(edge, [](auto... x) { return (detail::argument_dim<V>(x.get()) + ...); });
       return {arity(edge), rows(edge), cols};
     }
   }
@@ -114,7 +115,7 @@ class TypedEdgePool final : public EdgePool {
   void errors(std::span<const std::uint32_t> edges, double* out) const override {
     for_each_with_arguments(edges, [&](std::uint32_t edge, const auto&... x) {
       const int n = rows(edge);
-      edge::copy_rows(edge::evaluate(edges_[edge], x...), n, out);
+      detail::copy_rows(detail::evaluate(edges_[edge], x...), n, out);
       out += n;
     });
   }
@@ -135,9 +136,9 @@ class TypedEdgePool final : public EdgePool {
     }
     tile.in_lanes = false;
     if (force_numeric) return linearize_numerically(edges, tile);
-    if constexpr (edge::kAnalytic<E, V...>) {
+    if constexpr (detail::kAnalytic<E, V...>) {
       linearize_analytically(edges, tile);
-    } else if constexpr (edge::kDifferentiable<E, V...>) {
+    } else if constexpr (detail::kDifferentiable<E, V...>) {
       linearize_automatically(edges, tile);
     } else {
       linearize_numerically(edges, tile);
@@ -153,7 +154,7 @@ class TypedEdgePool final : public EdgePool {
     return LaneKernel<E, V...>::kExists;
   }
 
-  bool is_rigid() const override { return edge::kIsRigid<E>; }
+  bool is_rigid() const override { return detail::kIsRigid<E>; }
 
   bool relative_frame(std::uint32_t edge, RelativeFrame& out) const override {
     return with_arguments(edge, [&](auto... x) {
@@ -170,9 +171,9 @@ class TypedEdgePool final : public EdgePool {
   /// An argument of the error function. A tail is gathered into memory of the worker.
   template <class A>
   struct Loaded {
-    const edge::ElementOf<A>* value;
+    const detail::ElementOf<A>* value;
     std::size_t count;
-    edge::Argument<A> get() const {
+    detail::Argument<A> get() const {
       if constexpr (kIsTail<A>) {
         return {value, count};
       } else {
@@ -198,7 +199,7 @@ class TypedEdgePool final : public EdgePool {
   Loaded<A> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
     const auto& pool = *std::get<I>(pools_);
     if constexpr (kIsTail<A>) {
-      auto& gathered = thread_scratch<std::vector<edge::ElementOf<A>>, GatheredTail<I>>();
+      auto& gathered = thread_scratch<std::vector<detail::ElementOf<A>>, GatheredTail<I>>();
       gathered.clear();
       for (std::uint32_t slot : slots_of_tail<I>(slots, tail_sizes)) gathered.push_back(pool.value(slot));
       return {gathered.data(), gathered.size()};
@@ -267,7 +268,7 @@ class TypedEdgePool final : public EdgePool {
   int count_rows(const E& edge, std::span<const std::uint32_t> slots,
                  std::span<const std::uint32_t> tail_sizes) const {
     return with_slots(slots, tail_sizes,
-                      [&](auto... x) { return edge::row_count(edge::evaluate(edge, x.get()...)); });
+                      [&](auto... x) { return detail::row_count(detail::evaluate(edge, x.get()...)); });
   }
 
   /// Calls f(edge, its error, its Jacobian) for each edge of a tile.
@@ -284,14 +285,14 @@ class TypedEdgePool final : public EdgePool {
 
   /// A template, so that an explicit instantiation of the pool leaves it out for edges without Jacobians.
   template <class Edge = E>
-  requires(edge::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
-                                                                    const EdgeTile& tile) const {
+  requires(detail::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
+                                                                      const EdgeTile& tile) const {
     double* error = tile.error;
     double* jacobian = tile.jacobian;
     const int n = kRows != kDynamic ? kRows : tile.rows;
     for_each_with_arguments(edges, [&](std::uint32_t edge, const auto&... x) {
-      edge::copy_rows(edge::evaluate(edges_[edge], x...), n, error);
-      edge::analytic_jacobian<V...>(edges_[edge], jacobian, n, x...);
+      detail::copy_rows(detail::evaluate(edges_[edge], x...), n, error);
+      detail::analytic_jacobian<V...>(edges_[edge], jacobian, n, x...);
       error += n;
       jacobian += static_cast<std::ptrdiff_t>(n) * tile.cols;
     });
@@ -300,9 +301,9 @@ class TypedEdgePool final : public EdgePool {
   /// Differentiates all edges of the tile for one window of columns, then for the next. So an estimate that
   /// consecutive edges share is lifted once per window.
   template <class Edge = E>
-  requires(edge::kDifferentiable<Edge, V...>) void linearize_automatically(
+  requires(detail::kDifferentiable<Edge, V...>) void linearize_automatically(
       std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
-    edge::AutomaticJacobian<V...> differentiate;
+    detail::AutomaticJacobian<V...> differentiate;
     int first = 0;
     do {
       for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
@@ -319,7 +320,7 @@ class TypedEdgePool final : public EdgePool {
   void linearize_numerically(std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
     for_each_of_tile(edges, tile, [&](std::uint32_t edge, double* error, double* jacobian) {
       with_arguments(edge, [&](auto... x) {
-        edge::numeric_jacobian<V...>(edges_[edge], error, jacobian, tile.rows, tile.cols, x.get()...);
+        detail::numeric_jacobian<V...>(edges_[edge], error, jacobian, tile.rows, tile.cols, x.get()...);
       });
     });
   }
@@ -329,4 +330,4 @@ class TypedEdgePool final : public EdgePool {
   std::vector<int> rows_;  // only if the size of the error is chosen at run time
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

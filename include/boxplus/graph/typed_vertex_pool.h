@@ -11,7 +11,7 @@
 #include "boxplus/graph/vertex_pool.h"
 #include "boxplus/manifold/manifold.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template <ManifoldType T>
 class TypedVertexPool final : public VertexPool {
@@ -40,8 +40,8 @@ class TypedVertexPool final : public VertexPool {
     copy->values_ = values_;
     return copy;
   }
-  std::string_view type_name() const override { return boxplus::type_name<T>(); }
-  int tangent_dim(std::uint32_t slot) const override { return boxplus::tangent_dim(values_[slot]); }
+  std::string_view type_name() const override { return boxplus::detail::type_name<T>(); }
+  int tangent_dim(std::uint32_t slot) const override { return boxplus::detail::tangent_dim(values_[slot]); }
 
   void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
              const double* delta) override {
@@ -99,4 +99,4 @@ class TypedVertexPool final : public VertexPool {
   std::vector<T> values_;
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

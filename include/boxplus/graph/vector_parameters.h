@@ -11,7 +11,7 @@
 #include "boxplus/graph/member_names.h"
 #include "boxplus/graph/stored_estimate.h"
 
-namespace boxplus::edge {
+namespace boxplus::detail {
 
 template <class... P>
 struct Parameters {};
@@ -84,4 +84,4 @@ inline constexpr bool kTakesOtherVectors<E, Parameters<B...>, Parameters<A, C...
     kTakesAnother<E, Parameters<B...>, A, Parameters<C...>> ||
     kTakesOtherVectors<E, Parameters<B..., A>, Parameters<C...>>;
 
-}  // namespace boxplus::edge
+}  // namespace boxplus::detail

@@ -13,6 +13,10 @@
 #include "boxplus/graph/handle.h"
 
 namespace boxplus {
+class Graph;
+}
+
+namespace boxplus::detail {
 
 /// A copy of the estimates of some vertices of one pool.
 class SavedEstimates {
@@ -76,7 +80,7 @@ class VertexPool {
   std::uint32_t acquire_slot(Id id);
 
  private:
-  friend class Graph;
+  friend class boxplus::Graph;
   enum Flag : std::uint8_t { kAlive = 1, kFixed = 2, kEliminated = 4, kParameter = 8 };
 
   void release_slot(std::uint32_t slot);
@@ -91,4 +95,4 @@ class VertexPool {
   std::uint32_t next_generation_ = 0;  // of the next vertex, in any slot
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

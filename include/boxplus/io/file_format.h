@@ -20,14 +20,14 @@
 namespace boxplus {
 
 /// Takes a text piece by piece.
-using TextSink = FunctionRef<void(std::string_view)>;
+using TextSink = detail::FunctionRef<void(std::string_view)>;
 
 /// The graph that a format writes. A graph that was not read from a file has no lists.
 struct GraphFileView {
   const Graph& graph;
   /// In the order of the file. May lack new edges and list removed ones.
   std::span<const EdgeRef> edges = {};
-  std::span<const KeptLine> kept = {};
+  std::span<const GraphFile::KeptLine> kept = {};
 };
 
 struct FileFormat {

@@ -36,17 +36,17 @@ struct WriteOptions {
   std::string format = {};
 };
 
-/// A line that is no element (a comment, an unknown tag, an edge with an unassigned vertex). Writing puts it
-/// back after the element that it followed.
-struct KeptLine {
-  enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
-  Place place = Place::kBegin;
-  std::int64_t after = 0;  ///< a vertex id, or a position in GraphFile::edges (−1: before all edges)
-  std::string text;
-};
-
 /// A graph, and the rest of its file.
 struct GraphFile {
+  /// A line that is no element (a comment, an unknown tag, an edge with an unassigned vertex). Writing puts
+  /// it back after the element that it followed.
+  struct KeptLine {
+    enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
+    Place place = Place::kBegin;
+    std::int64_t after = 0;  ///< a vertex id, or a position in GraphFile::edges (−1: before all edges)
+    std::string text;
+  };
+
   struct Note {
     std::int64_t line = 0;  ///< 0: the file as a whole
     std::string text;
@@ -80,15 +80,5 @@ void write_graph(const std::string& path, const GraphFile& file, const WriteOpti
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});
 /// The text that write_graph() would write to a file whose name has no ending.
 std::string format_graph(const GraphFile& file, const WriteOptions& options = {});
-
-/// Replaces a file atomically. Throws FileError.
-void write_file(const std::string& path, std::string_view text);
-/// Throws the FileError that write_file() would throw for this path, as far as this can be checked without
-/// writing. Call it before a long computation, whose result could otherwise not be saved.
-void require_writable(const std::string& path);
-/// Removes the files that these functions have begun and not finished. Only for handlers of signals that end
-/// the process; it may be called at any time. If the file system supports it, unfinished files have no name
-/// and vanish by themselves.
-void remove_temporary_files() noexcept;
 
 }  // namespace boxplus

@@ -12,7 +12,7 @@ namespace boxplus {
 
 /// Throws InputError if Ω is indefinite or zero.
 Information read_information(FieldReader& in, int rows);
-void write_information(const InformationView& information, FieldWriter& out);
+void write_information(const detail::InformationView& information, FieldWriter& out);
 
 namespace detail {
 

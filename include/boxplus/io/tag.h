@@ -52,6 +52,9 @@ struct Tag {
   bool written = true;  ///< false for an old tag that is only read
 };
 
+/// Stands in the vertex types of an edge, in the last place, for any number of T.
+using detail::Tail;
+
 namespace detail {
 
 template <class V>
@@ -69,7 +72,7 @@ inline constexpr bool kIsParameter = !std::is_same_v<V, Strip<V>>;
 
 template <class V>
 Tag::Argument argument() {
-  using T = edge::ElementOf<Strip<V>>;
+  using T = detail::ElementOf<Strip<V>>;
   const auto create = [](Graph& graph, Id id) -> VertexRef {
     T value{};
     if constexpr (requires { value.setZero(); }) value.setZero();
@@ -81,8 +84,8 @@ Tag::Argument argument() {
 template <class V>
 auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
   if constexpr (kIsTail<V>) {
-    std::vector<VertexHandle<edge::ElementOf<V>>> handles;
-    for (const VertexRef& ref : refs) handles.push_back(graph.typed<edge::ElementOf<V>>(ref));
+    std::vector<VertexHandle<detail::ElementOf<V>>> handles;
+    for (const VertexRef& ref : refs) handles.push_back(graph.typed<detail::ElementOf<V>>(ref));
     return handles;
   } else {
     const VertexRef first = refs.front();
@@ -101,7 +104,7 @@ struct ListedEdge {
 template <class Fields, class E, class... V>
 ListedEdge<E> read_listed_edge(FieldReader& in) {
   E edge = Fields::read(in);
-  constexpr int kRows = edge::kRows<edge::Result<E, V...>>;
+  constexpr int kRows = detail::kRows<detail::Result<E, V...>>;
   int rows = kRows;
   if constexpr (kRows == kDynamic) rows = static_cast<int>(edge.measurement.size());
   ToUpperTriangle to_upper_triangle = nullptr;

@@ -8,6 +8,7 @@
 
 #include "boxplus/base/stop_token.h"
 #include "boxplus/linear/block_system.h"
+#include "boxplus/linear/linear_statistics.h"
 
 namespace boxplus {
 
@@ -57,23 +58,6 @@ struct SolveResult {
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
-/// The elimination order of direct solvers.
-enum class Ordering : std::uint8_t {
-  kAutomatic,         ///< minimum degree, or nested dissection if it is predicted to save more than it costs
-  kMinimumDegree,     ///< approximate minimum degree
-  kNestedDissection,  ///< takes many times as long, but saves operations if fronts are large
-};
-
-/// The arithmetic of a direct solver.
-enum class Precision : std::uint8_t {
-  kAutomatic,  ///< double, or mixed if that is predicted to save time
-  kDouble,
-  /// The factor in float, with half of the memory and the time. Each solution is refined with A, in double,
-  /// to SolveControl::relative_tolerance. If this does not converge, the solver falls back to double.
-  kMixed
-};
-std::string_view to_string(Precision precision);
-
 /// Facts about the systems to be solved. Options of a single solver are in that solver's options
 /// (boxplus/linear/make_linear_solver.h).
 struct AnalyzeHints {
@@ -100,24 +84,6 @@ struct StructureGrowth {
   std::uint32_t old_blocks = 0;
   std::span<const BlockCoordinate> added = {};    ///< the new off-diagonal blocks, each once
   std::span<const std::uint32_t> new_index = {};  ///< of each old block k (diagonal ones included), ascending
-};
-
-/// Facts about the analysis, for reports.
-struct LinearStatistics {
-  std::uint64_t factor_nonzeros = 0;  ///< scalars of L, including the zeros that amalgamation adds
-  double factor_flops = 0;            ///< useful floating-point operations of one factorization
-  std::uint32_t supernodes = 0;
-  std::uint32_t largest_front = 0;  ///< scalars
-  double factor_seconds = 0;        ///< predicted for one factorization on one thread
-  /// LinearSolverKind::kAutomatic: predicted for one rough solution by pcg on one thread.
-  double pcg_seconds = 0;
-  /// LinearSolverKind::kAutomatic: if it chose pcg, the memory that a Cholesky factor would have taken;
-  /// otherwise 0. It chooses pcg if this is too much, or if a factorization would take far longer than pcg.
-  std::uint64_t refused_factor_bytes = 0;
-  Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, if the solver orders them
-  Precision precision = Precision::kDouble;      ///< of the factor in use
-  int workers = 1;                               ///< threads that factorize
-  bool fell_back_to_double = false;              ///< the float factor did not converge or was not faster
 };
 
 /// Solves symmetric positive definite block systems of one structure.

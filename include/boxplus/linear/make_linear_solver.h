@@ -7,17 +7,9 @@
 #include <string_view>
 
 #include "boxplus/linear/linear_solver.h"
+#include "boxplus/linear/linear_solver_kind.h"
 
 namespace boxplus {
-
-enum class LinearSolverKind : std::uint8_t {
-  kAutomatic,  ///< the block Cholesky, or pcg if AutomaticSolverOptions says so
-  kBlockCholesky,
-  kPcg,
-  kDense,
-  kEigenSparse
-};
-std::string_view to_string(LinearSolverKind kind);
 
 struct BlockCholeskyOptions {
   Ordering ordering = Ordering::kAutomatic;
@@ -47,13 +39,6 @@ LinearSolverOptions for_newton_steps(LinearSolverOptions options);
 /// Throws InvalidArgument if there is no such kind.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const LinearSolverOptions& options = {});
-
-/// How the Schur complement of eliminated blocks is used.
-enum class SchurMode : std::uint8_t {
-  kAutomatic,  ///< explicit for solvers that need blocks, implicit for those that need only products
-  kExplicit,
-  kImplicit
-};
 
 /// A solver that eliminates the first AnalyzeHints::eliminated_blocks blocks by the Schur complement, and
 /// lets `inner` solve for the others. It has the name of `inner`. If no blocks, or all of them, are to be

@@ -16,8 +16,12 @@ enum class GaugePolicy : std::uint8_t {
   /// heading), hold single directions, unless the algorithm damps H anyway.
   kFixFirst,
   kDamp,  ///< add 1e-10 of itself to each diagonal entry of H
-  kError  ///< stop with Status::kGaugeFreedom
+  kError  ///< stop with Report::Status::kGaugeFreedom
 };
+
+}  // namespace boxplus
+
+namespace boxplus::detail {
 
 /// Motions of all poses and points of a component that change no error.
 struct GaugeFreedom {
@@ -29,4 +33,4 @@ struct GaugeFreedom {
 /// "rotation and scale"
 std::string_view to_string(const GaugeFreedom& freedom);
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

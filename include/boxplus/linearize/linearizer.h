@@ -57,8 +57,8 @@ class Linearizer {
   void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
   bool linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                      const LinearizeOptions& options, PacedStop& pace);
-  void add_one_by_one(const EdgePool& pool, std::span<const std::uint32_t> edges, const EdgeTile& tile,
-                      TileMemory& memory, bool triggs_correction);
+  void add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
+                      const detail::EdgeTile& tile, TileMemory& memory, bool triggs_correction);
   void evaluate_share(int worker, int workers);
   void allocate_values(std::size_t room);
 

@@ -97,8 +97,8 @@ struct Plan {
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
-  std::vector<GaugeVertex> held;       ///< GaugePolicy::kFixFirst
-  std::vector<GaugeFreedom> freedoms;  ///< the freedom that remains when `held` is held
+  std::vector<GaugeVertex> held;               ///< GaugePolicy::kFixFirst
+  std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains when `held` is held
   /// Entries of a step that are held because of `freedoms` (GaugePolicy::kFixFirst).
   std::vector<std::uint32_t> held_scalars;
   /// One block of each component that nothing anchors and whose freedom is not known. The block is eliminated
@@ -119,6 +119,6 @@ struct Plan {
 Plan make_plan(const Graph& graph, const PlanRequest& request);
 
 /// The number of edges of a shape to linearize at a time, so that their tile stays in the L1 cache.
-int tile_capacity(const EdgeShape& shape);
+int tile_capacity(const detail::EdgeShape& shape);
 
 }  // namespace boxplus

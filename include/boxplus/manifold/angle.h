@@ -10,6 +10,10 @@ namespace boxplus {
 
 inline constexpr double kPi = std::numbers::pi;
 
+}  // namespace boxplus
+
+namespace boxplus::detail {
+
 /// The angle in (−π, π] that differs from x by a multiple of 2π. An x in that range is returned bit for bit.
 /// On dual numbers the derivative is 1.
 template <class S>
@@ -25,4 +29,4 @@ S normalize_angle(const S& x) {
   }
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -38,7 +38,7 @@ struct PlaneMotion {
   Vector2 translation = Vector2::Zero();
 };
 struct SpaceMotion {
-  Quaternion<double> rotation = Quaternion<double>::identity();
+  detail::Quaternion<double> rotation = detail::Quaternion<double>::identity();
   Vector3 translation = Vector3::Zero();
   double scale = 1;
 };
@@ -86,19 +86,20 @@ struct Form<Sim3> : FormOf<SpaceMotion, Parts::kSimilar> {
 };
 
 template <class Q>
-Quaternion<double> unit_quaternion_from(const Q& q) {
-  return normalized(Quaternion<double>{double(q.x()), double(q.y()), double(q.z()), double(q.w())});
+detail::Quaternion<double> unit_quaternion_from(const Q& q) {
+  return detail::normalized(
+      detail::Quaternion<double>{double(q.x()), double(q.y()), double(q.z()), double(q.w())});
 }
 template <class S>
 Eigen::Quaternion<S> eigen_quaternion(const SpaceMotion& m) {
-  const Quaternion<double> q = normalized(m.rotation);
+  const detail::Quaternion<double> q = detail::normalized(m.rotation);
   return {S(q.w), S(q.x), S(q.y), S(q.z)};
 }
 
 template <class S>
 struct Form<Eigen::Rotation2D<S>> : FormOf<PlaneMotion, Parts::kRotation> {
   static PlaneMotion read(const Eigen::Rotation2D<S>& x) {
-    return {.angle = normalize_angle(double(x.angle()))};
+    return {.angle = detail::normalize_angle(double(x.angle()))};
   }
   static Eigen::Rotation2D<S> write(const PlaneMotion& m) { return Eigen::Rotation2D<S>(S(m.angle)); }
 };
@@ -142,12 +143,12 @@ requires(Mode != Eigen::Projective) struct Form<Eigen::Transform<S, 3, Mode, Opt
   static SpaceMotion read(const T& x) {
     const Matrix<double, 3, 3> linear = x.linear().template cast<double>();
     const double scale = Mode == Eigen::Isometry ? 1 : std::cbrt(linear.determinant());
-    return {normalized(quaternion_of((linear / scale).eval())), x.translation().template cast<double>(),
-            scale};
+    return {detail::normalized(detail::quaternion_of((linear / scale).eval())),
+            x.translation().template cast<double>(), scale};
   }
   static T write(const SpaceMotion& m) {
     T x = T::Identity();
-    x.linear() = (m.scale * rotation_matrix(normalized(m.rotation))).template cast<S>();
+    x.linear() = (m.scale * rotation_matrix(detail::normalized(m.rotation))).template cast<S>();
     x.translation() = m.translation.template cast<S>();
     return x;
   }

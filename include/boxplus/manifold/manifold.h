@@ -34,6 +34,10 @@ namespace boxplus {
 template <class T>
 struct Manifold;
 
+}  // namespace boxplus
+
+namespace boxplus::detail {
+
 /// A type with a complete trait. T is a copyable value.
 template <class T>
 concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, const double* in, double* out) {
@@ -67,4 +71,4 @@ concept LiftableManifold = ManifoldType<T> &&
   { Manifold<Rebind<T, S>>::oplus(lifted, delta) } -> std::convertible_to<Rebind<T, S>>;
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -9,7 +9,7 @@
 #include "boxplus/autodiff/numeric.h"
 #include "boxplus/manifold/manifold.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// J ← the Jacobian of f(x ⊞ δ) at δ = 0. f returns a column vector or a scalar. J has the size of f as rows
 /// and the tangent size of x as columns. Returns the largest estimated error of an entry.
@@ -37,4 +37,4 @@ double numeric_jacobian(const F& f, const T& x, Jacobian&& J, const NumericOptio
   return worst;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -34,7 +34,7 @@ struct Manifold<Product<Parts...>> {
   using Point = Product<Parts...>;
   template <class T>
   using Rebind =
-      Product<boxplus::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // dependent: looked up on use
+      Product<detail::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // dependent: looked up on use
   static constexpr int kDim =
       ((Manifold<Parts>::kDim == kDynamic) || ...) ? kDynamic : (0 + ... + Manifold<Parts>::kDim);
 

@@ -8,7 +8,7 @@
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/scalar.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// x i + y j + z k + w. A rotation if its norm is one.
 template <class S>
@@ -112,4 +112,4 @@ Quaternion<typename Derived::Scalar> quaternion_of(const Eigen::MatrixBase<Deriv
   return {v[0], v[1], v[2], (r(k, j) - r(j, k)) * f};
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

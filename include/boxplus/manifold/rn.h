@@ -21,8 +21,8 @@ struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
   static int dim(const Point& x) { return static_cast<int>(x.size()); }
 
   template <class D>
-  static Rebind<Promoted<S, D>> oplus(const Point& x, const D* delta) {
-    Rebind<Promoted<S, D>> y(x.size());
+  static Rebind<detail::Promoted<S, D>> oplus(const Point& x, const D* delta) {
+    Rebind<detail::Promoted<S, D>> y(x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) y[i] = x[i] + delta[i];
     return y;
   }
@@ -40,13 +40,13 @@ struct Manifold<Eigen::Matrix<S, N, 1, Options, MaxRows, MaxCols>> {
 
 /// The real line.
 template <class S>
-requires(std::is_same_v<S, double> || kIsDual<S>) struct Manifold<S> {
+requires(std::is_same_v<S, double> || detail::kIsDual<S>) struct Manifold<S> {
   template <class T>
   using Rebind = T;
   static constexpr int kDim = 1;
 
   template <class D>
-  static Promoted<S, D> oplus(const S& x, const D* delta) {
+  static detail::Promoted<S, D> oplus(const S& x, const D* delta) {
     return x + delta[0];
   }
   template <class D>

@@ -9,7 +9,7 @@
 
 #include "boxplus/manifold/quaternion.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). If |δ| ≥ 1, q = (δ/|δ|, 0). Covers every
 /// rotation once, with w ≥ 0. The chart of VERTEX_SE3:QUAT.
@@ -63,4 +63,4 @@ struct RotationVectorChart {
   }
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

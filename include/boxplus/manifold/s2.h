@@ -27,7 +27,7 @@ class BasicS2 {
   explicit BasicS2(const Eigen::MatrixBase<Derived>& v) : coefficients_{S(v[0]), S(v[1]), S(v[2])} {
     using std::sqrt;
     const S n2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    if (n2 > S(1 - kUnitNormTolerance) && n2 < S(1 + kUnitNormTolerance)) return;
+    if (n2 > S(1 - detail::kUnitNormTolerance) && n2 < S(1 + detail::kUnitNormTolerance)) return;
     const S f = S(1) / sqrt(n2);
     for (S& c : coefficients_) c = c * f;
   }
@@ -76,13 +76,13 @@ struct Manifold<BasicS2<S>> {
   static constexpr int kDim = 2;
 
   template <class D>
-  static BasicS2<Promoted<S, D>> oplus(const BasicS2<S>& d, const D* delta) {
+  static BasicS2<detail::Promoted<S, D>> oplus(const BasicS2<S>& d, const D* delta) {
     using std::cos;
     using std::sin;
     using std::sqrt;
     const D t = delta[0] * delta[0] + delta[1] * delta[1];
     D c, sinc;
-    if (t < D(kSmallSquaredAngle)) {
+    if (t < D(detail::kSmallSquaredAngle)) {
       c = 1.0 - t * (1.0 / 2.0 - t * (1.0 / 24.0 - t * (1.0 / 720.0 - t * (1.0 / 40320.0))));
       sinc = 1.0 - t * (1.0 / 6.0 - t * (1.0 / 120.0 - t * (1.0 / 5040.0)));
     } else {
@@ -92,10 +92,11 @@ struct Manifold<BasicS2<S>> {
     }
     const Matrix<S, 3, 2> basis = d.tangent_basis();
     const D u = sinc * delta[0], v = sinc * delta[1];
-    const auto coordinate = [&](int i) -> Promoted<S, D> {
+    const auto coordinate = [&](int i) -> detail::Promoted<S, D> {
       return c * d.data()[i] + (basis(i, 0) * u + basis(i, 1) * v);
     };
-    return without_drift(BasicS2<Promoted<S, D>>::from_unit(coordinate(0), coordinate(1), coordinate(2)));
+    return without_drift(
+        BasicS2<detail::Promoted<S, D>>::from_unit(coordinate(0), coordinate(1), coordinate(2)));
   }
 
   template <class D>
@@ -108,7 +109,7 @@ struct Manifold<BasicS2<S>> {
     const S v = basis(0, 1) * p[0] + basis(1, 1) * p[1] + basis(2, 1) * p[2];
     const S c = q[0] * p[0] + q[1] * p[1] + q[2] * p[2];
     const S n2 = u * u + v * v;
-    if (c > S(0) && n2 < S(kSmallSquaredAngle)) {  // atan(n/c)/n
+    if (c > S(0) && n2 < S(detail::kSmallSquaredAngle)) {  // atan(n/c)/n
       const S t = n2 / (c * c);
       const S f = (1.0 - t * (1.0 / 3.0 - t * (1.0 / 5.0 - t * (1.0 / 7.0 - t * (1.0 / 9.0))))) / c;
       delta[0] = u * f;
@@ -135,7 +136,7 @@ struct Manifold<BasicS2<S>> {
   static BasicS2<R> without_drift(const BasicS2<R>& d) {
     if constexpr (std::is_floating_point_v<R>) {
       const R* v = d.data();
-      const R f = renormalizing_factor(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      const R f = detail::renormalizing_factor(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
       return BasicS2<R>::from_unit(v[0] * f, v[1] * f, v[2] * f);
     } else {
       return d;

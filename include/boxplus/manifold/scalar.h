@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// The scalar of an expression in A and B: a dual number beside a double gives the dual number.
 template <class A, class B>
@@ -29,4 +29,4 @@ using ScalarOf = typename ScalarOfType<X>::Type;
 /// terms for values and first derivatives to be exact to rounding on both sides.
 inline constexpr double kSmallSquaredAngle = 1e-4;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -65,31 +65,33 @@ class BasicSE2 {
 
   /// Composition.
   template <class T>
-  BasicSE2<Promoted<S, T>> operator*(const BasicSE2<T>& b) const {
+  BasicSE2<detail::Promoted<S, T>> operator*(const BasicSE2<T>& b) const {
     const S &c = cos_theta(), &s = sin_theta();
     return {x() + (c * b.x() - s * b.y()), y() + (s * b.x() + c * b.y()), theta() + b.theta(),
             c * b.cos_theta() - s * b.sin_theta(), s * b.cos_theta() + c * b.sin_theta()};
   }
   /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 2> operator*(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 2> operator*(
+      const Eigen::MatrixBase<Derived>& p) const {
     const S &c = cos_theta(), &s = sin_theta();
     return {x() + (c * p[0] - s * p[1]), y() + (s * p[0] + c * p[1])};
   }
 
   /// inverse() * b, with one rotation fewer.
   template <class T>
-  BasicSE2<Promoted<S, T>> inverse_times(const BasicSE2<T>& b) const {
+  BasicSE2<detail::Promoted<S, T>> inverse_times(const BasicSE2<T>& b) const {
     const S &c = cos_theta(), &s = sin_theta();
-    const Promoted<S, T> dx = b.x() - x(), dy = b.y() - y();
+    const detail::Promoted<S, T> dx = b.x() - x(), dy = b.y() - y();
     return {c * dx + s * dy, c * dy - s * dx, b.theta() - theta(), c * b.cos_theta() + s * b.sin_theta(),
             c * b.sin_theta() - s * b.cos_theta()};
   }
   /// inverse() * p for a point p.
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 2> inverse_times(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 2> inverse_times(
+      const Eigen::MatrixBase<Derived>& p) const {
     const S &c = cos_theta(), &s = sin_theta();
-    const Promoted<S, typename Derived::Scalar> dx = p[0] - x(), dy = p[1] - y();
+    const detail::Promoted<S, typename Derived::Scalar> dx = p[0] - x(), dy = p[1] - y();
     return {c * dx + s * dy, c * dy - s * dx};
   }
 
@@ -103,7 +105,7 @@ class BasicSE2 {
   friend class BasicSE2;
   /// For a heading whose cosine and sine are known.
   BasicSE2(const S& x, const S& y, const S& theta, const S& cos_theta, const S& sin_theta)
-      : coefficients_{x, y, normalize_angle(theta), cos_theta, sin_theta} {}
+      : coefficients_{x, y, detail::normalize_angle(theta), cos_theta, sin_theta} {}
 
   std::array<S, 5> coefficients_;
 };
@@ -119,7 +121,7 @@ struct Manifold<BasicSE2<S>> {
   static constexpr int kDim = 3;
 
   template <class D>
-  static BasicSE2<Promoted<S, D>> oplus(const BasicSE2<S>& x, const D* delta) {
+  static BasicSE2<detail::Promoted<S, D>> oplus(const BasicSE2<S>& x, const D* delta) {
     const S &c = x.cos_theta(), &s = x.sin_theta();
     return {x.x() + (c * delta[0] - s * delta[1]), x.y() + (s * delta[0] + c * delta[1]),
             x.theta() + delta[2]};

@@ -14,29 +14,30 @@ namespace boxplus {
 /// A pose, stored as x y z qx qy qz qw like in files. T_world_body * p_body = p_world. Chart chooses the
 /// tangent, in the body frame: (Δt, q_v) with QuaternionChart, or (Δt, ω) with RotationVectorChart.
 /// VERTEX_SE3:QUAT and the information of EDGE_SE3:QUAT use QuaternionChart.
-template <class S, class Chart = QuaternionChart>
+template <class S, class Chart = detail::QuaternionChart>
 class BasicSE3 {
  public:
   using Scalar = S;
+  using Quaternion = detail::Quaternion<S>;
   static constexpr std::string_view kName =
-      std::is_same_v<Chart, RotationVectorChart> ? "SE3RotationVector" : "SE3";
+      std::is_same_v<Chart, detail::RotationVectorChart> ? "SE3RotationVector" : "SE3";
 
   /// The identity.
   BasicSE3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1)} {}
   /// Normalizes q unless it is a unit quaternion up to rounding.
   template <class Derived>
-  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q)
-      : BasicSE3(from_unit(translation, normalized(q))) {}
+  BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Quaternion& q)
+      : BasicSE3(from_unit(translation, detail::normalized(q))) {}
   template <class Derived>
   BasicSE3(const Eigen::MatrixBase<Derived>& translation, const BasicSO3<S, Chart>& rotation)
       : BasicSE3(from_unit(translation, rotation.quaternion())) {}
   template <class Derived>
   BasicSE3(const Eigen::MatrixBase<Derived>& translation, const Matrix<S, 3, 3>& rotation)
-      : BasicSE3(translation, quaternion_of(rotation)) {}
+      : BasicSE3(translation, detail::quaternion_of(rotation)) {}
 
   /// q must be a unit quaternion.
   template <class Derived>
-  static BasicSE3 from_unit(const Eigen::MatrixBase<Derived>& translation, const Quaternion<S>& q) {
+  static BasicSE3 from_unit(const Eigen::MatrixBase<Derived>& translation, const Quaternion& q) {
     BasicSE3 x;
     x.coefficients_ = {S(translation[0]), S(translation[1]), S(translation[2]), q.x, q.y, q.z, q.w};
     return x;
@@ -44,25 +45,25 @@ class BasicSE3 {
   /// From x y z qx qy qz qw.
   template <class Derived>
   static BasicSE3 from_vector(const Eigen::MatrixBase<Derived>& v) {
-    return BasicSE3(v.template head<3>(), Quaternion<S>{S(v[3]), S(v[4]), S(v[5]), S(v[6])});
+    return BasicSE3(v.template head<3>(), Quaternion{S(v[3]), S(v[4]), S(v[5]), S(v[6])});
   }
   /// The inverse of minimal().
   template <class Derived>
   static BasicSE3 from_minimal(const Eigen::MatrixBase<Derived>& v) {
-    return from_unit(v.template head<3>(), QuaternionChart::exp(S(v[3]), S(v[4]), S(v[5])));
+    return from_unit(v.template head<3>(), detail::QuaternionChart::exp(S(v[3]), S(v[4]), S(v[5])));
   }
 
   Vector<S, 3> translation() const { return {coefficients_[0], coefficients_[1], coefficients_[2]}; }
-  Quaternion<S> quaternion() const {
+  Quaternion quaternion() const {
     return {coefficients_[3], coefficients_[4], coefficients_[5], coefficients_[6]};
   }
   BasicSO3<S, Chart> so3() const { return BasicSO3<S, Chart>::from_unit(quaternion()); }
-  Matrix<S, 3, 3> rotation() const { return rotation_matrix(quaternion()); }
+  Matrix<S, 3, 3> rotation() const { return detail::rotation_matrix(quaternion()); }
   /// x y z qx qy qz qw.
   Vector<S, 7> vector() const { return Eigen::Map<const Vector<S, 7>>(data()); }
   /// The error vector of EDGE_SE3:QUAT: [translation; vector part of the quaternion with w ≥ 0].
   Vector<S, 6> minimal() const {
-    const Vector<S, 3> v = QuaternionChart::log(quaternion());
+    const Vector<S, 3> v = detail::QuaternionChart::log(quaternion());
     Vector<S, 6> e;
     e << coefficients_[0], coefficients_[1], coefficients_[2], v[0], v[1], v[2];
     return e;
@@ -71,37 +72,39 @@ class BasicSE3 {
   const S* data() const { return coefficients_.data(); }
 
   BasicSE3 inverse() const {
-    const Quaternion<S> q = quaternion().conjugate();
-    return from_unit(rotate(q, S(-coefficients_[0]), S(-coefficients_[1]), S(-coefficients_[2])), q);
+    const Quaternion q = quaternion().conjugate();
+    return from_unit(detail::rotate(q, S(-coefficients_[0]), S(-coefficients_[1]), S(-coefficients_[2])), q);
   }
 
   /// Composition.
   template <class T>
-  BasicSE3<Promoted<S, T>, Chart> operator*(const BasicSE3<T, Chart>& b) const {
-    return BasicSE3<Promoted<S, T>, Chart>::from_unit(*this * b.translation(),
-                                                      renormalized(quaternion() * b.quaternion()));
+  BasicSE3<detail::Promoted<S, T>, Chart> operator*(const BasicSE3<T, Chart>& b) const {
+    return BasicSE3<detail::Promoted<S, T>, Chart>::from_unit(
+        *this * b.translation(), detail::renormalized(quaternion() * b.quaternion()));
   }
   /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 3> operator*(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 3> operator*(
+      const Eigen::MatrixBase<Derived>& p) const {
     using P = typename Derived::Scalar;
-    const Vector<Promoted<S, P>, 3> r = rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
+    const Vector<detail::Promoted<S, P>, 3> r = detail::rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
   /// inverse() * b, with one rotation fewer. Unlike the product, it does not remove rounding drift from the
   /// quaternion, so that errors are the same function for every scalar.
   template <class T>
-  BasicSE3<Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
-    return BasicSE3<Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
-                                                      quaternion().conjugate() * b.quaternion());
+  BasicSE3<detail::Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
+    return BasicSE3<detail::Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
+                                                              quaternion().conjugate() * b.quaternion());
   }
   /// inverse() * p for a point p.
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 3> inverse_times(const Eigen::MatrixBase<Derived>& p) const {
-    using R = Promoted<S, typename Derived::Scalar>;
-    return rotate(quaternion().conjugate(), R(p[0] - coefficients_[0]), R(p[1] - coefficients_[1]),
-                  R(p[2] - coefficients_[2]));
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 3> inverse_times(
+      const Eigen::MatrixBase<Derived>& p) const {
+    using R = detail::Promoted<S, typename Derived::Scalar>;
+    return detail::rotate(quaternion().conjugate(), R(p[0] - coefficients_[0]), R(p[1] - coefficients_[1]),
+                          R(p[2] - coefficients_[2]));
   }
 
   template <class T>
@@ -114,7 +117,7 @@ class BasicSE3 {
 };
 
 using SE3 = BasicSE3<double>;
-using SE3RotationVector = BasicSE3<double, RotationVectorChart>;
+using SE3RotationVector = BasicSE3<double, detail::RotationVectorChart>;
 
 /// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. The step is a unit quaternion,
 /// so ⊞ keeps the norm of x's quaternion. A pose that was read from rounded digits (from_unit) thus keeps its
@@ -126,10 +129,10 @@ struct Manifold<BasicSE3<S, Chart>> {
   static constexpr int kDim = 6;
 
   template <class D>
-  static Rebind<Promoted<S, D>> oplus(const BasicSE3<S, Chart>& x, const D* delta) {
-    const Quaternion<D> step = Chart::exp(delta[3], delta[4], delta[5]);
-    return Rebind<Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta),
-                                             x.quaternion() * step);
+  static Rebind<detail::Promoted<S, D>> oplus(const BasicSE3<S, Chart>& x, const D* delta) {
+    const detail::Quaternion<D> step = Chart::exp(delta[3], delta[4], delta[5]);
+    return Rebind<detail::Promoted<S, D>>::from_unit(x * Eigen::Map<const Vector<D, 3>>(delta),
+                                                     x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSE3<S, Chart>& y, const BasicSE3<S, Chart>& x, D* delta) {

@@ -16,27 +16,28 @@ template <class S>
 class BasicSim3 {
  public:
   using Scalar = S;
+  using Quaternion = detail::Quaternion<S>;
 
   /// The identity.
   BasicSim3() : coefficients_{S(0), S(0), S(0), S(0), S(0), S(0), S(1), S(1)} {}
   /// Normalizes q unless it is a unit quaternion up to rounding.
   template <class Derived>
-  BasicSim3(const Quaternion<S>& q, const Eigen::MatrixBase<Derived>& translation, const S& scale)
-      : BasicSim3(from_unit(normalized(q), translation, scale)) {}
+  BasicSim3(const Quaternion& q, const Eigen::MatrixBase<Derived>& translation, const S& scale)
+      : BasicSim3(from_unit(detail::normalized(q), translation, scale)) {}
 
   /// q must be a unit quaternion.
   template <class Derived>
-  static BasicSim3 from_unit(const Quaternion<S>& q, const Eigen::MatrixBase<Derived>& t, const S& scale) {
+  static BasicSim3 from_unit(const Quaternion& q, const Eigen::MatrixBase<Derived>& t, const S& scale) {
     BasicSim3 x;
     x.coefficients_ = {S(t[0]), S(t[1]), S(t[2]), q.x, q.y, q.z, q.w, scale};
     return x;
   }
 
   Vector<S, 3> translation() const { return {coefficients_[0], coefficients_[1], coefficients_[2]}; }
-  Quaternion<S> quaternion() const {
+  Quaternion quaternion() const {
     return {coefficients_[3], coefficients_[4], coefficients_[5], coefficients_[6]};
   }
-  Matrix<S, 3, 3> rotation() const { return rotation_matrix(quaternion()); }
+  Matrix<S, 3, 3> rotation() const { return detail::rotation_matrix(quaternion()); }
   const S& scale() const { return coefficients_[7]; }
   /// x y z qx qy qz qw s, contiguous.
   const S* data() const { return coefficients_.data(); }
@@ -48,39 +49,41 @@ class BasicSim3 {
     const Vector<S, 7> v = tangent;
     const Vector<S, 3> omega = v.template head<3>(), upsilon = v.template segment<3>(3);
     const S sigma = v[6];
-    const Sim3Coupling<S> w = Sim3Coupling<S>::of(sigma, omega.squaredNorm());
-    return from_unit(RotationVectorChart::exp(omega[0], omega[1], omega[2]), w.apply(omega, upsilon),
+    const detail::Sim3Coupling<S> w = detail::Sim3Coupling<S>::of(sigma, omega.squaredNorm());
+    return from_unit(detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]), w.apply(omega, upsilon),
                      S(exp(sigma)));
   }
   /// The inverse of exp, with |ω| ≤ π.
   Vector<S, 7> log() const {
     using std::log;
-    const Vector<S, 3> omega = RotationVectorChart::log(quaternion());
+    const Vector<S, 3> omega = detail::RotationVectorChart::log(quaternion());
     const S sigma = log(scale());
     const S theta2 = omega.squaredNorm();
     const Vector<S, 3> upsilon =
-        Sim3Coupling<S>::of(sigma, theta2).inverse(theta2).apply(omega, translation());
+        detail::Sim3Coupling<S>::of(sigma, theta2).inverse(theta2).apply(omega, translation());
     Vector<S, 7> tangent;
     tangent << omega[0], omega[1], omega[2], upsilon[0], upsilon[1], upsilon[2], sigma;
     return tangent;
   }
 
   BasicSim3 inverse() const {
-    const Quaternion<S> q = quaternion().conjugate();
+    const Quaternion q = quaternion().conjugate();
     const S scale_inverse = S(1) / scale();
     const S f = -scale_inverse;
-    return from_unit(q, rotate(q, S(f * coefficients_[0]), S(f * coefficients_[1]), S(f * coefficients_[2])),
-                     scale_inverse);
+    return from_unit(
+        q, detail::rotate(q, S(f * coefficients_[0]), S(f * coefficients_[1]), S(f * coefficients_[2])),
+        scale_inverse);
   }
   template <class T>
-  BasicSim3<Promoted<S, T>> operator*(const BasicSim3<T>& b) const {
-    return BasicSim3<Promoted<S, T>>::from_unit(renormalized(quaternion() * b.quaternion()),
-                                                *this * b.translation(), scale() * b.scale());
+  BasicSim3<detail::Promoted<S, T>> operator*(const BasicSim3<T>& b) const {
+    return BasicSim3<detail::Promoted<S, T>>::from_unit(detail::renormalized(quaternion() * b.quaternion()),
+                                                        *this * b.translation(), scale() * b.scale());
   }
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 3> operator*(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 3> operator*(
+      const Eigen::MatrixBase<Derived>& p) const {
     using P = typename Derived::Scalar;
-    const Vector<Promoted<S, P>, 3> r = rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
+    const Vector<detail::Promoted<S, P>, 3> r = detail::rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
     return {scale() * r[0] + coefficients_[0], scale() * r[1] + coefficients_[1],
             scale() * r[2] + coefficients_[2]};
   }
@@ -105,7 +108,7 @@ struct Manifold<BasicSim3<S>> {
   static constexpr int kDim = 7;
 
   template <class D>
-  static BasicSim3<Promoted<S, D>> oplus(const BasicSim3<S>& x, const D* delta) {
+  static BasicSim3<detail::Promoted<S, D>> oplus(const BasicSim3<S>& x, const D* delta) {
     return x * BasicSim3<D>::exp(Eigen::Map<const Vector<D, 7>>(delta));
   }
   template <class D>

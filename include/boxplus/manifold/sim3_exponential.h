@@ -17,7 +17,7 @@
 #include "boxplus/base/matrix.h"
 #include "boxplus/manifold/scalar.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// W = c I + a [ω]× + b [ω]×².
 template <class S>
@@ -110,4 +110,4 @@ struct Sim3Coupling {
   }
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

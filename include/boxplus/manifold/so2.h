@@ -20,7 +20,7 @@ class BasicSO2 {
 
   /// The identity.
   BasicSO2() : angle_(0) {}
-  explicit BasicSO2(const S& angle) : angle_(normalize_angle(angle)) {}
+  explicit BasicSO2(const S& angle) : angle_(detail::normalize_angle(angle)) {}
 
   const S& angle() const { return angle_; }
   const S* data() const { return &angle_; }
@@ -35,11 +35,12 @@ class BasicSO2 {
 
   BasicSO2 inverse() const { return BasicSO2(-angle_); }
   template <class T>
-  BasicSO2<Promoted<S, T>> operator*(const BasicSO2<T>& b) const {
-    return BasicSO2<Promoted<S, T>>(angle_ + b.angle());
+  BasicSO2<detail::Promoted<S, T>> operator*(const BasicSO2<T>& b) const {
+    return BasicSO2<detail::Promoted<S, T>>(angle_ + b.angle());
   }
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 2> operator*(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 2> operator*(
+      const Eigen::MatrixBase<Derived>& p) const {
     using std::cos;
     using std::sin;
     const S c = cos(angle_), s = sin(angle_);
@@ -64,12 +65,12 @@ struct Manifold<BasicSO2<S>> {
   static constexpr int kDim = 1;
 
   template <class D>
-  static BasicSO2<Promoted<S, D>> oplus(const BasicSO2<S>& x, const D* delta) {
-    return BasicSO2<Promoted<S, D>>(x.angle() + delta[0]);
+  static BasicSO2<detail::Promoted<S, D>> oplus(const BasicSO2<S>& x, const D* delta) {
+    return BasicSO2<detail::Promoted<S, D>>(x.angle() + delta[0]);
   }
   template <class D>
   static void ominus(const BasicSO2<S>& y, const BasicSO2<S>& x, D* delta) {
-    delta[0] = normalize_angle(S(y.angle() - x.angle()));
+    delta[0] = detail::normalize_angle(S(y.angle() - x.angle()));
   }
   template <class T>
   static BasicSO2<T> cast(const BasicSO2<S>& x) {

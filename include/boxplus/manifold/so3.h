@@ -13,46 +13,49 @@ namespace boxplus {
 
 /// A rotation. Chart chooses the tangent: QuaternionChart (vector part of the quaternion) or
 /// RotationVectorChart. q and −q are the same rotation; the given sign is kept.
-template <class S, class Chart = QuaternionChart>
+template <class S, class Chart = detail::QuaternionChart>
 class BasicSO3 {
  public:
   using Scalar = S;
+  using Quaternion = detail::Quaternion<S>;
   static constexpr std::string_view kName =
-      std::is_same_v<Chart, RotationVectorChart> ? "SO3RotationVector" : "SO3";
+      std::is_same_v<Chart, detail::RotationVectorChart> ? "SO3RotationVector" : "SO3";
 
   /// The identity.
   BasicSO3() : coefficients_{S(0), S(0), S(0), S(1)} {}
   /// Normalizes q unless it is a unit quaternion up to rounding.
-  explicit BasicSO3(const Quaternion<S>& q) : BasicSO3(normalized(q), Unit{}) {}
-  explicit BasicSO3(const Matrix<S, 3, 3>& rotation) : BasicSO3(quaternion_of(rotation)) {}
+  explicit BasicSO3(const Quaternion& q) : BasicSO3(detail::normalized(q), Unit{}) {}
+  explicit BasicSO3(const Matrix<S, 3, 3>& rotation) : BasicSO3(detail::quaternion_of(rotation)) {}
 
   /// q must be a unit quaternion.
-  static BasicSO3 from_unit(const Quaternion<S>& q) { return BasicSO3(q, Unit{}); }
+  static BasicSO3 from_unit(const Quaternion& q) { return BasicSO3(q, Unit{}); }
   /// The rotation by |ω| radians around ω.
   template <class Derived>
   static BasicSO3 from_rotation_vector(const Eigen::MatrixBase<Derived>& omega) {
-    return from_unit(RotationVectorChart::exp(S(omega[0]), S(omega[1]), S(omega[2])));
+    return from_unit(detail::RotationVectorChart::exp(S(omega[0]), S(omega[1]), S(omega[2])));
   }
 
-  Quaternion<S> quaternion() const {
+  Quaternion quaternion() const {
     return {coefficients_[0], coefficients_[1], coefficients_[2], coefficients_[3]};
   }
-  Matrix<S, 3, 3> rotation() const { return rotation_matrix(quaternion()); }
-  Vector<S, 3> rotation_vector() const { return RotationVectorChart::log(quaternion()); }
+  Matrix<S, 3, 3> rotation() const { return detail::rotation_matrix(quaternion()); }
+  Vector<S, 3> rotation_vector() const { return detail::RotationVectorChart::log(quaternion()); }
   /// The vector part of the quaternion with w ≥ 0.
-  Vector<S, 3> minimal() const { return QuaternionChart::log(quaternion()); }
+  Vector<S, 3> minimal() const { return detail::QuaternionChart::log(quaternion()); }
   /// qx qy qz qw, contiguous.
   const S* data() const { return coefficients_.data(); }
 
   BasicSO3 inverse() const { return from_unit(quaternion().conjugate()); }
   template <class T>
-  BasicSO3<Promoted<S, T>, Chart> operator*(const BasicSO3<T, Chart>& b) const {
-    return BasicSO3<Promoted<S, T>, Chart>::from_unit(renormalized(quaternion() * b.quaternion()));
+  BasicSO3<detail::Promoted<S, T>, Chart> operator*(const BasicSO3<T, Chart>& b) const {
+    return BasicSO3<detail::Promoted<S, T>, Chart>::from_unit(
+        detail::renormalized(quaternion() * b.quaternion()));
   }
   template <class Derived>
-  Vector<Promoted<S, typename Derived::Scalar>, 3> operator*(const Eigen::MatrixBase<Derived>& p) const {
+  Vector<detail::Promoted<S, typename Derived::Scalar>, 3> operator*(
+      const Eigen::MatrixBase<Derived>& p) const {
     using P = typename Derived::Scalar;
-    return rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
+    return detail::rotate(quaternion(), P(p[0]), P(p[1]), P(p[2]));
   }
 
   template <class T>
@@ -62,13 +65,13 @@ class BasicSO3 {
 
  private:
   struct Unit {};
-  BasicSO3(const Quaternion<S>& q, Unit) : coefficients_{q.x, q.y, q.z, q.w} {}
+  BasicSO3(const Quaternion& q, Unit) : coefficients_{q.x, q.y, q.z, q.w} {}
 
   std::array<S, 4> coefficients_;
 };
 
 using SO3 = BasicSO3<double>;
-using SO3RotationVector = BasicSO3<double, RotationVectorChart>;
+using SO3RotationVector = BasicSO3<double, detail::RotationVectorChart>;
 
 /// R ⊞ δ = R · Exp(δ), with the Exp of the chart; S ⊟ R = Log(Rᵀ S).
 template <class S, class Chart>
@@ -78,9 +81,9 @@ struct Manifold<BasicSO3<S, Chart>> {
   static constexpr int kDim = 3;
 
   template <class D>
-  static Rebind<Promoted<S, D>> oplus(const BasicSO3<S, Chart>& x, const D* delta) {
-    const Quaternion<D> step = Chart::exp(delta[0], delta[1], delta[2]);
-    return Rebind<Promoted<S, D>>::from_unit(x.quaternion() * step);
+  static Rebind<detail::Promoted<S, D>> oplus(const BasicSO3<S, Chart>& x, const D* delta) {
+    const detail::Quaternion<D> step = Chart::exp(delta[0], delta[1], delta[2]);
+    return Rebind<detail::Promoted<S, D>>::from_unit(x.quaternion() * step);
   }
   template <class D>
   static void ominus(const BasicSO3<S, Chart>& y, const BasicSO3<S, Chart>& x, D* delta) {

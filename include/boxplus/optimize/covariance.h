@@ -17,12 +17,6 @@
 
 namespace boxplus {
 
-enum class CovarianceStatus : std::uint8_t {
-  kOk,
-  kSingular,  ///< the edges leave a vertex undetermined: failed_vertex() names it
-  kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
-};
-
 /// Blocks of H⁻¹ with H = Σ ρ′JᵀΩJ, at the estimates for which they were computed.
 ///
 /// The covariance of a vertex x is the covariance of δ in x ⊞ δ. It has the order, units and frame of the
@@ -30,8 +24,14 @@ enum class CovarianceStatus : std::uint8_t {
 /// of a quaternion, which is half of an angle. (SE3RotationVector has whole angles.)
 class [[nodiscard]] Covariance {
  public:
-  CovarianceStatus status() const { return status_; }
-  bool ok() const { return status_ == CovarianceStatus::kOk; }
+  enum class Status : std::uint8_t {
+    kOk,
+    kSingular,  ///< the edges leave a vertex undetermined: failed_vertex() names it
+    kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
+  };
+
+  Status status() const { return status_; }
+  bool ok() const { return status_ == Status::kOk; }
   /// In one sentence, why there is no covariance; empty if there is one.
   const std::string& message() const { return message_; }
   std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
@@ -58,7 +58,7 @@ class [[nodiscard]] Covariance {
   const Place& place(VertexRef vertex) const;
   std::size_t block_index(std::size_t i, std::size_t j) const;
 
-  CovarianceStatus status_ = CovarianceStatus::kOk;
+  Status status_ = Status::kOk;
   std::string message_;
   std::optional<VertexRef> failed_vertex_;
   std::vector<VertexRef> held_, vertices_;
@@ -95,17 +95,19 @@ Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> verti
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options = {});
 
+namespace detail {
 /// A range of handles of one type, such as a std::vector<VertexHandle<SE2>>.
 template <class R>
 concept VertexHandles =
     std::ranges::input_range<R> && std::derived_from<std::ranges::range_value_t<R>, VertexRef> &&
     !std::same_as<std::ranges::range_value_t<R>, VertexRef>;
+}  // namespace detail
 
-template <VertexHandles R>
+template <detail::VertexHandles R>
 Covariance covariance(const Graph& graph, const R& vertices, const Options& options = {}) {
   return covariance(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
 }
-template <VertexHandles R>
+template <detail::VertexHandles R>
 Covariance marginal_covariances(const Graph& graph, const R& vertices, const Options& options = {}) {
   return marginal_covariances(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
 }

@@ -5,11 +5,12 @@
 #include <memory>
 #include <span>
 
-#include "boxplus/optimize/algorithm.h"
 #include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/report.h"
 
 namespace boxplus {
+
+class Algorithm;
 
 /// Minimizes F(x) = Σ ρ(eᵀΩe) over a graph's free vertices, in place.
 ///

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "boxplus/graph/handle.h"
-#include "boxplus/linear/make_linear_solver.h"
+#include "boxplus/linear/linear_solver_kind.h"
 #include "boxplus/linearize/gauge.h"
 
 namespace boxplus {
+
+class LinearSolver;
 
 enum class AlgorithmKind : std::uint8_t {
   kAutomatic,  ///< dogleg, or Levenberg-Marquardt if vertices are eliminated
@@ -39,9 +41,6 @@ enum class Start : std::uint8_t {
 };
 std::string_view to_string(Start start);
 
-/// The matrix D in the damped system (H + λD) δ = −g of Levenberg-Marquardt: I or diag(H).
-enum class DampingScale : std::uint8_t { kIdentity, kDiagonal };
-
 struct IterationRecord {
   int iteration = 0;
   double chi2 = 0;  ///< after the iteration
@@ -57,6 +56,9 @@ struct IterationRecord {
 };
 
 struct Options {
+  /// The matrix D in the damped system (H + λD) δ = −g of Levenberg-Marquardt: I or diag(H).
+  enum class DampingScale : std::uint8_t { kIdentity, kDiagonal };
+
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
   /// The precision of the block Cholesky's factor. kAutomatic is double for kGaussNewton, which takes every

@@ -10,69 +10,69 @@
 #include <vector>
 
 #include "boxplus/graph/jacobian_source.h"
+#include "boxplus/linear/linear_statistics.h"
 #include "boxplus/optimize/options.h"
 
 namespace boxplus {
 
-enum class Status : std::uint8_t {
-  kConverged,     ///< a minimum to within the tolerances
-  kNotConverged,  ///< stopped before a minimum, for `reason`; the estimates are the best found (Gauss-Newton:
-                  ///< the last)
-  kFailed         ///< no step could be computed; the estimates are as for kNotConverged
-};
-std::string_view to_string(Status status);
+struct [[nodiscard]] Report {
+  enum class Status : std::uint8_t {
+    kConverged,     ///< a minimum to within the tolerances
+    kNotConverged,  ///< stopped before a minimum, for `reason`; the estimates are the best found
+                    ///< (Gauss-Newton: the last)
+    kFailed         ///< no step could be computed; the estimates are as for kNotConverged
+  };
 
-enum class Reason : std::uint8_t {
-  kCostTolerance,
-  kStepTolerance,
-  kGradientTolerance,
-  kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
-  kNothingToOptimize,  ///< no active edge touches a vertex that may move
-  kMaxIterations,
-  kTimeLimit,
-  kStopFlag,
-  kCallback,
-  kNoStepFound,          ///< every damped step raised chi2
-  kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
-  kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
-  kWeightSpan,   ///< the Ω of one edge is so large that others round to nothing in H; `message` names it
-  kGaugeFreedom  ///< GaugePolicy::kError, and nothing holds a component of the graph
-};
-std::string_view to_string(Reason reason);
+  enum class Reason : std::uint8_t {
+    kCostTolerance,
+    kStepTolerance,
+    kGradientTolerance,
+    kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
+    kNothingToOptimize,  ///< no active edge touches a vertex that may move
+    kMaxIterations,
+    kTimeLimit,
+    kStopFlag,
+    kCallback,
+    kNoStepFound,          ///< every damped step raised chi2
+    kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
+    kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
+    kWeightSpan,   ///< the Ω of one edge is so large that others round to nothing in H; `message` names it
+    kGaugeFreedom  ///< GaugePolicy::kError, and nothing holds a component of the graph
+  };
 
-/// The requested start, the one that was used, and how they compared.
-struct StartReport {
-  Start requested = Start::kCurrent;
-  Start used = Start::kCurrent;
-  double chi2_current = 0;  ///< of the estimates before the run
-  /// kAutomatic: the decrease of chi2 by the first step from these estimates, as a fraction of the predicted
-  /// decrease; NaN if no step was tried.
-  double first_step_kept = std::numeric_limits<double>::quiet_NaN();
-  double chi2_guess = -1;        ///< of the initial guess; negative if none was made
-  bool ran_both = false;         ///< kAutomatic: both starts were run
-  double chi2_other_final = -1;  ///< at the end of the run that was not kept; negative if there was none
-  std::string_view note;         ///< the reason why a guess could not be made, or empty
-};
+  /// The requested start, the one that was used, and how they compared.
+  struct StartReport {
+    Start requested = Start::kCurrent;
+    Start used = Start::kCurrent;
+    double chi2_current = 0;  ///< of the estimates before the run
+    /// kAutomatic: the decrease of chi2 by the first step from these estimates, as a fraction of the
+    /// predicted decrease; NaN if no step was tried.
+    double first_step_kept = std::numeric_limits<double>::quiet_NaN();
+    double chi2_guess = -1;        ///< of the initial guess; negative if none was made
+    bool ran_both = false;         ///< kAutomatic: both starts were run
+    double chi2_other_final = -1;  ///< at the end of the run that was not kept; negative if there was none
+    std::string_view note;         ///< the reason why a guess could not be made, or empty
+  };
 
-struct GaugeReport {
-  std::vector<Id> held;  ///< vertices held for the solve, one per component that nothing else holds
-  /// The freedom that remains: a scale, a heading, or (depending on GaugePolicy) all of it.
-  std::vector<GaugeFreedom> free;
-  /// Single directions of vertices of unknown type that were held because nothing measured them.
-  int held_directions = 0;
-};
+  struct GaugeReport {
+    std::vector<Id> held;  ///< vertices held for the solve, one per component that nothing else holds
+    /// The freedom that remains: a scale, a heading, or (depending on GaugePolicy) all of it.
+    std::vector<detail::GaugeFreedom> free;
+    /// Single directions of vertices of unknown type that were held because nothing measured them.
+    int held_directions = 0;
+  };
 
-/// The source of the Jacobians of one edge type.
-struct EdgeJacobians {
-  std::string_view edge_type;
-  JacobianSource source;
-};
+  /// The source of the Jacobians of one edge type.
+  struct EdgeJacobians {
+    std::string_view edge_type;
+    detail::JacobianSource source;
+  };
 
-struct Timings {
-  double plan_s = 0, start_s = 0, linearize_s = 0, factorize_s = 0, solve_s = 0, evaluate_s = 0, total_s = 0;
-};
+  struct Timings {
+    double plan_s = 0, start_s = 0, linearize_s = 0, factorize_s = 0, solve_s = 0, evaluate_s = 0,
+           total_s = 0;
+  };
 
-struct Report {
   Status status = Status::kNotConverged;
   Reason reason = Reason::kMaxIterations;
   std::string message;  ///< one sentence for people
@@ -100,6 +100,8 @@ struct Report {
   bool converged() const { return status == Status::kConverged; }
 };
 
+std::string_view to_string(Report::Status status);
+std::string_view to_string(Report::Reason reason);
 /// A table of the iterations and a summary.
 std::ostream& operator<<(std::ostream& out, const Report& report);
 std::string to_string(const Report& report);

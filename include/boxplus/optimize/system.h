@@ -12,7 +12,7 @@ namespace boxplus {
 
 struct StepDamping {
   double lambda = 0;
-  DampingScale scale = DampingScale::kIdentity;
+  Options::DampingScale scale = Options::DampingScale::kIdentity;
 };
 
 struct [[nodiscard]] StepResult {

@@ -2,6 +2,11 @@
 // Default widths of robust kernels.
 #pragma once
 
+#include <memory>
+#include <string_view>
+
+#include "boxplus/robust/robust_kernel.h"
+
 namespace boxplus {
 
 /// The quantile of the chi-squared distribution with `rows` degrees of freedom: a variable of this
@@ -18,5 +23,10 @@ double chi2_quantile(int rows, double probability);
 ///
 /// The widths of GemanMcClure and DCS are in units of e², so use chi2_quantile(3, 0.95) for these.
 double default_width(int rows);
+
+/// make_robust_kernel() with the default width for errors of `rows` rows: default_width(rows), or its square
+/// for the kernels whose width is in units of e². Throws InvalidArgument as make_robust_kernel() does, or if
+/// rows < 1.
+std::unique_ptr<RobustKernel> make_default_kernel(std::string_view name, int rows);
 
 }  // namespace boxplus

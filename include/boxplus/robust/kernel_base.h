@@ -7,13 +7,15 @@
 namespace boxplus {
 
 /// Returns `delta` if it is finite and positive; throws InvalidArgument otherwise.
+namespace detail {
 double checked_kernel_width(double delta, std::string_view kernel);
+}  // namespace detail
 
 /// Base of a kernel K with a width: K provides kName and operator().
 template <class K>
 class KernelBase : public RobustKernel {
  public:
-  explicit KernelBase(double delta) : delta_(checked_kernel_width(delta, K::kName)) {}
+  explicit KernelBase(double delta) : delta_(detail::checked_kernel_width(delta, K::kName)) {}
   std::string_view name() const final { return K::kName; }
   double delta() const final { return delta_; }
   std::unique_ptr<RobustKernel> clone() const final {

@@ -14,9 +14,4 @@ namespace boxplus {
 /// positive.
 std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta);
 
-/// The same with the default width for errors of `rows` rows (robust/default_width.h): default_width(rows),
-/// or its square for the kernels whose width is in units of e². Throws InvalidArgument as above, or if rows
-/// < 1.
-std::unique_ptr<RobustKernel> make_default_kernel(std::string_view name, int rows);
-
 }  // namespace boxplus

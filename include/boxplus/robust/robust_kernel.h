@@ -16,13 +16,13 @@
 
 namespace boxplus {
 
-/// ρ and its first and second derivative with respect to the squared error.
-struct Rho {
-  double value, first, second;
-};
-
 class RobustKernel {
  public:
+  /// ρ and its first and second derivative with respect to the squared error.
+  struct Rho {
+    double value, first, second;
+  };
+
   virtual ~RobustKernel() = default;
   /// Called once per edge and evaluation, from several threads at a time.
   virtual Rho operator()(double e2) const = 0;

@@ -29,14 +29,14 @@ struct [[nodiscard]] JacobianCheck {
   bool ok = true;
   /// The Jacobians that optimize() uses. to_string(source) is "analytic" (member jacobians()), "exact" or
   /// "numeric".
-  JacobianSource source = JacobianSource::kNumeric;
+  detail::JacobianSource source = detail::JacobianSource::kNumeric;
   /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
   /// against exact)". Rows, columns and vertices count from 1. Empty if ok.
   std::string message;
   double largest_difference = 0;  ///< relative to the largest entry of the Jacobian (at least 1)
 };
 
-namespace edge {
+namespace detail {
 
 /// One argument's columns within the Jacobian.
 struct ArgumentColumns {
@@ -62,7 +62,7 @@ struct CheckedType<A> {
 };
 template <class T>
 struct CheckedType<std::vector<T>> {
-  using Type = Tail<StoredEstimate<T>>;
+  using Type = detail::Tail<StoredEstimate<T>>;
   static std::vector<StoredEstimate<T>> argument(const std::vector<T>& x) { return {x.begin(), x.end()}; }
 };
 
@@ -101,14 +101,14 @@ JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerance
   return check;
 }
 
-}  // namespace edge
+}  // namespace detail
 
 /// Checks an edge at the given estimates; a std::vector of estimates stands for a tail of any number of
 /// vertices.
 template <class E, class... X>
 JacobianCheck check_jacobians(const JacobianTolerances& tolerances, const E& e, const X&... x) {
-  return edge::check_jacobians_of<typename edge::CheckedType<X>::Type...>(
-      e, tolerances, edge::CheckedType<X>::argument(x)...);
+  return detail::check_jacobians_of<typename detail::CheckedType<X>::Type...>(
+      e, tolerances, detail::CheckedType<X>::argument(x)...);
 }
 template <class E, class... X>
 JacobianCheck check_jacobians(const E& e, const X&... x) {

@@ -35,7 +35,7 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
     std::snprintf(text, sizeof text, "%s at e2 = %.6g: expected %.9g, got %.9g", law, e2, expected, actual);
     return KernelCheck{false, std::string(kernel.name()) + ": " + text};
   };
-  const Rho rho = kernel(e2);
+  const RobustKernel::Rho rho = kernel(e2);
   for (const double r : {rho.value, rho.first, rho.second}) {
     if (!std::isfinite(r)) return fail("ρ, ρ′, ρ″ are finite", 0, r);
   }
@@ -45,13 +45,13 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
   // Derivatives with respect to ln e2, so that one step suits all magnitudes. At a kink the estimated numeric
   // error is large, so the difference is allowed.
   const auto along = [&](double h, double* values) {
-    const Rho moved = kernel(e2 * std::exp(h));
+    const RobustKernel::Rho moved = kernel(e2 * std::exp(h));
     values[0] = moved.value;
     values[1] = moved.first;
   };
-  NumericOptions numeric;
+  detail::NumericOptions numeric;
   numeric.initial_step = 0.02;
-  NumericDerivative differentiate(numeric);
+  detail::NumericDerivative differentiate(numeric);
   double slope[2];
   const double error = differentiate(along, 2, slope);
   const double first = rho.first * e2, second = rho.second * e2;

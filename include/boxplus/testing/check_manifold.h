@@ -34,7 +34,7 @@ struct ManifoldCheckOptions {
 };
 
 /// The checks, one function per law. Each returns false and fills result() on the first violation.
-template <ManifoldType T>
+template <detail::ManifoldType T>
 class ManifoldChecker {
  public:
   using Trait = Manifold<T>;
@@ -46,13 +46,13 @@ class ManifoldChecker {
 
   /// (1) x ⊞ 0 = x.
   bool zero_is_neutral(const T& x) {
-    const Tangent zero(tangent_dim(x), 0.0);
+    const Tangent zero(detail::tangent_dim(x), 0.0);
     return expect_equal("law 1, x ⊞ 0 = x", minus(plus(x, zero), x), zero, options_.tolerance);
   }
 
   /// (2) x ⊞ (y ⊟ x) = y.
   bool plus_inverts_minus(const T& x, const T& y) {
-    if (tangent_dim(x) != tangent_dim(y)) return true;
+    if (detail::tangent_dim(x) != detail::tangent_dim(y)) return true;
     const Tangent delta = minus(y, x);
     const Tangent zero(delta.size(), 0.0);
     return expect_equal("law 2, x ⊞ (y ⊟ x) = y", minus(plus(x, delta), y), zero,
@@ -68,11 +68,12 @@ class ManifoldChecker {
   /// (4) ⊞ is smooth at 0 with full rank. Differentiates (x ⊞ δ) ⊟ y for a point y = x ⊞ η near x.
   bool plus_is_smooth(const T& x, const Tangent& eta) {
     const T y = plus(x, eta);
-    const int n = tangent_dim(x);
+    const int n = detail::tangent_dim(x);
     Matrix<double, kDynamic, kDynamic> jacobian(n, n);
-    NumericOptions numeric;
+    detail::NumericOptions numeric;
     numeric.initial_step = 0.25 * options_.step;
-    const double error = numeric_jacobian([&](const T& z) { return minus(z, y); }, x, jacobian, numeric);
+    const double error =
+        detail::numeric_jacobian([&](const T& z) { return minus(z, y); }, x, jacobian, numeric);
     if (!(error <= options_.derivative_tolerance * (1 + jacobian.cwiseAbs().maxCoeff()))) {
       return fail("law 4, ⊞ is smooth at 0: differences do not converge", error);
     }
@@ -83,8 +84,10 @@ class ManifoldChecker {
   /// ⊞ on dual numbers has the value and the derivative of ⊞ on double. Skipped if the type cannot be lifted,
   /// or if the lifted type has no ⊟.
   bool lifted_agrees(const T& x, const Tangent& delta) {
-    if constexpr (LiftableManifold<T, D>) {
-      if constexpr (requires(const Rebind<T, D>& z, D* out) { Manifold<Rebind<T, D>>::ominus(z, z, out); }) {
+    if constexpr (detail::LiftableManifold<T, D>) {
+      if constexpr (requires(const detail::Rebind<T, D>& z, D* out) {
+                      Manifold<detail::Rebind<T, D>>::ominus(z, z, out);
+                    }) {
         for (std::size_t k = 0; k < delta.size(); ++k) {
           if (!lifted_agrees_along(x, delta, k)) return false;
         }
@@ -94,29 +97,29 @@ class ManifoldChecker {
   }
 
   Tangent random_tangent(const T& x) {
-    Tangent delta(tangent_dim(x));
+    Tangent delta(detail::tangent_dim(x));
     for (double& d : delta) d = options_.step * random();
     return delta;
   }
 
  private:
-  using D = Dual<double, 1>;
+  using D = detail::Dual<double, 1>;
 
   bool lifted_agrees_along(const T& x, const Tangent& delta, std::size_t k) {
     const T y = plus(x, delta);
-    const int n = tangent_dim(x);
+    const int n = detail::tangent_dim(x);
     std::vector<D> lifted(delta.begin(), delta.end()), difference(n);
     lifted[k].derivative[0] = 1;
-    using Lifted = Manifold<Rebind<T, D>>;
+    using Lifted = Manifold<detail::Rebind<T, D>>;
     Lifted::ominus(Lifted::oplus(Trait::template cast<D>(x), lifted.data()), Trait::template cast<D>(y),
                    difference.data());
 
     Tangent value(n), derivative(n), expected(n), moved = delta;
     for (int i = 0; i < n; ++i) value[i] = difference[i].value;
     for (int i = 0; i < n; ++i) derivative[i] = difference[i].derivative[0];
-    NumericOptions numeric;
+    detail::NumericOptions numeric;
     numeric.initial_step = 0.25 * options_.step;
-    NumericDerivative differentiate(numeric);
+    detail::NumericDerivative differentiate(numeric);
     differentiate(
         [&](double h, double* out) {
           moved[k] = delta[k] + h;
@@ -131,7 +134,7 @@ class ManifoldChecker {
 
   T plus(const T& x, const Tangent& delta) const { return Trait::oplus(x, delta.data()); }
   Tangent minus(const T& y, const T& x) const {
-    Tangent delta(tangent_dim(x));
+    Tangent delta(detail::tangent_dim(x));
     Trait::ominus(y, x, delta.data());
     return delta;
   }
@@ -188,7 +191,7 @@ class ManifoldChecker {
 };
 
 /// Checks all laws on all samples, and law 2 on all pairs of them.
-template <ManifoldType T>
+template <detail::ManifoldType T>
 ManifoldCheck check_manifold(const std::vector<T>& samples, const ManifoldCheckOptions& options = {}) {
   ManifoldChecker<T> checker(options);
   for (std::size_t s = 0; s < samples.size(); ++s) {
@@ -200,7 +203,7 @@ ManifoldCheck check_manifold(const std::vector<T>& samples, const ManifoldCheckO
     for (const auto& delta : steps) {
       ok = ok && checker.minus_inverts_plus(x, delta) && checker.plus_is_smooth(x, delta);
     }
-    steps.insert(steps.begin(), std::vector<double>(tangent_dim(x), 0.0));
+    steps.insert(steps.begin(), std::vector<double>(detail::tangent_dim(x), 0.0));
     for (const auto& delta : steps) ok = ok && checker.lifted_agrees(x, delta);
     if (!ok) return {false, "sample " + std::to_string(s) + ": " + checker.result().message};
   }
@@ -208,7 +211,7 @@ ManifoldCheck check_manifold(const std::vector<T>& samples, const ManifoldCheckO
 }
 
 /// Checks all laws at x.
-template <ManifoldType T>
+template <detail::ManifoldType T>
 ManifoldCheck check_manifold(const T& x, const ManifoldCheckOptions& options = {}) {
   return check_manifold(std::vector<T>{x}, options);
 }

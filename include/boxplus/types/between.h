@@ -11,12 +11,15 @@
 #include "boxplus/types/slam2d/between_jacobians.h"
 #include "boxplus/types/slam3d/between_jacobians.h"
 #include "boxplus/types/type_label.h"
+#include "boxplus/types/vertex_pools.h"
 
 namespace boxplus {
 
+namespace detail {
 struct BetweenText {
   static constexpr std::string_view kText = "Between";
 };
+}  // namespace detail
 
 /// z measures b from a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent:
 ///   SE2  vec(z⁻¹ a⁻¹ b) = (x, y, θ)                                   EDGE_SE2
@@ -28,48 +31,59 @@ struct BetweenText {
 /// member type Scalar. Product has none of these functions.
 template <class T>
 struct Between {
-  static constexpr std::string_view kName = TypeLabel<BetweenText, T>::kValue;
+  static constexpr std::string_view kName = detail::TypeLabel<detail::BetweenText, T>::kValue;
   static constexpr bool kJacobiansForSomeTypes = true;
-  static constexpr bool kRigid = kIsPose<T>;
+  static constexpr bool kRigid = detail::kIsPose<T>;
   T measurement;
 
   explicit Between(T z) : measurement(std::move(z)) {}
 
   template <class X>
   auto error(const X& a, const X& b) const {
-    return difference(motion_between(a, b), measurement);
+    return detail::difference(detail::motion_between(a, b), measurement);
   }
 
   template <class A, class B>
-  requires requires(const T& x, A& J) { between_jacobians(x, x, x, J, J); }
+  requires requires(const T& x, A& J) { detail::between_jacobians(x, x, x, J, J); }
   void jacobians(const T& a, const T& b, A& J_a, B& J_b) const {
-    between_jacobians(measurement, a, b, J_a, J_b);
+    detail::between_jacobians(measurement, a, b, J_a, J_b);
   }
 
-  RelativeFrame relative_frame(const T&, const T&) const requires FrameType<T> {
-    return relative_pose(0, 1, measurement);
+  detail::RelativeFrame relative_frame(const T&, const T&) const requires detail::FrameType<T> {
+    return detail::relative_pose(0, 1, measurement);
   }
 };
 
 template <class T>
-Between(T) -> Between<StoredEstimate<T>>;
+Between(T) -> Between<detail::StoredEstimate<T>>;
 
+namespace detail {
 /// Computes errors and, unless `jacobian` is null, Jacobians of Between<SE2> and Between<SE3> in lanes, with
 /// the dense kernels. The arguments point to the values of each edge's measurement and poses.
 void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian);
 void linearize_between(std::type_identity<SE3>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian);
+}  // namespace detail
 
 template <class T>
 requires std::is_same_v<T, SE2> || std::is_same_v<T, SE3>
-struct LaneKernel<Between<T>, T, T> {
+struct detail::LaneKernel<Between<T>, T, T> {
   static constexpr bool kExists = true;
   static const double* values(const Between<T>& edge) { return edge.measurement.data(); }
   static void linearize(int count, const double* const* measurement, const double* const* from,
                         const double* const* to, double* error, double* jacobian) {
-    linearize_between(std::type_identity<T>(), count, measurement, from, to, error, jacobian);
+    detail::linearize_between(std::type_identity<T>(), count, measurement, from, to, error, jacobian);
   }
 };
 
 }  // namespace boxplus
+
+namespace boxplus::detail {
+
+extern template class TypedEdgePool<Between<SE2>, SE2, SE2>;
+extern template class TypedEdgePool<Between<SE3>, SE3, SE3>;
+extern template class TypedEdgePool<Between<Vector2>, Vector2, Vector2>;
+extern template class TypedEdgePool<Between<Vector3>, Vector3, Vector3>;
+
+}  // namespace boxplus::detail

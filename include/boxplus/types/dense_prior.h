@@ -78,7 +78,7 @@ class DensePrior {
     for_each_vertex(
         [&](const auto& estimate, const auto& mean) {
           Manifold<std::remove_cvref_t<decltype(mean)>>::ominus(estimate, mean, out);
-          out += boxplus::tangent_dim(mean);
+          out += boxplus::detail::tangent_dim(mean);
         },
         x...);
     Vector<double, kDynamic> e(rows_.rows);
@@ -91,7 +91,7 @@ class DensePrior {
     int first = 0;
     const auto fill = [&]<class V>(std::span<const V> estimates, const std::vector<V>& means, double* out) {
       for (std::size_t k = 0; k < means.size(); ++k) {
-        const int size = boxplus::tangent_dim(means[k]);
+        const int size = boxplus::detail::tangent_dim(means[k]);
         const std::vector<double> D = difference_jacobian(estimates[k], means[k]);
         dense_prior::multiply(rows_, first, size, D.data(), out);
         first += size;
@@ -107,7 +107,7 @@ class DensePrior {
   int dim() const {
     int sum = 0;
     const auto add = [&](const auto& means) {
-      for (const auto& mean : means) sum += boxplus::tangent_dim(mean);
+      for (const auto& mean : means) sum += boxplus::detail::tangent_dim(mean);
     };
     std::apply([&](const auto&... means) { (add(means), ...); }, means_);
     return sum;
@@ -118,7 +118,7 @@ class DensePrior {
   void for_each_vertex(F&& f, std::span<const T>... x) const {
     const auto visit = [&]<class V>(std::span<const V> estimates, const std::vector<V>& means) {
       if (estimates.size() != means.size())
-        dense_prior::throw_count(type_name<V>(), means.size(), estimates.size());
+        dense_prior::throw_count(detail::type_name<V>(), means.size(), estimates.size());
       for (std::size_t k = 0; k < means.size(); ++k) f(estimates[k], means[k]);
     };
     std::apply([&](const auto&... means) { (visit(x, means), ...); }, means_);
@@ -127,9 +127,9 @@ class DensePrior {
   /// Whether ⊟ takes estimates over dual numbers.
   template <class V>
   static constexpr bool kHasGenericMinus = [] {
-    if constexpr (requires { requires LiftableManifold<V, edge::DualFor<V>>; }) {
-      using Lifted = boxplus::Rebind<V, edge::DualFor<V>>;
-      return requires(const Lifted& y, edge::DualFor<V>* delta) {
+    if constexpr (requires { requires detail::LiftableManifold<V, detail::DualFor<V>>; }) {
+      using Lifted = detail::Rebind<V, detail::DualFor<V>>;
+      return requires(const Lifted& y, detail::DualFor<V>* delta) {
         Manifold<Lifted>::ominus(y, y, delta);
       };
     } else {
@@ -140,18 +140,18 @@ class DensePrior {
   /// ∂ ((x ⊞ δ) ⊟ mean) / ∂δ, column-major.
   template <class V>
   static std::vector<double> difference_jacobian(const V& x, const V& mean) {
-    const int size = boxplus::tangent_dim(mean);
+    const int size = boxplus::detail::tangent_dim(mean);
     std::vector<double> error(static_cast<std::size_t>(size)), D(static_cast<std::size_t>(size * size));
     if constexpr (kHasGenericMinus<V>) {
-      const auto minus = [&](const auto& y) { return difference(y, mean); };
-      edge::automatic_jacobian<V>(minus, error.data(), D.data(), size, size, x);
+      const auto minus = [&](const auto& y) { return detail::difference(y, mean); };
+      detail::automatic_jacobian<V>(minus, error.data(), D.data(), size, size, x);
     } else {
       const auto minus = [&](const V& y) {
         std::vector<double> delta(static_cast<std::size_t>(size));
         Manifold<V>::ominus(y, mean, delta.data());
         return delta;
       };
-      edge::numeric_jacobian<V>(minus, error.data(), D.data(), size, size, x);
+      detail::numeric_jacobian<V>(minus, error.data(), D.data(), size, size, x);
     }
     return D;
   }

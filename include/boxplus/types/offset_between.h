@@ -7,33 +7,35 @@
 
 namespace boxplus {
 
+namespace detail {
 struct OffsetBetweenText {
   static constexpr std::string_view kText = "OffsetBetween";
 };
+}  // namespace detail
 
 /// z measures sensor (xj·pj) from sensor (xi·pi). pi and pj are the poses of the sensors on the body:
 /// parameters, or vertices that are calibrated. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj
 /// (EDGE_SE2_OFFSET, EDGE_SE3_OFFSET), or xi, xj, p if both ends have the same sensor (EDGE_SE2_CALIB).
 template <class T>
 struct OffsetBetween {
-  static constexpr std::string_view kName = TypeLabel<OffsetBetweenText, T>::kValue;
+  static constexpr std::string_view kName = detail::TypeLabel<detail::OffsetBetweenText, T>::kValue;
   T measurement;
 
   explicit OffsetBetween(const T& z) : measurement(z) {}
 
   template <class X>
   auto error(const X& xi, const X& xj, const X& pi, const X& pj) const {
-    return difference(motion_between(X(xi * pi), X(xj * pj)), measurement);
+    return detail::difference(detail::motion_between(X(xi * pi), X(xj * pj)), measurement);
   }
   template <class X>
   auto error(const X& xi, const X& xj, const X& p) const {
     return error(xi, xj, p, p);
   }
 
-  RelativeFrame relative_frame(const T&, const T&, const T& pi, const T& pj) const {
-    return relative_pose(0, 1, T(pi * measurement * pj.inverse()));
+  detail::RelativeFrame relative_frame(const T&, const T&, const T& pi, const T& pj) const {
+    return detail::relative_pose(0, 1, T(pi * measurement * pj.inverse()));
   }
-  RelativeFrame relative_frame(const T& xi, const T& xj, const T& p) const {
+  detail::RelativeFrame relative_frame(const T& xi, const T& xj, const T& p) const {
     return relative_frame(xi, xj, p, p);
   }
 };

@@ -7,26 +7,28 @@
 
 namespace boxplus {
 
+namespace detail {
 struct OffsetPriorText {
   static constexpr std::string_view kText = "OffsetPrior";
 };
+}  // namespace detail
 
 /// z measures the sensor x·p in the world; p is its pose on the body. Error: (x p) ⊟ z. For SE3:
 /// EDGE_SE3_PRIOR.
 template <class T>
 struct OffsetPrior {
-  static constexpr std::string_view kName = TypeLabel<OffsetPriorText, T>::kValue;
+  static constexpr std::string_view kName = detail::TypeLabel<detail::OffsetPriorText, T>::kValue;
   T measurement;
 
   explicit OffsetPrior(const T& z) : measurement(z) {}
 
   template <class X>
   auto error(const X& x, const X& p) const {
-    return difference(X(x * p), measurement);
+    return detail::difference(X(x * p), measurement);
   }
 
-  RelativeFrame relative_frame(const T&, const T& p) const {
-    return relative_pose(RelativeFrame::kWorld, 0, T(measurement * p.inverse()));
+  detail::RelativeFrame relative_frame(const T&, const T& p) const {
+    return detail::relative_pose(detail::RelativeFrame::kWorld, 0, T(measurement * p.inverse()));
   }
 };
 

@@ -5,7 +5,7 @@
 #include "boxplus/graph/manifold_frames.h"
 #include "boxplus/manifold/scalar.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// T has a rotation and a translation.
 template <class T>
@@ -30,7 +30,7 @@ X motion_between(const X& a, const X& b) {
 template <class X, class T>
 auto difference(const X& x, const T& z) {
   using S = ScalarOf<X>;
-  Vector<S, Manifold<T>::kDim> e(boxplus::tangent_dim(x));
+  Vector<S, Manifold<T>::kDim> e(boxplus::detail::tangent_dim(x));
   Manifold<X>::ominus(x, Manifold<T>::template cast<S>(z), e.data());
   return e;
 }
@@ -60,4 +60,4 @@ RelativeFrame relative_pose(int from, int to, const T& motion) {
   return result;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -8,23 +8,25 @@
 
 namespace boxplus {
 
+namespace detail {
 struct PositionPriorText {
   static constexpr std::string_view kText = "PositionPrior";
 };
+}  // namespace detail
 
 /// z measures the position of a pose in the world. Error: t(x) − z. EDGE_PRIOR_SE2_XY, EDGE_SE3_XYZ_PRIOR.
 /// EDGE_SE3_XYZ_PRIOR names a sensor offset that its error does not use. The offset is the second vertex
 /// here, so that it is written back to files.
 template <class V>
 struct PositionPrior {
-  static constexpr std::string_view kName = TypeLabel<PositionPriorText, V>::kValue;
+  static constexpr std::string_view kName = detail::TypeLabel<detail::PositionPriorText, V>::kValue;
   V measurement;
 
   explicit PositionPrior(const V& z) : measurement(z) {}
 
   template <class X>
   auto error(const X& x) const {
-    using S = ScalarOf<X>;
+    using S = detail::ScalarOf<X>;
     return Vector<S, V::SizeAtCompileTime>(x.translation() - measurement);
   }
   template <class X>
@@ -33,12 +35,12 @@ struct PositionPrior {
   }
 
   template <class X, class... Offset>
-  RelativeFrame relative_frame(const X&, const Offset&...) const {
-    return relative_pose(RelativeFrame::kWorld, 0, measurement);
+  detail::RelativeFrame relative_frame(const X&, const Offset&...) const {
+    return detail::relative_pose(detail::RelativeFrame::kWorld, 0, measurement);
   }
 };
 
 template <class V>
-PositionPrior(const V&) -> PositionPrior<StoredEstimate<V>>;
+PositionPrior(const V&) -> PositionPrior<detail::StoredEstimate<V>>;
 
 }  // namespace boxplus

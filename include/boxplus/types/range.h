@@ -15,10 +15,10 @@ struct Range {
   explicit Range(double z) : measurement(z) {}
 
   template <class A, class B>
-  ScalarOf<A> error(const A& a, const B& b) const {
+  detail::ScalarOf<A> error(const A& a, const B& b) const {
     using std::sqrt;
-    using S = ScalarOf<A>;
-    const auto d = (position(b) - position(a)).eval();
+    using S = detail::ScalarOf<A>;
+    const auto d = (detail::position(b) - detail::position(a)).eval();
     S sum = d[0] * d[0];
     for (Eigen::Index i = 1; i < d.size(); ++i) sum += d[i] * d[i];
     return sqrt(sum) - measurement;

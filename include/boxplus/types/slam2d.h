@@ -14,15 +14,9 @@
 #include "boxplus/types/slam2d/points_observation.h"
 #include "boxplus/types/slam2d/wheel_odometry.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
-extern template class TypedVertexPool<SE2>;
-extern template class TypedVertexPool<Vector2>;
 extern template class TypedVertexPool<DifferentialDrive>;
-extern template class TypedEdgePool<Between<SE2>, SE2, SE2>;
-extern template class TypedEdgePool<Between<Vector2>, Vector2, Vector2>;
-extern template class TypedEdgePool<Prior<SE2>, SE2>;
-extern template class TypedEdgePool<Prior<Vector2>, Vector2>;
 extern template class TypedEdgePool<PositionPrior<Vector2>, SE2>;
 extern template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2>;
 extern template class TypedEdgePool<OffsetBetween<SE2>, SE2, SE2, SE2, SE2>;
@@ -34,4 +28,4 @@ extern template class TypedEdgePool<BearingObservation2, SE2, Vector2>;
 extern template class TypedEdgePool<Range, SE2, Vector2>;
 extern template class TypedEdgePool<WheelOdometry, SE2, SE2, DifferentialDrive>;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

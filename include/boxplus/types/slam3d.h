@@ -13,14 +13,8 @@
 #include "boxplus/types/slam3d/point_observation.h"
 #include "boxplus/types/slam3d/points_observation.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
-extern template class TypedVertexPool<SE3>;
-extern template class TypedVertexPool<Vector3>;
-extern template class TypedEdgePool<Between<SE3>, SE3, SE3>;
-extern template class TypedEdgePool<Between<Vector3>, Vector3, Vector3>;
-extern template class TypedEdgePool<Prior<SE3>, SE3>;
-extern template class TypedEdgePool<Prior<Vector3>, Vector3>;
 extern template class TypedEdgePool<PositionPrior<Vector3>, SE3>;
 extern template class TypedEdgePool<PositionPrior<Vector3>, SE3, SE3>;
 extern template class TypedEdgePool<OffsetPrior<SE3>, SE3, SE3>;
@@ -32,4 +26,4 @@ extern template class TypedEdgePool<PointsObservation3, SE3, Tail<Vector3>>;
 extern template class TypedEdgePool<BearingObservation3, SE3, Vector3>;
 extern template class TypedEdgePool<Range, SE3, Vector3>;
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

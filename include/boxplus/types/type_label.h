@@ -7,7 +7,7 @@
 
 #include "boxplus/base/matrix.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// The short name of a vertex type, at compile time; empty if it has none.
 template <class T>
@@ -37,4 +37,4 @@ struct TypeLabel {
   static constexpr std::string_view kValue{kCharacters.data(), kSize};
 };
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

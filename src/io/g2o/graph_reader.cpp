@@ -20,7 +20,7 @@ namespace {
 struct WaitingLine {
   Line line;
   std::string text;  ///< a copy, because the block is gone when the line is read
-  KeptLine::Place place;
+  GraphFile::KeptLine::Place place;
   Id vertex;
 };
 
@@ -69,7 +69,7 @@ class GraphReader {
     }
     file_.lines += block.line_count();
     ++blocks_taken_;
-    if (place_ == KeptLine::Place::kAfterEdge) make_room(file_.edges.size() - edges_before);
+    if (place_ == GraphFile::KeptLine::Place::kAfterEdge) make_room(file_.edges.size() - edges_before);
   }
 
   /// If an edge ends a block, the rest of the file is likely to hold edges of its type.
@@ -77,7 +77,7 @@ class GraphReader {
     if (edges_in_block == 0) return;
     const std::size_t expected = file_.edges.size() + edges_in_block * (text_.block_count() - blocks_taken_);
     if (expected <= file_.edges.capacity()) return;
-    reserve(file_.edges, expected + expected / 32);
+    detail::reserve(file_.edges, expected + expected / 32);
     file_.graph.reserve_edges(file_.edges.back(), expected + expected / 32);
   }
 
@@ -91,7 +91,7 @@ class GraphReader {
         unknown_.add(line.text, line.number);
         [[fallthrough]];
       case Line::Kind::kComment:
-        if (place_ == KeptLine::Place::kAfterEdge && !waiting_.empty()) return wait(line);
+        if (place_ == GraphFile::KeptLine::Place::kAfterEdge && !waiting_.empty()) return wait(line);
         keep(line.text);
     }
   }
@@ -100,14 +100,14 @@ class GraphReader {
     FieldReader in = fields_of(line);
     const Id id = elements_.read_vertex(*line.tag, in);
     if (line.tag->kind == Tag::Kind::kVertex) {
-      place_ = KeptLine::Place::kAfterVertex;
+      place_ = GraphFile::KeptLine::Place::kAfterVertex;
       vertex_ = id;
     }
     add_note_of(in);
   }
 
   void take_edge(const Line& line) {
-    place_ = KeptLine::Place::kAfterEdge;
+    place_ = GraphFile::KeptLine::Place::kAfterEdge;
     if (!waiting_.empty()) return wait(line);  // edges stay in the order of the file
     FieldReader in = fields_of(line);
     const ElementReader::Edge edge = elements_.read_edge(*line.tag, in);
@@ -166,9 +166,10 @@ class GraphReader {
 
   void keep(std::string_view text) {
     while (text.ends_with('\r')) text.remove_suffix(1);
-    KeptLine kept{place_, 0, std::string(text)};
-    if (place_ == KeptLine::Place::kAfterEdge) kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
-    if (place_ == KeptLine::Place::kAfterVertex) kept.after = vertex_;
+    GraphFile::KeptLine kept{place_, 0, std::string(text)};
+    if (place_ == GraphFile::KeptLine::Place::kAfterEdge)
+      kept.after = static_cast<std::int64_t>(file_.edges.size()) - 1;
+    if (place_ == GraphFile::KeptLine::Place::kAfterVertex) kept.after = vertex_;
     file_.kept.push_back(std::move(kept));
   }
 
@@ -196,8 +197,8 @@ class GraphReader {
   GraphFile file_;
   UnknownTags unknown_;
   ElementReader elements_;
-  KeptLine::Place place_ = KeptLine::Place::kBegin;  // of the next line, if it is kept
-  Id vertex_ = 0;                                    // the vertex before it, if there is one
+  GraphFile::KeptLine::Place place_ = GraphFile::KeptLine::Place::kBegin;  // of the next line, if it is kept
+  Id vertex_ = 0;  // the vertex before it, if there is one
   std::vector<WaitingLine> waiting_;
   std::size_t blocks_taken_ = 0;
   std::int64_t unassigned_ = 0;

@@ -22,7 +22,8 @@ class GraphWriter {
         vertices_(graph_.all_vertices()),
         edges_(file.edges.begin(), file.edges.end()) {
     append_edges_of_no_file();
-    for (const KeptLine& line : file.kept) kept_.emplace(std::pair(line.place, line.after), &line.text);
+    for (const GraphFile::KeptLine& line : file.kept)
+      kept_.emplace(std::pair(line.place, line.after), &line.text);
   }
 
   void write(TextSink sink) const {
@@ -59,17 +60,17 @@ class GraphWriter {
   void format(std::size_t item, std::string& out) const {
     if (item < parameters_.size()) return format_vertex(parameters_[item], out);
     item -= parameters_.size();
-    if (item == 0) return format_kept(KeptLine::Place::kBegin, 0, out);
+    if (item == 0) return format_kept(GraphFile::KeptLine::Place::kBegin, 0, out);
     item -= 1;
     if (item < vertices_.size()) return format_vertex(vertices_[item], out);
     item -= vertices_.size();
     if (item > 0) format_edge(edges_[item - 1], out);
-    format_kept(KeptLine::Place::kAfterEdge, static_cast<std::int64_t>(item) - 1, out);
+    format_kept(GraphFile::KeptLine::Place::kAfterEdge, static_cast<std::int64_t>(item) - 1, out);
   }
 
   void format_vertex(VertexRef vertex, std::string& text) const {
     const Tag* tag = registry_.tag_of(graph_, vertex);
-    const VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
     if (!tag) throw_no_tag("vertices", pool.type_name());
     const Id id = graph_.id(vertex);
     FieldWriter out(text);
@@ -83,7 +84,7 @@ class GraphWriter {
       out.integer(id);
       out.end_line();
     }
-    format_kept(KeptLine::Place::kAfterVertex, id, text);
+    format_kept(GraphFile::KeptLine::Place::kAfterVertex, id, text);
   }
 
   void format_edge(EdgeRef edge, std::string& text) const {
@@ -101,7 +102,7 @@ class GraphWriter {
     out.end_line();
   }
 
-  void format_kept(KeptLine::Place place, std::int64_t after, std::string& out) const {
+  void format_kept(GraphFile::KeptLine::Place place, std::int64_t after, std::string& out) const {
     if (kept_.empty()) return;
     const auto [first, last] = kept_.equal_range({place, after});
     for (auto line = first; line != last; ++line) {
@@ -120,7 +121,7 @@ class GraphWriter {
   const Registry& registry_;
   std::vector<VertexRef> parameters_, vertices_;
   std::vector<EdgeRef> edges_;
-  std::multimap<std::pair<KeptLine::Place, std::int64_t>, const std::string*> kept_;
+  std::multimap<std::pair<GraphFile::KeptLine::Place, std::int64_t>, const std::string*> kept_;
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ VertexIds::Result VertexIds::read_one(const Tag::Argument& argument, FieldReader
     return Result::kKnown;
   }
   if (!found) fail_unknown(place, id, is_parameter, in);
-  const VertexPool& pool = *graph_.vertex_pools()[found->pool];
+  const detail::VertexPool& pool = *graph_.vertex_pools()[found->pool];
   if (std::type_index(typeid(pool)) != argument.pool) {
     in.fail(place, fmt::format("expected the id of a {0} of type {1}, but {0} {2} is a {3}",
                                kind_of(is_parameter), argument.type_name, id, pool.type_name()));

@@ -29,8 +29,8 @@ struct ToroPose3 {
                  yaw = in.number("the yaw angle") / 2;
     const double cr = std::cos(roll), sr = std::sin(roll), cp = std::cos(pitch), sp = std::sin(pitch),
                  cy = std::cos(yaw), sy = std::sin(yaw);
-    return SE3(t, Quaternion<double>{cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr,
-                                     sy * cp * cr - cy * sp * sr, cy * cp * cr + sy * sp * sr});
+    return SE3(t, detail::Quaternion<double>{cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr,
+                                             sy * cp * cr - cy * sp * sr, cy * cp * cr + sy * sp * sr});
   }
 };
 

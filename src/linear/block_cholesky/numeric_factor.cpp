@@ -132,7 +132,7 @@ FrontsResult factor_in_order(const Context<Scalar>& context, Suspects& suspects)
 template <class Scalar>
 LinearStatus factor_in_parallel(const Context<Scalar>& context, NumericFactor<Scalar>& factor) {
   const auto& [threads, top] = context.symbolic.schedule;
-  parallel_tasks(static_cast<int>(threads.size()), [&, &shares = threads](int thread) {
+  detail::parallel_tasks(static_cast<int>(threads.size()), [&, &shares = threads](int thread) {
     const auto t = static_cast<std::size_t>(thread);
     Suspects suspects;
     LinearStatus status = LinearStatus::kOk;
@@ -181,7 +181,7 @@ void NumericFactor<Scalar>::allocate(const SymbolicFactor& symbolic, std::uint32
     room_ = allocated() ? size + size / 4 : size;
     memory_.reset();
     memory_ = std::make_unique_for_overwrite<Scalar[]>(room_);
-    prefer_large_pages(memory_.get(), room_ * sizeof(Scalar));
+    detail::prefer_large_pages(memory_.get(), room_ * sizeof(Scalar));
   }
   minimum_pivot_ = memory_.get() + factor_size;
   x_ = minimum_pivot_ + scalars;

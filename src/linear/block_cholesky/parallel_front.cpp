@@ -32,7 +32,7 @@ int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
   if (parts == 1) return dense::factor_panel(block, rows, width, ld, minimum_pivot);
   const int good = dense::factor_panel(block, width, width, ld, minimum_pivot);
   if (good < width) return good;
-  parallel_tasks(parts, [&](int part) {
+  detail::parallel_tasks(parts, [&](int part) {
     const auto bound = [&](int p) { return static_cast<int>(std::int64_t{below} * p / parts); };
     dense::divide_by_transposed(block + width + bound(part), ld, block, ld, bound(part + 1) - bound(part),
                                 width);
@@ -57,7 +57,7 @@ int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int row
     Scalar* trailing = panel + next + static_cast<std::ptrdiff_t>(next) * ld;
     const int below = rows - next, right = columns - next;
     const int parts = 2.0 * below * right * width < kMinParallelFlops ? 1 : threads;
-    parallel_tasks(parts, [&](int part) {
+    detail::parallel_tasks(parts, [&](int part) {
       const int begin = part_begin(below, right, part, parts);
       const int end = part + 1 == parts ? right : part_begin(below, right, part + 1, parts);
       dense::subtract_square(trailing, ld, block + width, ld, below, width, begin, end);
@@ -81,7 +81,7 @@ void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task) {
       return area(run.source) - first >= all * part / threads;
     });
   };
-  parallel_tasks(threads, [&](int part) {
+  detail::parallel_tasks(threads, [&](int part) {
     dense::ExtendAdd<Scalar> mine = task;
     mine.columns = split(part);
     mine.columns_end = part + 1 == threads ? task.columns_end : split(part + 1);
@@ -103,7 +103,7 @@ bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int
     if (strip > 0 && stop.raised()) return false;
     const int end = strip + 1 == strips ? size : part_begin(size, size, strip + 1, strips);
     const int below = size - begin, width = end - begin;
-    parallel_tasks(parts, [&](int part) {
+    detail::parallel_tasks(parts, [&](int part) {
       const int from = begin + part_begin(below, width, part, parts);
       const int to = part + 1 == parts ? end : begin + part_begin(below, width, part + 1, parts);
       dense::set_to_minus_square(c, ldc, a, lda, size, k, from, to);

@@ -139,7 +139,7 @@ class Substitution {
   template <class F>
   void for_each_share(F&& work_on) {
     const auto& shares = symbolic_.schedule.threads;
-    parallel_tasks(static_cast<int>(shares.size()), [&](int thread) {
+    detail::parallel_tasks(static_cast<int>(shares.size()), [&](int thread) {
       for (const auto& subtree : shares[static_cast<std::size_t>(thread)]) {
         if (!work_on(subtree)) return void(stopped_ = true);
       }

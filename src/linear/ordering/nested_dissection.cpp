@@ -105,7 +105,7 @@ std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads
   level.push_back(std::move(whole));
   while (!level.empty()) {
     const std::size_t tasks = std::min(level.size(), static_cast<std::size_t>(std::max(1, threads)));
-    parallel_tasks(static_cast<int>(tasks), [&](int task) {
+    detail::parallel_tasks(static_cast<int>(tasks), [&](int task) {
       for (auto k = static_cast<std::size_t>(task); k < level.size(); k += tasks) part(level[k], stop);
     });
     std::vector<Piece> next;

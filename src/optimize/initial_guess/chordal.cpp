@@ -36,7 +36,7 @@ using namespace guess;
 constexpr double kRotationEmphasis = 10;
 
 /// [Rᵀ; tᵀ] of a pose, tᵀ of a point.
-SmallMatrix stacked(const Frame& frame) {
+SmallMatrix stacked(const detail::Frame& frame) {
   const int d = frame.dimension, rows = frame.has_rotation ? d + 1 : 1;
   SmallMatrix x(rows, d);
   if (frame.has_rotation) x.topRows(d) = rotation_of(frame).transpose();
@@ -66,7 +66,7 @@ class Chordal {
   void add_joint_term(const Measurement& m, SeparableLeastSquares& system) const;
   void add_position_term(const Measurement& m, SeparableLeastSquares& system) const;
   std::uint32_t block(Node node) const { return node == FrameGraph::kWorld ? kConstant : block_[node]; }
-  Frame frame(Node node) const;
+  detail::Frame frame(Node node) const;
   template <class F>
   LinearStatus for_each(std::size_t count, F&& work) const;
   template <class F>
@@ -79,7 +79,7 @@ class Chordal {
   std::vector<const Measurement*> measurements_;
   std::vector<std::uint32_t> block_;  // per node
   std::vector<Node> unknowns_;        // node of each block
-  std::vector<Frame> found_;          // frame of each block
+  std::vector<detail::Frame> found_;  // frame of each block
   bool anchored_ = false;
 };
 
@@ -109,7 +109,7 @@ Chordal::Chordal(const FrameGraph& frames, const Plan& plan, const Components& c
   if (order_.size() != unknowns_.size()) order_.clear();
 }
 
-Frame Chordal::frame(Node node) const {
+detail::Frame Chordal::frame(Node node) const {
   if (node == FrameGraph::kWorld) return world_frame(d_);
   return block_[node] == kConstant ? frames_.frame(node) : found_[block_[node]];
 }
@@ -132,7 +132,7 @@ LinearStatus Chordal::for_each_in_parallel(std::size_t count, F&& work) const {
   const std::size_t most = static_cast<std::size_t>(std::max(1, limits_.threads));
   const std::size_t parts = std::clamp<std::size_t>(count / kMinPerThread, 1, most);
   std::atomic<bool> stopped = false;
-  parallel_tasks(static_cast<int>(parts), [&](int part) {
+  detail::parallel_tasks(static_cast<int>(parts), [&](int part) {
     const std::size_t p = static_cast<std::size_t>(part), begin = count * p / parts;
     const auto status = for_each(count * (p + 1) / parts - begin, [&](std::size_t k) { work(begin + k); });
     if (status != LinearStatus::kOk) stopped = true;
@@ -191,7 +191,7 @@ LinearStatus Chordal::solve_joint() {
 
 /// Adds ‖ A X_to − B X_from ‖²_W. If one of the two is known, it goes to the right-hand side.
 void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system) const {
-  const Frame motion = frames_.motion(m);
+  const detail::Frame motion = frames_.motion(m);
   const int rows = m.has_rotation ? d_ + 1 : 1;
   if (m.from != FrameGraph::kWorld && !frames_.pose(m.from)) return add_position_term(m, system);
   SmallMatrix b = SmallMatrix::Zero(rows, d_ + 1);
@@ -223,7 +223,7 @@ LinearStatus Chordal::solve_positions() {
 }
 
 void Chordal::add_position_term(const Measurement& m, SeparableLeastSquares& system) const {
-  const Frame from = frame(m.from);
+  const detail::Frame from = frame(m.from);
   const SmallMatrix one = SmallMatrix::Identity(1, 1);
   SmallMatrix c = (rotation_of(from) * translation_of(frames_.motion(m))).transpose();
   if (block(m.from) == kConstant) c += translation_of(from).transpose();

@@ -28,10 +28,10 @@ struct Correspondences {
 
   /// The rigid motion of the guessed points that fits the measured ones best; a translation if there is only
   /// one point.
-  Frame alignment() const {
+  detail::Frame alignment() const {
     const Eigen::Map<const Eigen::MatrixXd> from(guessed.data(), dimension, count());
     const Eigen::Map<const Eigen::MatrixXd> to(measured.data(), dimension, count());
-    Frame motion = world_frame(dimension);
+    detail::Frame motion = world_frame(dimension);
     if (count() == 1) {
       set_translation(motion, to.col(0) - from.col(0));
     } else {
@@ -115,8 +115,9 @@ void Components::align(FrameGraph& frames) const {
   for (const Measurement& m : frames.measurements()) {
     pace.step();
     if (!left_for_alignment(m)) continue;
-    const Frame motion = frames.motion(m);
-    const Frame from = m.from == FrameGraph::kWorld ? world_frame(motion.dimension) : frames.frame(m.from);
+    const detail::Frame motion = frames.motion(m);
+    const detail::Frame from =
+        m.from == FrameGraph::kWorld ? world_frame(motion.dimension) : frames.frame(m.from);
     const SmallVector composed = translation_of(compose(from, motion));
     const SmallVector position = translation_of(frames.frame(m.to));
     const Node moving = movable_end(m);
@@ -126,7 +127,7 @@ void Components::align(FrameGraph& frames) const {
       points[label_[moving]].add(composed, position);
     }
   }
-  std::vector<Frame> alignment(points.size());
+  std::vector<detail::Frame> alignment(points.size());
   bool any = false;
   for (std::size_t c = 0; c < points.size(); ++c) {
     if (points[c].count() == 0) continue;
@@ -137,7 +138,7 @@ void Components::align(FrameGraph& frames) const {
   for (Node node = 0; node < frames.nodes(); ++node) {
     pace.step();
     if (label_[node] >= kRooted) continue;
-    const Frame& motion = alignment[label_[node]];
+    const detail::Frame& motion = alignment[label_[node]];
     if (motion.dimension > 0 && is_finite(motion))
       frames.set_frame(node, compose(motion, frames.frame(node)));
   }

@@ -11,7 +11,7 @@ namespace boxplus::guess {
 namespace {
 
 /// The mean of the diagonal entries [first, first + count) of Ω.
-double mean_information(const InformationView& information, int first, int count) {
+double mean_information(const detail::InformationView& information, int first, int count) {
   double sum = 0;
   for (int i = first; i < first + count; ++i) sum += information(i, i);
   return count > 0 ? sum / count : 0;
@@ -47,8 +47,8 @@ void FrameGraph::read_edges(const Plan& plan, PacedStop& pace) {
 }
 
 void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
-  const EdgePool& pool = *graph_->edge_pools()[pool_index];
-  RelativeFrame relative;
+  const detail::EdgePool& pool = *graph_->edge_pools()[pool_index];
+  detail::RelativeFrame relative;
   if (!pool.enabled(edge) || !pool.relative_frame(edge, relative) || !is_finite(relative.motion)) return;
   const auto slots = pool.vertex_slots(edge);
   const auto node_at = [&](int i) {
@@ -64,7 +64,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   if (!absolute && !pose(from) && pose(to)) return;  // a point determines no pose
   if (!movable(to) && (absolute || !movable(from))) return;
 
-  const InformationView information = pool.information(edge);
+  const detail::InformationView information = pool.information(edge);
   const double unit = relative.rotation_unit;
   const double rotation_weight =
       has_rotation
@@ -86,7 +86,7 @@ bool FrameGraph::look_at(Node node, int dimension) {
   if ((flags & kSeen) == 0) {
     flags |= kSeen;
     const std::uint32_t pool = pool_of(node);
-    Frame frame;
+    detail::Frame frame;
     if (graph_->vertex_pools()[pool]->get_frame(node - first_[pool], frame)) {
       flags |= frame.has_rotation ? kPose : kPoint;
       if (frame.dimension == 2) flags |= kPlanar;
@@ -118,8 +118,8 @@ std::span<const std::uint32_t> FrameGraph::touching(Node node) const {
   return std::span(touching_).subspan(touching_start_[row], touching_start_[row + 1] - touching_start_[row]);
 }
 
-Frame FrameGraph::motion(const Measurement& measurement) const {
-  RelativeFrame relative;
+detail::Frame FrameGraph::motion(const Measurement& measurement) const {
+  detail::RelativeFrame relative;
   graph_->edge_pools()[measurement.pool]->relative_frame(measurement.edge, relative);
   relative.motion.has_rotation = measurement.has_rotation;
   return relative.motion;
@@ -154,14 +154,14 @@ std::vector<Node> FrameGraph::movable_by_id(const StopToken& stop) const {
   return result;
 }
 
-Frame FrameGraph::frame(Node node) const {
+detail::Frame FrameGraph::frame(Node node) const {
   const std::uint32_t pool = pool_of(node);
-  Frame frame;
+  detail::Frame frame;
   graph_->vertex_pools()[pool]->get_frame(node - first_[pool], frame);
   return frame;
 }
 
-void FrameGraph::set_frame(Node node, const Frame& frame) {
+void FrameGraph::set_frame(Node node, const detail::Frame& frame) {
   const std::uint32_t pool = pool_of(node);
   graph_->vertex_pools()[pool]->set_frame(node - first_[pool], frame);
 }

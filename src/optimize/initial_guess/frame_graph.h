@@ -38,7 +38,7 @@ class FrameGraph {
   FrameGraph(Graph& graph, const Plan& plan, const StopToken& stop = {});
 
   std::span<const Measurement> measurements() const { return measurements_; }
-  Frame motion(const Measurement& measurement) const;
+  detail::Frame motion(const Measurement& measurement) const;
   /// The indices of the measurements that touch a node, or those from the world for kWorld.
   std::span<const std::uint32_t> touching(Node node) const;
 
@@ -54,8 +54,8 @@ class FrameGraph {
   /// The vertices that take part and may move, by id: poses before points.
   std::vector<Node> movable_by_id(const StopToken& stop = {}) const;
 
-  Frame frame(Node node) const;
-  void set_frame(Node node, const Frame& frame);
+  detail::Frame frame(Node node) const;
+  void set_frame(Node node, const detail::Frame& frame);
 
  private:
   enum Flag : std::uint8_t { kSeen = 1, kUsed = 2, kMovable = 4, kPose = 8, kPoint = 16, kPlanar = 32 };

@@ -6,7 +6,7 @@
 
 namespace boxplus::guess {
 
-SmallMatrix rotation_of(const Frame& frame) {
+SmallMatrix rotation_of(const detail::Frame& frame) {
   const int d = frame.dimension;
   if (!frame.has_rotation) return SmallMatrix::Identity(d, d);
   SmallMatrix rotation(d, d);
@@ -16,11 +16,11 @@ SmallMatrix rotation_of(const Frame& frame) {
   return rotation;
 }
 
-SmallVector translation_of(const Frame& frame) {
+SmallVector translation_of(const detail::Frame& frame) {
   return Eigen::Map<const Eigen::VectorXd>(frame.translation.data(), frame.dimension);
 }
 
-void set_rotation(Frame& frame, const SmallMatrix& rotation) {
+void set_rotation(detail::Frame& frame, const SmallMatrix& rotation) {
   const int d = frame.dimension;
   frame.has_rotation = true;
   for (int i = 0; i < d; ++i) {
@@ -28,19 +28,19 @@ void set_rotation(Frame& frame, const SmallMatrix& rotation) {
   }
 }
 
-void set_translation(Frame& frame, const SmallVector& translation) {
+void set_translation(detail::Frame& frame, const SmallVector& translation) {
   Eigen::Map<Eigen::VectorXd>(frame.translation.data(), frame.dimension) = translation;
 }
 
-Frame world_frame(int dimension) {
-  Frame frame;
+detail::Frame world_frame(int dimension) {
+  detail::Frame frame;
   frame.dimension = dimension;
   set_rotation(frame, SmallMatrix::Identity(dimension, dimension));
   return frame;
 }
 
-Frame compose(const Frame& a, const Frame& b) {
-  Frame result;
+detail::Frame compose(const detail::Frame& a, const detail::Frame& b) {
+  detail::Frame result;
   result.dimension = a.dimension;
   const SmallMatrix rotation = rotation_of(a);
   if (b.has_rotation) set_rotation(result, rotation * rotation_of(b));
@@ -48,8 +48,8 @@ Frame compose(const Frame& a, const Frame& b) {
   return result;
 }
 
-Frame compose_with_inverse(const Frame& a, const Frame& b) {
-  Frame result;
+detail::Frame compose_with_inverse(const detail::Frame& a, const detail::Frame& b) {
+  detail::Frame result;
   result.dimension = a.dimension;
   const SmallMatrix rotation = rotation_of(a) * rotation_of(b).transpose();
   set_rotation(result, rotation);
@@ -57,7 +57,7 @@ Frame compose_with_inverse(const Frame& a, const Frame& b) {
   return result;
 }
 
-bool is_finite(const Frame& frame) {
+bool is_finite(const detail::Frame& frame) {
   const auto finite = [](double value) { return std::isfinite(value); };
   return std::all_of(frame.translation.begin(), frame.translation.end(), finite) &&
          (!frame.has_rotation || std::all_of(frame.rotation.begin(), frame.rotation.end(), finite));

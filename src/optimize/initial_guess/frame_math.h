@@ -12,17 +12,17 @@ using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::DontAlign, 4, 1>;
 
 /// The rotation of a frame, or the identity.
-SmallMatrix rotation_of(const Frame& frame);
-SmallVector translation_of(const Frame& frame);
-void set_rotation(Frame& frame, const SmallMatrix& rotation);
-void set_translation(Frame& frame, const SmallVector& translation);
+SmallMatrix rotation_of(const detail::Frame& frame);
+SmallVector translation_of(const detail::Frame& frame);
+void set_rotation(detail::Frame& frame, const SmallMatrix& rotation);
+void set_translation(detail::Frame& frame, const SmallVector& translation);
 
 /// The origin of the world, as a pose.
-Frame world_frame(int dimension);
+detail::Frame world_frame(int dimension);
 /// A · B; a point if B has no rotation.
-Frame compose(const Frame& a, const Frame& b);
+detail::Frame compose(const detail::Frame& a, const detail::Frame& b);
 /// A · B⁻¹ for poses A and B.
-Frame compose_with_inverse(const Frame& a, const Frame& b);
-bool is_finite(const Frame& frame);
+detail::Frame compose_with_inverse(const detail::Frame& a, const detail::Frame& b);
+bool is_finite(const detail::Frame& frame);
 
 }  // namespace boxplus::guess

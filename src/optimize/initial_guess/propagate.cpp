@@ -79,9 +79,10 @@ class ShortestPaths {
 
   void set_from_arrival(Node node) {
     const Measurement& m = frames_.measurements()[arrival_[node]];
-    const Frame motion = frames_.motion(m);
+    const detail::Frame motion = frames_.motion(m);
     if (m.to == node) {
-      const Frame from = m.from == FrameGraph::kWorld ? world_frame(motion.dimension) : frames_.frame(m.from);
+      const detail::Frame from =
+          m.from == FrameGraph::kWorld ? world_frame(motion.dimension) : frames_.frame(m.from);
       frames_.set_frame(node, compose(from, motion));
     } else {
       frames_.set_frame(node, compose_with_inverse(frames_.frame(m.to), motion));

@@ -53,7 +53,7 @@ static_assert(sizeof(Camera) == 160 && sizeof(Plane) == 64);
 template <class Thing, class Make>
 bool fill_in_parallel(Make make) {
   std::vector<std::vector<Thing>> things(4);
-  boxplus::parallel_tasks(4, [&](int task) {
+  boxplus::detail::parallel_tasks(4, [&](int task) {
     for (int i = 0; i < 100; ++i) things[static_cast<std::size_t>(task)].push_back(make(i));
   });
   for (const auto& chunk : things) {
@@ -73,7 +73,7 @@ bool vectors_of_eigen_structs_survive() {
 
 bool dynamic_matrices_survive() {
   std::vector<Eigen::MatrixXd> matrices(4);
-  boxplus::parallel_tasks(4, [&](int i) { matrices[static_cast<std::size_t>(i)].setIdentity(7, 7); });
+  boxplus::detail::parallel_tasks(4, [&](int i) { matrices[static_cast<std::size_t>(i)].setIdentity(7, 7); });
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(7, 7);
   for (const auto& matrix : matrices) sum += matrix;
   return sum.trace() == 28;
@@ -118,7 +118,7 @@ bool conversions_survive() {
 
 bool exceptions_arrive() {
   try {
-    boxplus::parallel_tasks(2, [](int) { throw boxplus::InvalidArgument("expected"); });
+    boxplus::detail::parallel_tasks(2, [](int) { throw boxplus::InvalidArgument("expected"); });
   } catch (const boxplus::InvalidArgument&) {
     return true;
   }

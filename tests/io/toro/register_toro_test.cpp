@@ -11,7 +11,7 @@ namespace {
 TEST(RegisterToro, ReadsTheInformationInTheOrderOfToro) {
   const GraphFile file =
       parse_graph("VERTEX2 0 0 0 0\nVERTEX2 1 1 0 0\nEDGE2 0 1 1 0 0 10 1 20 30 2 3\n", "g");
-  const InformationView omega = file.graph.information(file.edges[0]);
+  const detail::InformationView omega = file.graph.information(file.edges[0]);
   EXPECT_EQ(omega(0, 0), 10);
   EXPECT_EQ(omega(0, 1), 1);
   EXPECT_EQ(omega(1, 1), 20);
@@ -33,7 +33,7 @@ TEST(RegisterToro, ReadsRollPitchAndYaw) {
   EXPECT_LT((pose.rotation() - expected).norm(), 1e-15);
   EXPECT_EQ(pose.translation(), Vector3(1, 2, 3));
   EXPECT_LT(file.graph.chi2(), 1e-28);
-  const InformationView omega = file.graph.information(file.edges[0]);
+  const detail::InformationView omega = file.graph.information(file.edges[0]);
   EXPECT_EQ(omega(1, 1), 2);
   EXPECT_EQ(omega(0, 3), 2 * 5) << "an angle is twice its part of a quaternion";
   EXPECT_EQ(omega(3, 3), 4 * 100);

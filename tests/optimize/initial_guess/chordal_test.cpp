@@ -64,7 +64,7 @@ struct Alarm {
 struct AlarmingBetween : Between<Plane> {
   Alarm* alarm;
   AlarmingBetween(const SE2& measured, Alarm& a) : Between<Plane>{measured}, alarm(&a) {}
-  RelativeFrame relative_frame(const Pose<Plane>& a, const Pose<Plane>& b) const {
+  detail::RelativeFrame relative_frame(const Pose<Plane>& a, const Pose<Plane>& b) const {
     if (++alarm->asked == alarm->at) alarm->raised = true;
     return Between<Plane>::relative_frame(a, b);
   }

@@ -15,7 +15,7 @@ struct Plane {
   static constexpr int kDim = 2, kPoseDim = 3;
   static constexpr double kRotationUnit = 1;
   static SE2 motion(double seed) { return {1 + std::sin(seed), std::cos(2 * seed), 1.1 * seed}; }
-  static SE2 from(const Frame& f) {
+  static SE2 from(const detail::Frame& f) {
     return {f.translation[0], f.translation[1], std::atan2(f.rotation[2], f.rotation[0])};
   }
 };
@@ -28,7 +28,7 @@ struct Space {
     return {Vector<double, 3>(1 + std::sin(seed), std::cos(2 * seed), std::sin(5 * seed)),
             SO3::from_rotation_vector(omega)};
   }
-  static SE3 from(const Frame& f) {
+  static SE3 from(const detail::Frame& f) {
     const Matrix<double, 3, 3> r =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(f.rotation.data());
     return {Vector<double, 3>(f.translation[0], f.translation[1], f.translation[2]), r};
@@ -45,8 +45,8 @@ struct Point {
 };
 
 template <class World>
-Frame frame_of(const typename World::Motion& motion) {
-  Frame frame;
+detail::Frame frame_of(const typename World::Motion& motion) {
+  detail::Frame frame;
   frame.dimension = World::kDim;
   frame.has_rotation = true;
   const auto r = motion.rotation();
@@ -57,16 +57,16 @@ Frame frame_of(const typename World::Motion& motion) {
   return frame;
 }
 template <class World>
-Frame frame_of(const Vector<double, World::kDim>& position) {
-  Frame frame;
+detail::Frame frame_of(const Vector<double, World::kDim>& position) {
+  detail::Frame frame;
   frame.dimension = World::kDim;
   for (int i = 0; i < World::kDim; ++i) frame.translation[static_cast<std::size_t>(i)] = position[i];
   return frame;
 }
 
 template <class World>
-RelativeFrame relative(int from, int to, const Frame& motion) {
-  RelativeFrame result{from, to, motion};
+detail::RelativeFrame relative(int from, int to, const detail::Frame& motion) {
+  detail::RelativeFrame result{from, to, motion};
   result.translation_rows = World::kDim;
   if (motion.has_rotation) {
     result.rotation_row = World::kDim;
@@ -93,9 +93,9 @@ template <class World>
 struct Between {
   typename World::Motion z;
   PoseError<World> error(const Pose<World>& a, const Pose<World>& b) const {
-    return difference<World>(a.motion.inverse() * b.motion, z);
+    return detail::difference<World>(a.motion.inverse() * b.motion, z);
   }
-  RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&) const {
+  detail::RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&) const {
     return relative<World>(0, 1, frame_of<World>(z));
   }
 };
@@ -105,9 +105,10 @@ template <class World>
 struct MountedBetween {
   typename World::Motion z;
   PoseError<World> error(const Pose<World>& a, const Pose<World>& b, const Pose<World>& mount) const {
-    return difference<World>((a.motion * mount.motion).inverse() * (b.motion * mount.motion), z);
+    return detail::difference<World>((a.motion * mount.motion).inverse() * (b.motion * mount.motion), z);
   }
-  RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&, const Pose<World>& mount) const {
+  detail::RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&,
+                                       const Pose<World>& mount) const {
     return relative<World>(0, 1, frame_of<World>(mount.motion * z * mount.motion.inverse()));
   }
 };
@@ -119,7 +120,7 @@ struct Sighting {
   PointError<World> error(const Pose<World>& a, const Point<World>& b) const {
     return a.motion.inverse() * b.position - z;
   }
-  RelativeFrame relative_frame(const Pose<World>&, const Point<World>&) const {
+  detail::RelativeFrame relative_frame(const Pose<World>&, const Point<World>&) const {
     return relative<World>(0, 1, frame_of<World>(z));
   }
 };
@@ -140,7 +141,7 @@ struct Offset {
   PointError<World> error(const Point<World>& a, const Point<World>& b) const {
     return b.position - a.position - z;
   }
-  RelativeFrame relative_frame(const Point<World>&, const Point<World>&) const {
+  detail::RelativeFrame relative_frame(const Point<World>&, const Point<World>&) const {
     return relative<World>(0, 1, frame_of<World>(z));
   }
 };
@@ -149,25 +150,25 @@ struct Offset {
 template <class World>
 struct Prior {
   typename World::Motion z;
-  PoseError<World> error(const Pose<World>& a) const { return difference<World>(a.motion, z); }
-  RelativeFrame relative_frame(const Pose<World>&) const {
-    return relative<World>(RelativeFrame::kWorld, 0, frame_of<World>(z));
+  PoseError<World> error(const Pose<World>& a) const { return detail::difference<World>(a.motion, z); }
+  detail::RelativeFrame relative_frame(const Pose<World>&) const {
+    return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
 };
 template <class World>
 struct PositionPrior {
   PointError<World> z;
   PointError<World> error(const Pose<World>& a) const { return a.motion.translation() - z; }
-  RelativeFrame relative_frame(const Pose<World>&) const {
-    return relative<World>(RelativeFrame::kWorld, 0, frame_of<World>(z));
+  detail::RelativeFrame relative_frame(const Pose<World>&) const {
+    return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
 };
 template <class World>
 struct PointPrior {
   PointError<World> z;
   PointError<World> error(const Point<World>& a) const { return a.position - z; }
-  RelativeFrame relative_frame(const Point<World>&) const {
-    return relative<World>(RelativeFrame::kWorld, 0, frame_of<World>(z));
+  detail::RelativeFrame relative_frame(const Point<World>&) const {
+    return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
 };
 
@@ -196,14 +197,14 @@ struct Manifold<test::Point<World>> {
   }
 };
 template <class World>
-struct FrameTrait<test::Pose<World>> {
-  static Frame get(const test::Pose<World>& x) { return test::frame_of<World>(x.motion); }
-  static void set(test::Pose<World>& x, const Frame& frame) { x.motion = World::from(frame); }
+struct detail::FrameTrait<test::Pose<World>> {
+  static detail::Frame get(const test::Pose<World>& x) { return test::frame_of<World>(x.motion); }
+  static void set(test::Pose<World>& x, const detail::Frame& frame) { x.motion = World::from(frame); }
 };
 template <class World>
-struct FrameTrait<test::Point<World>> {
-  static Frame get(const test::Point<World>& x) { return test::frame_of<World>(x.position); }
-  static void set(test::Point<World>& x, const Frame& frame) {
+struct detail::FrameTrait<test::Point<World>> {
+  static detail::Frame get(const test::Point<World>& x) { return test::frame_of<World>(x.position); }
+  static void set(test::Point<World>& x, const detail::Frame& frame) {
     for (int i = 0; i < World::kDim; ++i) x.position[i] = frame.translation[static_cast<std::size_t>(i)];
   }
 };

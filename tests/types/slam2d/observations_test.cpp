@@ -41,8 +41,8 @@ TEST(Observations2, HaveCorrectJacobians) {
 }
 
 TEST(Observations2, OfPointsHaveAnalyticJacobians) {
-  EXPECT_TRUE((edge::kAnalytic<PointObservation2, SE2, Vector2>));
-  EXPECT_TRUE((edge::kAnalytic<OffsetPointObservation2, SE2, Vector2, SE2>));
+  EXPECT_TRUE((detail::kAnalytic<PointObservation2, SE2, Vector2>));
+  EXPECT_TRUE((detail::kAnalytic<OffsetPointObservation2, SE2, Vector2, SE2>));
 }
 
 TEST(BearingObservation2, WrapsItsError) {

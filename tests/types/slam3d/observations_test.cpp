@@ -19,8 +19,8 @@ TEST(Observations3, HaveCorrectJacobians) {
 }
 
 TEST(Observations3, OfPointsHaveAnalyticJacobians) {
-  EXPECT_TRUE((edge::kAnalytic<PointObservation3, SE3, Vector3>));
-  EXPECT_TRUE((edge::kAnalytic<OffsetPointObservation3, SE3, Vector3, SE3>));
+  EXPECT_TRUE((detail::kAnalytic<PointObservation3, SE3, Vector3>));
+  EXPECT_TRUE((detail::kAnalytic<OffsetPointObservation3, SE3, Vector3, SE3>));
 }
 
 TEST(Observations3, WorkWithBothChartsOfPoses) {

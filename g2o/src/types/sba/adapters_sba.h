@@ -18,7 +18,7 @@ inline boxplus::SE3 pose(const SE3Quat& x) {
                                  {x.rotation().x(), x.rotation().y(), x.rotation().z(), x.rotation().w()});
 }
 inline SE3Quat to_se3quat(const boxplus::SE3& x) {
-  const boxplus::Quaternion<double> q = x.quaternion();
+  const boxplus::detail::Quaternion<double> q = x.quaternion();
   return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), x.translation());
 }
 

@@ -18,7 +18,8 @@ SBACam::SBACam(const SE3Quat& p) : SE3Quat(p) {
 }
 
 void SBACam::update(const Vector6& update) {
-  const boxplus::Quaternion<double> step = boxplus::QuaternionChart::exp(update[3], update[4], update[5]);
+  const boxplus::detail::Quaternion<double> step =
+      boxplus::detail::QuaternionChart::exp(update[3], update[4], update[5]);
   _t += update.head<3>();
   _r *= Quaternion(step.w, step.x, step.y, step.z);
   _r.normalize();

@@ -7,7 +7,7 @@ namespace g2o {
 
 Sim3::Sim3(const Vector7& update) {
   const boxplus::Sim3 x = boxplus::Sim3::exp(update);
-  const boxplus::Quaternion<double> q = x.quaternion();
+  const boxplus::detail::Quaternion<double> q = x.quaternion();
   r = Quaternion(q.w, q.x, q.y, q.z);
   t = x.translation();
   s = x.scale();

@@ -17,11 +17,11 @@ boxplus::SE3 engine_pose(const Isometry3& x) {
 void compute_dq_dR(Eigen::Matrix<double, 3, 9, Eigen::ColMajor>& dq_dR, const double& r11, const double& r21,
                    const double& r31, const double& r12, const double& r22, const double& r32,
                    const double& r13, const double& r23, const double& r33) {
-  using S = boxplus::Dual<double, 9>;
+  using S = boxplus::detail::Dual<double, 9>;
   const double entries[] = {r11, r21, r31, r12, r22, r32, r13, r23, r33};
   boxplus::Matrix<S, 3, 3> R;
   for (int i = 0; i < 9; ++i) R(i % 3, i / 3) = S::variable(entries[i], i);
-  const boxplus::Vector<S, 3> q = boxplus::QuaternionChart::log(boxplus::quaternion_of(R));
+  const boxplus::Vector<S, 3> q = boxplus::detail::QuaternionChart::log(boxplus::detail::quaternion_of(R));
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 9; ++k) dq_dR(i, k) = q[i].derivative[static_cast<std::size_t>(k)];
   }

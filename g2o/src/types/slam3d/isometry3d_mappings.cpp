@@ -51,7 +51,7 @@ Vector3 toCompactQuaternion(const Matrix3& R) {
 }
 
 Matrix3 fromCompactQuaternion(const Vector3& v) {
-  return boxplus::rotation_matrix(boxplus::QuaternionChart::exp(v[0], v[1], v[2]));
+  return boxplus::detail::rotation_matrix(boxplus::detail::QuaternionChart::exp(v[0], v[1], v[2]));
 }
 
 Vector6 toVectorMQT(const Isometry3& t) {

@@ -12,21 +12,21 @@ namespace g2o {
 namespace {
 
 /// The matrix V of the exponential map: that of Sim(3) without scale.
-boxplus::Sim3Coupling<double> coupling(const Vector3& omega) {
-  return boxplus::Sim3Coupling<double>::of(0, omega.squaredNorm());
+boxplus::detail::Sim3Coupling<double> coupling(const Vector3& omega) {
+  return boxplus::detail::Sim3Coupling<double>::of(0, omega.squaredNorm());
 }
 
 }  // namespace
 
 void SE3Quat::fromMinimalVector(const Vector6& v) {
-  const boxplus::Quaternion<double> q = boxplus::QuaternionChart::exp(v[3], v[4], v[5]);
+  const boxplus::detail::Quaternion<double> q = boxplus::detail::QuaternionChart::exp(v[3], v[4], v[5]);
   _r = Quaternion(q.w, q.x, q.y, q.z);
   _t = v.head<3>();
 }
 
 Vector6 SE3Quat::log() const {
-  const boxplus::Vector3 omega =
-      boxplus::RotationVectorChart::log(boxplus::Quaternion<double>{_r.x(), _r.y(), _r.z(), _r.w()});
+  const boxplus::Vector3 omega = boxplus::detail::RotationVectorChart::log(
+      boxplus::detail::Quaternion<double>{_r.x(), _r.y(), _r.z(), _r.w()});
   Vector6 v;
   v << omega, coupling(omega).inverse(omega.squaredNorm()).apply(omega, _t);
   return v;
@@ -34,7 +34,8 @@ Vector6 SE3Quat::log() const {
 
 SE3Quat SE3Quat::exp(const Vector6& update) {
   const boxplus::Vector3 omega = update.head<3>(), upsilon = update.tail<3>();
-  const boxplus::Quaternion<double> q = boxplus::RotationVectorChart::exp(omega[0], omega[1], omega[2]);
+  const boxplus::detail::Quaternion<double> q =
+      boxplus::detail::RotationVectorChart::exp(omega[0], omega[1], omega[2]);
   return SE3Quat(Quaternion(q.w, q.x, q.y, q.z), Vector3(coupling(omega).apply(omega, upsilon)));
 }
 

@@ -8,7 +8,8 @@ namespace internal {
 
 void RotationMemory::set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::OuterStride<>> R) {
   quaternion_ = q;
-  R = boxplus::rotation_matrix(boxplus::normalized(boxplus::Quaternion<double>{q[0], q[1], q[2], q[3]}));
+  R = boxplus::detail::rotation_matrix(
+      boxplus::detail::normalized(boxplus::detail::Quaternion<double>{q[0], q[1], q[2], q[3]}));
   rotation_ = R;
 }
 
@@ -19,8 +20,8 @@ void RotationMemory::keep(const Isometry3& pose) {
 
 RotationMemory::Coefficients RotationMemory::get(const Isometry3& pose) const {
   if (rotation_ == pose.linear()) return quaternion_;
-  const boxplus::Quaternion<double> q =
-      boxplus::normalized(boxplus::quaternion_of(boxplus::Matrix<double, 3, 3>(pose.linear())));
+  const boxplus::detail::Quaternion<double> q = boxplus::detail::normalized(
+      boxplus::detail::quaternion_of(boxplus::Matrix<double, 3, 3>(pose.linear())));
   return {q.x, q.y, q.z, q.w};
 }
 

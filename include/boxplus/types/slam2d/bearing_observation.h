@@ -18,7 +18,7 @@ struct BearingObservation2 {
   S error(const BasicSE2<S>& pose, const Point& point) const {
     using std::atan2;
     const auto b = pose.inverse_times(point);
-    return normalize_angle(S(measurement - atan2(b[1], b[0])));
+    return detail::normalize_angle(S(measurement - atan2(b[1], b[0])));
   }
 };
 

@@ -10,7 +10,7 @@
 
 #include "boxplus/manifold/se2.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 template <class A, class B>
 void between_jacobians(const SE2& z, const SE2& xi, const SE2& xj, A& J_i, B& J_j) {
@@ -25,4 +25,4 @@ void between_jacobians(const SE2& z, const SE2& xi, const SE2& xj, A& J_i, B& J_
       0, 0, 1;
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

@@ -30,7 +30,7 @@ struct Manifold<BasicDifferentialDrive<S>> {
   static constexpr int kDim = 3;
 
   template <class D>
-  static Rebind<Promoted<S, D>> oplus(const Point& x, const D* delta) {
+  static Rebind<detail::Promoted<S, D>> oplus(const Point& x, const D* delta) {
     return {x.left_factor + delta[0], x.right_factor + delta[1], x.baseline + delta[2]};
   }
   template <class D>

@@ -32,8 +32,8 @@ struct PointObservation2 {
   }
 
   template <class Point>
-  RelativeFrame relative_frame(const SE2&, const Point&) const {
-    return relative_pose(0, 1, measurement);
+  detail::RelativeFrame relative_frame(const SE2&, const Point&) const {
+    return detail::relative_pose(0, 1, measurement);
   }
 };
 
@@ -63,8 +63,8 @@ struct OffsetPointObservation2 {
   }
 
   template <class Point>
-  RelativeFrame relative_frame(const SE2&, const Point&, const SE2& offset) const {
-    return relative_pose(0, 1, Vector2(offset * measurement));
+  detail::RelativeFrame relative_frame(const SE2&, const Point&, const SE2& offset) const {
+    return detail::relative_pose(0, 1, Vector2(offset * measurement));
   }
 };
 

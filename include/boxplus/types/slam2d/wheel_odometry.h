@@ -31,7 +31,7 @@ struct WheelOdometry {
     const S theta = (r - l) * measurement.duration / k.baseline;
     const S arc = 0.5 * (r + l) * measurement.duration;
     const S t = theta * theta;
-    if (t < S(kSmallSquaredAngle)) {
+    if (t < S(detail::kSmallSquaredAngle)) {
       const S along = 1.0 - t * (1.0 / 6.0 - t * (1.0 / 120.0 - t * (1.0 / 5040.0)));
       const S across = theta * (0.5 - t * (1.0 / 24.0 - t * (1.0 / 720.0 - t * (1.0 / 40320.0))));
       return {S(arc * along), S(arc * across), theta};
@@ -44,8 +44,8 @@ struct WheelOdometry {
     return motion(k).inverse_times(xi.inverse_times(xj)).vector();
   }
 
-  RelativeFrame relative_frame(const SE2&, const SE2&, const DifferentialDrive& k) const {
-    return relative_pose(0, 1, motion(k));
+  detail::RelativeFrame relative_frame(const SE2&, const SE2&, const DifferentialDrive& k) const {
+    return detail::relative_pose(0, 1, motion(k));
   }
 };
 

@@ -14,7 +14,7 @@
 
 #include "boxplus/manifold/se3.h"
 
-namespace boxplus {
+namespace boxplus::detail {
 
 /// [v]×, the matrix of the cross product with v.
 inline Matrix<double, 3, 3> cross_matrix(double x, double y, double z) {
@@ -46,4 +46,4 @@ void between_jacobians(const SE3& z, const SE3& xi, const SE3& xj, A& J_i, B& J_
   J_j.template bottomRightCorner<3, 3>() = s * (qd.w * identity + cross_matrix(qd.x, qd.y, qd.z));
 }
 
-}  // namespace boxplus
+}  // namespace boxplus::detail

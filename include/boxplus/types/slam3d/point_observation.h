@@ -28,13 +28,13 @@ struct PointObservation3 {
   template <class A, class B>
   void jacobians(const SE3& pose, const Vector3& point, A& J_pose, B& J_point) const {
     const Vector3 b = pose.inverse_times(point);
-    J_pose << -Matrix<double, 3, 3>::Identity(), 2 * cross_matrix(b[0], b[1], b[2]);
+    J_pose << -Matrix<double, 3, 3>::Identity(), 2 * detail::cross_matrix(b[0], b[1], b[2]);
     J_point = pose.rotation().transpose();
   }
 
   template <class Pose, class Point>
-  RelativeFrame relative_frame(const Pose&, const Point&) const {
-    return relative_pose(0, 1, measurement);
+  detail::RelativeFrame relative_frame(const Pose&, const Point&) const {
+    return detail::relative_pose(0, 1, measurement);
   }
 };
 
@@ -59,14 +59,14 @@ struct OffsetPointObservation3 {
     const Vector3 b = pose.inverse_times(point), p = offset.inverse_times(b);
     const Matrix<double, 3, 3> RpT = offset.rotation().transpose();
     J_pose.template leftCols<3>() = -RpT;
-    J_pose.template rightCols<3>() = 2 * RpT * cross_matrix(b[0], b[1], b[2]);
+    J_pose.template rightCols<3>() = 2 * RpT * detail::cross_matrix(b[0], b[1], b[2]);
     J_point = RpT * pose.rotation().transpose();
-    J_offset << -Matrix<double, 3, 3>::Identity(), 2 * cross_matrix(p[0], p[1], p[2]);
+    J_offset << -Matrix<double, 3, 3>::Identity(), 2 * detail::cross_matrix(p[0], p[1], p[2]);
   }
 
   template <class Pose, class Point>
-  RelativeFrame relative_frame(const Pose&, const Point&, const Pose& offset) const {
-    return relative_pose(0, 1, Vector3(offset * measurement));
+  detail::RelativeFrame relative_frame(const Pose&, const Point&, const Pose& offset) const {
+    return detail::relative_pose(0, 1, Vector3(offset * measurement));
   }
 };
 

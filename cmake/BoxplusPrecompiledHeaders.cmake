@@ -1,0 +1,12 @@
+# Most sources spend most of their time in the same headers. Precompiled, these are parsed once per target. Each source still
+# includes what it uses: builds without precompiled headers (the one with clang++ and sanitizers) check that.
+option(BOXPLUS_PRECOMPILE_HEADERS "Parse the headers that most sources share only once" ${PROJECT_IS_TOP_LEVEL})
+if(NOT BOXPLUS_PRECOMPILE_HEADERS)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>) # so that ccache sees which header was precompiled
+endif()
+
+set(BOXPLUS_STANDARD_HEADERS
+    <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <optional> <ranges> <span> <string>
+    <string_view> <unordered_map> <utility> <vector>)
