@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 60
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench dev asan ubsan tsan tidy format check fuzz install clean
+.PHONY: help setup build demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz ci ci-full install clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -51,9 +51,17 @@ asan: ## runs the tests under AddressSanitizer
 ubsan: ## runs the tests under UndefinedBehaviorSanitizer
 tsan: ## runs the tests under ThreadSanitizer
 
+sanitize: setup ## builds everything with clang++, ASan and UBSan, and runs the core suites
+	@cmake --preset sanitize
+	@cmake --build --preset sanitize --parallel $(JOBS)
+	@ctest --preset sanitize-core --parallel $(JOBS)
+
 tidy: setup ## builds with clang++ and runs clang-tidy over every source
 	@cmake --preset tidy
 	@cmake --build --preset tidy --parallel $(JOBS)
+
+tidy-changes: ## runs clang-tidy over the sources that changed since SINCE (the main branch); after make sanitize
+	@scripts/tidy_changes.sh $(SINCE)
 
 format: ## formats all C++ files
 	@scripts/check_format.sh --fix
@@ -64,9 +72,16 @@ check: ## checks the format, the direction of includes, and words in comments an
 	@scripts/count_words.py --check
 
 fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
-	@cmake --preset fuzz
-	@cmake --build --preset fuzz --parallel $(JOBS)
+	@cmake --preset sanitize
+	@cmake --build --preset sanitize --parallel $(JOBS) --target fuzzers
 	@fuzz/run.sh $(FUZZ_SECONDS)
+
+ci: ## everything that a change must pass
+	@.ci/run
+
+ci-full: ci ## and all suites under each sanitizer, and clang-tidy over every source
+	@ctest --preset sanitize --parallel $(JOBS)
+	@$(MAKE) tsan tidy
 
 install: build ## installs headers, library, programs and CMake package under PREFIX (/usr/local)
 	@cmake --install build/release --prefix $(PREFIX)

@@ -23,7 +23,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(boxplus_warnings INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow)
 endif()
 
-set(BOXPLUS_SANITIZE "" CACHE STRING "address, undefined or thread")
+set(BOXPLUS_SANITIZE "" CACHE STRING "address, undefined, thread, or 'address,undefined'")
 if(BOXPLUS_SANITIZE)
   add_compile_options(-fsanitize=${BOXPLUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${BOXPLUS_SANITIZE})

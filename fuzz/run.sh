@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# run.sh SECONDS: runs each fuzz target of build/fuzz for this many seconds, beginning with the regressions. A finding
-# ends the run and is saved in build/fuzz/findings; move it to fuzz/regressions when it is fixed. New inputs of a run
-# are added to build/fuzz/corpus, where the next run starts.
+# run.sh SECONDS: runs each fuzz target of build/sanitize for this many seconds, beginning with the regressions. A finding
+# ends the run and is saved in build/sanitize/findings; move it to fuzz/regressions when it is fixed. New inputs of a run
+# are added to build/sanitize/corpus, where the next run starts.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build=build/fuzz
+build=build/sanitize
 for format in g2o toro; do
   mkdir -p "$build/corpus/$format" "$build/findings"
   log="$build/$format.log"
