@@ -288,7 +288,7 @@ class GaugeFinder {
 
 }  // namespace
 
-std::string_view to_string(const detail::GaugeFreedom& freedom) {
+std::string_view detail::to_string(const detail::GaugeFreedom& freedom) {
   if (freedom.translation && freedom.rotation)
     return freedom.scale ? "translation, rotation and scale" : "translation and rotation";
   if (freedom.translation) return freedom.scale ? "translation and scale" : "translation";

@@ -16,7 +16,7 @@
 
 namespace boxplus {
 
-double checked_kernel_width(double delta, std::string_view kernel) {
+double detail::checked_kernel_width(double delta, std::string_view kernel) {
   if (std::isfinite(delta) && delta > 0) return delta;
   throw InvalidArgument("robust kernel " + std::string(kernel) + ": expected a finite width > 0, got " +
                         std::to_string(delta));

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "boxplus/boxplus.h"
+#include "boxplus/io/field_reader.h"
 
 namespace {
 

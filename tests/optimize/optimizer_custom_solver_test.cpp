@@ -4,6 +4,7 @@
 
 #include <tuple>
 
+#include "boxplus/linear/make_linear_solver.h"
 #include "optimize/small_graphs.h"
 
 namespace boxplus {

@@ -84,11 +84,15 @@ TEST(Optimize, RefusesInvalidOptions) {
     set(options);
     return options;
   };
-  EXPECT_THROW(optimize(graph, with([](Options& o) { o.max_iterations = -1; })), InvalidArgument);
-  EXPECT_THROW(optimize(graph, with([](Options& o) { o.threads = -1; })), InvalidArgument);
-  EXPECT_THROW(optimize(graph, with([](Options& o) { o.cost_tolerance = std::nan(""); })), InvalidArgument);
-  EXPECT_THROW(optimize(graph, with([](Options& o) { o.linear_tolerance = 0; })), InvalidArgument);
-  EXPECT_THROW(optimize(graph, with([](Options& o) { o.vertices = {VertexRef{7, 7, 7}}; })), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.max_iterations = -1; })), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.threads = -1; })), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.cost_tolerance = std::nan(""); })),
+               InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) { o.linear_tolerance = 0; })), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, with([](Options& o) {
+                                o.vertices = {VertexRef{7, 7, 7}};
+                              })),
+               InvalidArgument);
 }
 
 TEST(Optimize, OfASubsetMovesOnlyItsVertices) {

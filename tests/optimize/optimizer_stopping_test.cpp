@@ -77,7 +77,7 @@ TEST_P(EveryAlgorithm, RefusesACallbackThatChangesTheGraph) {
     graph.clear();
     return true;
   };
-  EXPECT_THROW(optimize(graph, options_), InvalidArgument);
+  EXPECT_THROW((void)optimize(graph, options_), InvalidArgument);
 }
 
 TEST_P(EveryAlgorithm, DoesNotDependOnTheUnitsOfTheInformation) {
@@ -226,7 +226,7 @@ TEST_P(EveryAlgorithm, LeavesTheEstimatesAloneWhenAnErrorFunctionThrows) {
       },
       poses[5]);
   options_.threads = 1;
-  EXPECT_THROW(optimize(graph, options_), std::runtime_error);
+  EXPECT_THROW((void)optimize(graph, options_), std::runtime_error);
   EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
 }
 
@@ -317,7 +317,7 @@ TEST(Optimize, RefusesARunOnTheSameGraphInsideItsCallback) {
       std::ignore = optimize(graph);
       return true;
     };
-    EXPECT_THROW(optimize(graph, options), InvalidArgument);
+    EXPECT_THROW((void)optimize(graph, options), InvalidArgument);
     options.callback = nullptr;
     EXPECT_TRUE(optimize(graph, options).converged()) << "the graph can be optimized again";
   }
@@ -333,8 +333,8 @@ TEST(Optimize, LeavesTheGraphUsableIfAnErrorFunctionThrows) {
         return value - 3;
       },
       x);
-  EXPECT_THROW(optimize(graph), std::runtime_error);
-  EXPECT_THROW(optimize(graph), std::runtime_error) << "not InvalidArgument";
+  EXPECT_THROW((void)optimize(graph), std::runtime_error);
+  EXPECT_THROW((void)optimize(graph), std::runtime_error) << "not InvalidArgument";
   throws = false;
   EXPECT_TRUE(optimize(graph).converged());
 }

@@ -28,7 +28,7 @@ struct Manifold<Line<kDefect, S>> {
   template <class T>
   using Rebind = Line<kDefect, T>;
   template <class T>
-  static detail::Rebind<T> cast(const Point& x) {
+  static Rebind<T> cast(const Point& x) {
     return {T(x.value)};
   }
   static Point oplus(const Point& x, const S* delta) {

@@ -19,7 +19,7 @@ class Adapter final : public boxplus::RobustKernel {
       : name_(name), kernel_(g2o::RobustKernelFactory::instance()->construct(name)) {
     kernel_->setDelta(delta);
   }
-  boxplus::Rho operator()(double e2) const override {
+  Rho operator()(double e2) const override {
     g2o::Vector3 rho;
     kernel_->robustify(e2, rho);
     return {rho[0], rho[1], rho[2]};

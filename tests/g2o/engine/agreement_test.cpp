@@ -41,7 +41,7 @@ std::vector<double> engine_chi2(boxplus::Graph& graph) {
   std::vector<double> chi2{report.chi2_initial};
   for (const boxplus::IterationRecord& record : report.records) chi2.push_back(record.chi2);
   // The engine stops within rounding, but g2o continues.
-  if (report.reason == boxplus::Reason::kNoFurtherDecrease) chi2.resize(kIterations + 1, chi2.back());
+  if (report.reason == boxplus::Report::Reason::kNoFurtherDecrease) chi2.resize(kIterations + 1, chi2.back());
   return chi2;
 }
 

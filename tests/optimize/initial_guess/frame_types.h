@@ -93,7 +93,7 @@ template <class World>
 struct Between {
   typename World::Motion z;
   PoseError<World> error(const Pose<World>& a, const Pose<World>& b) const {
-    return detail::difference<World>(a.motion.inverse() * b.motion, z);
+    return difference<World>(a.motion.inverse() * b.motion, z);
   }
   detail::RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&) const {
     return relative<World>(0, 1, frame_of<World>(z));
@@ -105,7 +105,7 @@ template <class World>
 struct MountedBetween {
   typename World::Motion z;
   PoseError<World> error(const Pose<World>& a, const Pose<World>& b, const Pose<World>& mount) const {
-    return detail::difference<World>((a.motion * mount.motion).inverse() * (b.motion * mount.motion), z);
+    return difference<World>((a.motion * mount.motion).inverse() * (b.motion * mount.motion), z);
   }
   detail::RelativeFrame relative_frame(const Pose<World>&, const Pose<World>&,
                                        const Pose<World>& mount) const {
@@ -150,7 +150,7 @@ struct Offset {
 template <class World>
 struct Prior {
   typename World::Motion z;
-  PoseError<World> error(const Pose<World>& a) const { return detail::difference<World>(a.motion, z); }
+  PoseError<World> error(const Pose<World>& a) const { return difference<World>(a.motion, z); }
   detail::RelativeFrame relative_frame(const Pose<World>&) const {
     return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
