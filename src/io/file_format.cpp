@@ -8,17 +8,17 @@
 namespace boxplus {
 
 std::string FileFormat::label() const {
-  return ending == "." + name ? ending : name + "'s " + ending;
+  return extension == "." + name ? extension : name + "'s " + extension;
 }
 
 void FileFormats::add(FileFormat format) {
-  if (format.name.empty() || format.ending.empty() || !format.recognize || !format.read)
+  if (format.name.empty() || format.extension.empty() || !format.recognize || !format.read)
     throw InvalidArgument("file format '" + format.name +
-                          "': expected a name, an ending, recognize and read");
+                          "': expected a name, an extension, recognize and read");
   for (const FileFormat& other : formats_) {
-    if (other.name == format.name || other.ending == format.ending) {
+    if (other.name == format.name || other.extension == format.extension) {
       throw InvalidArgument("file format '" + format.name +
-                            "': expected a name and an ending of its own, but " + other.label() +
+                            "': expected a name and an extension of its own, but " + other.label() +
                             " is a format already");
     }
   }
@@ -33,7 +33,7 @@ const FileFormat* FileFormats::find(std::string_view name) const {
 
 const FileFormat* FileFormats::of_path(std::string_view path) const {
   const auto found = std::find_if(formats_.begin(), formats_.end(),
-                                  [&](const FileFormat& format) { return path.ends_with(format.ending); });
+                                  [&](const FileFormat& format) { return path.ends_with(format.extension); });
   return found == formats_.end() ? nullptr : &*found;
 }
 

@@ -55,7 +55,7 @@ void write_table(const GraphFileView& file, const WriteOptions& /*options*/, Tex
 FileFormats formats_with_table() {
   FileFormats formats = default_formats();
   formats.add({.name = "table",
-               .ending = ".csv",
+               .extension = ".csv",
                .recognize = [](std::string_view beginning) { return beginning.starts_with(kTitle); },
                .read = read_table,
                .write = write_table});
@@ -77,7 +77,7 @@ TEST_F(CustomFileFormat, IsRecognizedByItsTextAndRead) {
   EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n", "t").graph.vertex_count(), 0u) << "without the format";
 }
 
-TEST_F(CustomFileFormat, IsWrittenIfTheFileNameHasItsEnding) {
+TEST_F(CustomFileFormat, IsWrittenIfTheFileHasItsExtension) {
   const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t", reading_);
   const std::string path = testing::TempDir() + "boxplus_own_file_format_test.csv";
   write_graph(path, file, writing_);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(FileFormats, AreFoundByNameAndByTheEndingOfAPath) {
+TEST(FileFormats, AreFoundByNameAndByExtension) {
   const FileFormats& formats = default_formats();
   EXPECT_EQ(formats.find("TORO"), formats.of_path("data/w10000.graph"));
   EXPECT_EQ(formats.find("g2o"), formats.of_path("a.graph.g2o"));
@@ -22,7 +22,7 @@ TEST(FileFormats, AskTheFormatThatWasAddedLastFirst) {
   FileFormats formats = default_formats();
   EXPECT_EQ(formats.recognize("any text")->name, "g2o");
   formats.add({.name = "mine",
-               .ending = ".mine",
+               .extension = ".mine",
                .recognize = [](std::string_view) { return true; },
                .read = formats.find("g2o")->read});
   EXPECT_EQ(formats.recognize("any text")->name, "mine");
@@ -30,11 +30,11 @@ TEST(FileFormats, AskTheFormatThatWasAddedLastFirst) {
 }
 
 TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithANameThatIsTaken) {
-  const auto complaint = [](const char* name, const char* ending) -> std::string {
+  const auto complaint = [](const char* name, const char* extension) -> std::string {
     FileFormats formats = default_formats();
     FileFormat format = *formats.find("g2o");
     format.name = name;
-    format.ending = ending;
+    format.extension = extension;
     try {
       formats.add(format);
     } catch (const InvalidArgument& error) {
@@ -47,7 +47,7 @@ TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithANameThatIsTaken) {
   EXPECT_THAT(complaint("TORO", ".mine"), HasSubstr("TORO's .graph is a format already"));
   EXPECT_THAT(complaint("", ".mine"), HasSubstr("expected a name"));
   FileFormats formats;
-  EXPECT_THROW(formats.add({.name = "mine", .ending = ".mine", .recognize = {}, .read = {}}),
+  EXPECT_THROW(formats.add({.name = "mine", .extension = ".mine", .recognize = {}, .read = {}}),
                InvalidArgument);
 }
 

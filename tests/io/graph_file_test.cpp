@@ -21,7 +21,7 @@ TEST(GraphFile, NamesTheFileThatCannotBeOpened) {
   EXPECT_THROW(read_graph("/"), FileError);
 }
 
-TEST(GraphFile, IsWrittenAsG2oIfNoFormatHasTheEndingOfItsName) {
+TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknown) {
   const GraphFile file = parse_graph("VERTEX2 0 0 0 0\n", "g");
   for (const char* name : {"boxplus_graph_file_test.txt", "boxplus_graph_file_test.graph"}) {
     const std::string path = testing::TempDir() + name;

@@ -4,9 +4,9 @@
 // Eigen derives the alignment of its fixed-size types, and the allocator of the others, from the -m flags of
 // each translation unit, so the same struct may have two layouts in one program. The value types of boxplus
 // do not depend on these flags, but users' types inside our templates may. So every public header references
-// the
-// symbol boxplus_abi_<version>_<EIGEN_MAX_ALIGN_BYTES>, of which the library defines exactly one. The CMake
-// target boxplus::boxplus sets EIGEN_MAX_ALIGN_BYTES=16, so that users of the target never meet the mismatch.
+// the symbol boxplus_abi_<version>_<EIGEN_MAX_ALIGN_BYTES>, and the library defines exactly one such symbol.
+// The CMake target boxplus::boxplus sets EIGEN_MAX_ALIGN_BYTES=16, so that users of the target never meet the
+// mismatch.
 #pragma once
 
 #include <Eigen/Core>

@@ -41,7 +41,8 @@ struct EdgeTile {
   double* error = nullptr;     ///< not whitened
   double* jacobian = nullptr;  ///< rows × cols, column-major; the columns of its vertices in order
   /// The caller sets this before linearize() if it can read lanes; linearize() clears it if it wrote no
-  /// lanes. If the number of edges is no multiple of kLanes, the remaining lanes are copies of the last edge.
+  /// lanes. If the number of edges is not a multiple of kLanes, the remaining lanes are copies of the last
+  /// edge.
   bool in_lanes = false;
 };
 

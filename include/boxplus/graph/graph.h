@@ -122,7 +122,7 @@ class Graph {
   }
   std::optional<VertexRef> find_vertex(Id id) const;
   std::optional<VertexRef> find_parameter(Id id) const;
-  /// `vertex` as a handle of its type. Throws InvalidArgument if the estimate is no T.
+  /// `vertex` as a handle of its type. Throws InvalidArgument if the estimate is not a T.
   template <detail::ManifoldType T>
   VertexHandle<detail::StoredEstimate<T>> typed(VertexRef vertex) const {
     typed_pool<T>(vertex);
@@ -291,7 +291,7 @@ class Graph {
   std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools() const { return vertex_pools_; }
   std::span<const std::unique_ptr<detail::EdgePool>> edge_pools() const { return edge_pools_; }
   /// Changes when the structure of the problem changes: elements, fixed and eliminated flags, fixed
-  /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are no part of the structure.
+  /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the structure.
   std::uint64_t revision() const { return revision_; }
   /// The revision of the last change of the structure that did more than append elements to the ends of their
   /// pools. If a caller knows the structure of this or a later revision, all changes since then lie beyond

@@ -11,7 +11,7 @@ namespace boxplus::detail {
 
 /// A hash table in one piece of memory, made for consecutive ids. These lie side by side, which suits edges,
 /// because the ids of an edge's vertices are mostly close to each other. If an entry is taken, the search
-/// goes on with a stride that depends on the hash of the id, so that no pattern of ids makes it slow. All
+/// continues with a stride that depends on the hash of the id, so that no pattern of ids makes it slow. All
 /// calls are O(1) on average over the ids; growth is amortized.
 class IdMap {
  public:

@@ -74,7 +74,7 @@ class FieldReader {
   /// The place of the next field.
   FieldPlace place() const { return FieldPlace(passed()); }
   std::int64_t line_number() const { return line_number_; }
-  /// Records something unusual about this line that is no error.
+  /// Records something unusual about this line that is not an error.
   void note(std::string text);
   const std::string& noted() const { return note_; }
   /// Throws InputError at a place of this line.

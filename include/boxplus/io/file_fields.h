@@ -20,7 +20,7 @@ namespace boxplus {
 template <class T>
 struct FileFields;
 
-/// One number.
+/// One scalar.
 template <>
 struct FileFields<double> {
   static double read(FieldReader& in) { return in.number("a number"); }

@@ -3,7 +3,7 @@
 // know formats only through a table. To add a custom format:
 //
 //     FileFormats formats = default_formats();
-//     formats.add({.name = "mine", .ending = ".mine", .recognize = …, .read = …, .write = …});
+//     formats.add({.name = "mine", .extension = ".mine", .recognize = …, .read = …, .write = …});
 //     GraphFile file = read_graph(path, {.formats = &formats});
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace boxplus {
 
-/// Takes a text piece by piece.
+/// Receives text piece by piece.
 using TextSink = detail::FunctionRef<void(std::string_view)>;
 
 /// The graph that a format writes. A graph that was not read from a file has no lists.
@@ -31,10 +31,10 @@ struct GraphFileView {
 };
 
 struct FileFormat {
-  std::string name;    ///< for messages: "TORO"
-  std::string ending;  ///< of the file names: ".graph"
-  /// Whether a text is in this format. `beginning` is its first block (TextSource): whole lines, at least
-  /// 128 KiB unless the text is shorter.
+  std::string name;       ///< for messages: "TORO"
+  std::string extension;  ///< of file names: ".graph"
+  /// Whether a file is in this format. `beginning` is the first block of its text (TextSource): whole lines,
+  /// at least 128 KiB unless the text is shorter.
   std::function<bool(std::string_view beginning)> recognize;
   /// Throws InputError if the text is invalid. Ignores options that do not apply to the format.
   std::function<GraphFile(const TextSource& text, const ReadOptions& options)> read;
@@ -42,23 +42,23 @@ struct FileFormat {
   /// read-only.
   std::function<void(const GraphFileView& file, const WriteOptions& options, TextSink sink)> write = {};
 
-  /// For help texts: "TORO's .graph"; or ".g2o", if the ending is the name.
+  /// For help texts: "TORO's .graph", or only ".g2o" if the extension equals the name.
   std::string label() const;
 };
 
 /// A table of formats.
 class FileFormats {
  public:
-  /// Throws InvalidArgument if the name or the ending is empty or taken, or if the format cannot recognize
-  /// or read.
+  /// Throws InvalidArgument if the name or the extension is empty or taken, or if recognize or read is
+  /// missing.
   void add(FileFormat format);
   /// In the order in which they were added.
   std::span<const FileFormat> all() const { return formats_; }
   /// By name; nullptr if there is none.
   const FileFormat* find(std::string_view name) const;
-  /// By the ending of a path; nullptr if no format has this ending.
+  /// By the extension of a path; nullptr if no format has this extension.
   const FileFormat* of_path(std::string_view path) const;
-  /// The format that recognizes a text by its beginning, or nullptr. The format that was added last is tried
+  /// The format that recognizes the beginning of a file, or nullptr. The format that was added last is tried
   /// first. So .g2o, which accepts any text, is tried after all others.
   const FileFormat* recognize(std::string_view beginning) const;
 

@@ -24,22 +24,22 @@ struct ReadOptions {
   /// Tags to read as others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
   std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
-  int threads = 0;       ///< at most; 0: one per hardware thread. The graph does not depend on it.
+  int threads = 0;       ///< maximum; 0: one per hardware thread. The graph does not depend on it.
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
 };
 
 struct WriteOptions {
   const Registry* registry = nullptr;    ///< nullptr: default_registry()
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
-  /// The name of a format. If it is empty, the ending of the file's name selects the format; if no format
-  /// that can be written has this ending, the first one is used, .g2o.
+  /// The name of a format. If it is empty, the extension of the file selects the format. If no writable
+  /// format has this extension, the first format (.g2o) is used.
   std::string format = {};
 };
 
 /// A graph, and the rest of its file.
 struct GraphFile {
-  /// A line that is no element (a comment, an unknown tag, an edge with an unassigned vertex). Writing puts
-  /// it back after the element that it followed.
+  /// A line that is not an element (a comment, an unknown tag, an edge with an unassigned vertex). Writing
+  /// puts it back after the element that it followed.
   struct KeptLine {
     enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
     Place place = Place::kBegin;
@@ -56,7 +56,7 @@ struct GraphFile {
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
-  std::vector<Note> notes = {};  ///< unusual things that are no errors
+  std::vector<Note> notes = {};  ///< unusual things that are not errors
   std::int64_t lines = 0;        ///< of the file
   std::int64_t skipped = 0;      ///< lines that were skipped (lenient reading)
   bool vertices_created =
@@ -65,8 +65,8 @@ struct GraphFile {
 
 /// Reads a file in the format that recognizes its beginning; its name does not matter. Throws FileError if
 /// the file cannot be opened. Throws InputError ("file:line:column: expected …, got …") for truncated lines,
-/// fields that are no finite numbers, ids that are taken or unknown, vertices of the wrong type, indefinite
-/// Ω, and quaternions that are far from unit length. Unknown tags are no error: their lines are kept and
+/// fields that are not finite numbers, ids that are taken or unknown, vertices of the wrong type, indefinite
+/// Ω, and quaternions that are far from unit length. Unknown tags are not errors: their lines are kept and
 /// noted.
 GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
 /// The same from memory. Messages use `name` as the name of the file.
@@ -78,7 +78,7 @@ GraphFile parse_graph(std::string_view text, const std::string& name, const Read
 /// cannot be written, and InvalidArgument if an element has no tag, or if the format is unknown or read-only.
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});
-/// The text that write_graph() would write to a file whose name has no ending.
+/// The text that write_graph() would write to a file without an extension.
 std::string format_graph(const GraphFile& file, const WriteOptions& options = {});
 
 }  // namespace boxplus

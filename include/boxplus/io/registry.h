@@ -17,7 +17,7 @@
 namespace boxplus {
 
 /// Maps tags to types and types to tags. If several tags stand for one type, the first is written. All
-/// functions that add a tag throw InvalidArgument if it is taken, or is no valid tag for a file.
+/// functions that add a tag throw InvalidArgument if the tag is taken or is not valid in a file.
 class Registry {
  public:
   template <class T>

@@ -26,8 +26,8 @@ struct Parameter {
   using Element = T;
 };
 
-/// A tag, and the type that it stands for. The functions that read do so to the end of the line. They throw
-/// InputError, and then add nothing.
+/// A tag, and the type that it stands for. Its functions that read consume the rest of the line. If they
+/// throw InputError, they have added nothing.
 struct Tag {
   enum class Kind : std::uint8_t { kVertex, kParameter, kEdge };
   /// A vertex of an edge.

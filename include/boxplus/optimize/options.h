@@ -76,11 +76,12 @@ struct Options {
   /// The next options say when to stop: when …
   int max_iterations = 100;       ///< … this many iterations are done, counting all runs of one call,
   double cost_tolerance = 1e-10;  ///< … chi2 fell by less than this fraction of itself,
-  /// … two iterations in a row lower chi2 by less than this fraction of the noise variance, and so does their
-  /// predicted decrease; or ten in a row by less than ten times that together. The noise variance is
-  /// chi2 / (rows − unknowns), which is 1 if Ω is right. A decrease of chi2 by this variance corresponds to
-  /// estimates that move by one standard deviation in one direction. Besides, each of the two must lower chi2
-  /// by at most 2e-7 of itself, and the ten by at most 5e-6. 0 switches this off,
+  /// … two consecutive iterations each lower chi2 by less than this fraction of the noise variance, and were
+  /// predicted to do so; or ten consecutive iterations together lower it by less than ten times as much. The
+  /// noise variance is chi2 / (rows − unknowns), which is 1 if Ω is right. A decrease of chi2 by this
+  /// variance corresponds to estimates that move by one standard deviation in one direction. The decrease
+  /// must also be small relative to chi2: at most 2e-7 of chi2 in each of the two iterations, or at most 5e-6
+  /// in the ten. 0 switches this criterion off,
   double noise_tolerance = 2e-2;
   /// … no entry of the step exceeds this fraction of the largest step entry of the run,
   double step_tolerance = 1e-12;
@@ -111,7 +112,7 @@ struct Options {
   /// LinearSolverKind::kAutomatic chooses pcg if a Cholesky factor would take more memory than this; 0: half
   /// of the machine's memory. (It also chooses pcg if a factorization would take far longer.)
   std::uint64_t max_factor_bytes = 0;
-  int threads = 0;  ///< at most; 0: one per hardware thread. Results do not depend on it.
+  int threads = 0;  ///< maximum; 0: one per hardware thread. Results do not depend on it.
   int level = 0;    ///< edges of this level take part; negative: all
   /// If not empty, only these vertices move, and only edges that touch them take part.
   std::vector<VertexRef> vertices = {};

@@ -7,7 +7,7 @@ FileFormat g2o_format() {
   // Lines with unknown tags are kept: any text is a .g2o file, even if it holds no graph.
   const auto recognize = [](std::string_view) { return true; };
   return {.name = "g2o",
-          .ending = ".g2o",
+          .extension = ".g2o",
           .recognize = recognize,
           .read = read_tagged_lines,
           .write = write_tagged_lines};

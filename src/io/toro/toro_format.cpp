@@ -26,7 +26,7 @@ bool begins_with_tag_of_toro(std::string_view text) {
 
 FileFormat toro_format() {
   return {
-      .name = "TORO", .ending = ".graph", .recognize = begins_with_tag_of_toro, .read = read_tagged_lines};
+      .name = "TORO", .extension = ".graph", .recognize = begins_with_tag_of_toro, .read = read_tagged_lines};
 }
 
 }  // namespace boxplus
