@@ -71,7 +71,8 @@ void SparseOptimizer::sizeWorkspace() {
   _jacobianWorkspace.allocate();
 }
 
-/// The common end of all initializeOptimization(), once the active vertices and edges are known.
+/// The last part of every initializeOptimization() overload, called when the active vertices and edges are
+/// known.
 bool SparseOptimizer::startOptimization() {
   sortVectorContainers();
   sizeWorkspace();
@@ -112,7 +113,7 @@ bool SparseOptimizer::initializeOptimization(HyperGraph::VertexSet& vset, int le
   return startOptimization();
 }
 
-/// The same as for the set of all vertices, without looking up each of them.
+/// Has the same effect as passing the set of all vertices, but does not look up each of them.
 bool SparseOptimizer::initializeOptimization(int level) {
   if (edges().empty()) {
     G2O_WARN("initializeOptimization: the graph has no edges");
@@ -191,7 +192,7 @@ bool SparseOptimizer::changeId(HyperGraph::Vertex* v, int newId) {
   return true;
 }
 
-// Deactivates an active edge that lost a vertex. With another vertex, the edge has another block of H.
+// Deactivates an active edge that lost a vertex. An edge that got another vertex adds to another block of H.
 bool SparseOptimizer::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
   if (!OptimizableGraph::setEdgeVertex(e, pos, v)) return false;
   const auto active = findActiveEdge(static_cast<OptimizableGraph::Edge*>(e));

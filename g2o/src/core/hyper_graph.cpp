@@ -189,7 +189,7 @@ bool HyperGraph::removeEdge(Edge* e) {
 }
 
 // Deletes edges first, so that their destructors still find their vertices. Accesses only vertices that are
-// still listed, because a client may own its vertices and have emptied vertices() before.
+// still listed, because a client that owns its vertices may have emptied vertices() before.
 void HyperGraph::clear() {
   for (Edge* e : _edges) release(e);
   _edges.clear();

@@ -87,7 +87,8 @@ class Loader {
     }
   }
 
-  /// Shows the first unknown tags and counts the others, because a file of another format is full of them.
+  /// Reports the first unknown tags and only counts the others, because a file in another format has very
+  /// many.
   void report_unknown_tags() const {
     constexpr size_t kShown = 5;
     std::vector<std::pair<std::string, Unknown>> tags(unknown_.begin(), unknown_.end());
@@ -109,8 +110,8 @@ class Loader {
       G2O_WARN("{} more lines with {} other unknown tags, skipped", others, tags.size() - kShown);
   }
 
-  /// Whether read() accepts the fields. A read() that ends in `return is.good()` refuses fields at the end of
-  /// a line. It is called again with a blank after them.
+  /// Whether read() accepts the fields. A read() that ends in `return is.good()` returns false if its last
+  /// field ends the line. If read() fails, it is therefore called again with a blank after the fields.
   template <class Element>
   static bool accepts(Element& element, internal::LineStream& fields) {
     const std::istream::pos_type begin = fields.tellg();

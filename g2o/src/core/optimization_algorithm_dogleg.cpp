@@ -74,7 +74,7 @@ void OptimizationAlgorithmDogleg::blend(const VectorX& gaussNewton) {
     _hdl = _delta / steepest * _hsd;
     _lastStep = STEP_SD;
   } else {
-    // ‖hsd + β (hgn − hsd)‖ = delta, the root in [0, 1] written without cancellation.
+    // The root β in [0, 1] of ‖hsd + β (hgn − hsd)‖ = delta, computed without cancellation.
     const VectorX difference = gaussNewton - _hsd;
     const double a = difference.squaredNorm(), c = _hsd.dot(difference);
     const double rest = _delta * _delta - steepest * steepest;

@@ -22,8 +22,9 @@ double largest_decrease_along(const Solver& solver, double lambda) {
   return curvature > 0 ? slope * slope / curvature : std::numeric_limits<double>::infinity();
 }
 
-/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest decrease
-/// along the step must also be small, so that a short step from a large λ does not count.
+/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest possible
+/// decrease along the step must also be that small. A step that is short only because λ is large therefore
+/// does not count.
 bool is_below_rounding(double chi2, double predicted, double largest_predicted, double decrease) {
   constexpr double kRounding = 1e-13, kMostShortening = 1000;
   return predicted <= kRounding * chi2 && std::abs(decrease) <= kRounding * chi2 &&

@@ -5,8 +5,8 @@ namespace g2o {
 namespace internal {
 
 /// Saves the estimates of a vertex, or of the active vertices of an optimizer, before a step that may be
-/// rejected. The destructor restores them unless keep() was called, so an exception of client code restores
-/// them, too.
+/// rejected. The destructor restores them unless keep() was called. So they are also restored if client code
+/// throws.
 template <class Stack>
 class PushedEstimates {
  public:

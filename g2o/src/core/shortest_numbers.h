@@ -5,8 +5,9 @@
 
 namespace g2o {
 
-/// Writes into the buffer of another stream, with every double as the shortest text that reads back as the
-/// same double, in any locale. The destructor sets badbit of the other stream if the buffer failed.
+/// Writes into the buffer of another stream. Every double becomes the shortest text that reads back as the
+/// same double, in any locale. The destructor sets badbit of the other stream if writing to the buffer
+/// failed.
 class ShortestNumbers {
  public:
   explicit ShortestNumbers(std::ostream& os);

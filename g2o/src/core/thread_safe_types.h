@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types that a ThreadSafe object declares.
+// The types currently declared thread-safe (by a live ThreadSafe<T> object).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace internal {
 /// Whether objects of exactly this type may be evaluated on several threads at once. May be called on any
 /// thread.
 bool is_thread_safe(const std::type_info& type);
-/// Changes with every declaration that is made or withdrawn.
+/// A counter that changes whenever a ThreadSafe<T> object is created or destroyed.
 std::uint64_t thread_safe_types_revision();
 
 }  // namespace internal

@@ -10,11 +10,11 @@
 namespace g2o {
 namespace internal {
 
-/// A client factorizes and solves in one call, so factorize() only adds the damping to copies of the diagonal
-/// blocks, and lists all blocks for solve().
+/// A client's solver factorizes and solves in one call. So factorize() only adds the damping to copies of the
+/// diagonal blocks, and lists all blocks for solve().
 class ClientSolver final : public boxplus::LinearSolver {
  public:
-  /// Sets the client that the next calls of solve() use.
+  /// Sets the client's solver that the next calls of solve() use.
   void set_client(const ClientLinearSolver* client) { client_ = client; }
 
   std::string_view name() const override { return "client"; }
@@ -23,7 +23,7 @@ class ClientSolver final : public boxplus::LinearSolver {
                const boxplus::StopToken& stop) override;
   boxplus::FactorResult factorize(const boxplus::BlockSystem& system, const boxplus::Damping& damping,
                                   const boxplus::SolveControl& control) override;
-  /// Solves for one column. Returns kNotPositiveDefinite if the client cannot solve.
+  /// Solves for one column. Returns kNotPositiveDefinite if the client's solver fails.
   boxplus::SolveResult solve(const double* b, int columns, double* x,
                              const boxplus::SolveControl& control) override;
 

@@ -33,8 +33,8 @@ class LastType {
   bool allowed_ = false;
 };
 
-/// Assigns vertices to parts, in the order in which edges first use them. Vertices that are measured one
-/// after the other are mostly near each other.
+/// Assigns vertices to parts, in the order in which edges first use them, because vertices that are measured
+/// in sequence are mostly near each other.
 class VertexParts {
  public:
   explicit VertexParts(const OptimizableGraph::EdgeContainer& edges, int vertices)
@@ -53,7 +53,7 @@ class VertexParts {
     for (const HyperGraph::Vertex* v : edge.vertices()) {
       const size_t h = index(v);
       if (h == kFixed) continue;
-      if (h >= number_.size()) return -1;  // a client has numbered it
+      if (h >= number_.size()) return -1;  // the client changed its Hessian index
       const int here = static_cast<int>(static_cast<std::int64_t>(number_[h]) * count / seen_);
       if (part >= 0 && part != here) return -1;
       part = here;

@@ -12,7 +12,7 @@
 namespace g2o {
 namespace internal {
 
-/// Passes all calls on to `solver`. Converts EngineSettings::tolerance to a relative tolerance, because only
+/// Forwards all calls to `solver`. Converts EngineSettings::tolerance to a relative tolerance, because only
 /// this solver knows the right-hand side of the system that remains after the elimination.
 class MeasuredSolver final : public boxplus::LinearSolver {
  public:

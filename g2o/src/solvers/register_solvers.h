@@ -45,8 +45,8 @@ AbstractOptimizationAlgorithmCreator* solver_creator(const std::string& name, co
 }  // namespace internal
 }  // namespace g2o
 
-/// Registers eight algorithms: gn_ and lm_, each with four suffixes, for blocks of any size, 3 2, 6 3, and 7
-/// 3.
+/// Registers eight algorithms: gn_ and lm_, each with four suffixes for block sizes (any size, 3 2, 6 3, and
+/// 7 3).
 #define G2O_REGISTER_ALGORITHMS_(prefix, Algorithm, method, Linear, type, any, s32, s63, s73)         \
   G2O_REGISTER_OPTIMIZATION_ALGORITHM(                                                                \
       prefix##any, (internal::solver_creator<Algorithm, Linear, -1, -1>(#prefix #any, method, type))) \

@@ -97,7 +97,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return changed;
   }
 
-  /// The ends of the block columns, then for each column the number of its blocks and their rows.
+  /// The boundaries of the block columns, then for each column the number of its blocks and their rows.
   static std::vector<int> pattern_of(const SparseBlockMatrix<MatrixType>& A) {
     std::vector<int> pattern = A.colBlockIndices();
     for (const auto& column : A.blockCols()) {

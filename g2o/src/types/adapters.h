@@ -78,7 +78,7 @@ inline bool are_zeros(boxplus::FieldReader in, int count) {
   return true;
 }
 
-/// Reads Ω. If all fields are zero, which the engine refuses, the edge has no weight.
+/// Reads Ω. The engine refuses an Ω of zeros; here, the edge then has no weight.
 template <class Omega>
 void read_omega(boxplus::FieldReader& in, Omega& information) {
   const auto rows = static_cast<int>(information.rows());
@@ -118,7 +118,8 @@ bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
   });
 }
 
-/// The same for an edge that the engine does not have. Files store its measurement like a T.
+/// The same for an edge type that the engine does not have. Files store its measurement in the same way as a
+/// T.
 template <class T, class Omega, class Take>
 bool read_measurement(std::istream& is, int count, Omega& information, Take&& take) {
   return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
@@ -136,8 +137,8 @@ bool write_measurement(std::ostream& os, const T& measurement, const Omega& info
   });
 }
 
-/// Reads values at the end of a line. If the line has none, the values stay. Returns false if the line has
-/// only some of them, or something else.
+/// Reads optional values at the end of a line. If the line has none, the values stay unchanged. Returns false
+/// if the line has only some of them, or other fields.
 inline bool read_rest(std::istream& is, std::initializer_list<double*> numbers) {
   const std::istream::int_type next = is.eof() ? std::istream::traits_type::eof() : (is >> std::ws).peek();
   if (next == std::istream::traits_type::eof()) {

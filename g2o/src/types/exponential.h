@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives with respect to δ of exp(δ) x at δ = 0, with δ = (ω, υ) or (ω, υ, σ).
+// Derivatives of exp(δ) x with respect to δ at δ = 0, with δ = (ω, υ) or (ω, υ, σ).
 #pragma once
 
 #include "boxplus/autodiff/dual.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges from one pose to any number of points. Their blocks are those of an edge to one point.
+// The edges from one pose to any number of points. Their Jacobian blocks are those of an edge to one point.
 #pragma once
 
 #include <vector>

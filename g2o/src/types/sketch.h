@@ -25,9 +25,9 @@ struct Sketch {
   std::vector<Isometry3> sensors;
   /// Cameras look along their z-axis.
   std::vector<Isometry3> cameras;
-  /// Pieces of planes. Their normal is the z-axis.
+  /// Pieces of planes. The z-axis of each frame is the normal.
   std::vector<Isometry3> planes;
-  /// The default length of the sides of these pieces (meters). A property can change it.
+  /// The default side length of these pieces (meters). A property can change it.
   float plane_side = 3;
   std::vector<Vector3> points;
   std::vector<std::array<Vector3, 2>> lines;

@@ -144,7 +144,7 @@ class AutoDifferentiation {
     g2o::AutoDifferentiation<G2OEdge_, Access<G2OEdge_>>::linearize(this);       \
   }
 
-/// Inside an edge class: defines computeError() and linearizeOplus() by its operator(), over
+/// Inside an edge class: implements computeError() and linearizeOplus() with operator(), which receives
 /// estimate().data().
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessor)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessor)
@@ -152,7 +152,7 @@ class AutoDifferentiation {
   G2O_MAKE_AUTO_AD_COMPUTEERROR    \
   G2O_MAKE_AUTO_AD_LINEARIZEOPLUS
 
-/// The same over getEstimateData(), for vertices whose estimate has no data().
+/// The same with getEstimateData(), for vertices whose estimate has no data().
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_FUNCTIONS_BY_GET \

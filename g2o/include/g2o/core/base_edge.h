@@ -33,8 +33,8 @@ constexpr bool hasNormalProducts(int rows, int cols) {
   return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
 }
 
-/// Copies the upper triangle of Ω by rows. Returns false if Ω is not symmetric up to rounding, because then
-/// it is not known which half is meant.
+/// Copies the upper triangle of Ω by rows. Returns false if Ω is not symmetric up to rounding, because it is
+/// then unclear which triangle is meant.
 template <int D, class Omega>
 bool upperTriangle(const Omega& omega, double* triangle) {
   const double rounding = 1e-12 * std::abs(omega.trace());
@@ -48,8 +48,8 @@ bool upperTriangle(const Omega& omega, double* triangle) {
 }
 
 /// products ← JᵀΩJ and gradient ← JᵀΩe, from the columns of J and the upper triangle of Ω by rows. Uses the
-/// fastest instruction set of the machine. Returns the distance between two columns of `products`, which must
-/// have room for kMostProductColumns columns of that many values.
+/// fastest instruction set available. Returns the column stride (leading dimension) of `products`. `products`
+/// must have room for kMostProductColumns columns of this stride.
 G2O_CORE_API int normalProducts(int rows, int cols, const double* const* jacobian, const double* omega,
                                 const double* error, double* products, double* gradient);
 

@@ -16,8 +16,8 @@
 #include "g2o/core/base_edge.h"
 #include "g2o/stuff/logger.h"
 
-/// Expands, in a pack expansion over the VertexTypes of an edge, to the dimensions of each. The name is
-/// g2o's.
+/// In a pack expansion over the VertexTypes of an edge, expands to the dimension of each vertex. The name is
+/// that of g2o.
 #define G2O_VERTEX_DIM VertexTypes::Dimension
 
 namespace g2o {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ends of the blocks of a block matrix, and its scalars in compressed columns.
+// The boundaries of the blocks of a block matrix, and its scalars in compressed columns.
 #pragma once
 #ifndef G2O_BLOCK_LAYOUT_H
 #define G2O_BLOCK_LAYOUT_H

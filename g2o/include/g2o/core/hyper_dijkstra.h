@@ -14,8 +14,8 @@
 namespace g2o {
 
 struct G2O_CORE_API HyperDijkstra {
-  /// The cost of going from one vertex of an edge to another. std::numeric_limits<double>::max() means that
-  /// there is no way.
+  /// The cost of going from one vertex of an edge to another. Returns std::numeric_limits<double>::max() if
+  /// that is impossible.
   struct G2O_CORE_API CostFunction {
     virtual double operator()(HyperGraph::Edge* e, HyperGraph::Vertex* from, HyperGraph::Vertex* to) = 0;
     virtual ~CostFunction();

@@ -139,9 +139,9 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
 /// Draws elements: the action "draw". The action for a type draws its elements, their user data, and the
 /// caches of its vertices. Elements whose type has no action are not drawn.
 ///
-/// Properties of the parameters set the look of each type: `<typeName>::SHOW` (bool, true), and those that
-/// the action for the type has, such as `<typeName>::POINT_SIZE`. They can be made before the first drawing,
-/// which makes the missing ones:
+/// Properties in the parameters set the appearance of each type: `<typeName>::SHOW` (bool, by default true),
+/// and further properties of the type's action, such as `<typeName>::POINT_SIZE`. The first drawing creates
+/// each missing property with its default. To set one earlier, create it before the first drawing:
 ///
 ///     parameters.makeProperty<g2o::BoolProperty>(std::string(typeid(Edge).name()) + "::SHOW", false);
 class G2O_CORE_API DrawAction : public HyperGraphElementAction {
@@ -158,14 +158,15 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
   ~DrawAction() override;
 
  protected:
-  /// Points the members for properties to those of `params_`, and makes the missing ones. Returns false if
-  /// `params_` is not a DrawAction::Parameters or has no drawing. Must be called before every drawing.
+  /// Points the property members at the properties of `params_`, and creates missing properties. Returns
+  /// false if `params_` is not a DrawAction::Parameters or has no drawing. Must be called before every
+  /// drawing.
   virtual bool refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_);
-  /// Draw the caches of a vertex, and the user data of an element, by the actions for their types.
+  /// Draw the caches of a vertex or the user data of an element with the actions for their types.
   void drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_);
   void drawUserData(HyperGraph::Data* data, HyperGraphElementAction::Parameters* params_);
 
-  /// The property `name` of this type. Makes it with the value `otherwise` if it does not exist.
+  /// Returns the property `name` of this type. If it does not exist, creates it with the value `otherwise`.
   float property(const std::string& name, float otherwise);
 
   Parameters* _previousParams = nullptr;  ///< those of the last refreshPropertyPtrs()
@@ -174,7 +175,7 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
 
 namespace internal {
 
-/// An action for a type, under the class name that g2o gives it. Forwards to `action`.
+/// An action for a type, under the class name that it has in g2o. Forwards to `action`.
 template <class Base>
 class NamedAction : public Base {
  public:

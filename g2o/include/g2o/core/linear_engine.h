@@ -90,7 +90,7 @@ class G2O_CORE_API LinearEngine {
   std::vector<double> transposed_;
 };
 
-/// spinv ← the blocks (i, j) of the inverse of the matrix that `engine` has factorized.
+/// spinv ← the blocks (i, j) of the inverse of the matrix that `engine` factorized last.
 G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
                               const std::vector<std::pair<int, int>>& blockIndices,
                               SparseBlockMatrix<MatrixX>& spinv);

@@ -48,7 +48,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     bool operator()(const Vertex* v1, const Vertex* v2) const { return v1->id() < v2->id(); }
   };
 
-  /// Orders edges by when they were added to the graph.
+  /// Orders edges in the order in which they were added to the graph.
   struct EdgeIDCompare {
     bool operator()(const Edge* e1, const Edge* e2) const { return e1->internalId() < e2->internalId(); }
     bool operator()(const HyperGraph::Edge* e1, const HyperGraph::Edge* e2) const {
@@ -363,7 +363,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
   bool changeId(HyperGraph::Vertex* v, int newId) override;
 
-  /// Σ eᵀΩe over all edges, without robust kernels, of the errors as last computed.
+  /// Σ eᵀΩe over all edges, without robust kernels, from the errors as last computed.
   double chi2() const;
   int maxDimension() const;
   /// The distinct dimensions of the vertices.

@@ -30,7 +30,7 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   static const char* stepType2Str(int stepType);
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< in _properties, as are those below
+  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like those below
   Property<double>* _userDeltaInit;
   Property<double>* _initialLambda;
   Property<double>* _lamdbaFactor;

@@ -41,7 +41,7 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
   /// Returns a new algorithm, which the caller owns, and sets its property. Returns nullptr if the name is
   /// unknown. If a name ends in _cholmod or _csparse and that library is missing, returns the algorithm
-  /// without that ending and warns.
+  /// without that suffix and warns.
   OptimizationAlgorithm* construct(const std::string& tag,
                                    OptimizationAlgorithmProperty& solverProperty) const;
   void listSolvers(std::ostream& os) const;

@@ -31,7 +31,7 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   int levenbergIteration() { return _levenbergIterations; }
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< in _properties, as is the one below
+  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like the next one
   Property<double>* _userLambdaInit;
   double _currentLambda = -1;
   double _tau = 1e-5;

@@ -57,8 +57,8 @@ class G2O_CORE_API Solver {
   bool levenberg() const { return _isLevenberg; }
   void setLevenberg(bool levenberg);
 
-  /// Whether a step may be inexact. Levenberg-Marquardt and dogleg allow this, because they compare the
-  /// actual with the predicted decrease. If it is false, the library's direct solvers use only double
+  /// Whether steps may be inexact. Levenberg-Marquardt and dogleg allow this, because they compare the actual
+  /// decrease with the predicted one. If this is false, the library's direct solvers use only double
   /// precision (not in g2o).
   bool inexactSteps() const { return inexact_steps_; }
   void setInexactSteps(bool inexactSteps);

@@ -127,8 +127,7 @@ class SparseBlockMatrix {
     return part;
   }
 
-  /// dest ← thisᵀ. Returns false if dest has other block sizes. If dest does not own its blocks, it does
-  /// afterwards.
+  /// dest ← thisᵀ. Returns false if dest has other block sizes. Afterwards, dest owns its blocks.
   template <class MatrixTransposedType>
   bool transpose(SparseBlockMatrix<MatrixTransposedType>& dest) const {
     if (dest.rowBlockIndices() != _colBlockIndices || dest.colBlockIndices() != _rowBlockIndices)
@@ -274,7 +273,8 @@ class SparseBlockMatrix {
     return count;
   }
 
-  /// Fills `blockCCS`, which has the same ends, with the blocks of this matrix. Returns their number.
+  /// Fills `blockCCS`, which has the same block boundaries, with the blocks of this matrix. Returns the
+  /// number of blocks.
   int fillSparseBlockMatrixCCS(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_blockCols.size(), {});
@@ -290,8 +290,8 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(r)].emplace_back(c, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// Replaces the blocks of this matrix by those of `hashMatrix`, which has the same ends and is empty
-  /// afterwards.
+  /// Replaces the blocks of this matrix by those of `hashMatrix`, which has the same block boundaries and is
+  /// empty afterwards.
   void takePatternFromHash(SparseBlockMatrixHashMap<MatrixType>& hashMatrix) {
     clear(true);
     _blockCols.resize(_colBlockIndices.size());

@@ -14,7 +14,8 @@
 
 namespace g2o {
 
-/// A view of blocks that it does not own. Refers to the ends of another matrix, which must outlive it.
+/// A view of blocks that it does not own. Refers to the block boundaries of another matrix, which must
+/// outlive it.
 template <class MatrixType>
 class SparseBlockMatrixCCS {
  public:
@@ -95,7 +96,7 @@ class SparseBlockMatrixHashMap {
   using SparseMatrixBlock = MatrixType;
   using SparseColumn = std::unordered_map<int, MatrixType*>;
 
-  /// Refers to the ends of another matrix, which must outlive it. Owns its blocks until
+  /// Refers to the block boundaries of another matrix, which must outlive it. Owns its blocks until
   /// SparseBlockMatrix::takePatternFromHash() takes them.
   SparseBlockMatrixHashMap(const std::vector<int>& rowIndices, const std::vector<int>& colIndices)
       : _rowBlockIndices(rowIndices), _colBlockIndices(colIndices) {}

@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A block-diagonal matrix. Refers to the ends of another matrix, which must outlive it.
+/// A block-diagonal matrix. Refers to the block boundaries of another matrix, which must outlive it.
 template <class MatrixType>
 class SparseBlockMatrixDiagonal {
  public:

@@ -62,7 +62,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   /// Returns true if neither a fixed vertex nor a prior of full dimension determines the gauge.
   bool gaugeFreedom();
 
-  /// Σ eᵀΩe, or Σ ρ(eᵀΩe), over the active edges, of the errors as last computed.
+  /// Σ eᵀΩe, or Σ ρ(eᵀΩe), over the active edges, from the errors as last computed.
   double activeChi2() const;
   double activeRobustChi2() const;
 

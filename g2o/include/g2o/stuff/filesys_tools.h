@@ -35,7 +35,8 @@ G2O_STUFF_API std::vector<std::string> getFilesByPattern(const char* pattern);
 inline std::vector<std::string> getFilesByPattern(const std::string& pattern) {
   return getFilesByPattern(pattern.c_str());
 }
-/// The sorted paths of the files in a folder that match as a whole, with or without the folder.
+/// The sorted paths of the files in a folder for which the pattern matches the whole file name, or the whole
+/// path including the folder.
 G2O_STUFF_API std::vector<std::string> getFilesByPattern(const std::string& directory,
                                                          const std::regex& pattern);
 

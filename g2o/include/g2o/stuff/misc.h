@@ -93,7 +93,7 @@ inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   return false;
 }
 
-/// Names a class whose use forces the linker to include the library that registers it.
+/// Declares a class; using it forces the linker to include the library that registers it.
 struct ForceLinker {
   explicit ForceLinker(void (*function)(void)) { (function)(); }
 };

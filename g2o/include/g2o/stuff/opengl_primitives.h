@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws shapes around the origin by OpenGL, with normals. Lengths are in units of the current matrix.
+// Functions that draw shapes around the origin with OpenGL, including normals. Lengths are in units of the
+// current matrix.
 #pragma once
 #ifndef G2O_OPENGL_PRIMITIVES_H
 #define G2O_OPENGL_PRIMITIVES_H

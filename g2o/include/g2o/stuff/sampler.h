@@ -12,8 +12,8 @@
 
 namespace g2o {
 
-/// A normally (uniformly) distributed value from a generator. If it is nullptr, uses the generator of the
-/// thread.
+/// A normally (uniformly) distributed value from a generator. If `generator` is nullptr, uses the generator
+/// of the calling thread.
 G2O_STUFF_API double sampleGaussian(std::mt19937* generator = nullptr);
 G2O_STUFF_API double sampleUniform(double min = 0., double max = 1., std::mt19937* generator = nullptr);
 
@@ -48,7 +48,7 @@ class G2O_STUFF_API Sampler {
   static double uniformRand(double lowerBndr, double upperBndr) {
     return sampleUniform(lowerBndr, upperBndr);
   }
-  /// Seed the generator from the clock, or from a number.
+  /// Seed the generator from the clock, or with a given value.
   static void seedRand();
   static void seedRand(unsigned int seed);
 };

@@ -10,8 +10,9 @@
 
 namespace g2o {
 
-/// The first call with a name starts a clock. The second call stops it and returns the seconds between both,
-/// and so on. Returns −1 if the call starts a clock or the variable is not set.
+/// The first call with a name starts a clock. The second call stops it and returns the seconds between the
+/// two calls. The third starts it again, and so on. Returns −1 if the call starts a clock or if the
+/// environment variable is not set.
 G2O_STUFF_API double tictoc(const char* algorithmPart);
 
 /// The results of tictoc() so far, one line per name: name, number, total, shortest, mean and longest time.

@@ -67,8 +67,8 @@ bool fits(const SparseOptimizer& optimizer) {
   return true;
 }
 
-/// Computes headings along a spanning tree from the fixed vertices. Returns false if it does not reach all
-/// vertices.
+/// Computes headings along a spanning tree from the fixed vertices. Returns false if the tree does not reach
+/// all vertices.
 bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   HyperGraph::VertexSet fixed;
   for (OptimizableGraph::Vertex* v : optimizer.activeVertices()) {

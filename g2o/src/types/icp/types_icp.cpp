@@ -15,8 +15,8 @@ namespace {
 
 using Native = boxplus::PointObservation3;
 
-/// The matrix with rows n × y, y, n. y is the normalized part of e_y orthogonal to the normal n, or zero if
-/// there is none.
+/// The matrix with rows n × y, y, n. y is the part of e_y orthogonal to the normal n, normalized; it is zero
+/// if n is parallel to e_y.
 Matrix3 frame_of_normal(const Vector3& normal) {
   const Vector3 y = (Vector3::UnitY() - normal.y() * normal).normalized();
   Matrix3 R;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse matrix of CHOLMOD that deletes its arrays. Only this header needs CHOLMOD, which is LGPL and GPL;
-// no other header includes it.
+// A sparse matrix of CHOLMOD that deletes its arrays. Only this header needs CHOLMOD (LGPL and GPL). No other
+// header includes it.
 #pragma once
 #ifndef G2O_CHOLMOD_EXT_H
 #define G2O_CHOLMOD_EXT_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of a Cholesky solve by CSparse that a solver repeats. Only this header needs CXSparse, which is
-// LGPL, also at link time; no other header includes it.
+// The steps of a Cholesky solve by CSparse that a solver repeats. Only this header needs CXSparse (LGPL), to
+// compile and to link. No other header includes it.
 #pragma once
 #ifndef G2O_CSPARSE_HELPER_H
 #define G2O_CSPARSE_HELPER_H

@@ -21,7 +21,7 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverPCG) ? this->settings_ : internal::EngineSettings();
   }
-  /// Stops when the residual, relative to that of x = 0, is below this tolerance.
+  /// Stops when the residual is below this tolerance, relative to the residual of x = 0.
   double tolerance() const { return _tolerance; }
   void setTolerance(double tolerance) {
     _tolerance = tolerance;

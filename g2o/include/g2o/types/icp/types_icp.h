@@ -70,12 +70,13 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   /// Sets Kcam and baseline. Not thread-safe: no other thread may use a VertexSCam at the same time.
   static void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Update the members that depend on the estimate and Kcam: w2n; w2i; dRdx, dRdy and dRdz; all of them.
+  /// Each updates members that depend on the estimate and Kcam: setTransform() w2n, setProjection() w2i,
+  /// setDr() dRdx, dRdy and dRdz, and setAll() all of them.
   void setTransform();
   void setProjection();
   void setDr();
   void setAll();
-  /// The images of a world point: u, v, and u in the right camera.
+  /// The image coordinates of a world point: u, v, and u in the right camera.
   void mapPoint(Vector3& res, const Vector3& pt3) const;
 
   static Matrix3 Kcam;
@@ -85,7 +86,8 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
 };
 
-/// The images z of a point in a stereo camera (pixels). Error: (u, v, u_right) − z. Has no tag.
+/// The measured image coordinates z (pixels) of a point seen by a stereo camera. Error: (u, v, u_right) − z.
+/// Has no tag.
 class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The images z of the known point Xw in a stereo camera (pixels). Error: z − (u, v, u_right) of T Xw. Files
-/// have the point and the camera after Ω; see EdgeStereoSE3ProjectXYZ. Tag:
+/// The measured image coordinates z (pixels) of the known point Xw, seen by a stereo camera. Error: z − (u,
+/// v, u_right) of T Xw. Files list the point and the camera after Ω; see EdgeStereoSE3ProjectXYZ. Tag:
 /// EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
  public:
@@ -24,7 +24,7 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3
 
   /// Whether the point is in front of the cameras.
   virtual bool isDepthPositive();
-  /// The images of a point in the frame of the left camera.
+  /// The image coordinates of a point in the frame of the left camera.
   Vector3 cam_project(const Vector3& trans_xyz) const;
 
   Vector3 Xw = Vector3(0, 0, 1);

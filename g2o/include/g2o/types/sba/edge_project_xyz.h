@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// The image z of a point in a camera (pixels). Error: z − (u, v) of T p. Files have the camera after Ω. If
-/// it is missing, the camera has normalized coordinates. Tag: EDGE_SE3_PROJECT_XYZ:EXPMAP.
+/// The measured image position z (pixels) of a point seen by a camera. Error: z − (u, v) of T p. Files list
+/// the camera after Ω. If the camera is missing, image coordinates are normalized. Tag:
+/// EDGE_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:

@@ -10,7 +10,8 @@
 
 namespace g2o {
 
-/// The image z of a point in a camera (pixels). Error: z − cam(T p). Tag: EDGE_PROJECT_XYZ2UV:EXPMAP.
+/// The measured image position z (pixels) of a point seen by a camera. Error: z − cam(T p). Tag:
+/// EDGE_PROJECT_XYZ2UV:EXPMAP.
 class G2O_TYPES_SBA_API EdgeProjectXYZ2UV
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:

@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The images z of a point in a stereo camera (pixels): u, v, and u in the right camera. Error: z − stereo(T
-/// p). Tag: EDGE_PROJECT_XYZ2UVU:EXPMAP.
+/// The measured image coordinates z (pixels) of a point seen by a stereo camera: u, v, and u in the right
+/// camera. Error: z − stereo(T p). Tag: EDGE_PROJECT_XYZ2UVU:EXPMAP.
 class G2O_TYPES_SBA_API EdgeProjectXYZ2UVU
     : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
  public:

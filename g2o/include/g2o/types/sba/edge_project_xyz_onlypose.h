@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The image z of the known point Xw in a camera (pixels). Error: z − (u, v) of T Xw. Files have the point
-/// and the camera after Ω; see EdgeSE3ProjectXYZ. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
+/// The measured image position z (pixels) of the known point Xw. Error: z − (u, v) of T Xw. Files list the
+/// point and the camera after Ω; see EdgeSE3ProjectXYZ. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -25,7 +25,8 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
 
   void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Update the members that depend on the pose and the camera matrix: w2n; w2i; dRdx, dRdy and dRdz.
+  /// Each updates members that depend on the pose and the camera matrix: setTransform() w2n, setProjection()
+  /// w2i, and setDr() dRdx, dRdy and dRdz.
   void setTransform();
   void setProjection();
   void setDr();

@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// The image z of a point in the first camera (pixels). Error: z − cam1(S p). Tag:
+/// The measured image position z (pixels) of a point seen by the first camera. Error: z − cam1(S p). Tag:
 /// EDGE_PROJECT_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
@@ -24,8 +24,8 @@ class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
   bool write(std::ostream& os) const override;
 };
 
-/// The image z (pixels) in the second camera of a point in the frame of the first camera. Error: z − cam2(S⁻¹
-/// p). Tag: EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
+/// The measured image position z (pixels), in the second camera, of a point given in the frame of the first
+/// camera. Error: z − cam2(S⁻¹ p). Tag: EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeInverseSim3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
  public:

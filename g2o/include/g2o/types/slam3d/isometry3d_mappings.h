@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid motions as vectors.
+// Conversions of rigid motions to vectors, and back.
 #pragma once
 #ifndef G2O_ISOMETRY3D_MAPPINGS_H_
 #define G2O_ISOMETRY3D_MAPPINGS_H_
@@ -13,12 +13,12 @@
 namespace g2o {
 namespace internal {
 
-/// The rotation of a motion.
+/// The rotation matrix of a motion.
 inline Isometry3::ConstLinearPart extractRotation(const Isometry3& A) {
   return A.linear();
 }
 
-/// The nearest rotation by singular value decomposition, and an approximation to first order without it.
+/// Replaces R by the nearest rotation matrix, computed by a singular value decomposition.
 template <typename Derived>
 void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -26,6 +26,7 @@ void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   D(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const_cast<Eigen::MatrixBase<Derived>&>(R) = svd.matrixU() * D * svd.matrixV().transpose();
 }
+/// The same to first order in the deviation of R from a rotation, without a decomposition.
 template <typename Derived>
 void approximateNearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   Matrix3 E = R.transpose() * R;

@@ -19,7 +19,7 @@ inline Vector3 deltaR(const Matrix3& R) {
   return Vector3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
 }
 
-/// Converts from homogeneous coordinates, and to them.
+/// Convert from homogeneous coordinates and to homogeneous coordinates.
 inline Vector2 project(const Vector3& v) {
   return v.head<2>() / v[2];
 }

@@ -30,7 +30,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The angles of a direction: around z from x, and above the xy-plane.
+  /// The azimuth of a direction (about z, from the x-axis) and its elevation (above the xy-plane).
   static double azimuth(const Vector3& v) { return std::atan2(v[1], v[0]); }
   static double elevation(const Vector3& v) { return std::atan2(v[2], v.head<2>().norm()); }
 
@@ -53,7 +53,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The azimuth and elevation of the other normal relative to this one, and this distance minus the other.
+  /// The azimuth and elevation of the other plane's normal relative to this plane's normal, and this plane's
+  /// distance minus the other plane's.
   Vector3 ominus(const Plane3D& plane) const {
     const Vector3 n = rotation(normal()).transpose() * plane.normal();
     return Vector3(azimuth(n), elevation(n), distance() - plane.distance());
