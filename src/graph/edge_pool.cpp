@@ -71,16 +71,17 @@ InformationKind EdgePool::informations(std::span<const std::uint32_t> edges, int
   return InformationKind::kFull;
 }
 
-/// chi2() of at most EdgeTile::kCapacity edges. Returns false if there is no kernel for them.
+/// chi2() of at most EdgeTile::kCapacity edges. Returns false if there are no kernels for them.
 bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const {
   constexpr int kMostRows = dense::kMostEdgeRows, kMostNumbers = kMostRows * (kMostRows + 1) / 2;
   double errors[EdgeTile::kCapacity * kMostRows], full[EdgeTile::kCapacity * kMostNumbers];
-  if (!errors_in_lanes(edges, errors)) return false;
-  const double* omegas[EdgeTile::kCapacity];
   const int rows = shape(edges[0]).rows;
+  const dense::SquaredNorms squared_norms = dense::kernels().squared_norms_for(rows);
+  if (squared_norms == nullptr || !errors_in_lanes(edges, errors)) return false;
+  const double* omegas[EdgeTile::kCapacity];
   const InformationKind kind = informations(edges, rows, omegas, full);
-  dense::kernels().squared_norms(rows, static_cast<int>(edges.size()), errors,
-                                 static_cast<dense::EdgeNumbers::Kind>(kind), omegas, out);
+  squared_norms(static_cast<int>(edges.size()), errors, static_cast<dense::EdgeNumbers::Kind>(kind), omegas,
+                out);
   return true;
 }
 

@@ -170,15 +170,16 @@ inline void squared_norms_of(int count, const double* error, const double* const
   }
 }
 
-inline void squared_norms(int rows, int count, const double* error, EdgeNumbers::Kind kind,
-                          const double* const* omega, double* out) {
-  for_kind(kind, [&]<EdgeNumbers::Kind kKind>() {
-    if (rows == 3) {
-      squared_norms_of<3, kKind>(count, error, omega, out);
-    } else {
-      squared_norms_of<6, kKind>(count, error, omega, out);
-    }
-  });
+template <int R>
+void squared_norms(int count, const double* error, EdgeNumbers::Kind kind, const double* const* omega,
+                   double* out) {
+  for_kind(kind, [&]<EdgeNumbers::Kind kKind>() { squared_norms_of<R, kKind>(count, error, omega, out); });
+}
+
+inline SquaredNorms squared_norms_for(int rows) {
+  if (rows == 3) return squared_norms<3>;
+  if (rows == 6) return squared_norms<6>;
+  return nullptr;
 }
 
 /// Copies the blocks of `size` values of edges, which lie one after the other, to lanes.

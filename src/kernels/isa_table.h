@@ -33,7 +33,7 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          add_edges_for,
                          add_unary_edges_for,
                          to_lanes,
-                         squared_norms,
+                         squared_norms_for,
                          between_se2,
                          between_se3,
                          elimination_kernels_for};

@@ -44,6 +44,10 @@ struct EdgeLanes {
 /// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
 using AddEdges = void (*)(const EdgeLanes& edges);
 
+/// out[k] = eᵀΩe of edge k. `error` in lanes; all Ω of one kind.
+using SquaredNorms = void (*)(int count, const double* error, EdgeNumbers::Kind kind,
+                              const double* const* omega, double* out);
+
 /// Unary edges of one shape, one after the other; the other fields as in EdgeLanes.
 struct UnaryEdges {
   int count;
@@ -147,9 +151,8 @@ struct KernelTable {
   /// Copies blocks of `size` values, which lie edge after edge, to lanes. The remaining lanes repeat the last
   /// edge.
   void (*to_lanes)(const double* edges, int size, int count, double* lanes);
-  /// out[k] = eᵀΩe of edge k, of 3 or 6 rows. `error` in lanes; all Ω of one kind.
-  void (*squared_norms)(int rows, int count, const double* error, EdgeNumbers::Kind kind,
-                        const double* const* omega, double* out);
+  /// The kernel for errors of this many rows, or null if there is none.
+  SquaredNorms (*squared_norms_for)(int rows);
   /// Errors and, unless `jacobian` is null, Jacobians of Between<SE2> (<SE3>) in lanes.
   void (*between_se2)(const PosePairs& edges, double* error, double* jacobian);
   void (*between_se3)(const PosePairs& edges, double* error, double* jacobian);

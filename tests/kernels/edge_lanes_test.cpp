@@ -163,8 +163,8 @@ TEST_P(EdgeLanes, WeighErrors) {
       const Edges edges(11, rows, 1, 1, kind, random);
       double chi2[12];
       chi2[11] = -1;
-      dense::kernels().squared_norms(rows, 11, edges.in_lanes(edges.errors).data(), kind, edges.omega.data(),
-                                     chi2);
+      const dense::SquaredNorms squared_norms = dense::kernels().squared_norms_for(rows);
+      squared_norms(11, edges.in_lanes(edges.errors).data(), kind, edges.omega.data(), chi2);
       for (int k = 0; k < 11; ++k) {
         const double expected = (edges.errors[k].transpose() * edges.omegas[k] * edges.errors[k]).value();
         EXPECT_NEAR(chi2[k], expected, 1e-12 * (1 + expected));
@@ -172,6 +172,11 @@ TEST_P(EdgeLanes, WeighErrors) {
       EXPECT_EQ(chi2[11], -1) << "wrote beyond the last edge";
     }
   }
+}
+
+TEST_P(EdgeLanes, OfSizesWithoutAKernelAreLeftToThePlainFunctions) {
+  for (const int rows : {1, 2, 4, 5, 7, 8, 9}) EXPECT_EQ(dense::kernels().squared_norms_for(rows), nullptr);
+  EXPECT_EQ(dense::kernels().add_edges_for(4, 3, 3), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, EdgeLanes, ::testing::ValuesIn(dense::usable_kernels()),
