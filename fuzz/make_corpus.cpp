@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// make_corpus g2o|toro FOLDER: the seeds of a fuzz target, small graphs written by our writer.
+// make_corpus FORMAT FOLDER: the seeds of a fuzz target, small graphs written by our writer.
 #include <cstdio>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
@@ -12,8 +14,6 @@
 
 namespace boxplus {
 namespace {
-
-constexpr World kWorlds[] = {World::kSphere, World::kTorus, World::kGrid, World::kManhattan, World::kCity};
 
 std::string simulated(World world) {
   Simulation simulation = simulate(world, {.poses = 4});
@@ -106,27 +106,27 @@ std::string toro_space() {
          "EDGE3 0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4\n";
 }
 
+/// Empty for a format that has no seeds here.
+std::vector<std::string> seeds(const std::string& format) {
+  if (format == "toro") return {toro_plane(), toro_space()};
+  if (format != "g2o") return {};
+  std::vector<std::string> all{plane(), space(), odds()};
+  for (const World world : kWorlds) all.push_back(simulated(world));
+  return all;
+}
+
 void write_corpus(const std::string& format, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  auto add = [&, count = 0](const std::string& text) mutable {
+  int count = 0;
+  for (const std::string& text : seeds(format))
     write_file(folder / (std::to_string(count++) + "." + format), text);
-  };
-  if (format == "toro") {
-    add(toro_plane());
-    add(toro_space());
-    return;
-  }
-  for (const World world : kWorlds) add(simulated(world));
-  add(plane());
-  add(space());
-  add(odds());
 }
 
 }  // namespace
 }  // namespace boxplus
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
+  if (argc != 3 || boxplus::seeds(argv[1]).empty()) {
     std::fprintf(stderr, "usage: make_corpus g2o|toro FOLDER\n");
     return 2;
   }

@@ -7,11 +7,12 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/sanitize
-for format in g2o toro; do
+for dictionary in fuzz/*.dict; do
+  format=$(basename "$dictionary" .dict)
   mkdir -p "$build/corpus/$format" "$build/findings"
   log="$build/$format.log"
   if ! "$build/bin/fuzz_$format" "$build/corpus/$format" "$build/fuzz/seeds/$format" fuzz/regressions \
-    -max_total_time="$1" -max_len=2048 -timeout=10 -rss_limit_mb=2048 -dict="fuzz/$format.dict" \
+    -max_total_time="$1" -max_len=2048 -timeout=10 -rss_limit_mb=2048 -dict="$dictionary" \
     -artifact_prefix="$build/findings/$format-" -print_final_stats=1 >"$log" 2>&1; then
     tail -n 60 "$log"
     exit 1
