@@ -46,7 +46,8 @@ struct EdgeTile {
   bool in_lanes = false;
 };
 
-/// The erased interface of the edges of one type: one virtual call per pool and list, never one per edge.
+/// The erased interface of the edges of one type. If they have one shape, an iteration makes one virtual call
+/// per tile, and none per edge.
 class EdgePool {
  public:
   virtual ~EdgePool() = default;
