@@ -27,7 +27,7 @@ void stop_clock() {
 
 }  // namespace boxplus::testing
 
-/// Replaces that of the standard library, because symbols of the program come first.
+/// Replaces now() of the standard library, because the linker prefers the program's symbols.
 std::chrono::steady_clock::time_point std::chrono::_V2::steady_clock::now() noexcept {
   using namespace boxplus::testing;
   const long count = ++readings;

@@ -98,7 +98,7 @@ class BadInputTest(CommandCase):
     def is_half_written(self):
         try:
             return any(path.stat().st_size > 0 for path in self.path.glob("out.g2o.*"))
-        except FileNotFoundError:  # the one that shows whether the folder can be written to
+        except FileNotFoundError:  # a probe for write permission, which was removed meanwhile
             return False
 
     @unittest.skipIf(len(sys.argv) < 4, "needs the path of old_file_system")
@@ -125,7 +125,7 @@ class BadInputTest(CommandCase):
         self.assert_refused(done, "out.g2o: cannot be written: File too large")
         self.assert_untouched()
 
-    def test_a_line_of_a_gigabyte_costs_a_few_times_its_size(self):
+    def test_a_line_of_a_gigabyte_needs_memory_of_a_few_times_its_size(self):
         path = self.path / "long.g2o"
         size = 1 << 30
         with path.open("wb") as file:

@@ -23,9 +23,9 @@ class CommandTest(CommandCase):
         self.assertIn("BOXPLUS_ISA", run("--help").stdout)
         self.assertEqual(run("help", "optimize").stdout, run("optimize", "--help").stdout)
 
-    def test_the_document_of_the_command_line_is_the_output_of_help(self):
+    def test_the_page_about_the_command_line_is_the_output_of_help(self):
         self.assertEqual(DOCUMENT.read_text(encoding="utf-8"), run("help", "--markdown").stdout,
-                         "write it anew: boxplus help --markdown > docs/cli.md")
+                         "regenerate it: boxplus help --markdown > docs/cli.md")
 
     def test_instructions_that_the_processor_lacks_exit_with_2_and_name_the_known_ones(self):
         for name in ("avx1024", "AVX2"):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// If it is preloaded, all file systems are old and slow: files must have names, and fsync does not return.
+// For LD_PRELOAD: simulates a file system that is old (files without names, O_TMPFILE, are not supported) and
+// slow (fsync() does not return).
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -198,7 +198,7 @@ class OptimizeTest(CommandCase):
         try:
             leader, follower = pty.openpty()
         except OSError as error:
-            self.skipTest(f"no terminal to be had: {error}")
+            self.skipTest(f"no terminal is available: {error}")
         with os.fdopen(leader, "rb", buffering=0) as terminal:
             done = subprocess.run([BOXPLUS, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=follower, check=False)
             os.close(follower)

@@ -115,7 +115,7 @@ class PlotTest(CommandCase):
             picture = self.drawn("-", stdin=text)
             self.assertGreaterEqual(len(picture.paths), 1)
             self.assertTrue(all(0 <= number <= 700 for number in picture.numbers()), picture.numbers())
-            self.assertFalse(any(re.fullmatch(r"\S+ m", words) for words in picture.words), "a scale of what?")
+            self.assertFalse(any(re.fullmatch(r"\S+ m", words) for words in picture.words), "a single point has no scale")
 
     def test_stays_small_for_large_graphs(self):
         run("simulate", "streets", "--poses", 100_000, "-o", self.path / "s.g2o")
@@ -150,7 +150,7 @@ class PlotTest(CommandCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return (self.path / name).read_bytes()
 
-    def test_the_ending_of_the_output_chooses_the_format(self):
+    def test_the_extension_of_the_output_selects_the_format(self):
         self.assertTrue(self.file_drawn("a.svg", "-", stdin=CHAIN).startswith(b"<svg "))
         self.assertTrue(self.file_drawn("a.PDF", "-", stdin=CHAIN).startswith(b"%PDF-"))
         self.assertTrue(self.file_drawn("a.png", "-", stdin=CHAIN).startswith(b"\x89PNG"))
@@ -194,7 +194,7 @@ class PlotTest(CommandCase):
         words = self.drawn("-", "--axes", stdin=CHAIN.replace("3 3 1 0\n", "3 3 1 0\nVERTEX_XY 9 -1 0\n")).words
         for word in ("x [m]", "y [m]", "−1.0", "0.0", "0.5", "2.0", "3.0"):
             self.assertIn(word, words)
-        self.assertFalse(any(re.fullmatch(r"\S+ m", word) for word in words), "a scale bar says no more")
+        self.assertFalse(any(re.fullmatch(r"\S+ m", word) for word in words), "a scale bar would be redundant")
 
     def test_graphs_in_space_are_seen_from_the_chosen_direction(self):
         tower = "".join(f"VERTEX_SE3:QUAT {i} {x} 0 {z} 0 0 0 1\n" for i, (x, z) in enumerate(((0, 0), (1, 8), (0, 16))))

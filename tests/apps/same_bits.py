@@ -31,7 +31,7 @@ def main(boxplus):
                     outputs[threads, repetition] = out.read_bytes()
             different = [key for key, value in outputs.items() if value != outputs[1, 1]]
             if different:
-                print(f"FAILED: {world}: other bytes for (threads, repetition) = {different}")
+                print(f"FAILED: {world}: the bytes differ for (threads, repetition) = {different}")
                 return 1
             print(f"{world}: the same {len(outputs[1, 1])} bytes in {len(outputs)} runs")
     return 0

@@ -55,7 +55,7 @@ class SimulateTest(CommandCase):
             for a, b in zip(estimate, truth):
                 self.assertAlmostEqual(a, b, places=9)
 
-    def test_writes_to_the_standard_output(self):
+    def test_writes_to_standard_output(self):
         done = run("simulate", "sphere", "--poses", 25, "-o", "-")
         run("simulate", "sphere", "--poses", 25, "-o", self.path / "s.g2o")
         self.assertEqual(done.stdout, (self.path / "s.g2o").read_text(encoding="utf-8"))

@@ -78,7 +78,7 @@ TEST(ParallelTasks, StayOnTheirWorkersFromCallToCall) {
   EXPECT_EQ(threads_of_tasks(6), six);
 }
 
-TEST(ParallelTasks, AreAllDoneAtReturnInManyCallsOfChangingSize) {
+TEST(ParallelTasks, HaveAllFinishedWhenTheCallReturns) {
   std::array<int, 5> sums{};
   for (int call = 0; call < 20000; ++call) {
     const int count = 1 + call % 5;

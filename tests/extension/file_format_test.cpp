@@ -69,7 +69,7 @@ class CustomFileFormat : public testing::Test {
   const WriteOptions writing_{.formats = &formats_};
 };
 
-TEST_F(CustomFileFormat, IsRecognizedByItsTextAndRead) {
+TEST_F(CustomFileFormat, IsRecognizedByItsContentAndRead) {
   const GraphFile file = parse_graph("id,x,y\n0,1,2\n7,3,4.5\n", "t", reading_);
   EXPECT_EQ(file.graph.estimate(file.graph.vertex<Vector2>(7)), Vector2(3, 4.5));
   EXPECT_EQ(parse_graph("VERTEX_XY 0 1 2\n", "t", reading_).graph.vertex_count(), 1u) << "a .g2o file";
@@ -88,7 +88,7 @@ TEST_F(CustomFileFormat, IsWrittenIfTheFileHasItsExtension) {
   std::filesystem::remove(path);
 }
 
-TEST_F(CustomFileFormat, IsWrittenIfAskedForByName) {
+TEST_F(CustomFileFormat, IsWrittenIfItsNameIsRequested) {
   const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t");
   EXPECT_EQ(format_graph(file, {.formats = &formats_, .format = "table"}), "id,x,y\n3,1,2.5\n");
 }

@@ -107,7 +107,8 @@ TEST(SeveralRanges, MayBeEmptyAndHaveOtherLengthsInAReusedSlot) {
   EXPECT_EQ(second.slot, first.slot);
   EXPECT_THAT(w.graph.error(second), ElementsAre(300));
   EXPECT_THAT(w.graph.vertices(second), ElementsAre(VertexRef(w.points[1]), VertexRef(w.points[2])));
-  w.graph.remove(w.scales[1]);  // of another pool than points[1], in the same slot
+  w.graph.remove(
+      w.scales[1]);  // same slot number as points[1], but in a different pool, so the edge must stay
   EXPECT_TRUE(w.graph.contains(second));
   w.graph.remove(w.points[2]);
   EXPECT_FALSE(w.graph.contains(second));

@@ -91,7 +91,7 @@ TEST(Edge, ItsAnalyticJacobiansAreUsed) {
   }
 }
 
-/// A template over Eigen's own vectors, which no Vector<S, 2> matches.
+/// A template over Eigen's own vectors, which does not accept a Vector<S, 2>.
 struct Eigens {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const Eigen::Matrix<S, 2, 1>& p, const S& scale) const {
@@ -114,7 +114,7 @@ TEST(Edge, ATemplateOverEigenVectorsIsDifferentiatedExactly) {
   }
 }
 
-/// The same for a range.
+/// The same template for a range of vectors.
 struct EigensSum {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const S& scale, std::span<const Eigen::Matrix<S, 2, 1>> points) const {

@@ -128,7 +128,7 @@ TEST(SavedEstimates, AreIndependentOfThePool) {
   pool.value(b) = 6.0;
   pool.save(std::array{b}, last);
   const std::unique_ptr<detail::SavedEstimates> copy = both->clone();
-  pool.save(std::array{b}, both);  // of another list
+  pool.save(std::array{b}, both);  // reuses `both` for a shorter list
   pool.restore(std::array{detail::VertexPool::kNoSlot, b}, *copy);
   EXPECT_EQ(pool.value(a), 5);
   EXPECT_EQ(pool.value(b), 2);

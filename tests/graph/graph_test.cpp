@@ -78,7 +78,7 @@ TEST(Graph, AVertexIsFoundByIdAndType) {
   EXPECT_THAT(complaint([&] { (void)graph.vertex<double>(8); }), HasSubstr("no vertex 8"));
 }
 
-TEST(Graph, ChangeIdMovesTheIdAndFreesTheOldOne) {
+TEST(Graph, ChangeIdAssignsTheNewIdAndFreesTheOldOne) {
   Graph graph;
   const auto a = graph.add_vertex(0.5, 7), b = graph.add_vertex(0.5, 8);
   graph.change_id(a, 9);

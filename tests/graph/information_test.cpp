@@ -21,7 +21,7 @@ Eigen::Matrix2d matrix2(double a, double b, double c, double d) {
   return (Eigen::Matrix2d() << a, b, c, d).finished();
 }
 
-TEST(Information, IsStoredInTheShortestFormOfItsTriangle) {
+TEST(Information, OfATriangleIsStoredInItsShortestForm) {
   constexpr int kRows = 6;
   std::vector<double> triangle;
   for (int i = 0; i < kRows; ++i) {

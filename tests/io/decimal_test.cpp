@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// The value that the reader finds in a text that other text follows.
+/// The value that the reader finds at the beginning of a longer text.
 Decimal read(const std::string& text) {
   static std::string padded;
   padded = text + " 3.25 7" + std::string(kDecimalRoom, '9');
@@ -54,7 +54,7 @@ TEST(Decimal, RoundsNumbersThatLieAlmostHalfwayBetweenDoubles) {
   }
 }
 
-TEST(Decimal, LeavesOtherTextsToAGeneralReader) {
+TEST(Decimal, LeavesOtherTextToAGeneralReader) {
   for (const char* text :
        {"", "-", "+1", ".5", "5.", "nan", "inf", "-inf", "x", "12345678", "12345678.5",
         "0.1000000000000000055511151", "1.0000000000000000000000000001", "0.12345678901234567890123456789"}) {

@@ -22,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Candidate {
   LinearSolverKind kind;
   Precision precision = Precision::kDouble;
-  bool eliminates = false;  ///< behind an elimination
+  bool eliminates = false;  ///< inside a SchurSolver
 };
 
 std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
@@ -31,7 +31,7 @@ std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
   return candidate.eliminates ? make_schur_solver(std::move(solver)) : solver;
 }
 
-/// The largest number of first blocks of which no two are connected.
+/// The largest k such that no two of the first k blocks are connected.
 std::uint32_t independent_blocks(const BlockStructure& structure) {
   std::uint32_t first_connected = structure.blocks();  // with a block before it
   for (std::uint32_t j = 0; j < first_connected; ++j) {
@@ -90,7 +90,8 @@ TEST_P(LinearSolverTest, SolvesSystemsOfOneBlockSize) {
   }
 }
 
-/// First points of mixed sizes, of which no two are connected, and then cameras that each see some of them.
+/// Points of mixed sizes, no two of which are connected, followed by cameras that each see some of the
+/// points.
 TestSystem points_and_cameras(std::uint32_t points, std::uint32_t cameras, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<std::uint32_t> dims;

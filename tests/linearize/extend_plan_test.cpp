@@ -48,7 +48,7 @@ class Growing {
   }
   void see_again() { see(points_[random_() % points_.size()]); }
   void any_addition() {
-    if (points_.empty()) {  // nothing is fixed: relative poses alone
+    if (points_.empty()) {  // nothing is fixed, and all measurements are relative
       graph.add_edge(Between(SE2(number(), number(), number())), poses_[random_() % (poses_.size() - 1)],
                      poses_.back());
       return;

@@ -315,7 +315,7 @@ TEST(Plan, NamesTwoEliminatedVerticesInOneEdge) {
   }
 }
 
-TEST(Plan, HoldsNothingOfVerticesWhoseProductIsMeasured) {
+TEST(Plan, HoldsNothingIfAnEdgeMeasuresTheProductOfTwoVertices) {
   Graph graph;
   const auto a = graph.add_vertex(3.0), b = graph.add_vertex(4.0);
   graph.add_edge([](const auto& x, const auto& y) { return x * y - 2.0; }, a, b);

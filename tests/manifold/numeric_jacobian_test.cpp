@@ -21,13 +21,13 @@ TEST(NumericJacobian, DifferentiatesThroughBoxplus) {
   EXPECT_LT((jacobian - expected).norm(), 1e-12);
 }
 
-TEST(NumericJacobian, TakesFunctionsThatReturnANumber) {
+TEST(NumericJacobian, AcceptsFunctionsThatReturnAScalar) {
   Matrix<double, 1, 1> jacobian;
   detail::numeric_jacobian([](double x) { return x * x; }, 3.0, jacobian);
   EXPECT_NEAR(jacobian(0, 0), 6, 1e-12);
 }
 
-TEST(NumericJacobian, TakesRunTimeSizes) {
+TEST(NumericJacobian, AcceptsRunTimeSizes) {
   const Vector<double, kDynamic> x = Vector<double, kDynamic>::Constant(4, 2.0);
   Matrix<double, kDynamic, kDynamic> jacobian(4, 4);
   detail::numeric_jacobian([](const auto& v) { return v.cwiseProduct(v).eval(); }, x, jacobian);

@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(QuaternionChart, NormalizesStepsBeyondHalfATurnAndIgnoresNone) {
+TEST(QuaternionChart, NormalizesStepsBeyondHalfATurn) {
   const double far[3] = {0, 3, 4};
   const SO3 x = Manifold<SO3>::oplus(SO3(), far);
   EXPECT_DOUBLE_EQ(x.data()[1], 0.6);
@@ -26,7 +26,7 @@ TEST(QuaternionChart, MinimalPicksTheSignWithNonNegativeW) {
   EXPECT_EQ(SO3(detail::Quaternion<double>{0.6, 0, 0, 0.8}).minimal()[0], 0.6);
 }
 
-TEST(RotationVectorChart, MatchesAtBothSidesOfItsTaylorBranch) {
+TEST(RotationVectorChart, IsExactOnBothSidesOfTheSwitchToItsTaylorSeries) {
   for (const double angle : {0.0, 1e-9, 1e-4, 0.00999999, 0.01000001, 0.1, 2.0, 3.1}) {
     const detail::Quaternion<double> q = detail::RotationVectorChart::exp(angle, 0.0, 0.0);
     EXPECT_NEAR(q.x, std::sin(angle / 2), 1e-16);

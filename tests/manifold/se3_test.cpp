@@ -46,7 +46,7 @@ TYPED_TEST(PoseTest, HasExactJacobiansOfItsEdgeError) {
   EXPECT_LT((dual_jacobian<6>(error_of_b, b) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TYPED_TEST(PoseTest, LiftsByCastOrDirectlyWithTheSameDerivatives) {
+TYPED_TEST(PoseTest, HasTheSameDerivativesLiftedByCastAndDirectly) {
   using D = detail::Dual<double, 6>;
   const TypeParam x = this->random();
   D delta[6];

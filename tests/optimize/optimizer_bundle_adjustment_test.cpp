@@ -127,8 +127,8 @@ int iterations_to(const Report& report, double cost) {
 
 struct PublicProblem {
   const char* file;
-  double best_cost;               // of any pose of the whole
-  double best_with_fixed_camera;  // if the intrinsics of the first camera keep their values, too
+  double best_cost;               // if the whole problem may move freely
+  double best_with_fixed_camera;  // if the first camera is fixed, including its intrinsics
   int iterations;                 // 1.3 times those of Ceres's dense Schur
 };
 

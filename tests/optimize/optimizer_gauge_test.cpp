@@ -116,7 +116,8 @@ TEST(Gauge, HoldsNothingOfAProblemThatIsObservableWithoutPriorOrFixedVertex) {
   EXPECT_NE(error.reason, Report::Reason::kGaugeFreedom);
 }
 
-/// Rotations relative to each other: free as a whole, but not by a similarity of points.
+/// Rotations that are measured relative to each other. All of them may rotate together, but the search for
+/// free similarities of poses and points does not know their type.
 std::vector<VertexHandle<SO3>> add_rotations(Graph& graph, int count) {
   std::vector<VertexHandle<SO3>> rotations;
   for (int i = 0; i < count; ++i)

@@ -56,7 +56,7 @@ std::string complaint() {
   return check_manifold(std::vector<Line<kDefect>>{{1.0}, {2.5}}).message;
 }
 
-TEST(CheckManifold, AcceptsASoundType) {
+TEST(CheckManifold, AcceptsATypeThatObeysTheLaws) {
   EXPECT_EQ(complaint<Defect::kNone>(), "");
 }
 

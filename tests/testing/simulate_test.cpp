@@ -21,7 +21,7 @@ TEST(Simulate, DrawsItsNoiseFromTheInformation) {
     const Simulation simulation = simulate(world, {.poses = 400, .seed = 3});
     double rows = 0;
     for (const EdgeRef& edge : simulation.truth_edges) rows += simulation.truth.information(edge).rows;
-    // A χ² variable of so many degrees of freedom: mean n, deviation √(2n).
+    // A χ² variable with n degrees of freedom has mean n and standard deviation √(2n).
     EXPECT_NEAR(simulation.truth.chi2(), rows, 5 * std::sqrt(2 * rows)) << to_string(world);
   }
 }
@@ -102,7 +102,7 @@ TEST(Simulate, ReplacesTheRequestedShareOfRecognitionsAndNothingElse) {
         EXPECT_EQ(chi2, clean.truth.chi2(clean.truth_edges[i])) << to_string(world);
       }
     }
-    // A binomial variable: mean np, variance np(1 − p).
+    // A binomial variable has mean np and variance np(1 − p).
     EXPECT_NEAR(outliers, 0.1 * recognitions, 4 * std::sqrt(0.09 * recognitions)) << to_string(world);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges whose vertices or dimension change while they are in a graph. Meant for AddressSanitizer.
+// Edges whose vertices or dimension change while they are in a graph. Meant to run under AddressSanitizer.
 #include "g2o/core/base_multi_edge.h"
 
 #include <gtest/gtest.h>

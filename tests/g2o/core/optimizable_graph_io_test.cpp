@@ -102,7 +102,7 @@ TEST(Files, ALineMayEndWithACommentOrACarriageReturn) {
   EXPECT_EQ(optimizer.vertices().size(), 2u);
 }
 
-/// Loads a text and checks that load() returns `expected`. Returns the messages.
+/// Loads a graph from text and checks that load() returns `expected`. Returns the logged messages.
 std::vector<std::string> messages_of(const std::string& text, bool expected) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& said) { messages.push_back(said); });

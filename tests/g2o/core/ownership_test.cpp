@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ownership of graph elements. Meant for AddressSanitizer.
+// Ownership of graph elements. Meant to run under AddressSanitizer.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -30,7 +30,7 @@ TEST(UnloadingACopy, KeepsTheTypeOfTheOtherCopy) {
 
 class CustomVertex : public g2o::VertexSE2 {};
 
-TEST(UnloadingACopy, KeepsTheTypeOfACopyThatCameLater) {
+TEST(UnloadingACopy, KeepsTheTypeOfACopyThatWasLoadedLater) {
   auto first = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
   auto second = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
   first.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of a problem are destroyed while it is in use. Meant for AddressSanitizer.
+// Parts of a problem are destroyed while it is in use. Meant to run under AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that optimizes for days must not grow.
+// The memory of a process that optimizes for days must not grow.
 #include <gtest/gtest.h>
 
 #include <memory>

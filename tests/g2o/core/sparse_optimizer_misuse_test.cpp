@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The messages for misuse. Meant for AddressSanitizer.
+// The messages for misuse. Meant to run under AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <initializer_list>

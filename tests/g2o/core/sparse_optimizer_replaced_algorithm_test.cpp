@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An action may replace the algorithm of the optimizer during a run. Meant for AddressSanitizer.
+// An action may replace the algorithm of the optimizer during a run. Meant to run under AddressSanitizer.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -40,7 +40,7 @@ std::vector<double> engine_chi2(boxplus::Graph& graph) {
   const boxplus::Report report = boxplus::optimize(graph, options);
   std::vector<double> chi2{report.chi2_initial};
   for (const boxplus::IterationRecord& record : report.records) chi2.push_back(record.chi2);
-  // The engine stops within rounding, but g2o continues.
+  // The engine stops when chi2 changes only by rounding, but g2o continues.
   if (report.reason == boxplus::Report::Reason::kNoFurtherDecrease) chi2.resize(kIterations + 1, chi2.back());
   return chi2;
 }
@@ -60,9 +60,9 @@ std::vector<double> g2o_chi2(g2o::SparseOptimizer& optimizer) {
   return chi2;
 }
 
-/// The tolerance is 1e-9 of chi2 at the beginning and the end. In between it is relative to chi2 before the
-/// step: a step from 1.3e6 to 771 (csail) leaves a rounding error of 1e-8 of the latter, in any
-/// factorization.
+/// The tolerance is 1e-9, relative to chi2 at the beginning and at the end. In between, it is relative to
+/// chi2 before the step, because a step from 1.3e6 to 771 (csail) leaves a rounding error of 1e-8 of 771 with
+/// any factorization.
 void expect_same(const std::vector<double>& engine, const std::vector<double>& api) {
   ASSERT_EQ(engine.size(), kIterations + 1u);
   ASSERT_EQ(api.size(), kIterations + 1u);

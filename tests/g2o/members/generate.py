@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes a source of the table of members.
+"""Generates a C++ source from the table of members.
 
     generate.py TABLE SOURCE
 """

@@ -40,7 +40,8 @@ TEST(PropertyMap, OwnsAddedPropertiesUnlessTheirNameIsTaken) {
     EXPECT_FALSE(map.eraseProperty("width"));
     EXPECT_TRUE(map.addProperty(new CountedProperty("height", 3)));
   }
-  EXPECT_EQ(CountedProperty::deleted, 3);  // the refused one by its scope, the others by the map
+  EXPECT_EQ(CountedProperty::deleted,
+            3);  // the refused property at the end of its scope, the others by the map
 }
 
 TEST(PropertyMap, WritesCommaSeparatedLinesWithoutACommaAtTheirEnds) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: plug-ins that are built outside of the tree work in the
+# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: plug-ins that are built out of tree work in the
 # installed tool, and a plug-in with another ABI is refused.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" plugins="$5"

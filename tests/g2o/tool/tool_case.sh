@@ -50,14 +50,15 @@ expect() {
   timeout 100 "$tool" "$@" > out.txt 2> err.txt
   local ended=$?
   if [[ $ended != "$code" ]] || ! grep -qF -e "$text" err.txt; then
-    complain "g2o $*: expected to end with $code and to say '$text'; it ended with $ended and said:" err.txt
+    complain "g2o $*: expected exit code $code and the message '$text'; got exit code $ended and:" err.txt
   fi
 }
-# is TEXT FILE: the file contains TEXT. is_not TEXT FILE: it does not. lines COUNT FILE: it has COUNT lines.
+# is TEXT FILE: checks that FILE contains TEXT. is_not TEXT FILE: that it does not. lines COUNT FILE: that it
+# has COUNT lines.
 is() { grep -qF -e "$1" "$2" || complain "expected '$1' in $2:" "$2"; }
 is_not() { if grep -qF -e "$1" "$2"; then complain "expected no '$1' in $2:" "$2"; fi; }
 lines() { (($(wc -l < "$2") == $1)) || complain "expected $1 lines in $2:" "$2"; }
-# holds CONDITION: checks an awk condition over numbers.
+# holds CONDITION: checks a numeric condition in awk's syntax.
 holds() { awk "BEGIN { exit !($1) }" || complain "expected $1, after" err.txt; }
 # initial, final: chi2 at the beginning and at the end of the last run.
 initial() { sed -n 's/^# initial chi2 = //p' err.txt; }

@@ -106,7 +106,8 @@ holds "($plain - $(covariance)) ^ 2 < 1e-6 * $plain ^ 2"
 expect 0 "Vertices 1 1" -computeMarginals -i 0 square.g2o
 expect 0 "covariances cannot be computed" -computeMarginals -solver structure_only_2 square.g2o
 
-# -inc, -update, -guiout: an iteration after a given number of vertices, or as many iterations as -i says
+# -inc, -update, -guiout: one iteration after each given number of vertices, or as many iterations as -i
+# requests
 count() { grep -c "$1" "$2"; }
 expect 0 "final chi2 = 0.0018" -inc -update 2 -v square.g2o
 holds "$(count '^iteration= 0' err.txt) == 3 && $(count '^iteration= 1' err.txt) == 0"
@@ -161,7 +162,7 @@ interrupt() {
   for _ in $(seq 100); do grep -q "initial chi2" err.txt && break; sleep 0.1; done
   sleep 0.2
   kill -INT $program
-  wait $program || complain "expected the end that was asked for, g2o $*:" err.txt
+  wait $program || complain "expected exit code 0 after the interrupt, g2o $*:" err.txt
 }
 interrupt -o interrupted.g2o
 is "final chi2 = 0.00189884" err.txt

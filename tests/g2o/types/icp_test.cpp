@@ -39,7 +39,7 @@ TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
   EXPECT_LT((pair.R1 * pair.normal1 - g2o::Vector3::UnitZ()).norm(), 1e-14);
 }
 
-TEST(Icp, TheFrameOfANormalIsThatOfG2o) {
+TEST(Icp, TheFrameOfANormalEqualsThatOfG2o) {
   g2o::EdgeGICP pair;
   pair.normal0 = g2o::Vector3(0.6, 0, 0.8);
   pair.makeRot0();

@@ -221,7 +221,7 @@ TEST(Sba, FilesStoreInverseMotions) {
   EXPECT_NEAR(s.estimate().scale(), std::exp(-0.5), 1e-15);
 }
 
-TEST(Sba, ErrorsHaveTheSignsOfTheFileFormat) {
+TEST(Sba, ErrorsFollowTheSignConventionsOfTheFileFormat) {
   const std::vector<double> mono = {1, -2}, stereo = {1, -2, 0};
   edge_checks::expect_errors(
       "VERTEX_CAM 0 0 0 0 0 0 0 1 100 200 10 20 0.08\n"

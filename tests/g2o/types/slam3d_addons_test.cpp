@@ -44,7 +44,8 @@ TEST(Slam3dAddons, AllTypesObeyTheEdgeLaws) {
       omega(6) + "\n");
 }
 
-// A small angle is twice the quaternion error, but has the weight of the file.
+// The edge's rotation error is half the (small) angle, but chi2 must weight the angle itself with the
+// information given in the file.
 TEST(Slam3dAddons, ToroEdgesWeightAngles) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
@@ -56,8 +57,8 @@ TEST(Slam3dAddons, ToroEdgesWeightAngles) {
   EXPECT_NEAR(e->chi2(), 25 * 0.04 + 9e-8, 1e-14);
 }
 
-TEST(Slam3dAddons, ErrorsHaveTheSignsOfTheFileFormat) {
-  // The normal of the plane z has an azimuth of 0.1.
+TEST(Slam3dAddons, ErrorsFollowTheSignConventionsOfTheFileFormat) {
+  // The normal of the measured plane has an azimuth of 0.1.
   edge_checks::expect_errors(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
@@ -77,7 +78,7 @@ TEST(Slam3dAddons, ErrorsHaveTheSignsOfTheFileFormat) {
        {"EDGE_PLANE", {-1, 1, 0, -2}}});
 }
 
-TEST(Planes, AreSetByTheirCoefficients) {
+TEST(Planes, AreNormalizedWhenSet) {
   g2o::VertexPlane v;
   v.setEstimate(Eigen::Vector4d(0, 3, 4, 10));
   EXPECT_LT((v.estimate().coeffs() - g2o::Vector4(0, 0.6, 0.8, 2)).norm(), 1e-15);
@@ -91,7 +92,7 @@ TEST(Planes, AZeroStepDoesNotMoveThem) {
   }
 }
 
-// The distance of ominus() has the opposite sign.
+// ominus() returns the distance component with the opposite sign from the one that oplus() expects.
 TEST(Planes, OplusUndoesOminus) {
   const Plane3D from = plane(0.3, -0.4, 0.5, -2), to = plane(-0.1, 0.7, 0.2, 1.5);
   const g2o::Vector3 d = from.ominus(to);

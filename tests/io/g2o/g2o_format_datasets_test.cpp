@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Public graphs have the chi2 at the estimates of their files that other evaluators of the same error
-// functions find.
+// At the estimates in their files, public graphs have the same chi2 as with other implementations of the same
+// error functions.
 #include <gmock/gmock.h>
 
 #include <cstdlib>

@@ -47,7 +47,7 @@ TEST(BlockCholesky, SolvesAsTheReferenceDoesOn200RandomStructures) {
   }
 }
 
-TEST(BlockCholesky, SolvesAsTheReferenceDoesForEveryRuleOfMerging) {
+TEST(BlockCholesky, SolvesAsTheReferenceDoesForEveryAmalgamationRule) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const TestSystem system = random_system(1 + seed, seed, seed);
     expect_as_reference(system, {}, {.max_zero_fraction = -1});

@@ -133,12 +133,12 @@ TEST(MixedFactor, IsTheAutomaticChoiceForLargeFrontsOnly) {
   EXPECT_EQ(chosen(cube(12, 6)), Precision::kMixed);
 }
 
-TEST(MixedFactor, MayTakeMoreStepsTheMoreTheFactorizationCosts) {
+TEST(MixedFactor, MayTakeMoreRefinementStepsIfTheFactorizationCostsMore) {
   const BlockStructure structure = cube(6, 6);
   const double few = steps_that_pay(2e-3, 1e7, 1e5, structure);
   EXPECT_GT(few, 0);
   EXPECT_GT(steps_that_pay(2e-2, 1e8, 1e5, structure), few);
-  EXPECT_EQ(steps_that_pay(1e-5, 1e5, 1e3, structure), 0) << "too little to think about";
+  EXPECT_EQ(steps_that_pay(1e-5, 1e5, 1e3, structure), 0) << "too little to gain";
 }
 
 TEST(MixedFactor, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {

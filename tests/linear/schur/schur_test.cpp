@@ -139,7 +139,7 @@ TEST(Schur, AcceptsEdgesOfSeveralPoolsToTheSamePoints) {
   check_elimination(problem, false);
 }
 
-TEST(Schur, NamesTheVertexThatTooFewRaysSee) {
+TEST(Schur, NamesThePointThatTooFewCamerasSee) {
   Bundle bundle = make_bundle(3, 20, true);
   const auto lonely = bundle.graph.add_vertex(Eigen::Vector3d(1, 0.5, 8));
   bundle.graph.set_eliminated(lonely, true);

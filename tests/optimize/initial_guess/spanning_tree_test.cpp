@@ -22,7 +22,7 @@ TYPED_TEST(SpanningTreeGuess, PrefersTwoCertainEdgesToAnUncertainOne) {
   scene.expect_truth_from(1);
 }
 
-TYPED_TEST(SpanningTreeGuess, KeepsAPoseThatIsJoinedThroughLandmarksOnly) {
+TYPED_TEST(SpanningTreeGuess, DoesNotMoveAPoseThatIsConnectedThroughLandmarksOnly) {
   Scene<TypeParam> scene;
   const auto a = scene.add_pose(0), b = scene.add_pose(1);
   const auto p = scene.add_point(2), q = scene.add_point(3);

@@ -54,7 +54,7 @@ TEST(Range, IsTheDistanceLessTheMeasurement) {
   EXPECT_DOUBLE_EQ(Range(3).error(SE2(1, 1, 2), Vector2(4, 5)), 2);
 }
 
-TEST(PointsObservation2, AgreesWithItsSinglePoints) {
+TEST(PointsObservation2, AgreesWithObservationsOfSinglePoints) {
   const PointsObservation2 both(Eigen::Vector4d(1, 2, 3, 4));
   const std::vector<Vector2> points{kL, kM};
   const auto e = both.error(kX, std::span<const Vector2>(points));
@@ -62,7 +62,7 @@ TEST(PointsObservation2, AgreesWithItsSinglePoints) {
   EXPECT_EQ(e.tail<2>(), PointObservation2(Vector2(3, 4)).error(kX, kM));
 }
 
-TEST(PointsObservation2, RefusesAnotherNumberOfPointsThanItMeasured) {
+TEST(PointsObservation2, RefusesANumberOfPointsThatDiffersFromItsMeasurement) {
   Graph graph;
   const auto x = graph.add_vertex(kX);
   const std::vector points{graph.add_vertex(kL)};
