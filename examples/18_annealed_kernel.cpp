@@ -67,7 +67,7 @@ double annealed() {
   options.callback = anneal;
   Report report = optimize(graph, options);
 
-  while (shape > -10) anneal({});  // if the optimization stopped before
+  while (shape > -10) anneal({});  // if the optimization stopped early
   report = optimize(graph);
   // [/anneal]
   return report.converged() ? error_of(world) : 1e9;

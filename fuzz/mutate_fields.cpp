@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mutations of lines and fields. Most of them leave a text that is still a graph file, so that the fuzzer
-// gets beyond the reader's first error. libFuzzer calls them in place of its own mutations, which they still
+// Mutations of lines and fields. Most mutated inputs are still graph files, so that the fuzzer gets beyond
+// the reader's first error. libFuzzer calls these functions in place of its own mutations, which they also
 // use.
 #include <algorithm>
 #include <cstdint>

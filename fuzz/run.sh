@@ -17,5 +17,5 @@ for dictionary in fuzz/*.dict; do
     tail -n 60 "$log"
     exit 1
   fi
-  echo "fuzz_$format: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") texts in $1 s, no finding"
+  echo "fuzz_$format: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") inputs in $1 s, no findings"
 done

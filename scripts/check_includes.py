@@ -5,7 +5,7 @@
     check_includes.py [ROOT]
 
 Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders of C++ below ROOT, by
-default the project. Prints file:line of each arrow that ALLOWED does not have. The public headers of the g2o API, which
+default the project. Prints file:line of each include that the table ALLOWED does not permit. The public headers of the g2o API, which
 are C++17, must not include boxplus/ at all.
 """
 
@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-# The arrows: a file in the folder on the left may include its own folder and those on the right; lowest first.
+# A file in the folder on the left may include its own folder and those on the right; lowest first.
 # ARCHITECTURE.md explains why.
 ALLOWED = {
     "base": "",
@@ -96,7 +96,7 @@ def violations_of_g2o(root):
         for match in INCLUDE.finditer(text):
             if match.group(2).startswith("boxplus/"):
                 line = text.count("\n", 0, match.start(1)) + 1
-                yield f"{file.relative_to(root)}:{line}: the g2o face must not include boxplus ({match.group(2)})"
+                yield f"{file.relative_to(root)}:{line}: the g2o API must not include boxplus ({match.group(2)})"
 
 
 def main():

@@ -17,4 +17,4 @@ compiled=$(grep -o '"file": "[^"]*"' "$build/compile_commands.json" | cut -d'"' 
 checked=$(comm -12 <(sed "s:^:$PWD/:" <<<"$sources" | sort) <(echo "$compiled"))
 [[ -n $checked ]] || { echo "clang-tidy: no source changed since ${since:0:7}"; exit 0; }
 xargs --max-args=1 --max-procs="$(nproc)" clang-tidy -p "$build" --quiet <<<"$checked" 2> >(grep -v 'warnings\? generated' >&2)
-echo "clang-tidy: $(wc -l <<<"$checked") sources that changed since ${since:0:7}, no finding"
+echo "clang-tidy: $(wc -l <<<"$checked") sources that changed since ${since:0:7}, no findings"

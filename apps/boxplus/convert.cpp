@@ -58,7 +58,7 @@ void add_convert(CLI::App& app, Action& action) {
   command->add_option("IN", arguments->input, graph_to_read())->required()->check(file_name());
   command
       ->add_option("OUT", arguments->output,
-                   fmt::format("Where to write it ({}); - is the standard output", writable_formats()))
+                   fmt::format("Where to write the graph ({}); - is standard output", writable_formats()))
       ->required()
       ->check(file_name());
   command->add_flag("-q,--quiet", arguments->quiet, "Do not print a summary of the conversion")

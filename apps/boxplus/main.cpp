@@ -37,8 +37,8 @@ constexpr const char* kFooter =
     "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. By default, the\n"
     "               latest that the processor has. The last digits of results may depend on them.\n"
     "\n"
-    "In place of a file, - is the standard input or output. Results go to the standard output, messages\n"
-    "to the standard error.";
+    "In place of a file, - means standard input or standard output. Results go to standard output,\n"
+    "messages to standard error.";
 
 /// Throws for an unknown name: it would have no effect, and is most likely misspelled.
 void require_known_instructions() {
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   try {
     const int code = boxplus::app::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
-    boxplus::app::print_message("cannot write to the standard output");
+    boxplus::app::print_message("cannot write to standard output");
     return boxplus::app::kBadInput;
   } catch (const std::bad_alloc&) {
     boxplus::app::print_message("not enough memory (optimize: --solver pcg needs the least)");

@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kFooter =
     "Worlds in space:\n"
-    "  sphere     winds around a sphere from pole to pole, and sees its positions of one lap ago\n"
+    "  sphere     winds around a sphere from pole to pole, and sees its positions from one lap ago\n"
     "  torus      winds around a ring; the last lap meets the first\n"
     "  grid       fills a cube line by line and floor by floor, and sees its neighbors\n"
     "Worlds in the plane:\n"
@@ -89,7 +89,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("-o,--output", arguments->output,
-                   fmt::format("Where to write the graph ({}); - is the standard output", writable_formats()))
+                   fmt::format("Where to write the graph ({}); - is standard output", writable_formats()))
       ->type_name("FILE")
       ->check(file_name())
       ->required();
@@ -102,7 +102,9 @@ void add_simulate(CLI::App& app, Action& action) {
       ->type_name("N")
       ->check(whole_number_within(2, 10'000'000))
       ->capture_default_str();
-  command->add_option("--seed", arguments->options.seed, "Another seed gives another noise and another town")
+  command
+      ->add_option("--seed", arguments->options.seed,
+                   "Another seed gives different noise and a different town")
       ->type_name("N")
       ->check(whole_number_within(0, std::numeric_limits<long>::max()))
       ->capture_default_str();

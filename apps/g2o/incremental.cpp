@@ -8,7 +8,7 @@
 namespace g2o_tool {
 namespace {
 
-/// Estimates v from the vertices in `there`, with the first of its edges that can do so.
+/// Estimates v from the vertices in `there`, by the first of its edges that supports this.
 void estimate(g2o::OptimizableGraph::Vertex* v, const g2o::HyperGraph::VertexSet& there) {
   if (v->fixed()) return;
   for (g2o::HyperGraph::Edge* u : v->edges()) {

@@ -7,8 +7,9 @@
 
 namespace g2o_tool {
 
-/// Adds the vertices in the order of their ids, and estimates each from those before it. Optimizes after
-/// every Options::update_every of them: for one iteration, or as the options say. Adds to `run`.
+/// Adds the vertices in the order of their ids, and estimates each from those before it. After every
+/// Options::update_every vertices, optimizes for one iteration, or for as many as the options request. Adds
+/// the iterations to `run`.
 void grow(g2o::SparseOptimizer& optimizer, const Options& options, Run& run);
 
 }  // namespace g2o_tool

@@ -19,9 +19,9 @@ extern "C" void on_interrupt(int) {
   if (interrupts == 3) std::_Exit(1);
 }
 
-/// Raises and lowers the flag that interrupts raise, too; interrupts have priority. Near the minimum,
-/// rounding can make chi2 rise and fall without ever gaining little; so it also stops when chi2 finds no new
-/// minimum for long.
+/// Sets and clears the optimizer's stop flag, which interrupts also set; interrupts have priority. Near the
+/// minimum, rounding errors can make chi2 rise and fall so that the gain is never small. So this action also
+/// stops the run if chi2 reached no new minimum in the last kPatience iterations.
 class StopOnGain : public g2o::SparseOptimizerTerminateAction {
  public:
   g2o::HyperGraphAction* operator()(const g2o::HyperGraph* graph, Parameters* parameters) override {

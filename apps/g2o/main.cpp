@@ -115,7 +115,7 @@ Run optimize(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algori
   } else {
     iterate(optimizer, options, options.iterations, run);
   }
-  if (run.failures > 0) std::cerr << "# the algorithm failed; the result may be no minimum\n";
+  if (run.failures > 0) std::cerr << "# the algorithm failed; the result may not be a minimum\n";
   run.chi2_final = chi2(optimizer);
   std::cerr << "# final chi2 = " << run.chi2_final << '\n';
   if (options.compute_marginals) print_marginals(optimizer, algorithm);

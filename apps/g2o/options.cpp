@@ -37,8 +37,8 @@ Options read_options(int argc, char** argv) {
   std::string library;
   g2o::CommandArgs args;
   args.setBanner("g2o: optimizes a graph of a .g2o file.");
-  args.param("i", o.iterations, 5, "perform n iterations; if negative, stop on the gain");
-  args.param("gain", o.gain, 1e-6, "the gain to stop at, with a negative -i");
+  args.param("i", o.iterations, 5, "perform n iterations; if negative, iterate until the gain is small");
+  args.param("gain", o.gain, 1e-6, "stop when the gain is below this, with a negative -i");
   args.param("ig", o.gain_iterations, std::numeric_limits<int>::max(),
              "at most n iterations, with a negative -i");
   args.param("v", o.verbose, false, "print a line per iteration");
@@ -47,7 +47,7 @@ Options read_options(int argc, char** argv) {
   args.param("inc", o.incremental, false, "add the vertices one by one");
   args.param("update", o.update_every, 10,
              "optimize after every n vertices, with -inc; one iteration if there is no -i");
-  args.param("guiout", o.gui_output, false, "write commands for gnuplot to the standard output, with -inc");
+  args.param("guiout", o.gui_output, false, "write commands for gnuplot to standard output, with -inc");
   args.param("marginalize", o.marginalize, false,
              "eliminate all vertices that do not have the largest dimension");
   args.param("printSolverProperties", o.print_solver_properties, false,
@@ -62,7 +62,7 @@ Options read_options(int argc, char** argv) {
   args.param("computeMarginals", o.compute_marginals, false, "print the covariances of the vertices");
   args.param("gaugeId", o.gauge_id, -1, "fix this vertex");
   args.param("gaugeList", o.gauge_list, std::vector<int>(), "fix these vertices: 1,2,3");
-  args.param("o", o.output, "", "write the optimized graph to this file; - is the standard output");
+  args.param("o", o.output, "", "write the optimized graph to this file; - is standard output");
   args.param("solver", o.solver, "gn_var", "the algorithm; see -listSolvers");
   args.param("solverlib", library, "", "load this library of algorithms; may be given several times");
   args.param("typeslib", library, "", "load this library of types; may be given several times");
@@ -72,7 +72,7 @@ Options read_options(int argc, char** argv) {
   args.param("listSolvers", o.list_solvers, false, "list the algorithms");
   args.param("listRobustKernels", o.list_kernels, false, "list the robust kernels");
   args.param("renameTypes", o.rename_types, "", "read the types A and C as B and D: A=B,C=D");
-  args.paramLeftOver("graph-input", o.input, "", "the file; - is the standard input", true);
+  args.paramLeftOver("graph-input", o.input, "", "the file; - is standard input", true);
   std::vector<std::string> arguments(argv, argv + argc);
   o.solver_libraries = take_repeated(arguments, "solverlib");
   o.type_libraries = take_repeated(arguments, "typeslib");

@@ -88,7 +88,7 @@ bool write_gnuplot(const g2o::SparseOptimizer& optimizer, const std::string& pre
 bool save_graph(const g2o::SparseOptimizer& optimizer, const std::string& path) {
   if (path != "-") return optimizer.save(path.c_str());  // prints its own message
   if (optimizer.save(std::cout) && std::cout.flush()) return true;
-  std::cerr << "g2o: the graph cannot be written to the standard output\n";
+  std::cerr << "g2o: the graph cannot be written to standard output\n";
   return false;
 }
 

@@ -6,7 +6,7 @@
 
 namespace g2o_tool {
 
-/// Fixes the vertices of the options, and chooses another one if the graph still floats. Returns false if the
+/// Fixes the vertices that the options name. If the gauge is still free, fixes one more. Returns false if the
 /// options name a vertex that does not exist.
 bool fix_gauge(g2o::SparseOptimizer& optimizer, const Options& options);
 void marginalize_landmarks(g2o::SparseOptimizer& optimizer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts a Graph to plain numbers and back.
+// Converts a Graph to a PlainGraph and back.
 #pragma once
 
 #include "boxplus/graph/graph.h"

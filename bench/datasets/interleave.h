@@ -15,10 +15,10 @@ using Contestant = std::function<Figures()>;
 struct Effort {
   int least = 5;          ///< repetitions, however long they take
   int most = 25;          ///< repetitions, however short they are
-  double enough_s = 1.0;  ///< between the two: no further repetition after this many seconds
+  double enough_s = 1.0;  ///< no further repetition beyond `least` after this many seconds
 };
 
-/// The median of each figure of each contestant. One run of each comes before, and is not counted.
+/// The median of each figure of each contestant. Each contestant first runs once without being measured.
 std::vector<Figures> interleaved_medians(const std::vector<Contestant>& contestants,
                                          const Effort& effort = {});
 

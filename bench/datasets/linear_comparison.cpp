@@ -36,8 +36,8 @@ struct Equations {
   std::vector<double> right_hand_side;
 };
 
-/// Uses a new solver. On both sides, the memory of the last one is freed before, outside of the measured
-/// time.
+/// Uses a new solver. On both sides, the memory of the previous solver is freed before the measurement
+/// begins.
 Figures run_ours(const Equations& equations, Precision precision, std::unique_ptr<LinearSolver>& last,
                  std::vector<double>& x) {
   const auto make = [&](Ordering ordering) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pose graph as plain numbers, the input of the peers. Includes neither boxplus nor Eigen, so that code
+// A pose graph as arrays of doubles, the input of the peers. Includes neither boxplus nor Eigen, so that code
 // with other compiler flags may include it.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace boxplus::bench {
 
 struct PlainGraph {
-  /// z measures pose `to` from pose `from`. S, with Ω = SᵀS, row by row: 3 × 3 or 6 × 6 numbers.
+  /// z measures pose `to` from pose `from`. S, with Ω = SᵀS, row by row: 3 × 3 or 6 × 6 values.
   struct Motion {
     std::size_t from, to;
     std::array<double, 7> z;
@@ -23,7 +23,7 @@ struct PlainGraph {
     std::array<double, 4> root_information;
   };
 
-  std::size_t pose_size = 3;  ///< numbers per pose: x y θ, or 7: x y z qx qy qz qw
+  std::size_t pose_size = 3;  ///< scalars per pose: x y θ, or 7: x y z qx qy qz qw
   std::vector<double> poses;
   std::vector<double> points;       ///< x y
   std::vector<bool> pose_is_fixed;  ///< per pose

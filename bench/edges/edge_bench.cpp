@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges of a user, compared with Ceres with autodiff and with a handwritten loop; prints the last table of
+// Custom edges, compared with Ceres with autodiff and with a handwritten loop; prints the last table of
 // bench/RESULTS.md.
 //
 //     edge_bench             measures

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point-to-plane ICP: one pose, and many measurements of one row that all share it. The problem consists of
-// plain numbers, so that every contestant builds the same one.
+// Point-to-plane ICP: one pose, and many measurements of one row that all share it. The problem is stored in
+// plain arrays, from which every contestant builds its own objects.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the tutorial's chi2 for the tutorial's
-# files, and that they become a picture. The tool g2o reads the files under other names of types.
+# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the tutorial's chi2 for the
+# tutorial's files, and that they become a picture. The tool g2o reads the files with their types renamed.
 set -euo pipefail
 tutorial_program="$1" g2o_program="$2" boxplus_program="$3" work="$4"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"

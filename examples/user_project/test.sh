@@ -24,7 +24,7 @@ build/my_robot
 # Without a build type, the project still optimizes. A project that does not optimize gets a notice.
 grep -q -e '-O3' build/compile_commands.json || { echo "expected an optimized build"; exit 1; }
 configure debug -DCMAKE_BUILD_TYPE=Debug >/dev/null
-grep -q -e '-O3' debug/compile_commands.json && { echo "expected the build type that was asked for"; exit 1; }
+grep -q -e '-O3' debug/compile_commands.json && { echo "expected the requested build type"; exit 1; }
 sed -i '/^if(NOT CMAKE_BUILD_TYPE/,/^endif/d' CMakeLists.txt
 configure bare >/dev/null
 grep -q "CMAKE_BUILD_TYPE is empty" bare.txt || { echo "expected a notice: nothing optimizes this build"; exit 1; }

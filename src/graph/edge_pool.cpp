@@ -25,8 +25,8 @@ std::string_view to_string(JacobianSource source) {
 }
 
 void throw_row_count(int expected, int actual) {
-  throw InvalidArgument("an error function returned " + std::to_string(actual) + " rows, expected the " +
-                        std::to_string(expected) + " it had when its edge was added");
+  throw InvalidArgument("an error function returned " + std::to_string(actual) + " rows; it returned " +
+                        std::to_string(expected) + " when its edge was added");
 }
 
 EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, int tails)

@@ -29,13 +29,13 @@ VertexRef Graph::lookup(const detail::IdMap& ids, Id id, const char* what) const
 
 void Graph::throw_wrong_type(VertexRef vertex, std::string_view expected) const {
   throw InvalidArgument("vertex " + std::to_string(id(vertex)) + ": expected the type " +
-                        std::string(expected) + ", it is a " +
+                        std::string(expected) + ", but it is a " +
                         std::string(vertex_pools_[vertex.pool]->type_name()));
 }
 
 void Graph::throw_wrong_type(EdgeRef edge, std::string_view expected) const {
-  throw InvalidArgument("edge handle: expected an edge of the type " + std::string(expected) + ", it is a " +
-                        std::string(edge_pools_[edge.pool]->type_name()));
+  throw InvalidArgument("edge handle: expected an edge of the type " + std::string(expected) +
+                        ", but it is a " + std::string(edge_pools_[edge.pool]->type_name()));
 }
 
 bool Graph::contains(VertexRef vertex) const {
@@ -52,12 +52,12 @@ bool Graph::contains(EdgeRef edge) const {
 
 void Graph::check(VertexRef vertex) const {
   if (!contains(vertex))
-    throw InvalidArgument("stale vertex handle: its vertex was removed or is of another graph");
+    throw InvalidArgument("stale vertex handle: its vertex was removed or belongs to another graph");
 }
 
 void Graph::check(EdgeRef edge) const {
   if (!contains(edge))
-    throw InvalidArgument("stale edge handle: its edge was removed or is of another graph");
+    throw InvalidArgument("stale edge handle: its edge was removed or belongs to another graph");
 }
 
 /// Finds a vertex that appears twice.

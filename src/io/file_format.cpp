@@ -18,8 +18,8 @@ void FileFormats::add(FileFormat format) {
   for (const FileFormat& other : formats_) {
     if (other.name == format.name || other.extension == format.extension) {
       throw InvalidArgument("file format '" + format.name +
-                            "': expected a name and an extension of its own, but " + other.label() +
-                            " is a format already");
+                            "': expected a new name and a new extension, but " + other.label() +
+                            " is already registered");
     }
   }
   formats_.push_back(std::move(format));

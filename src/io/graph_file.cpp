@@ -26,16 +26,17 @@ GraphFile read(const TextSource& text, const ReadOptions& options) {
   const FileFormat* format =
       formats.recognize(text.block_count() == 0 ? std::string_view() : text.block(0, memory));
   if (!format)
-    throw InputError(text.name(), 1, 1, "expected a text in one of the formats " + labels_of(formats));
+    throw InputError(text.name(), 1, 1,
+                     "unrecognized graph format; supported formats: " + labels_of(formats));
   return format->read(text, options);
 }
 
 const FileFormat& named_format(const FileFormats& formats, const std::string& name) {
   const FileFormat* format = formats.find(name);
   if (!format) {
-    std::string message = "unknown file format '" + name + "'; known are";
-    for (const FileFormat& known : formats.all()) message += " " + known.name;
-    throw InvalidArgument(message);
+    std::string known;
+    for (const FileFormat& each : formats.all()) known += (known.empty() ? "" : ", ") + each.name;
+    throw InvalidArgument("unknown file format '" + name + "'; known formats: " + known);
   }
   if (!format->write) throw InvalidArgument("cannot write " + format->label() + ": the format is read-only");
   return *format;
@@ -49,7 +50,7 @@ const FileFormat& format_to_write(std::string_view path, const WriteOptions& opt
   const auto first = std::find_if(formats.all().begin(), formats.all().end(),
                                   [](const FileFormat& any) { return static_cast<bool>(any.write); });
   if (first == formats.all().end())
-    throw InvalidArgument("cannot write a graph: no format that can be written is known");
+    throw InvalidArgument("cannot write a graph: no writable format is registered");
   return *first;
 }
 

@@ -11,9 +11,9 @@
 
 namespace boxplus {
 
-/// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the caller, in the
-/// order of k. Only a few items per worker exist, and they are used again. `threads`: at most; 0: one per
-/// hardware thread.
+/// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the calling thread,
+/// in the order of k. Only a few items per worker exist; they are reused. `threads` is the maximum number of
+/// workers; 0 means one per hardware thread.
 template <class Item, class Prepare, class Consume>
 void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Consume&& consume) {
   constexpr std::size_t kItemsPerWorker = 4;

@@ -33,7 +33,7 @@ void Registry::add(Tag tag) {
   }
   auto shared = std::make_shared<const Tag>(std::move(tag));
   if (!tags_.try_emplace(shared->name, shared).second) {
-    throw InvalidArgument("registry: the tag " + shared->name + " stands for another type already");
+    throw InvalidArgument("registry: the tag " + shared->name + " is already registered for another type");
   }
   if (shared->written) by_pool_.emplace(shared->pool, shared);
 }

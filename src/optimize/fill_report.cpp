@@ -54,7 +54,8 @@ void add_culprit(std::string& message, Report::Reason reason, const Graph& graph
   } else if (reason == Report::Reason::kNotFinite) {
     message += ": " + describe_non_finite(graph, system);
   } else if (swamping) {
-    message += ": " + edge_text(graph, swamping->edge) + " is too heavy for other edges to count at vertex " +
+    message += ": " + edge_text(graph, swamping->edge) +
+               " has so large an Ω that other edges have no effect at vertex " +
                std::to_string(graph.id(swamping->vertex)) +
                "; merge the vertices that it joins, or lower its Ω";
   }

@@ -197,7 +197,7 @@ std::string_view to_string(Report::Reason reason) {
     case Report::Reason::kTimeLimit:
       return "the time limit is reached";
     case Report::Reason::kStopFlag:
-      return "it was interrupted";
+      return "the run was interrupted";
     case Report::Reason::kCallback:
       return "the callback asked to stop";
     case Report::Reason::kNoStepFound:

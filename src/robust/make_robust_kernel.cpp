@@ -69,9 +69,9 @@ Choice find(std::string_view name) {
     if (known == name.substr(0, colon) && kernel.takes_parameter() == (colon != std::string_view::npos))
       return {kernel, parameter};
   }
-  std::string message = "unknown robust kernel '" + std::string(name) + "'; known are";
-  for (const KernelEntry& known : kKernels) message += " " + std::string(known.name);
-  throw InvalidArgument(message);
+  std::string known;
+  for (const KernelEntry& kernel : kKernels) known.append(known.empty() ? "" : ", ").append(kernel.name);
+  throw InvalidArgument("unknown robust kernel '" + std::string(name) + "'; known kernels: " + known);
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ class OptimizeTest(CommandCase):
             out, err = process.communicate(timeout=300)
             self.assertEqual(process.returncode, 1)
             self.assertRegex(err, r"boxplus: .*interrupted after \d+ iterations?; the best estimate is written to .*out\.g2o")
-            self.assertIn("it was interrupted", out)
+            self.assertIn("the run was interrupted", out)
             report = json.loads((self.path / "out.json").read_text(encoding="utf-8"))
             self.assertLess(report["chi2_final"], report["chi2_initial"])
             written = json.loads(run("info", self.path / "out.g2o", "--json", "-").stdout)

@@ -101,7 +101,7 @@ TEST_F(CustomFileFormat, IsListed) {
     format_graph({}, {.formats = &formats_, .format = "tabel"});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known are g2o TORO table");
+    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known formats: g2o, TORO, table");
   }
 }
 

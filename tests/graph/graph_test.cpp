@@ -208,9 +208,10 @@ TEST(Graph, AHandleOfAnotherGraphIsRefusedEvenIfItsSlotAndTypeMatch) {
       EXPECT_EQ(graphs[a].contains(edges[b]), a == b);
     }
   }
-  EXPECT_THAT(complaint([&] { graphs[0].fix(vertices[1]); }), HasSubstr("of another graph"));
-  EXPECT_THAT(complaint([&] { (void)graphs[0].chi2(edges[1]); }), HasSubstr("of another graph"));
-  EXPECT_THAT(complaint([&] { graphs[0].add_edge(kPrior, vertices[1]); }), HasSubstr("of another graph"));
+  EXPECT_THAT(complaint([&] { graphs[0].fix(vertices[1]); }), HasSubstr("belongs to another graph"));
+  EXPECT_THAT(complaint([&] { (void)graphs[0].chi2(edges[1]); }), HasSubstr("belongs to another graph"));
+  EXPECT_THAT(complaint([&] { graphs[0].add_edge(kPrior, vertices[1]); }),
+              HasSubstr("belongs to another graph"));
 }
 
 TEST(Graph, HandlesOfAMovedGraphAreRefusedByTheGraphThatItWasMovedFrom) {

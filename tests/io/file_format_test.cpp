@@ -43,8 +43,8 @@ TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithANameThatIsTaken) {
     return "no complaint";
   };
   EXPECT_EQ(complaint("mine", ".mine"), "no complaint");
-  EXPECT_THAT(complaint("mine", ".graph"), HasSubstr("TORO's .graph is a format already"));
-  EXPECT_THAT(complaint("TORO", ".mine"), HasSubstr("TORO's .graph is a format already"));
+  EXPECT_THAT(complaint("mine", ".graph"), HasSubstr("TORO's .graph is already registered"));
+  EXPECT_THAT(complaint("TORO", ".mine"), HasSubstr("TORO's .graph is already registered"));
   EXPECT_THAT(complaint("", ".mine"), HasSubstr("expected a name"));
   FileFormats formats;
   EXPECT_THROW(formats.add({.name = "mine", .extension = ".mine", .recognize = {}, .read = {}}),

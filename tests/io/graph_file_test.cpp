@@ -39,7 +39,7 @@ TEST(GraphFile, CannotBeWrittenInUnknownFormatsOrInFormatsThatAreOnlyRead) {
       return error.what();
     }
   };
-  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known are g2o TORO");
+  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known formats: g2o, TORO");
   EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is read-only");
 }
 
@@ -51,7 +51,7 @@ TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {
     parse_graph("VERTEX_SE2 0 0 0 0\n", "g", {.formats = &formats});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "g:1:1: expected a text in one of the formats TORO's .graph");
+    EXPECT_STREQ(error.what(), "g:1:1: unrecognized graph format; supported formats: TORO's .graph");
   }
   EXPECT_THROW(format_graph({}, {.formats = &formats}), InvalidArgument);
 }

@@ -43,7 +43,7 @@ TEST(MakeRobustKernel, MakesTheKernelOfThatNameAndWidth) {
 
 TEST(MakeRobustKernel, NamesTheKnownKernelsWhenOneIsUnknown) {
   EXPECT_THAT(message_of("huber", 1),
-              HasSubstr("unknown robust kernel 'huber'; known are Barron:ALPHA Cauchy"));
+              HasSubstr("unknown robust kernel 'huber'; known kernels: Barron:ALPHA, Cauchy"));
 }
 
 TEST(MakeRobustKernel, TakesAParameterOnlyForKernelsThatHaveOne) {

@@ -88,7 +88,7 @@ class CheckIncludes(unittest.TestCase):
     def test_a_header_of_the_g2o_api_that_includes_the_engine_is_caught(self):
         self.assert_caught(
             {"g2o/include/g2o/core/solver.h": '#include "boxplus/graph/graph.h"\n'},
-            "g2o/include/g2o/core/solver.h:1: the g2o face must not include boxplus (boxplus/graph/graph.h)",
+            "g2o/include/g2o/core/solver.h:1: the g2o API must not include boxplus (boxplus/graph/graph.h)",
         )
 
 if __name__ == "__main__":

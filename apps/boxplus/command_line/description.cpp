@@ -17,7 +17,8 @@ std::vector<std::string> choices_in(const std::string& type) {
   return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
-/// The name of the value in help texts; empty for flags, and for arguments, which are named already.
+/// The placeholder for an option's value in help texts. Empty for flags, which take no value, and for
+/// positional arguments, whose own name is the placeholder.
 std::string value_of(const CLI::Option& option, const std::vector<std::string>& choices) {
   if (option.get_items_expected_max() == 0 || option.get_positional()) return {};
   if (!choices.empty()) return "NAME";

@@ -13,7 +13,7 @@ namespace boxplus::app {
 
 struct OptionDescription {
   std::vector<std::string> names;    ///< "-o", "--output"; a positional has one name
-  std::string value;                 ///< the name of its value, such as FILE; empty for a flag
+  std::string value;                 ///< the placeholder for its value, such as FILE; empty for a flag
   std::vector<std::string> choices;  ///< the allowed values, if they can be listed
   std::string text, default_text, group;
   bool positional = false, required = false;

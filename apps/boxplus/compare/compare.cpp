@@ -65,7 +65,7 @@ Comparison compare(const CompareArguments& arguments) {
 
 int compare_files(const CompareArguments& arguments) {
   if (arguments.result == kStandardStream && arguments.truth == kStandardStream)
-    throw InvalidArgument("compare: expected at most one file from the standard input, got '-' twice");
+    throw InvalidArgument("compare: expected at most one file from standard input, got '-' twice");
   const std::vector<Output> outputs{{"--json", arguments.json}};
   refuse_to_replace(outputs.front(), {arguments.result, arguments.truth});
   check_outputs(outputs);
@@ -76,7 +76,7 @@ int compare_files(const CompareArguments& arguments) {
 }
 
 void add_options(CLI::App& command, CompareArguments& arguments) {
-  const std::string forms = fmt::format(": {}, a TUM file, or - for the standard input", readable_formats());
+  const std::string forms = fmt::format(": {}, a TUM file, or - for standard input", readable_formats());
   command.add_option("RESULT", arguments.result, "The trajectory to measure" + forms)
       ->required()
       ->check(file_name());

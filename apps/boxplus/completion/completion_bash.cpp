@@ -7,7 +7,7 @@
 namespace boxplus::app {
 namespace {
 
-/// The words that begin with '-' here, and the words that a positional allows.
+/// The words that may follow this command: sub-commands, options, and the choices of positional arguments.
 std::vector<std::string> words_of(const CommandDescription& command) {
   std::vector<std::string> words;
   for (const CommandDescription& sub : command.commands) words.push_back(sub.name);

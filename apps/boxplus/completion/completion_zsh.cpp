@@ -7,7 +7,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Quotes a text for a specification of _arguments within single quotes.
+/// Quotes text for a specification of zsh's _arguments that is written in single quotes.
 std::string quoted(const std::string& text) {
   std::string result;
   for (const char c : text) {

@@ -18,7 +18,7 @@ std::string readable_formats() {
 }
 
 std::string graph_to_read() {
-  return fmt::format("The graph: {}, or - for the standard input", readable_formats());
+  return fmt::format("The graph: {}, or - for standard input", readable_formats());
 }
 
 std::string writable_formats() {
@@ -32,7 +32,7 @@ std::string writable_formats() {
 void require_writable_format(const std::string& path) {
   const FileFormat* format = default_formats().of_path(path);
   if (!format || format->write) return;
-  throw InvalidArgument(fmt::format("{}: expected a {} file to write; {} is only read", path,
+  throw InvalidArgument(fmt::format("{}: expected a {} file to write; {} is read-only", path,
                                     writable_formats(), format->label()));
 }
 

@@ -12,10 +12,10 @@ std::string readable_formats();
 /// The help text of an argument that names a graph.
 std::string graph_to_read();
 
-/// ".g2o": those that can be written.
+/// ".g2o": the formats that can be written.
 std::string writable_formats();
 
-/// Throws InvalidArgument if the ending of a path is that of a format that is only read.
+/// Throws InvalidArgument if a path has the extension of a read-only format.
 void require_writable_format(const std::string& path);
 
 }  // namespace boxplus::app

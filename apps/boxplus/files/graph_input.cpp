@@ -40,8 +40,8 @@ std::string read_all(std::FILE* file, const std::string& path) {
   }
 }
 
-/// Throws if there are neither vertices nor edges. It is most likely a file of another kind, and notes on
-/// each of its lines would not help anybody.
+/// Throws if there are neither vertices nor edges. Such a file is most likely not a graph, and notes on each
+/// of its lines would not help anybody.
 void require_graph(const GraphFile& file, const std::string& path) {
   if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
   std::string message = "expected a vertex or an edge, got the end of the file";
@@ -65,9 +65,11 @@ void place_vertices(Graph& graph, const std::string& path) {
   guess_only.start = Start::kChordal;
   guess_only.max_iterations = 0;
   const Report report = optimize(graph, guess_only);
-  print_message(report.start.note.empty()
-                    ? fmt::format("{}: they start at a first guess from the edges", input_name(path))
-                    : fmt::format("{}: they stay at the origin: {}", input_name(path), report.start.note));
+  print_message(
+      report.start.note.empty()
+          ? fmt::format("{}: the created vertices start at an initial guess from the edges", input_name(path))
+          : fmt::format("{}: the created vertices stay at the origin: {}", input_name(path),
+                        report.start.note));
 }
 
 /// Checks "OLD=NEW"; NEW must be a tag that boxplus reads.

@@ -18,7 +18,7 @@ inline constexpr const char* kStandardStream = "-";
 /// "<stdin>" for "-", else the path.
 std::string input_name(const std::string& path);
 
-/// All bytes of a file or of the standard input. Throws FileError.
+/// All bytes of a file or of standard input. Throws FileError.
 std::string read_text(const std::string& path);
 
 /// Adds --lenient and --rename, which fill `options`.
@@ -34,7 +34,7 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
 /// Prints one message per note, up to a limit.
 void print_notes(const GraphFile& file, const std::string& path);
 
-/// Writes a .g2o file, or to the standard output. Throws FileError.
+/// Writes a .g2o file, or to standard output. Throws FileError.
 void save_graph(const std::string& path, const GraphFile& file);
 
 }  // namespace boxplus::app

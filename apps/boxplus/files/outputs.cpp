@@ -20,7 +20,7 @@ bool is_stdout(const Output& output) {
   return output.path == kStandardStream || output.path == "/dev/stdout";
 }
 
-/// The absolute path without links; empty if it cannot be determined.
+/// The absolute path with symlinks resolved; empty if it cannot be determined.
 std::filesystem::path place_of(const std::string& path) {
   std::error_code none;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
@@ -38,7 +38,7 @@ bool are_same(const Output& a, const Output& b) {
 
 void write_to_stdout(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw FileError("cannot write to the standard output");
+    throw FileError("cannot write to standard output");
 }
 
 }  // namespace

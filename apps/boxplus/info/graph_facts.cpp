@@ -22,7 +22,7 @@ std::string tag_or_type(const Graph& graph, EdgeRef edge) {
   return tag ? tag->name : std::string(graph.edge_pools()[edge.pool]->type_name());
 }
 
-/// The badness of an edge; an overflow is the worst.
+/// The sort key for the worst edges: chi2, or infinity if chi2 is NaN.
 double badness(double chi2) {
   return std::isnan(chi2) ? std::numeric_limits<double>::infinity() : chi2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus info FILE: prints the contents of a graph, and its peculiarities.
+// boxplus info FILE: prints the contents of a graph, and anything unusual about it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

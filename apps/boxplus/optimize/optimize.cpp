@@ -92,7 +92,7 @@ void add_optimize(CLI::App& app, Action& action) {
       "  boxplus optimize graph.g2o -o optimized.g2o\n"
       "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
       "\n"
-      "Exit codes: 0 converged, 1 stopped before, 2 bad input or usage, 3 the numerics failed.\n"
+      "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 the numerics failed.\n"
       "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"
       "A second Ctrl-C ends at once.");
   command->callback([&action, command, arguments] {

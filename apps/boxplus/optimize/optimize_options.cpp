@@ -82,7 +82,7 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
       ->group("Method");
   command
       .add_option("--threads", options.threads,
-                  "Use at most this many threads; 0: all. The result is the same to the bit")
+                  "Use at most this many threads; 0: all. The result does not depend on their number")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->group("Method");
@@ -142,14 +142,14 @@ void add_stop_options(CLI::App& command, Options& options) {
       ->group("Stop");
   command
       .add_option("--step-tolerance", options.step_tolerance,
-                  "Converged when a step is smaller than this fraction of the run's largest")
+                  "Converged when a step is smaller than this fraction of the run's largest step")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()
       ->group("Stop");
   command
       .add_option("--gradient-tolerance", options.gradient_tolerance,
-                  "Converged when no entry of the gradient is larger")
+                  "Converged when no entry of the gradient is larger than this")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()

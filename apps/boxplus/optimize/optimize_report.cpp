@@ -13,7 +13,7 @@ namespace {
 
 std::string where_written(const OptimizeArguments& arguments) {
   return arguments.output.empty()              ? "not written (-o FILE writes it)"
-         : arguments.output == kStandardStream ? "written to the standard output"
+         : arguments.output == kStandardStream ? "written to standard output"
                                                : "written to " + arguments.output;
 }
 

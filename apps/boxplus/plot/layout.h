@@ -11,7 +11,7 @@ namespace boxplus::app {
 
 struct PictureOptions {
   std::string title;             ///< empty: none
-  double width = 0, height = 0;  ///< of the picture; 0: 620 per panel, and 666
+  double width = 0, height = 0;  ///< of the picture; 0: 620 wide per panel, 666 high
   double font_size = 0;          ///< of most text; 0: proportional to the panels
   bool is_bare = false;          ///< only the graphs: no frame, header, scale bar, legend or background
   bool has_axes = false;         ///< ticks with their values, or arrows if no axis lies in the picture plane

@@ -63,7 +63,7 @@ std::string title_of(const std::string& path) {
 void check_files(const PlotArguments& arguments) {
   const std::vector<std::string> inputs{arguments.before, arguments.after, arguments.truth};
   if (std::count(inputs.begin(), inputs.end(), kStandardStream) > 1)
-    throw InvalidArgument("plot: expected at most one graph from the standard input, got '-' twice");
+    throw InvalidArgument("plot: expected at most one graph from standard input, got '-' twice");
   check_outputs({{"--output", arguments.output}});
   refuse_to_replace({"--output", arguments.output}, inputs);
 }

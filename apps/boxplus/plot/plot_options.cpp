@@ -55,22 +55,22 @@ std::string complaint_about_size(const std::string& text) {
   return fmt::format("expected WIDTHxHEIGHT, each from {} to {}, got '{}'", kLeast, kMost, text);
 }
 
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(),
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return ending;
+  return extension;
 }
 
 void add_input_options(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("BEFORE", arguments.before, "A graph; - reads the standard input")
+  command.add_option("BEFORE", arguments.before, "A graph; - reads standard input")
       ->check(file_name())
       ->required();
   command.add_option("AFTER", arguments.after, "The same graph, optimized")->check(file_name());
   command
       .add_option("-o,--output", arguments.output,
-                  "Where to write the picture (.svg, .pdf or .png); - is the standard output")
+                  "Where to write the picture (.svg, .pdf or .png); - is standard output")
       ->type_name("FILE")
       ->check(file_name())
       ->required();
@@ -82,7 +82,7 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
               if (word == chosen) arguments.format = format;
             }
           },
-          "The format, if the name of the file does not have its ending")
+          "The format, if the file name has no extension")
       ->check(one_of({"svg", "pdf", "png"}));
   command
       .add_option(
@@ -158,13 +158,13 @@ void add_plot_options(CLI::App& command, PlotArguments& arguments) {
 }
 
 PictureFormat format_of(const PlotArguments& arguments) {
-  const std::string ending = arguments.output == kStandardStream ? "" : ending_of(arguments.output);
-  if (ending.empty()) return arguments.format.value_or(PictureFormat::kSvg);
+  const std::string extension = arguments.output == kStandardStream ? "" : extension_of(arguments.output);
+  if (extension.empty()) return arguments.format.value_or(PictureFormat::kSvg);
   for (const auto& [word, format] : kFormats) {
-    if (word != ending) continue;
+    if (word != extension) continue;
     if (arguments.format && *arguments.format != format)
       throw InvalidArgument(
-          fmt::format("--format: expected {} for '{}', got another", word, arguments.output));
+          fmt::format("--format: expected {} for '{}', got another format", word, arguments.output));
     return format;
   }
   throw InvalidArgument(

@@ -25,8 +25,8 @@ struct PlotArguments {
 /// Adds all options; they fill `arguments`, which must outlive the command.
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
-/// The format of --format or, without it, of the ending of the output; SVG if there is neither. Throws
-/// InvalidArgument if the ending belongs to another format, or to no known one.
+/// The format that --format names. Without --format, the output's extension selects the format; without an
+/// extension, it is SVG. Throws InvalidArgument if the extension is unknown or contradicts --format.
 PictureFormat format_of(const PlotArguments& arguments);
 
 }  // namespace boxplus::app

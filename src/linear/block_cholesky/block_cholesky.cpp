@@ -93,7 +93,7 @@ FactorResult BlockCholesky::factorize(const BlockSystem& system, const Damping& 
                                       const SolveControl& control) {
   factorized_ = false;
   inverse_.clear();
-  if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected a call of analyze() before");
+  if (!structure_) throw InvalidArgument("BlockCholesky::factorize: expected an earlier call of analyze()");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("BlockCholesky::factorize: expected the block values of the analyzed structure");
   }
@@ -133,7 +133,7 @@ FactorResult BlockCholesky::failure(std::uint32_t permuted_scalar, const double*
 }
 
 SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const SolveControl& control) {
-  if (!factorized_) throw InvalidArgument("BlockCholesky::solve: expected a successful factorize() before");
+  if (!factorized_) throw InvalidArgument("BlockCholesky::solve: expected an earlier successful factorize()");
   const std::size_t scalars = structure_->scalars();
   if (!all_finite(b, scalars * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite};
@@ -179,7 +179,7 @@ bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks)
 bool BlockCholesky::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                                      const StopToken& stop) {
   if (!factorized_)
-    throw InvalidArgument("BlockCholesky::selected_inverse: expected a successful factorize() before");
+    throw InvalidArgument("BlockCholesky::selected_inverse: expected an earlier successful factorize()");
   if (mixed_.allocated() && factorize_again_in_double(stop).status != LinearStatus::kOk) return false;
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
   if (!inverse_.computed()) {

@@ -72,7 +72,7 @@ bool DenseSolver::pivot_is_lost(std::uint32_t scalar) {
 FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& damping,
                                     const SolveControl& control) {
   factorized_ = inverted_ = false;
-  if (!structure_) throw InvalidArgument("DenseSolver::factorize: expected a call of analyze() before");
+  if (!structure_) throw InvalidArgument("DenseSolver::factorize: expected an earlier call of analyze()");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument("DenseSolver::factorize: expected the block values of the analyzed structure");
   }
@@ -95,7 +95,7 @@ FactorResult DenseSolver::factorize(const BlockSystem& system, const Damping& da
 }
 
 SolveResult DenseSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
-  if (!factorized_) throw InvalidArgument("DenseSolver::solve: expected a successful factorize() before");
+  if (!factorized_) throw InvalidArgument("DenseSolver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   const int n = static_cast<int>(size);
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
@@ -124,7 +124,7 @@ void DenseSolver::form_inverse() {
 bool DenseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                                    const StopToken& stop) {
   if (!factorized_)
-    throw InvalidArgument("DenseSolver::selected_inverse: expected a successful factorize() before");
+    throw InvalidArgument("DenseSolver::selected_inverse: expected an earlier successful factorize()");
   if (stop.raised()) return false;
   form_inverse();
   const BlockStructure& s = *structure_;

@@ -88,7 +88,8 @@ FactorResult EigenSparseSolver::explain_failure(const BlockSystem& system, const
 FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Damping& damping,
                                           const SolveControl& control) {
   factorized_ = false;
-  if (!structure_) throw InvalidArgument("EigenSparseSolver::factorize: expected a call of analyze() before");
+  if (!structure_)
+    throw InvalidArgument("EigenSparseSolver::factorize: expected an earlier call of analyze()");
   if (system.values().size() != structure_->nonzero_values()) {
     throw InvalidArgument(
         "EigenSparseSolver::factorize: expected the block values of the analyzed structure");
@@ -113,7 +114,7 @@ FactorResult EigenSparseSolver::factorize(const BlockSystem& system, const Dampi
 
 SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!factorized_)
-    throw InvalidArgument("EigenSparseSolver::solve: expected a successful factorize() before");
+    throw InvalidArgument("EigenSparseSolver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite};
@@ -128,7 +129,7 @@ SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x, co
 bool EigenSparseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                                          const StopToken& stop) {
   if (!factorized_)
-    throw InvalidArgument("EigenSparseSolver::selected_inverse: expected a factorize() before");
+    throw InvalidArgument("EigenSparseSolver::selected_inverse: expected an earlier factorize()");
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
   return solve_for_inverse(*this, *structure_, requests, stop);
 }

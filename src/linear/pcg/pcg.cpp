@@ -23,7 +23,7 @@ void Pcg::analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/
 
 FactorResult Pcg::factorize(const BlockSystem& system, const Damping& damping, const SolveControl& control) {
   system_ = nullptr;
-  if (!structure_) throw InvalidArgument("Pcg::factorize: expected a call of analyze() before");
+  if (!structure_) throw InvalidArgument("Pcg::factorize: expected an earlier call of analyze()");
   if (control.stop.raised()) return {LinearStatus::kStopped};
   const BlockStructure& s = *structure_;
   for (std::uint32_t i = 0; i < s.scalars(); ++i) damping_[i] = damping(i);
@@ -69,7 +69,7 @@ void Pcg::precondition(const double* r, double* z) const {
 }
 
 SolveResult Pcg::solve(const double* b, int columns, double* x, const SolveControl& control) {
-  if (!system_) throw InvalidArgument("Pcg::solve: expected a successful factorize() before");
+  if (!system_) throw InvalidArgument("Pcg::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite};

@@ -51,7 +51,7 @@ void SchurSolver::move_to_full_numbering(std::uint32_t& block, std::uint32_t& sc
 
 FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& damping,
                                     const SolveControl& control) {
-  if (!structure_) throw InvalidArgument("SchurSolver::factorize: expected a call of analyze() before");
+  if (!structure_) throw InvalidArgument("SchurSolver::factorize: expected an earlier call of analyze()");
   if (!eliminates()) return inner_->factorize(system, damping, control);
   factorized_ = false;
   if (system.values().size() != structure_->nonzero_values())
@@ -73,7 +73,7 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
 
 SolveResult SchurSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
   if (!eliminates()) return inner_->solve(b, columns, x, control);
-  if (!factorized_) throw InvalidArgument("SchurSolver::solve: expected a successful factorize() before");
+  if (!factorized_) throw InvalidArgument("SchurSolver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
     return {LinearStatus::kNotFinite};
@@ -105,7 +105,7 @@ bool SchurSolver::selected_inverse(std::span<const BlockCoordinate> blocks, doub
                                    const StopToken& stop) {
   if (!eliminates()) return inner_->selected_inverse(blocks, out, stop);
   if (!factorized_)
-    throw InvalidArgument("SchurSolver::selected_inverse: expected a successful factorize() before");
+    throw InvalidArgument("SchurSolver::selected_inverse: expected an earlier successful factorize()");
   return invert_blocks(*schur_, *inner_, list_requests(*structure_, blocks, out), stop);
 }
 

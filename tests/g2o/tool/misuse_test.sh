@@ -105,7 +105,7 @@ done
 if [[ -e /dev/full ]]; then
   for switch in -o -stats -summary; do expect 1 "/dev/full cannot be written" $switch /dev/full square.g2o; done
   if "$tool" -o - square.g2o > /dev/full 2> err.txt; then complain "expected exit code 1:" err.txt; fi
-  is "cannot be written to the standard output" err.txt
+  is "cannot be written to standard output" err.txt
 fi
 [[ ! -e debug.txt ]] || complain "expected no such file" debug.txt
 
