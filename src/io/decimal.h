@@ -13,7 +13,7 @@ namespace boxplus {
 
 struct Decimal {
   double value = 0;
-  /// After the last digit. nullptr: there is no such number, and the other members mean nothing.
+  /// After the last digit. nullptr: there is no such number, and the other members are meaningless.
   const char* end = nullptr;
   bool is_integer = false;
 };
@@ -52,8 +52,8 @@ inline std::uint64_t load(const char* at) {
   return word ^ in_all_lanes('0');
 }
 
-/// The top bit of each lane that holds no digit; 0 if all lanes are digits. Lanes above the first one that is
-/// no digit may be wrong.
+/// The top bit of each lane that does not hold a digit; 0 if all lanes are digits. Lanes above the first such
+/// lane may be wrong.
 inline std::uint64_t not_digits(std::uint64_t word) {
   return ((word + in_all_lanes(0x80 - 10)) | word) & in_all_lanes(0x80);
 }

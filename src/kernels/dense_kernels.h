@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense arithmetic of the block Cholesky. All matrices are column-major; `ld…` is the distance between
-// columns.
+// The dense arithmetic of the block Cholesky. All matrices are column-major; `ld…` is the leading dimension
+// (column stride).
 #pragma once
 
 #include "kernels/kernel_table.h"

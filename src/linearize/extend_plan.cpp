@@ -104,8 +104,8 @@ class Finder {
     return !plan_.held.empty() && plan_.held[0].vertex.pool == pool && plan_.held[0].vertex.slot == slot;
   }
 
-  /// Records which vertices are connected. Returns false if an edge may resist the motions that a vertex is
-  /// held for (only relative poses cannot), or if an edge makes an inactive old vertex active.
+  /// Records which vertices are connected. Returns false if an edge may measure the motions for which a
+  /// vertex is held (a relative pose cannot), or if an edge makes an inactive old vertex active.
   bool look_at_edges(const BlockOf& blocks, const Additions& out) {
     sets_ = DisjointSets(1 + out.vertices.size());  // 0 stands for all old vertices
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());

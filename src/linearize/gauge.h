@@ -19,7 +19,7 @@ struct Gauge {
   std::vector<GaugeVertex> held;
   std::vector<TangentDirection> held_directions;  ///< of vertices that are not held completely
   std::vector<detail::GaugeFreedom> freedoms;
-  /// One vertex of each component that nothing anchors and whose freedom, if any, is not one of similarities.
+  /// One vertex of each component that nothing anchors and whose freedom, if any, is not a similarity.
   std::vector<VertexRef> loose;
 };
 

@@ -64,7 +64,7 @@ void add_culprit(std::string& message, Report::Reason reason, const Graph& graph
 }  // namespace
 
 void begin_report(Report& report, const Options& options) {
-  constexpr int kRecords = 100;          // room to reserve,
+  constexpr int kRecords = 100;          // reserved room,
   constexpr std::size_t kMessage = 100;  // so that a later run does not allocate
   reset(report);
   report.start.requested = options.start;

@@ -11,7 +11,7 @@ namespace boxplus {
 
 class PlannedSystem {
  public:
-  /// The origin of the plan.
+  /// How the last update() obtained the plan.
   enum class Origin : std::uint8_t { kMade, kExtended, kReused };
   /// Brings the plan up to date. Throws Stopped if `stop` is raised while the plan has to change; the next
   /// call then makes a new plan.

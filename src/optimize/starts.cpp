@@ -65,17 +65,17 @@ bool has_robust_kernels(const Graph& graph, const Plan& plan) {
 
 class StartSearch {
  public:
-  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, Estimates& came)
+  StartSearch(Descent& descent, Report::StartReport& report, double& guess_seconds, Estimates& fallback)
       : descent_(descent),
         report_(report),
         guess_seconds_(guess_seconds),
-        came_(came),
-        chi2_came_(report.chi2_current) {}
+        fallback_(fallback),
+        chi2_original_(report.chi2_current) {}
 
   RunResult run() {
     const Start start = descent_.options().start;
-    if (start == Start::kCurrent) return descent_.run(chi2_came_);
-    came_.take(graph(), plan());
+    if (start == Start::kCurrent) return descent_.run(chi2_original_);
+    fallback_.take(graph(), plan());
     return start == Start::kAutomatic ? run_automatically() : run_from_guess(start);
   }
 
@@ -84,25 +84,25 @@ class StartSearch {
   const Plan& plan() { return descent_.system().plan(); }
 
   RunResult run_from_guess(Start start) {
-    if (!make_guess(start)) return descent_.run(chi2_came_);
+    if (!make_guess(start)) return descent_.run(chi2_original_);
     report_.used = start;
     RunResult result = descent_.run(report_.chi2_guess);
     // A guess may be worse than the current estimates. If the run is stopped before its chi2 is below theirs,
     // the current estimates are restored.
     const bool stopped =
         result.reason == Report::Reason::kTimeLimit || result.reason == Report::Reason::kStopFlag;
-    if (!stopped || !(result.chi2 > chi2_came_)) return result;
-    came_.put_back(graph(), plan());
+    if (!stopped || !(result.chi2 > chi2_original_)) return result;
+    fallback_.put_back(graph(), plan());
     report_.used = Start::kCurrent;
     descent_.records().clear();
-    result.chi2 = chi2_came_;
+    result.chi2 = chi2_original_;
     return result;
   }
 
   /// Runs from the current estimates if they seem to lie in the valley of the global minimum. Otherwise runs
   /// from the better of them and a chordal guess. If the result is not plausible, also runs from the other.
   RunResult run_automatically() {
-    double chi2 = chi2_came_;
+    double chi2 = chi2_original_;
     if (std::isfinite(chi2) && descent_.options().max_iterations > 1 &&
         !has_robust_kernels(graph(), plan())) {
       bool gave_up = false;
@@ -111,10 +111,10 @@ class StartSearch {
       const bool may_go_on = !is_interruption(result.reason) && descent_.may_go_on();
       if (!gave_up) return is_good || !may_go_on ? result : compare_with_guess(result);
       if (result.chi2 < chi2) {
-        came_.take(graph(), plan());
+        fallback_.take(graph(), plan());
         chi2 = result.chi2;
       } else {
-        came_.put_back(graph(), plan());
+        fallback_.put_back(graph(), plan());
         descent_.records().clear();
       }
     }
@@ -137,25 +137,25 @@ class StartSearch {
       return !gave_up;
     };
     report_.used = Start::kCurrent;
-    const RunResult result = descent_.run_while(wanted, chi2_came_);
+    const RunResult result = descent_.run_while(wanted, chi2_original_);
     gave_up = gave_up && result.reason == Report::Reason::kCallback;
     return result;
   }
 
-  /// Runs from the better of two estimates: the chordal guess, which is in the graph, and came_, whose chi2
-  /// is given. The guess is the better one if its chi2 is below that of the original estimates. With robust
-  /// kernels, chi2 tells little about the valley, and runs need many iterations; then the first run leaves
-  /// iterations for the other.
+  /// Runs from the better of two estimates: the chordal guess, which is in the graph, and fallback_, whose
+  /// chi2 is given. The guess is the better one if its chi2 is below that of the original estimates. With
+  /// robust kernels, chi2 tells little about the valley, and runs need many iterations; then the first run
+  /// leaves iterations for the other.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
-        std::isfinite(chi2_guess) && (chi2_guess < chi2_came_ || !std::isfinite(chi2_came_));
+        std::isfinite(chi2_guess) && (chi2_guess < chi2_original_ || !std::isfinite(chi2_original_));
     StartingPoint other{Start::kCurrent, {}, chi2_current};
     if (guess_first) {
-      std::swap(other.estimates, came_);
+      std::swap(other.estimates, fallback_);
     } else {
       other = {Start::kChordal, Estimates(graph(), plan()), chi2_guess};
-      came_.put_back(graph(), plan());
+      fallback_.put_back(graph(), plan());
     }
     report_.used = guess_first ? Start::kChordal : Start::kCurrent;
     const bool leaves_iterations = std::isfinite(other.chi2) && has_robust_kernels(graph(), plan());
@@ -187,10 +187,10 @@ class StartSearch {
   /// Follows a run from the current estimates that may have ended in a local minimum. Also runs from the
   /// chordal guess, if there is one.
   RunResult compare_with_guess(const RunResult& first) {
-    came_.take(graph(), plan());
+    fallback_.take(graph(), plan());
     if (!make_guess(Start::kChordal)) return first;
     StartingPoint guess{Start::kChordal, Estimates(graph(), plan()), report_.chi2_guess};
-    came_.put_back(graph(), plan());
+    fallback_.put_back(graph(), plan());
     return run_from_other(first, std::move(guess), descent_.iterations_left());
   }
 
@@ -212,10 +212,10 @@ class StartSearch {
   }
 
   /// Replaces the estimates by the guess `start`, and evaluates its chi2. If there is no guess (the report
-  /// says why) or no time, restores came_ and returns false.
+  /// says why) or no time, restores fallback_ and returns false.
   bool make_guess(Start start) {
     if (try_guess(start)) return true;
-    came_.put_back(graph(), plan());
+    fallback_.put_back(graph(), plan());
     return false;
   }
 
@@ -248,8 +248,8 @@ class StartSearch {
   Descent& descent_;
   Report::StartReport& report_;
   double& guess_seconds_;
-  Estimates& came_;         // the original estimates, or the result of try_current()
-  const double chi2_came_;  // of the original estimates
+  Estimates& fallback_;         // the original estimates, or the result of try_current()
+  const double chi2_original_;  // of the original estimates
 };
 
 }  // namespace

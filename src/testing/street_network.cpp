@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kNone = -1;
 constexpr double kJitter = 0.1, kBend = 0.35, kMostBow = 0.06;  // in blocks
-constexpr double kMissing = 0.2;                                // of the streets that are no avenues
+constexpr double kMissing = 0.2;                                // of the streets that are not avenues
 constexpr double kLane = 1.5;                                   // meters right of the middle
 constexpr int kLaneChange = 12;                                 // steps
 

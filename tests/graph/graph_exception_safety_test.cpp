@@ -49,7 +49,7 @@ void fail_everywhere(F&& f, Check&& check) {
       check();
     }
   }
-  FAIL() << "never passed";
+  FAIL() << "no number of copies was enough";
 }
 
 TEST(ExceptionSafety, AVertexThatCannotBeCopiedIsNotAdded) {

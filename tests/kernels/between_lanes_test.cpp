@@ -58,7 +58,7 @@ class BetweenLanes : public EveryIsa {
           const int lane = ((k / detail::EdgeTile::kLanes) * size + m) * detail::EdgeTile::kLanes +
                            k % detail::EdgeTile::kLanes;
           ASSERT_NEAR(by_lanes[lane], plain[k * size + m], 1e-13 * (1 + 30 * std::abs(plain[k * size + m])))
-              << "number " << m << " of edge " << k;
+              << "value " << m << " of edge " << k;
         }
       }
     };

@@ -384,7 +384,8 @@ TEST_P(LinearSolverTest, IsStoppedByARaisedFlagAndByAPassedDeadline) {
     ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
     MatrixXd b = right_hand_sides(system, 1);
     EXPECT_EQ(solver->solve(b.data(), 1, b.data(), {.stop = stop}).status, LinearStatus::kStopped);
-    EXPECT_EQ(solver->solve(b.data(), 1, b.data()).status, LinearStatus::kOk) << "a token holds for one call";
+    EXPECT_EQ(solver->solve(b.data(), 1, b.data()).status, LinearStatus::kOk)
+        << "a stop token applies to one call only";
   }
 }
 

@@ -176,12 +176,12 @@ concept Converts = requires(const From& x) {
 
 TEST(ConvertTo, RefusesToDropAPartOfATransformation) {
   EXPECT_TRUE((Converts<SE3, Eigen::Quaterniond>));
-  EXPECT_FALSE((Converts<Eigen::Quaterniond, SE3>)) << "the translation";
-  EXPECT_FALSE((Converts<Eigen::Isometry3d, Sim3>)) << "the scale";
-  EXPECT_FALSE((Converts<SE3, Eigen::Affine3d>)) << "the scale";
-  EXPECT_FALSE((Converts<SO2, Eigen::Isometry2d>)) << "the translation";
-  EXPECT_FALSE((Converts<SE3, SE2>)) << "another space";
-  EXPECT_FALSE((Converts<SE3, Vector3>)) << "no motion";
+  EXPECT_FALSE((Converts<Eigen::Quaterniond, SE3>)) << "would drop the translation";
+  EXPECT_FALSE((Converts<Eigen::Isometry3d, Sim3>)) << "would drop the scale";
+  EXPECT_FALSE((Converts<SE3, Eigen::Affine3d>)) << "would drop the scale";
+  EXPECT_FALSE((Converts<SO2, Eigen::Isometry2d>)) << "would drop the translation";
+  EXPECT_FALSE((Converts<SE3, SE2>)) << "different spaces";
+  EXPECT_FALSE((Converts<SE3, Vector3>)) << "a vector is not a motion";
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 namespace boxplus {
 
 FileFormat g2o_format() {
-  // Lines with unknown tags are kept: any text is a .g2o file, even if it holds no graph.
+  // Accepts any text, even if it has no vertices and edges, because lines with unknown tags are kept.
   const auto recognize = [](std::string_view) { return true; };
   return {.name = "g2o",
           .extension = ".g2o",

@@ -31,7 +31,8 @@ Decimal read_integer(const char* at, const char* end) {
   return {negative ? -static_cast<double>(value) : static_cast<double>(value), digit, true};
 }
 
-/// The finite number that is the whole field at `at`; no `end` if the field is no such number.
+/// The finite number that makes up the whole field at `at`. If the field is anything else, the result has no
+/// `end`.
 Decimal read_any_number(const char* at, const char* end) {
   if (const Decimal integer = read_integer(at, end); integer.end) return integer;
   Decimal number;
@@ -103,7 +104,7 @@ void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
   lines_.push_back(line);
 }
 
-/// Appends the fields to values_. Returns false if a field is no number, or if there are so many that they
+/// Appends the fields to values_. Returns false if a field is not a number, or if there are so many that they
 /// would take too much memory.
 bool LineBlock::read_fields(const char* at, const char* end, std::size_t& integers) {
   constexpr std::size_t kMost = std::size_t{1} << 16;

@@ -13,7 +13,8 @@
 
 namespace boxplus {
 
-/// The tags of a file that stand for no type. Each gets a note, and may explain why a vertex is missing.
+/// The tags of a file for which no type is registered. Each gets a note, and may explain why a vertex is
+/// missing.
 class UnknownTags {
  public:
   /// Takes a line that begins with such a tag.

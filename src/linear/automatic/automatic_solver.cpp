@@ -18,8 +18,8 @@ std::uint64_t default_limit() {
 }
 
 /// The predicted seconds of a rough solution by pcg. The number of iterations grows with the diameter of the
-/// graph. The cube root of its size stands for the diameter, because factors become too large in three
-/// dimensions. Each iteration reads H twice.
+/// graph. The cube root of its size approximates the diameter, because factors become too large only for
+/// graphs that are about three-dimensional. Each iteration reads H twice.
 double pcg_seconds(const BlockStructure& structure) {
   constexpr double kIterations = 15, kSecondsPerByte = 2e-10;
   const double bytes = static_cast<double>(structure.nonzero_values()) * sizeof(double);

@@ -9,7 +9,7 @@
 namespace boxplus::guess {
 
 /// Dijkstra's algorithm over the measurements; measurement k has the length `cost[k]` > 0. Moves every
-/// movable vertex that a root reaches. In a part that no root reaches, the pose of lowest id becomes one.
+/// movable vertex that a root reaches. In a part that no root reaches, the pose of lowest id becomes a root.
 /// Among equal costs, the lower node index comes first.
 ///
 /// Throws Stopped when the token is raised; some vertices have moved then.

@@ -17,7 +17,7 @@ namespace boxplus::guess {
 /// First join() every pair of blocks that share a term, then add() the terms, then solve().
 class SeparableLeastSquares {
  public:
-  static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< the index of blocks that are no unknowns
+  static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< the index of blocks that are not unknowns
 
   SeparableLeastSquares(std::vector<std::uint32_t> dims, int columns)
       : dims_(std::move(dims)), columns_(columns) {}

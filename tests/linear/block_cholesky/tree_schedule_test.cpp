@@ -44,7 +44,7 @@ void expect_valid(const SymbolicFactor& f) {
     const std::uint32_t parent = f.fronts[s].parent;
     if (parent == kNoParent) continue;
     EXPECT_GE(owner[parent], owner[s]) << "a front is done with or after its children";
-    EXPECT_TRUE(owner[parent] == kAll || owner[parent] == owner[s]) << "by one thread, if by any";
+    EXPECT_TRUE(owner[parent] == kAll || owner[parent] == owner[s]) << "one thread does a whole subtree";
   }
   EXPECT_TRUE(std::is_sorted(f.schedule.top.begin(), f.schedule.top.end()));
 }
