@@ -7,7 +7,7 @@
 
 namespace boxplus::guess {
 
-/// At most 3 × 3, without heap memory.
+/// At most 4 × 4, without heap memory.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::DontAlign, 4, 4>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::DontAlign, 4, 1>;
 

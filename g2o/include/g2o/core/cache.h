@@ -47,7 +47,7 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
 
  protected:
   virtual void updateImpl() = 0;
-  /// Returns the cache of the same vertex that this cache depends on, and makes it if there is none.
+  /// Returns the cache of the same vertex that this cache depends on, and creates it if there is none.
   /// `parameterIndices` selects its parameters among those of this cache.
   Cache* installDependency(const std::string& type, const std::vector<int>& parameterIndices);
   /// Called when parameters and container are known. Returns false if they do not fit.
