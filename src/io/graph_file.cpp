@@ -27,7 +27,7 @@ GraphFile read(const TextSource& text, const ReadOptions& options) {
       formats.recognize(text.block_count() == 0 ? std::string_view() : text.block(0, memory));
   if (!format)
     throw InputError(text.name(), 1, 1,
-                     "unrecognized graph format; supported formats: " + labels_of(formats));
+                     "expected a supported format (" + labels_of(formats) + "), got another one");
   return format->read(text, options);
 }
 

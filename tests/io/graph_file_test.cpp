@@ -51,7 +51,7 @@ TEST(GraphFile, IsRefusedIfNoFormatRecognizesItsText) {
     parse_graph("VERTEX_SE2 0 0 0 0\n", "g", {.formats = &formats});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "g:1:1: unrecognized graph format; supported formats: TORO's .graph");
+    EXPECT_STREQ(error.what(), "g:1:1: expected a supported format (TORO's .graph), got another one");
   }
   EXPECT_THROW(format_graph({}, {.formats = &formats}), InvalidArgument);
 }
