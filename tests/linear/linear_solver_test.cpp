@@ -6,8 +6,9 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "boxplus/linear/make_linear_solver.h"
+#include "boxplus/linear/linear_solver_table.h"
 #include "linear/expect_solution.h"
 
 namespace boxplus {
@@ -408,21 +409,24 @@ TEST_P(LinearSolverTest, IsNotStoppedByADistantDeadline) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, LinearSolverTest,
-    ::testing::Values(Candidate{LinearSolverKind::kBlockCholesky},
-                      Candidate{LinearSolverKind::kBlockCholesky, Precision::kMixed},
-                      Candidate{LinearSolverKind::kPcg}, Candidate{LinearSolverKind::kDense},
-                      Candidate{LinearSolverKind::kEigenSparse},
-                      Candidate{.kind = LinearSolverKind::kBlockCholesky, .eliminates = true},
-                      Candidate{LinearSolverKind::kBlockCholesky, Precision::kMixed, true},
-                      Candidate{.kind = LinearSolverKind::kPcg, .eliminates = true},
-                      Candidate{.kind = LinearSolverKind::kDense, .eliminates = true},
-                      Candidate{.kind = LinearSolverKind::kEigenSparse, .eliminates = true}),
-    [](const auto& test) {
-      return std::string(test.param.eliminates ? "schur_" : "") + std::string(to_string(test.param.kind)) +
-             (test.param.precision == Precision::kMixed ? "_mixed" : "");
-    });
+/// Every solver of the table, alone and behind an elimination.
+std::vector<Candidate> candidates() {
+  std::vector<Candidate> all;
+  for (const bool eliminates : {false, true}) {
+    for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
+      if (entry.kind == LinearSolverKind::kAutomatic) continue;  // stands for one of the others
+      all.push_back({.kind = entry.kind, .eliminates = eliminates});
+      if (entry.kind == LinearSolverKind::kBlockCholesky)
+        all.push_back({entry.kind, Precision::kMixed, eliminates});
+    }
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LinearSolverTest, ::testing::ValuesIn(candidates()), [](const auto& test) {
+  return std::string(test.param.eliminates ? "schur_" : "") + std::string(to_string(test.param.kind)) +
+         (test.param.precision == Precision::kMixed ? "_mixed" : "");
+});
 
 }  // namespace
 }  // namespace boxplus

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "optimize/initial_guess/scene.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -232,7 +233,7 @@ TEST(InitialGuessOfMixedGraphs, HandlesThePlaneAndSpaceSideBySide) {
     graph.add_edge(Between<Space>{Space::motion(3)}, c, d);
     graph.fix(a);
     graph.fix(c);
-    EXPECT_TRUE(kGuesses[k](graph, make_plan(graph, {}), {}).made);
+    EXPECT_TRUE(every_guess()[k].guess(graph, make_plan(graph, {}), {}).made);
     EXPECT_LT(graph.chi2(), 1e-18);
   });
 }

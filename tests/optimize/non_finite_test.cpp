@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -26,8 +27,7 @@ TEST(Optimize, NamesAnEdgeIfOnlyTheSumOverAllEdgesOverflows) {
 }
 
 TEST(Optimize, NamesTheEdgeThatMakesTheLinearSystemOverflow) {
-  for (const auto algorithm :
-       {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kGaussNewton}) {
+  for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     const auto x = graph.add_vertex(1.0, 7), y = graph.add_vertex(2.0, 8);
     graph.add_edge([](const auto& value) { return value - 3; }, x);

@@ -7,6 +7,7 @@
 
 #include "allocation_counter.h"
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -16,8 +17,7 @@ class SecondRun : public ::testing::TestWithParam<int> {};
 TEST_P(SecondRun, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
-  for (const AlgorithmKind algorithm :
-       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+  for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     const auto poses = add_noisy_grid(graph, 9);
     add_noisy_circle(graph, 100);
@@ -81,8 +81,7 @@ TEST(SecondRunWithNumericJacobians, AllocatesNothing) {
 TEST(SecondRunAfterOneThatWasStopped, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
-  for (const AlgorithmKind algorithm :
-       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+  for (const AlgorithmKind algorithm : every_algorithm()) {
     StoppableCircle circle;
     Options options{.algorithm = algorithm, .max_iterations = 0, .stop = &circle.stop};
     Optimizer optimizer(circle.graph, options);

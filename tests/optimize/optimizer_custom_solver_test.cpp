@@ -6,6 +6,7 @@
 
 #include "boxplus/linear/make_linear_solver.h"
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -141,9 +142,7 @@ TEST_P(InexactCustomSolver, ReceivesTheToleranceInBothCalls) {
   EXPECT_EQ(solver->solve_tolerance, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Algorithms, InexactCustomSolver,
-                         ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
-                                           AlgorithmKind::kDogleg));
+INSTANTIATE_TEST_SUITE_P(Algorithms, InexactCustomSolver, ::testing::ValuesIn(every_algorithm()));
 
 }  // namespace
 }  // namespace boxplus

@@ -13,6 +13,7 @@
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
 #include "boxplus/types/slam3d.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -102,8 +103,7 @@ TEST(FixedDirections, KeepAVehicleInThePlaneWithEverySolver) {
   for (const bool eliminate : {false, true}) {
     for (const auto solver : {LinearSolverKind::kBlockCholesky, LinearSolverKind::kPcg,
                               LinearSolverKind::kDense, LinearSolverKind::kEigenSparse}) {
-      for (const auto algorithm :
-           {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+      for (const AlgorithmKind algorithm : every_algorithm()) {
         Drive drive = make_drive();
         drive.graph.fix(drive.poses[0]);
         for (const auto& point : drive.points) drive.graph.set_eliminated(point, eliminate);

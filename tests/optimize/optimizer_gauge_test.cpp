@@ -4,6 +4,7 @@
 
 #include "boxplus/manifold/sim3.h"
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -196,8 +197,7 @@ TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
 
 TEST(Gauge, IsReleasedOnceAMotionThatWasFreeAtTheStartIsMeasured) {
   // Both poses coincide at first, so that nothing measures their heading.
-  for (const auto algorithm :
-       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+  for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2());
     graph.add_edge(Between(SE2(1, 0, 0)), a, b);
@@ -269,8 +269,7 @@ TEST(Gauge, StaysHeldIfDampingOrRadiusCutEveryStepShort) {
 
 TEST(Gauge, StaysHeldIfTheDataFitPerfectly) {
   // chi2 is then rounding noise, and so is the gradient of the held vertex.
-  for (const auto algorithm :
-       {AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt, AlgorithmKind::kDogleg}) {
+  for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(100, -50, 1))};
     for (int i = 1; i < 6; ++i) {

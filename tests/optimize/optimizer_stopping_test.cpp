@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -101,7 +102,7 @@ TEST_P(EveryAlgorithm, StopsAtTheTimeLimit) {
 }
 
 TEST_P(EveryAlgorithm, MakesNoGuessAfterAStopWasRequested) {
-  for (const Start start : {Start::kOdometry, Start::kSpanningTree, Start::kChordal, Start::kAutomatic}) {
+  for (const Start start : every_start()) {
     Graph graph;
     add_noisy_circle(graph, 30);
     const double before = graph.chi2();
@@ -230,9 +231,7 @@ TEST_P(EveryAlgorithm, LeavesTheEstimatesAloneWhenAnErrorFunctionThrows) {
   EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
 }
 
-INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm,
-                         testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
-                                         AlgorithmKind::kDogleg));
+INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm, testing::ValuesIn(every_algorithm()));
 
 /// x − z with a Jacobian of the wrong sign.
 struct WrongJacobian {

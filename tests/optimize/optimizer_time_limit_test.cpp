@@ -16,6 +16,7 @@
 #include "linear/ordering/amd_ordering.h"
 #include "linear/ordering/nested_dissection.h"
 #include "optimize/small_graphs.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus {
 namespace {
@@ -98,12 +99,9 @@ TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {
   EXPECT_TRUE(after_a_step);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    TimeLimit, EveryStart,
-    ::testing::Combine(::testing::Values(Start::kCurrent, Start::kOdometry, Start::kSpanningTree,
-                                         Start::kChordal, Start::kAutomatic),
-                       ::testing::Values(AlgorithmKind::kGaussNewton, AlgorithmKind::kLevenbergMarquardt,
-                                         AlgorithmKind::kDogleg)));
+INSTANTIATE_TEST_SUITE_P(TimeLimit, EveryStart,
+                         ::testing::Combine(::testing::ValuesIn(every_start()),
+                                            ::testing::ValuesIn(every_algorithm())));
 
 TEST(TimeLimit, OfZeroStopsBeforeAnyWork) {
   Graph graph = noisy_circle();

@@ -13,11 +13,9 @@
 
 #include "boxplus/optimize/initial_guess.h"
 #include "optimize/initial_guess/frame_types.h"
+#include "optimize/table_entries.h"
 
 namespace boxplus::test {
-
-inline constexpr std::array kGuesses{guess_odometry, guess_spanning_tree, guess_chordal};
-inline constexpr std::array<const char*, 3> kNames{"odometry", "spanning tree", "chordal"};
 
 /// A graph whose vertices have a true pose or position; measurements are perfect, estimates are not.
 template <class World>
@@ -56,7 +54,7 @@ class Scene {
   PointError<World> truth(PointHandle point) const { return positions_[index(points_, point)]; }
 
   GuessResult apply(std::size_t k, const PlanRequest& request = {}) {
-    return kGuesses[k](graph, make_plan(graph, request), {});
+    return every_guess()[k].guess(graph, make_plan(graph, request), {});
   }
   /// The k-th guess finds the truth.
   void expect_truth_from(std::size_t k, const PlanRequest& request = {}) {
@@ -96,8 +94,8 @@ class Scene {
 /// Runs `body(k)` for each method.
 template <class F>
 void for_each_guess(F&& body) {
-  for (std::size_t k = 0; k < kGuesses.size(); ++k) {
-    SCOPED_TRACE(kNames[k]);
+  for (std::size_t k = 0; k < every_guess().size(); ++k) {
+    SCOPED_TRACE(every_guess()[k].name);
     body(k);
   }
 }

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All entries of the library's tables, so that a test of all of them also runs on a new one.
+#pragma once
+
+#include <vector>
+
+#include "boxplus/optimize/algorithm_table.h"
+#include "boxplus/optimize/start_table.h"
+
+namespace boxplus {
+
+/// Without kAutomatic, which stands for one of the others.
+inline std::vector<AlgorithmKind> every_algorithm() {
+  std::vector<AlgorithmKind> kinds;
+  for (const detail::AlgorithmEntry& entry : detail::algorithm_table()) {
+    if (entry.make != nullptr) kinds.push_back(entry.kind);
+  }
+  return kinds;
+}
+
+/// Also those that make no guess.
+inline std::vector<Start> every_start() {
+  std::vector<Start> starts;
+  for (const detail::StartEntry& entry : detail::start_table()) starts.push_back(entry.start);
+  return starts;
+}
+
+/// The starts that make a guess.
+inline std::vector<detail::StartEntry> every_guess() {
+  std::vector<detail::StartEntry> guesses;
+  for (const detail::StartEntry& entry : detail::start_table()) {
+    if (entry.guess != nullptr) guesses.push_back(entry);
+  }
+  return guesses;
+}
+
+}  // namespace boxplus
