@@ -1,4 +1,4 @@
-# The dependencies of the library. If clients need one too, it is also in boxplusConfig.cmake.in.
+# The dependencies of the library. If clients need a dependency, too, boxplusConfig.cmake.in also lists it.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(AMD REQUIRED)

@@ -1,5 +1,6 @@
-# Most sources spend most of their time in the same headers. Precompiled, these are parsed once per target. Each source still
-# includes what it uses: builds without precompiled headers (the one with clang++ and sanitizers) check that.
+# Most of the time to compile a source goes into headers that many sources share. Precompiled headers are
+# parsed only once per target. Each source must still include the headers that it uses; the build with clang++
+# and sanitizers checks this, because it has no precompiled headers.
 option(BOXPLUS_PRECOMPILE_HEADERS "Parse the headers that most sources share only once" ${PROJECT_IS_TOP_LEVEL})
 if(NOT BOXPLUS_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)

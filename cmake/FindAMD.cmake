@@ -1,5 +1,5 @@
-# The AMD and CAMD orderings of SuiteSparse, as targets AMD::AMD and AMD::CAMD. Installed beside
-# boxplusConfig.cmake.
+# Finds the AMD and CAMD orderings of SuiteSparse, and defines the targets AMD::AMD and AMD::CAMD. This file
+# is installed in the same folder as boxplusConfig.cmake.
 find_path(AMD_INCLUDE_DIR NAMES amd.h PATH_SUFFIXES suitesparse)
 find_path(CAMD_INCLUDE_DIR NAMES camd.h PATH_SUFFIXES suitesparse)
 find_library(AMD_LIBRARY amd)

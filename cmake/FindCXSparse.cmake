@@ -1,5 +1,5 @@
-# CSparse with all scalar types, of SuiteSparse, as target CXSparse::CXSparse. It is LGPL: only the plug-in
-# solver_csparse of the g2o API links it.
+# Finds CXSparse of SuiteSparse (CSparse for all scalar types), and defines the target CXSparse::CXSparse. It
+# is under the LGPL. Therefore, only the plug-in solver_csparse of the g2o API links it.
 find_path(CXSPARSE_INCLUDE_DIR cs.h PATH_SUFFIXES suitesparse)
 find_library(CXSPARSE_LIBRARY cxsparse)
 mark_as_advanced(CXSPARSE_INCLUDE_DIR CXSPARSE_LIBRARY)

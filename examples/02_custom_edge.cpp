@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom edge type: a robot measures its distance from three beacons; the program finds its position.
+// A custom edge type: a robot measures its distance from three beacons, and the program estimates the
+// position of the robot.
 //
 // An edge is a value with a function error(…) of the estimates of its vertices. If that function is a
-// template in its arguments, boxplus differentiates it exactly: nobody writes Jacobians.
+// template over the types of its arguments, boxplus differentiates it automatically and exactly, so that
+// nobody has to write Jacobians.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/check_jacobians.h>
 
@@ -35,10 +37,10 @@ bool jacobians_are_right() {
 int main() {
   // [graph]
   Graph graph;
-  const auto robot = graph.add_vertex(Vector2(0, 0));  // a rough guess is good enough
+  const auto robot = graph.add_vertex(Vector2(0, 0));  // a rough initial guess is good enough
 
-  const double sigma = 0.05;                       // of the measurements, in meters
-  const double information = 1 / (sigma * sigma);  // the inverse of their variance
+  const double sigma = 0.05;                       // the standard deviation of the measurements, in meters
+  const double information = 1 / (sigma * sigma);  // the inverse of the variance of the measurements
   graph.add_edge(BeaconRange{Vector2(10, 0), 8.02}, information, robot);
   graph.add_edge(BeaconRange{Vector2(0, 10), 9.26}, information, robot);
   graph.add_edge(BeaconRange{Vector2(-5, -5), 9.21}, information, robot);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom vertex type: a circle through measured points.
+// A custom vertex type: fits a circle to measured points.
 //
-// Any copyable type becomes a vertex when the trait Manifold<T> is specialized for it. The trait has the
-// number of degrees of freedom (kDim), adds a small step to a value (⊞, oplus), and returns the step between
-// two values (⊟, ominus). The type itself stays unchanged; it may come from another library.
+// Any copyable type becomes a vertex when the trait Manifold<T> is specialized for it. The trait states the
+// number of degrees of freedom (kDim). Its function oplus (⊞) adds a small step to a value, and its function
+// ominus (⊟) returns the step between two values. The type itself stays unchanged, and may come from another
+// library.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/check_manifold.h>
 
@@ -38,7 +39,8 @@ struct boxplus::Manifold<BasicCircle<S>> {
     delta[2] = log(y.radius / x.radius);
   }
 
-  // These two let exact derivatives pass through ⊞. Without them, boxplus differentiates edges numerically.
+  // With these two members, boxplus differentiates edges automatically and exactly. Without them, it
+  // differentiates edges numerically.
   template <class T>
   using Rebind = BasicCircle<T>;
   template <class T>
@@ -73,7 +75,7 @@ int main() {
   Graph graph;
   const auto circle = graph.add_vertex(Circle{Vector2(0, 0), 1});
   for (const double angle : {0.1, 0.7, 1.2, 2.0, 2.9, 3.3, 4.4, 5.6}) {
-    const double radius = 2 + 0.01 * std::sin(40 * angle);  // with a little noise
+    const double radius = 2 + 0.01 * std::sin(40 * angle);  // the true radius is 2; with a little noise
     graph.add_edge(PointOnCircle{Vector2(3 + radius * std::cos(angle), -1 + radius * std::sin(angle))},
                    circle);
   }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Outliers: fits a curve y = exp(m t + c) to samples; every fifth sample is grossly wrong.
+// Outliers: fits a curve y = exp(m t + c) to samples. Every fifth sample is grossly wrong.
 //
-// Least squares trusts every measurement, so a few wrong ones pull the curve away. A robust kernel gives an
-// edge less weight when its error is large; its width is the (whitened) error at which this begins.
+// Least squares trusts every measurement, so a few wrong measurements pull the curve away from the others. A
+// robust kernel gives an edge less weight if the error of the edge is large. The width of the kernel is
+// roughly the (whitened) error at which the weight starts to decrease.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/default_width.h>
 #include <boxplus/robust/redescending.h>
@@ -13,7 +14,7 @@
 
 using namespace boxplus;
 
-/// One sample of the curve; the vertex is (m, c).
+/// One sample of the curve. The vertex holds (m, c).
 struct Sample {
   double t, y;
 
@@ -43,7 +44,7 @@ int main() {
 
   // [kernel]
   for (const auto& sample : samples)
-    graph.set_kernel(sample, Cauchy(default_width(1)));  // for errors of one row
+    graph.set_kernel(sample, Cauchy(default_width(1)));  // the width for errors with one row
   const Report report = optimize(graph);
   // [/kernel]
   const Vector2 robust = graph.estimate(curve);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files with custom tags: a type that is added to the registry is read, optimized and written like any other.
+// Custom tags in files: if a type is in the registry, boxplus reads, optimizes and writes it like a
+// ready-made type.
 #include <boxplus/boxplus.h>
 #include <boxplus/io/registry.h>
 
@@ -19,8 +20,9 @@ struct BeaconRange {
 };
 
 // [fields]
-/// In a file: the beacon's x and y, then the distance. The reader handles the vertex ids before these fields
-/// and Ω after them. (FileFields<T> does the same for the value of a vertex.)
+/// The fields in a file: x and y of the beacon, then the distance. The reader itself handles the vertex ids
+/// before these fields and Ω after them. (FileFields<T> defines the fields of a vertex with value T in the
+/// same way.)
 template <>
 struct boxplus::EdgeFields<BeaconRange> {
   static BeaconRange read(FieldReader& in) {
@@ -47,9 +49,9 @@ int main() {
 
   ReadOptions options;
   options.registry = &registry;
-  GraphFile file = parse_graph(kText, "beacons.g2o", options);  // read_graph(path, options) for a file
+  GraphFile file = parse_graph(kText, "beacons.g2o", options);  // for a file: read_graph(path, options)
   const Report report = optimize(file.graph);
-  std::cout << format_graph(file, {.registry = &registry});  // write_graph(path, …) for a file
+  std::cout << format_graph(file, {.registry = &registry});  // for a file: write_graph(path, …)
   // [/registry]
 
   // [misuse]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom robust kernel: the logarithm of the hyperbolic cosine, which is similar to Huber's but smooth.
+// A custom robust kernel: the logarithm of the hyperbolic cosine. It is similar to Huber's kernel, but
+// smooth.
 //
 // A kernel maps the squared error e² = eᵀΩe of an edge to its cost ρ(e²), and returns the derivatives of ρ.
 #include <boxplus/boxplus.h>
@@ -12,7 +13,7 @@
 using namespace boxplus;
 
 // [kernel]
-/// ρ = 2δ² ln cosh(e/δ): e² for small errors, 2δ|e| for large ones.
+/// ρ = 2δ² ln cosh(e/δ). It is about e² for small errors and about 2δ|e| for large errors.
 class LogCosh final : public KernelBase<LogCosh> {
  public:
   static constexpr std::string_view kName = "LogCosh";
@@ -22,7 +23,7 @@ class LogCosh final : public KernelBase<LogCosh> {
     const double d2 = delta_ * delta_, t = e2 / d2;
     if (t < 1e-4) return {e2 * (1 - t / 6), 1 - t / 3 + t * t * 2 / 15, (-1 + t * 4 / 5) / (3 * d2)};
     const double s = std::sqrt(t), tangent = std::tanh(s);
-    const double log_cosh = s + std::log1p(std::exp(-2 * s)) - std::log(2.0);  // cosh itself overflows
+    const double log_cosh = s + std::log1p(std::exp(-2 * s)) - std::log(2.0);  // std::cosh(s) would overflow
     return {2 * d2 * log_cosh, tangent / s, ((1 - tangent * tangent) - tangent / s) / (2 * e2)};
   }
 };
@@ -37,7 +38,7 @@ bool contract_holds() {
 }
 
 int main() {
-  // The position of a wall, from five echoes, one of which is an artifact.
+  // Estimates the position of a wall from five echoes. One of the echoes is wrong.
   Graph graph;
   const auto wall = graph.add_vertex(0.0);  // a plain double is a vertex, too
   for (const double echo : {4.9, 5.1, 5.0, 5.05, 40.0}) {

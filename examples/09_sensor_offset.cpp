@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A parameter: a constant that many edges share, such as the pose of a sensor on the robot.
 //
-// It is a vertex that starts out fixed. Files write it as a PARAMS_ line. To calibrate it, unfix it.
+// A parameter is a vertex that is fixed when it is added. In a .g2o file it is a PARAMS_ line. To calibrate
+// the parameter, call unfix().
 #include <boxplus/boxplus.h>
 #include <boxplus/types/slam2d.h>
 
@@ -15,7 +16,7 @@ int main() {
 
   // [parameter]
   Graph graph;
-  const auto offset = graph.add_parameter(SE2(0.3, 0, 0));  // from the drawing of the robot
+  const auto offset = graph.add_parameter(SE2(0.3, 0, 0));  // taken from the drawing of the robot
   // [/parameter]
   std::vector<VertexHandle<Vector2>> landmarks;
   for (const Vector2& at : {Vector2(4, 1), Vector2(-2, 5), Vector2(1, -3)})
@@ -37,8 +38,9 @@ int main() {
   const Report calibrated = optimize(graph);
   // [/unfix]
   const SE2& found = graph.estimate(offset);
-  std::printf("chi2 %.3f with the offset of the drawing, %.3f with the calibrated one\n", trusted.chi2_final,
-              calibrated.chi2_final);
-  std::printf("the sensor sits at (%.3f, %.3f) m, turned by %.3f rad\n", found.x(), found.y(), found.theta());
+  std::printf("chi2 %.3f with the offset from the drawing, %.3f with the calibrated offset\n",
+              trusted.chi2_final, calibrated.chi2_final);
+  std::printf("the sensor is mounted at (%.3f, %.3f) m, turned by %.3f rad\n", found.x(), found.y(),
+              found.theta());
   return trusted.chi2_final > 0.1 && (found.vector() - true_offset.vector()).norm() < 1e-6 ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A graph that grows while the robot drives, and loop closures that are tested before they are accepted.
+// A graph that grows while the robot drives. Each loop closure is tested before it is accepted.
 #include <boxplus/boxplus.h>
 
 #include <cstdio>
@@ -8,9 +8,9 @@
 using namespace boxplus;
 
 // [try_edge]
-/// Adds the edge if it agrees with the graph; otherwise leaves everything as it was.
+/// Adds the edge if it agrees with the graph. Otherwise leaves the graph as it was.
 bool try_edge(Graph& graph, const SE2& measured, VertexHandle<SE2> a, VertexHandle<SE2> b) {
-  const double believable = 12.8;  // 3 rows exceed this chi2 in one of 200 cases
+  const double believable = 12.8;  // the chi2 of 3 rows is larger in only one of 200 cases
   const double before = graph.chi2();
   graph.push();  // saves all estimates
   const auto edge = graph.add_edge(Between(measured), 100.0, a, b);
@@ -26,7 +26,7 @@ bool try_edge(Graph& graph, const SE2& measured, VertexHandle<SE2> a, VertexHand
 // [/try_edge]
 
 int main() {
-  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, measured slightly wrong each time
+  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, with the same small error each time
 
   Graph graph;
   std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(0, 0, 0))};
@@ -38,9 +38,9 @@ int main() {
     if (!optimize(graph).converged()) return 1;
   }
 
-  // After four sides the robot is back at its start, and recognizes it.
+  // After four sides the robot is back at its start, and recognizes the place.
   const bool good = try_edge(graph, SE2(0, 0, 0), poses[0], poses[4]);
-  // A false closure: one corner is mistaken for the opposite one.
+  // A false closure: the robot mistakes one corner for the opposite corner.
   const SE2 kept = graph.estimate(poses[8]);
   const bool bad = try_edge(graph, SE2(0, 0, 0), poses[0], poses[6]);
   std::printf("true closure %s, false closure %s\n", good ? "accepted" : "refused",
@@ -48,7 +48,7 @@ int main() {
   const bool is_restored = graph.estimate(poses[8]).vector() == kept.vector();
 
   // [subset]
-  // Only the last three poses move; edges that touch none of them are left out.
+  // Only the last three poses move. Edges that connect none of these poses are left out.
   Options options;
   options.vertices = {poses[6], poses[7], poses[8]};
   const Report local = optimize(graph, options);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom linear solver behind the interface of boxplus/linear/linear_solver.h: Eigen's dense Cholesky.
+// A custom linear solver: implements the interface in boxplus/linear/linear_solver.h with Eigen's dense
+// Cholesky factorization.
 //
-// A solver gets the blocks of A, adds the damping λD to the diagonal while it copies them, and solves.
+// This solver copies the blocks of A into a dense matrix, adds the damping λD to the diagonal, and solves the
+// system.
 #include <boxplus/linear/make_linear_solver.h>
 
 #include <Eigen/Cholesky>
@@ -15,14 +17,14 @@ class EigenLlt final : public LinearSolver {
   std::string_view name() const override { return "eigen_llt"; }
   Needs needs() const override { return Needs::kBlocks; }
 
-  /// Called once per structure: does all work that does not depend on the values, and allocates memory.
+  /// Called once per structure. Does all work that does not depend on the values of A, and allocates memory.
   void analyze(const BlockStructure& structure, const AnalyzeHints& /*hints*/,
                const StopToken& /*stop*/) override {
     structure_ = &structure;
     matrix_.resize(structure.scalars(), structure.scalars());
   }
 
-  /// Called once per linearization and damping.
+  /// Called once for each linearization and each damping.
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& /*control*/) override {
     const BlockStructure& s = *structure_;
@@ -35,7 +37,7 @@ class EigenLlt final : public LinearSolver {
       }
     }
     for (std::uint32_t i = 0; i < s.scalars(); ++i) matrix_(i, i) += damping(i);
-    cholesky_.compute(matrix_);  // reads the lower triangle
+    cholesky_.compute(matrix_);  // reads only the lower triangle
     if (cholesky_.info() == Eigen::Success) return {};
     return {LinearStatus::kNotPositiveDefinite, 0};
   }
@@ -55,7 +57,8 @@ class EigenLlt final : public LinearSolver {
 // [/solver]
 
 int main() {
-  // Two coupled blocks, of 2 and 1 scalars; values column by column, diagonal blocks in full.
+  // A has two coupled blocks of unknowns, with 2 and 1 scalars. Each block of A is stored column by column,
+  // and diagonal blocks are stored in full.
   const BlockStructure structure = make_block_structure({2, 1}, {{1, 0}});
   const std::vector<double> values{4, 1, 1, 3, /* (1, 0) */ 1, 0.5, /* (1, 1) */ 2};
   const std::vector<double> b{1, 2, 3};

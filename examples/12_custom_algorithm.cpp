@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom algorithm behind the interface of boxplus/optimize/algorithm.h: Gauss-Newton with a line search.
+// A custom algorithm: implements the interface in boxplus/optimize/algorithm.h as Gauss-Newton with a line
+// search.
 //
-// An algorithm sees the problem only as a System. It asks the System to linearize, to compute steps and to
-// try them; then it accepts or rejects each trial. It knows neither graphs nor matrices.
+// An algorithm sees the problem only as a System. It asks the System to linearize, to compute a step, and to
+// try the step. Then it accepts or rejects the step. It knows neither graphs nor matrices.
 #include <boxplus/boxplus.h>
 #include <boxplus/optimize/algorithm.h>
 
@@ -54,7 +55,7 @@ class LineSearch final : public Algorithm {
 
 int main() {
   Graph graph;
-  const auto x = graph.add_vertex(Vector2(-1.2, 1));  // Rosenbrock's valley; its minimum is at (1, 1)
+  const auto x = graph.add_vertex(Vector2(-1.2, 1));  // Rosenbrock's function has its minimum at (1, 1)
   graph.add_edge([](const auto& p) { return 10.0 * (p[1] - p[0] * p[0]); }, x);
   graph.add_edge([](const auto& p) { return 1.0 - p[0]; }, x);
 

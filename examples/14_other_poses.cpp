@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses that come from other libraries, and a pose whose tangent has full angles.
+// Poses from other libraries, and a pose type with full angles in its tangent (the tangent of SE3 has half
+// angles).
 #include <boxplus/boxplus.h>
 #include <boxplus/manifold/convert_to.h>
 
@@ -12,14 +13,14 @@ using namespace boxplus;
 
 int main() {
   // [measurement]
-  // The measurement of another program: a motion, and its standard deviations in meters and radians.
+  // The output of another program: a measured motion, and its standard deviations in meters and radians.
   const Eigen::Isometry3d measured =
       Eigen::Translation3d(1, 2, 0.5) * Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitZ());
   const double sigma_t = 0.05, sigma_r = 0.02;
   // [/measurement]
 
   // [rotation_vector]
-  // SE3RotationVector is the same pose as SE3. Its tangent is (Δt, ω), with ω in radians.
+  // SE3RotationVector represents the same poses as SE3. Its tangent is (Δt, ω), with ω in radians.
   Graph graph;
   const auto a = graph.add_vertex(SE3RotationVector());
   const auto b = graph.add_vertex(SE3RotationVector());
@@ -37,7 +38,8 @@ int main() {
   std::printf("rotation vectors: sigma of the rotation %.3f\n", std::sqrt(sigma(5, 5)));
 
   // [half_angles]
-  // SE3 measures rotations by half angles, as .g2o files do: the same Ω needs rows of 4 / σ².
+  // The tangent of SE3 has half angles, as in .g2o files. So the same information needs 4 / σ² for the
+  // rotation.
   Graph halves;
   const auto c = halves.add_vertex(SE3());
   const auto Omega_halves =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program for Ceres, rewritten for boxplus: residuals, a loss function, constant parameter blocks, and the
-// information of a relative pose.
+// information matrix of a relative pose.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/redescending.h>
 
@@ -17,20 +17,22 @@ struct ExponentialResidual {
   template <class M, class C>
   auto error(const M& m, const C& c) const {
     using std::exp;
-    return exp(m * x + c) - y;  // returned, not written to residual[0]
+    return exp(m * x + c) - y;  // returned instead of written to residual[0]
   }
 };
 // [/residual]
 
-/// Samples of y = exp(0.3 x + 0.1) with noise; every sixth one is off by 4.
+/// Samples of y = exp(0.3 x + 0.1) with noise. Every sixth sample is off by 4.
 double sample(double x, int i) {
   return std::exp(0.3 * x + 0.1) + 0.2 * std::sin(37.0 * i) + (i % 6 == 2 ? 4 : 0);
 }
 
 // [omega]
-/// Converts Ω of the residual of Ceres' example pose_graph_3d to Ω of Between(z). That residual is
+/// Converts an information matrix for Ceres' example pose_graph_3d to the information matrix of Between(z).
+/// The residual of the example is
 ///   [R_aᵀ(p_b − p_a) − t_z; 2 vec(q_z q_ab*)] = A e,  A = [R_z 0; 0 −2 R_z].
-/// Here e = (t, q_v) of z⁻¹ a⁻¹ b is the error of boxplus: in the frame at the end of z, with half angles.
+/// Here e is the error of Between(z): the translation t and the vector part q_v of the quaternion of z⁻¹ a⁻¹
+/// b. It is expressed in the frame at the end of z, and its rotation is a half angle.
 Matrix<double, 6, 6> omega_of_between(const SE3& z, const Matrix<double, 6, 6>& omega) {
   Matrix<double, 6, 6> A = Matrix<double, 6, 6>::Zero();
   A.topLeftCorner<3, 3>() = z.rotation();
@@ -39,7 +41,7 @@ Matrix<double, 6, 6> omega_of_between(const SE3& z, const Matrix<double, 6, 6>& 
 }
 // [/omega]
 
-/// The residual of that example, as its documentation defines it.
+/// The residual of pose_graph_3d, as the documentation of Ceres defines it.
 Vector<double, 6> ceres_residual(const SE3& z, const SE3& a, const SE3& b) {
   const SE3 motion = a.inverse_times(b);
   const SE3::Quaternion q = z.quaternion() * motion.quaternion().conjugate();
@@ -62,7 +64,7 @@ bool weighs_as_in_ceres() {
   const auto edge = graph.add_edge(Between(z), omega_of_between(z, omega), from, to);
   const Vector<double, 6> residual = ceres_residual(z, a, b);
   const double expected = residual.dot(omega * residual);
-  std::printf("relative pose: chi2 %.6f, in Ceres 2 * cost = %.6f\n", graph.chi2(edge), expected);
+  std::printf("relative pose: chi2 %.6f; in Ceres, 2 * cost = %.6f\n", graph.chi2(edge), expected);
   return std::abs(graph.chi2(edge) - expected) < 1e-9 * expected;
 }
 
@@ -71,11 +73,11 @@ int main() {
   Graph graph;                           // ceres::Problem
   const auto m = graph.add_vertex(0.0);  // a parameter block, with its initial value
   const auto c = graph.add_vertex(0.0);
-  const double sigma = 0.2;  // of the noise; a Ceres program divides the residual by it
+  const double sigma = 0.2;  // standard deviation of the noise; a Ceres program divides the residual by it
   for (int i = 0; i < 40; ++i) {
     const double x = 0.125 * i;
     const auto edge = graph.add_edge(ExponentialResidual{x, sample(x, i)}, 1 / (sigma * sigma), m, c);
-    graph.set_kernel(edge, Cauchy(2.5));  // new CauchyLoss(2.5), on the residual divided by sigma
+    graph.set_kernel(edge, Cauchy(2.5));  // new CauchyLoss(2.5) for the residual divided by sigma
   }
 
   Options options;  // ceres::Solver::Options

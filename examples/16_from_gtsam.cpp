@@ -13,15 +13,15 @@
 using namespace boxplus;
 
 // [noise]
-/// noiseModel::Diagonal::Sigmas: Ω contains the inverse variances.
+/// Replaces noiseModel::Diagonal::Sigmas. Ω contains the inverse variances.
 template <std::size_t N>
 Information sigmas(std::array<double, N> values) {
   for (double& value : values) value = 1 / (value * value);
   return Information::diagonal(values);
 }
 
-/// noiseModel::Gaussian::Covariance of a Pose3, converted to Ω of SE3. The tangent of Pose3 is (ω, t) with ω
-/// in radians; that of SE3 is (t, ω/2).
+/// Replaces noiseModel::Gaussian::Covariance: converts the covariance of a Pose3 to Ω of an SE3. The tangent
+/// of Pose3 is (ω, t) with ω in radians. The tangent of SE3 is (t, ω/2).
 Matrix<double, 6, 6> omega_of_se3(const Matrix<double, 6, 6>& covariance_of_pose3) {
   const Matrix<double, 6, 6> omega = covariance_of_pose3.inverse();
   Matrix<double, 6, 6> D = Matrix<double, 6, 6>::Zero();  // (ω, t) = D (t, ω/2)
@@ -31,7 +31,7 @@ Matrix<double, 6, 6> omega_of_se3(const Matrix<double, 6, 6>& covariance_of_pose
 }
 // [/noise]
 
-/// For errors of a few millimeters and milliradians, chi2 equals that of Pose3 to first order.
+/// For errors of a few millimeters and milliradians, the chi2 of SE3 equals the chi2 of Pose3 to first order.
 bool weighs_as_in_gtsam() {
   const Vector3 omega(0.002, -0.003, 0.001), t(0.004, 0.001, -0.002);
   const SE3 error(t, SE3::Quaternion{omega[0] / 2, omega[1] / 2, omega[2] / 2, 1});
@@ -45,7 +45,7 @@ bool weighs_as_in_gtsam() {
   Graph graph;
   const auto pose = graph.add_vertex(error);
   const auto edge = graph.add_edge(Prior(SE3()), omega_of_se3(covariance), pose);
-  std::printf("Pose3: chi2 is %.3f times that of GTSAM\n", graph.chi2(edge) / expected);
+  std::printf("Pose3: chi2 is %.3f times the chi2 of GTSAM\n", graph.chi2(edge) / expected);
   return std::abs(graph.chi2(edge) / expected - 1) < 0.01;
 }
 
@@ -77,7 +77,8 @@ int main() {
   const Covariance marginals = covariance(graph, {x[1]});  // Marginals(graph, result).marginalCovariance(2)
   const Eigen::Matrix3d of_x2 = marginals.of(x[1]);        // in the frame of x2, as in GTSAM
   // [/marginals]
-  std::printf("x2 is known to %.2f m and %.2f rad\n", std::sqrt(of_x2(0, 0)), std::sqrt(of_x2(2, 2)));
+  std::printf("standard deviations of x2: %.2f m forward, %.2f rad\n", std::sqrt(of_x2(0, 0)),
+              std::sqrt(of_x2(2, 2)));
   const bool is_found = report.converged() && std::abs(last.x() - 2) < 1e-6 && std::abs(last.y() - 2) < 1e-6;
   return is_found && weighs_as_in_gtsam() ? 0 : 1;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many outliers: three in ten loop closures are wrong, and the initial estimates are those of the odometry.
+// Many outliers: three in ten loop closures are wrong, and the initial estimates come from the odometry
+// alone.
 //
-// A kernel that rejects outliers also rejects correct measurements while the estimates are bad. So the kernel
-// starts as least squares and becomes stricter in every iteration. Barron's family ranges from squared errors
-// (α = 2) to a kernel that almost ignores large ones (α = −10). Graduated non-convexity works in the same
-// way.
+// As long as the estimates are bad, a kernel that rejects outliers also rejects correct measurements. So this
+// program starts with least squares, and makes the kernel stricter in every iteration. Barron's family of
+// kernels ranges from squared errors (α = 2) to a kernel that almost ignores large errors (α = −10).
+// Graduated non-convexity works in the same way.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/barron.h>
 #include <boxplus/robust/default_width.h>
@@ -18,7 +19,7 @@
 
 using namespace boxplus;
 
-/// The mean distance (meters) of the poses from their true positions.
+/// The mean distance (meters) between estimated and true positions of the poses.
 double error_of(const Simulation& world) {
   double sum = 0;
   for (const VertexRef& vertex : world.graph.all_vertices()) {
@@ -33,7 +34,7 @@ Simulation make_world() {
   return simulate(World::kStreets, {.poses = 2000, .outliers = 0.3});
 }
 
-/// The loop closures; the odometry is trusted.
+/// The loop closures. Only they get a kernel, because the odometry is trusted.
 std::vector<EdgeRef> closures_of(const Simulation& world) {
   std::vector<EdgeRef> closures;
   for (std::size_t k = 0; k < world.edges.size(); ++k) {
@@ -59,7 +60,7 @@ double annealed() {
   double shape = 2;  // α of Barron's kernel
   const auto anneal = [&](const IterationRecord&) {
     shape = std::max(shape - 0.5, -10.0);
-    const auto kernel = std::make_shared<const Barron>(shape, default_width(3));  // errors of 3 rows
+    const auto kernel = std::make_shared<const Barron>(shape, default_width(3));  // for errors with 3 rows
     for (const EdgeRef& edge : closures) graph.set_kernel(edge, kernel);
     return true;
   };
@@ -67,7 +68,7 @@ double annealed() {
   options.callback = anneal;
   Report report = optimize(graph, options);
 
-  while (shape > -10) anneal({});  // if the optimization stopped early
+  while (shape > -10) anneal({});  // the remaining changes, if the optimization stopped early
   report = optimize(graph);
   // [/anneal]
   return report.converged() ? error_of(world) : 1e9;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fixed-lag smoother: estimates only the last poses. The information of older poses stays, as a dense prior
-// on the vertices around them.
+// A fixed-lag smoother: estimates only the newest poses. When a pose leaves the graph, a dense prior on its
+// neighbors keeps the information of its edges.
 #include <boxplus/boxplus.h>
 #include <boxplus/types/dense_prior.h>
 #include <boxplus/types/slam2d.h>
@@ -16,7 +16,8 @@
 using namespace boxplus;
 
 // [marginalize]
-/// Removes a pose. The information of its edges about the vertices around it stays, as one edge.
+/// Removes a pose and its edges. One new edge, a dense prior on the neighbors of the pose, keeps the
+/// information of the removed edges.
 void marginalize(Graph& graph, VertexHandle<SE2> pose) {
   std::vector<VertexHandle<SE2>> poses;
   std::vector<VertexHandle<Vector2>> points;
@@ -40,7 +41,7 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
   for (const auto& vertex : poses) column[vertex] = std::exchange(size, size + 3);
   for (const auto& vertex : points) column[vertex] = std::exchange(size, size + 2);
 
-  // The normal equations of the pose's edges, H δ = −b.
+  // The normal equations of the edges of the pose: H δ = −b.
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   for (const EdgeRef& edge : edges) {
@@ -56,13 +57,13 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
         H.block(at, column[vertices[j]], J[i].cols(), J[j].cols()) += J[i].transpose() * Omega * J[j];
     }
   }
-  // Eliminates the pose: the others keep the Schur complement.
+  // Eliminates the pose. The Schur complement is the system of its neighbors.
   const int rest = size - 3;
   const Eigen::MatrixXd gain = H.bottomLeftCorner(rest, 3) * H.topLeftCorner(3, 3).inverse();
   const Eigen::MatrixXd left_H = H.bottomRightCorner(rest, rest) - gain * H.topRightCorner(3, rest);
   const Eigen::VectorXd left_b = b.tail(rest) - gain * b.head(3);
 
-  graph.remove(pose);  // with its edges
+  graph.remove(pose);  // also removes its edges
   graph.add_edge(DensePrior<SE2, Vector2>::from_information({pose_means, point_means}, left_H, left_b), poses,
                  points);
 }
@@ -78,7 +79,7 @@ int main() {
   std::vector<Vector2> trees;
   for (int k = 0; k < 12; ++k) trees.emplace_back(8 * std::cos(k), 6 + 8 * std::sin(k));
 
-  // The same drive twice: `all` forgets nothing.
+  // The same drive in two graphs: `all` keeps every pose, `lagged` keeps only the newest poses.
   Graph all, lagged;
   std::vector<VertexHandle<SE2>> all_poses, lagged_poses;
   std::vector<VertexHandle<Vector2>> all_trees, lagged_trees;
@@ -125,9 +126,9 @@ int main() {
     largest = std::max(largest, difference.norm());
   }
   const SE2 apart = all.estimate(all_poses.back()).inverse() * lagged.estimate(lagged_poses.back());
-  std::printf("%zu poses and %zu edges are left of %zu and %zu\n", lagged_poses.size(), lagged.edge_count(),
-              all_poses.size(), all.edge_count());
-  std::printf("from the result with all of them, trees differ by less than 2 mm: %s, the last pose: %s\n",
+  std::printf("the smoother keeps %zu poses and %zu edges; the full graph has %zu and %zu\n",
+              lagged_poses.size(), lagged.edge_count(), all_poses.size(), all.edge_count());
+  std::printf("difference from the full graph is below 2 mm: %s for the trees, %s for the last pose\n",
               largest < 0.002 ? "yes" : "no", apart.translation().norm() < 0.002 ? "yes" : "no");
   return largest < 0.002 && apart.translation().norm() < 0.002 ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices that move in some directions only: a vehicle with poses in space that stays on its plane, and a
-// camera with a known focal length and an unknown distortion.
+// Vertices with fixed directions: 3-D poses of a vehicle that stays on a plane, and the intrinsics of a
+// camera whose focal length is known and whose distortion is unknown.
 #include <boxplus/boxplus.h>
 
 #include <cmath>
@@ -9,7 +9,8 @@
 
 using namespace boxplus;
 
-/// The distance from the center of the image to the pixel of a ray with slope `ray`: f (1 + k ray²) ray.
+/// The distance (pixels) from the center of the image to the pixel that sees a ray. For a ray with slope r,
+/// the distance is f (1 + k r²) r.
 struct Ray {
   double ray, pixels;
 
@@ -34,7 +35,7 @@ int main() {
   }
   // [/plane]
   graph.fix(poses[0]);
-  // A sensor whose measurements say that the vehicle climbs and tilts a little.
+  // According to the sensor, the vehicle climbs and tilts a little.
   const SE3 tilted(Vector3(1, 0, 0.05), SE3::Quaternion{0.01, -0.02, 0.03, 1});
   for (std::size_t k = 0; k + 1 < poses.size(); ++k) graph.add_edge(Between(tilted), poses[k], poses[k + 1]);
   const Report report = optimize(graph);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optimizing while the robot drives: a window of the newest poses in every step, the whole graph now and
-// then.
+// Optimization while the robot drives: a window of the newest poses in every step, and the whole graph now
+// and then.
 #include <boxplus/boxplus.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 using namespace boxplus;
 
 // [window]
-/// Moves only the newest `size` poses; all others keep their estimates.
+/// Moves only the newest `size` poses. All other poses keep their estimates.
 Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses, std::size_t size) {
   Options options;
   const std::size_t first = poses.size() - std::min(size, poses.size());
@@ -21,18 +21,18 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 // [/window]
 
 // [whole]
-/// Options for steps that move everything. An Optimizer keeps its plan, and extends it by the new vertices
-/// and edges.
+/// Options for an Optimizer that moves all poses. The Optimizer keeps its plan between calls of run(), and
+/// adds new vertices and edges to the plan.
 Options options_for_steps() {
   Options options;
   options.max_iterations = 1;    // the next step continues from here
-  options.time_limit_s = 0.010;  // applies to every phase; the report says if it was reached
+  options.time_limit_s = 0.010;  // limits every phase; the report says if it was reached
   return options;
 }
 // [/whole]
 
 int main() {
-  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, measured slightly wrong each time
+  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, with the same small error each time
   Graph graph;
   std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(0, 0, 0))};
   graph.fix(poses[0]);
@@ -48,7 +48,8 @@ int main() {
   Optimizer whole(graph, options_for_steps());
   const Report first = whole.run();
 
-  // After four sides the robot is back at its start: a loop closure affects more than the window.
+  // After four sides the robot is back at its start. A loop closure then affects more poses than the window
+  // contains.
   int extended = 0;
   for (std::size_t k = 4; k < 40; k += 4) {
     graph.add_edge(Between(SE2(0, 0, 0)), 100.0, poses[k - 4], poses[k]);
@@ -58,7 +59,7 @@ int main() {
     extended += whole.run().plan_extended ? 1 : 0;
   }
   const Report report = optimize(graph);
-  std::printf("windows of %u poses of %zu; %d plans extended; chi2 %.4f\n", in_window, poses.size(), extended,
-              report.chi2_final);
+  std::printf("a window has %u of %zu poses; the plan was extended %d times; chi2 %.4f\n", in_window,
+              poses.size(), extended, report.chi2_final);
   return report.converged() && in_window == 10 && first.iterations <= 1 ? 0 : 1;
 }

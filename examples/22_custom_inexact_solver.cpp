@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An inexact linear solver of your own: conjugate gradients that stop at the tolerance they are given.
+// A custom inexact linear solver: conjugate gradients that stop at a given tolerance.
 //
-// Such a solver needs no blocks of A, only its diagonal and products with it. It stops at the tolerance of
-// its control (the forcing term of Newton's method) or when its stop token is raised, and does not call its
-// solution exact: the algorithm then asks A what decrease of chi2 the model predicts.
+// Such a solver does not need all blocks of A. It needs only the diagonal blocks of A, and products of A with
+// vectors. It stops when the residual reaches the tolerance in SolveControl (the forcing term of an inexact
+// Newton method), or when the stop token is raised. It does not report its solution as exact. So the
+// algorithm uses another product with A to compute the decrease of chi2 that the model predicts.
 #include <boxplus/boxplus.h>
 #include <boxplus/linear/linear_solver.h>
 
@@ -31,7 +32,8 @@ class JacobiCg final : public LinearSolver {
     diagonal_blocks_.resize(values);
   }
 
-  /// There is no factor: keeps the diagonal of A + λD as the preconditioner, and A for products.
+  /// Computes no factor. Stores the diagonal of A + λD as the preconditioner, and a pointer to A for
+  /// products.
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& /*control*/) override {
     system_ = &system;
@@ -49,9 +51,9 @@ class JacobiCg final : public LinearSolver {
     return {};
   }
 
-  /// Begins at zero; x may be b.
+  /// Starts from x = 0. The arrays b and x may be the same.
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control) override {
-    SolveResult total;  // whose `exact` stays false
+    SolveResult total;  // total.exact stays false
     for (int c = 0; c < columns && total.status == LinearStatus::kOk; ++c, b += r_.size(), x += r_.size()) {
       r_ = Eigen::Map<const Eigen::VectorXd>(b, r_.size());
       Eigen::Map<Eigen::VectorXd> solution(x, r_.size());
@@ -91,7 +93,7 @@ class JacobiCg final : public LinearSolver {
 };
 // [/solver]
 
-/// A drive along a circle, twice around; each pose is also seen from where the robot was a lap before.
+/// Two laps around a circle. Each pose of the second lap is also measured from the pose one lap earlier.
 Graph circle() {
   constexpr int kLap = 40;
   std::mt19937 random(3);
@@ -119,12 +121,12 @@ int main() {
   // [use]
   Options options;
   options.custom_linear_solver = std::make_shared<JacobiCg>();
-  options.linear_tolerance = 0.1;  // rough steps, and more of them
+  options.linear_tolerance = 0.1;  // less accurate steps, but more of them
   const Report report = optimize(by_cg, options);
   // [/use]
   int products = 0;
   for (const IterationRecord& record : report.records) products += record.linear_iterations;
-  std::printf("%d iterations with %d products, chi2 %.6f (by a factor: %.6f)\n", report.iterations, products,
-              report.chi2_final, expected);
+  std::printf("%d iterations with %d products, chi2 %.6f (with a factorization: %.6f)\n", report.iterations,
+              products, report.chi2_final, expected);
   return report.converged() && std::abs(report.chi2_final - expected) < 1e-4 * expected ? 0 : 1;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks laws that hold for any text, graph file or not:
+// Checks laws that hold for every text, whether it is a graph file or not:
 //
-//   - reading it returns a graph or throws an InputError, and does nothing else;
+//   - reading the text either returns a graph or throws an InputError;
 //   - lenient reading never throws; if strict reading accepts the text, lenient reading gives the same graph,
 //     with any number of threads;
-//   - a graph that was read can be written; reading it again gives the same graph, and the same text.
+//   - a graph that was read can be written; reading the written text gives the same graph, and the same text.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +17,8 @@
 namespace boxplus {
 namespace {
 
-/// Identifies a graph by the text that writes it, and by its chi2 (a sum whose order may differ).
+/// Identifies a graph by its text and its chi2. chi2 is compared with a tolerance, because the order of the
+/// summation may differ.
 struct Trace {
   std::string text;
   double chi2;
@@ -48,7 +49,7 @@ void print(const char* title, const std::optional<Trace>& trace) {
 
 void expect_same(const char* law, const std::optional<Trace>& expected, const std::optional<Trace>& actual) {
   if (expected == actual) return;
-  std::fprintf(stderr, "broken: %s\n", law);
+  std::fprintf(stderr, "broken law: %s\n", law);
   print("expected", expected);
   print("got", actual);
   std::abort();
@@ -60,9 +61,12 @@ void check(std::string_view text) {
   lenient.threads = 2;
   lenient.lenient = true;
   const std::optional<Trace> strictly = trace_of(text, strict), leniently = trace_of(text, lenient);
-  if (strictly) expect_same("if strict reading accepts a text, so does lenient reading", strictly, leniently);
+  if (strictly)
+    expect_same("if strict reading accepts a text, lenient reading gives the same graph", strictly,
+                leniently);
   if (!leniently) expect_same("lenient reading never throws", Trace{}, leniently);
-  expect_same("a written graph is read unchanged", leniently, trace_of(leniently->text, strict));
+  expect_same("a written graph does not change when it is read again", leniently,
+              trace_of(leniently->text, strict));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// make_corpus FORMAT FOLDER: the seeds of a fuzz target, small graphs written by our writer.
+// make_corpus FORMAT FOLDER: writes the seeds of a fuzz target to FOLDER. The seeds are small graphs in the
+// given format.
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -23,7 +24,7 @@ std::string simulated(World world) {
   return format_graph(file);
 }
 
-/// Each tag that the simulators do not write, once.
+/// A 2-D graph with the tags that the simulators do not write.
 std::string plane() {
   GraphFile file;
   Graph& graph = file.graph;
@@ -72,13 +73,15 @@ std::string space() {
   return format_graph(file);
 }
 
-/// Other features of the format: comments, unknown tags, unassigned vertices, several ids after FIX.
+/// A text with other features of the format: comments, unknown tags, unassigned vertices, several ids after
+/// FIX.
 std::string odds() {
   return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
          "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
 }
 
-/// TORO's tags and order of Ω, which our writer does not write: its output, rearranged.
+/// A graph with TORO's tags, and with the entries of Ω in TORO's order. The writer of boxplus does not write
+/// this format.
 std::string toro_plane() {
   const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
   std::string text;
@@ -106,7 +109,7 @@ std::string toro_space() {
          "EDGE3 0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4\n";
 }
 
-/// Empty for a format that has no seeds here.
+/// Returns the seeds for a format. The list is empty if there are no seeds for the format.
 std::vector<std::string> seeds(const std::string& format) {
   if (format == "toro") return {toro_plane(), toro_space()};
   if (format != "g2o") return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mutations of lines and fields. Most mutated inputs are still graph files, so that the fuzzer gets beyond
-// the reader's first error. libFuzzer calls these functions in place of its own mutations, which they also
-// use.
+// the reader's first error. libFuzzer calls LLVMFuzzerCustomMutator() instead of its own mutator. For one
+// input in four, that function calls the mutator of libFuzzer.
 #include <algorithm>
 #include <cstdint>
 #include <random>
@@ -16,7 +16,7 @@ namespace {
 using Parts = std::vector<std::string>;
 using Random = std::minstd_rand;
 
-/// Numbers at which arithmetic or parsers behave in special ways.
+/// Fields that arithmetic or parsers may treat in special ways.
 constexpr const char* kNumbers[] = {"0",
                                     "-0",
                                     "1",
@@ -67,7 +67,7 @@ std::size_t below(std::size_t count, Random& random) {
   return random() % count;
 }
 
-/// `text` with one digit changed.
+/// Returns `text` with one character replaced by a random digit.
 std::string nudged(std::string text, Random& random) {
   if (!text.empty()) text[below(text.size(), random)] = static_cast<char>('0' + below(10, random));
   return text;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Fails if clang-format would change a C++ file that git tracks or could track; with --fix, formats them instead.
+# Fails if clang-format would change a C++ file. Checks all C++ files except those that git ignores. With
+# --fix, formats the files instead.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

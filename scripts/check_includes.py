@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks that includes point only downwards, and that public headers include no private ones.
+"""Checks that folders include only lower folders, and that public headers include no private headers.
 
     check_includes.py [ROOT]
 
-Looks at every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders of C++ below ROOT, by
-default the project. Prints file:line of each include that the table ALLOWED does not permit. The public headers of the g2o API, which
-are C++17, must not include boxplus/ at all.
+Checks every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders with C++ code below ROOT,
+which is the project by default. Prints file:line of each include that the table ALLOWED does not permit. The public
+headers of the g2o API must not include boxplus/ at all, because they are C++17.
 """
 
 import pathlib
 import re
 import sys
 
-# A file in the folder on the left may include its own folder and those on the right; lowest first.
+# A file of the folder on the left may include files of its own folder and of the folders on the right. The
+# lowest folder is the first.
 # ARCHITECTURE.md explains why.
 ALLOWED = {
     "base": "",
@@ -29,13 +30,14 @@ ALLOWED = {
     "io": "base manifold autodiff robust graph optimize types",
     "action": "base manifold autodiff robust graph linear linearize optimize types io",
     "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
-    # The law-checkers and simulators that users test their own types with.
+    # The law-checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph linear linearize optimize types",
 }
 LIBRARY = set(ALLOWED) - {"testing"}
 MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWED.items()}
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
-# The programs come above all folders. Examples, which users copy, and fuzz targets must not include private headers.
+# Programs may include all folders. Examples, which users copy, and fuzz targets must not include private
+# headers.
 PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests")
 PUBLIC_ONLY = ("examples", "fuzz")
 for folder in PROGRAMS:
@@ -45,7 +47,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def folder_of_file(path):
-    """The row of the table for a file (relative to the root)."""
+    """The name of the row in ALLOWED for a file, whose path is relative to the root."""
     parts = path.parts
     if parts[0] in PROGRAMS:
         return parts[0]
@@ -59,7 +61,7 @@ def target_of_include(root, path, quote, name):
     if parts[0] == "boxplus":
         return parts[1], False
     if quote == '"':
-        # "graph/x.h" from src/, or a neighbor of the including file.
+        # The path is relative to src/ (such as "graph/x.h") or to the folder of the including file.
         for base in (root / "src", (root / path).parent):
             file = (base / name).resolve()
             if file.is_file() and file.is_relative_to((root / "src").resolve()):

@@ -4,20 +4,20 @@
 
     check_listings.py [--fix] [PROGRAMS]
 
-Before each C++ block of these pages, a line names its source. Before each block of text, a line names the
-command that prints it, or says that no program does:
+The line before each C++ block of these pages must name its source. The line before each block of text must name the
+command that prints the text, or say that the block is a drawing:
 
-    <!-- examples/02_custom_edge.cpp [edge] -->        the lines between // [edge] and // [/edge],
-                                                    or # [edge] and # [/edge]
-    <!-- output of 02_custom_edge -->                  the output of a command that succeeds,
-    <!-- output of boxplus info data/01_town.g2o -->
-    <!-- complaint of boxplus info nowhere.g2o -->  or one that refuses its input (exit code 2)
-    <!-- drawing -->
+    <!-- examples/02_custom_edge.cpp [edge] -->      the lines between // [edge] and // [/edge],
+                                                     or between # [edge] and # [/edge]
+    <!-- output of boxplus info data/01_town.g2o --> the standard output of a command that succeeds
+    <!-- complaint of boxplus info nowhere.g2o -->   the standard error of a command that refuses its
+                                                     input (exit code 2)
+    <!-- drawing -->                                 no program prints this block
 
-Outputs are checked if PROGRAMS is given, the folder of the examples in a build; the command boxplus is that of
-the same build. The shell runs a command in an empty folder with the project's data/. Numbers may differ by
-rounding; times (four decimals) and numbers of threads may differ arbitrarily. With --fix, the script corrects the
-pages. docs/cli.md must equal the output of `boxplus help --markdown`, and is not searched for blocks.
+PROGRAMS is the folder of the examples in a build. If it is given, the outputs are checked, too; the command boxplus is
+taken from the same build. Each command runs in an empty folder that contains only the project's data/. Numbers may
+differ by rounding. Times (numbers with four decimals) and numbers of threads may differ arbitrarily. With --fix, the
+script corrects the pages. docs/cli.md must equal the output of `boxplus help --markdown`; its blocks are not checked.
 docs/formats.md must contain all tags that src/io registers, and links must lead to existing files.
 """
 
@@ -52,7 +52,7 @@ def region(source):
 
 
 def run(programs, command):
-    """Runs the command to its end; programs of the build come first in the PATH."""
+    """Runs the command to its end. The programs of the build come first in the PATH."""
     path = os.pathsep.join([str(programs), str(programs.parents[1] / "bin"), os.environ["PATH"]])
     with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "data").symlink_to(ROOT / "data")
@@ -62,7 +62,7 @@ def run(programs, command):
 
 
 def printed_by(programs, source):
-    """The output, or the error output, of the command in "output of …", "complaint of …"."""
+    """The standard output of the command in "output of …", or the standard error of the one in "complaint of …"."""
     kind, _, command = source.partition(" of ")
     done = run(programs, command)
     expected = 0 if kind == "output" else 2
@@ -72,7 +72,7 @@ def printed_by(programs, source):
 
 
 def alike(shown, printed):
-    """True for the same text with the same numbers, up to rounding."""
+    """True if the texts are equal and their numbers differ only by rounding."""
     shown, printed = VARIES.sub("…", shown), VARIES.sub("…", printed)
     if NUMBER.sub("0", shown) != NUMBER.sub("0", printed):
         return False
@@ -81,7 +81,7 @@ def alike(shown, printed):
 
 
 def check_block(match, programs, complain):
-    """The corrected block."""
+    """Checks a block. Returns the block, with corrections if it is wrong."""
     source, language, shown = match["source"], match["language"], match["text"]
     try:
         if source and source.startswith("examples/"):

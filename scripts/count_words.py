@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Counts the words that tell plain English from a translation, in comments and documents.
+"""Counts words in comments and documents that show if the text is plain English.
 
     count_words.py [--check] [PATH...]
     count_words.py --show WORD [PATH...]
 
-Reads the comments of C++, CMake, Python (docstrings too) and shell sources, and the prose of *.md files: no
-code blocks, no inline code. Prints for each PATH, by default each folder of the project, how often "where",
-"if" plus "when", and clauses that begin with "what" occur per 1000 words. Conditions are written with "if" and
-"when"; "where" is for places. With --check, the exit code is 1 if the total misses one of the LIMITS. With
---show, prints file:line of each occurrence of WORD instead.
+Reads the comments of C++, CMake, Python (docstrings, too) and shell sources, and the prose of *.md files
+without code blocks and inline code. The default for PATH is each folder of the project. For each PATH, prints
+how often these words occur per 1000 words: "where", "if" plus "when", and "what". Conditions should be written
+with "if" and "when"; "where" is for places. With --check, the exit code is 1 if the total violates one of the
+LIMITS. With --show, prints file:line of each occurrence of WORD instead.
 """
 
 import argparse
@@ -25,7 +25,7 @@ LIMITS = "where at most 3, if+when at least 4 per 1000 words"
 MOST_WHERE, LEAST_IF_WHEN = 3.0, 4.0
 
 WORD = re.compile(r"[A-Za-z]+(?:['’-][A-Za-z]+)*")
-# Strings come first in each pattern, so that a comment sign inside a string starts no comment.
+# Strings come first in each pattern, so that a comment sign inside a string does not start a comment.
 CPP = re.compile(r"""R"(?P<tag>[^()\s]*)\(.*?\)(?P=tag)" | "(?:\\.|[^"\\\n])*" | (?<!\w)'(?:\\.|[^'\\\n])+'
                  | (?P<comment>//[^\n]*|/\*.*?\*/)""", re.DOTALL | re.VERBOSE)
 SHELL = re.compile(r"""\[\[.*?\]\] | "(?:\\.|[^"\\])*" | '[^']*' | (?P<comment>(?<!\S)\#[^\n]*)""",
@@ -35,12 +35,12 @@ NO_PROSE = re.compile(r"SPDX-License-Identifier[^\n]*|NOLINT\w*(?:\([^)]*\))?|^#
 
 
 def blank(match):
-    """The same number of lines, without the text."""
+    """The line breaks of the match, without its text."""
     return "\n" * match[0].count("\n") + " "
 
 
 def comments(pattern, text):
-    """The comments, each at its line; other lines are empty."""
+    """The comments, each in its original line. All other lines are empty."""
     kept, end = [], 0
     for match in pattern.finditer(text):
         kept.append("\n" * text.count("\n", end, match.start()))
@@ -63,7 +63,7 @@ def python_comments(text):
 
 
 def prose(file):
-    """The words of a file that people read as sentences, each at its line; None if the file has none."""
+    """The prose of a file, each sentence in its original line. None if files of this type have no prose."""
     suffix = ".cmake" if file.name == "CMakeLists.txt" else file.suffix
     if suffix not in (".h", ".hpp", ".cpp", ".cc", ".py", ".md", ".sh", ".cmake"):
         return None

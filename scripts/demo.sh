@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes a noisy pose graph on a sphere, optimizes it, and draws it before and after.
+# Simulates a noisy pose graph on a sphere, optimizes it, and draws it before and after the optimization.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -8,7 +8,7 @@ boxplus=build/release/bin/boxplus
 folder=build/demo
 mkdir -p "$folder"
 
-# Prints a command as a user would type it, then runs it.
+# Prints a command as a user would type it, and then runs it.
 run() {
   printf '\n$ %s\n' "$*"
   "$@"
@@ -20,8 +20,8 @@ run "$boxplus" plot "$folder/sphere.g2o" "$folder/sphere_optimized.g2o" -o "$fol
 
 cat <<END
 
-Written:
-  $folder/sphere.g2o            the simulated graph, from odometry
+These files were written:
+  $folder/sphere.g2o            the simulated graph; its estimates come from the odometry
   $folder/sphere_optimized.g2o  the optimized graph
-  $folder/sphere.svg            the picture: before and after
+  $folder/sphere.svg            the picture of the graph before and after the optimization
 END

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the missing packages of a list. Prints and does nothing if no package is missing.
+# Installs the packages of a list that are missing. If no package is missing, does nothing and prints nothing.
 #
-#     install_dependencies.sh [LIST]      by default debian-packages.txt
+#     install_dependencies.sh [LIST]      the default for LIST is debian-packages.txt
 set -euo pipefail
 
 list="${1:-$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt}"

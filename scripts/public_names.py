@@ -42,7 +42,7 @@ def headers_below(header):
 
 
 def after_bracket(text, at, pair):
-    """The position after the bracket that closes the one at `at`."""
+    """The position after the bracket that closes the bracket at `at`."""
     depth = 0
     for i in range(at, len(text)):
         depth += (text[i] == pair[0]) - (text[i] == pair[1])
@@ -52,7 +52,7 @@ def after_bracket(text, at, pair):
 
 
 def without_constraint(text):
-    """The text after the clause with which it begins: requires A<T> && !(b) …"""
+    """The text without the requires clause with which it begins, such as requires A<T> && !(b) …"""
     at = len("requires")
     while match := re.compile(r"\s*!*\s*(?:&&|\|\|)?\s*!*\s*(?=\(|(?:\w+::)*\w+\s*<|requires\b)").match(text, at):
         if at > len("requires") and not re.search(r"&&|\|\|", match[0]):
@@ -103,7 +103,8 @@ def names_in(text):
             statement = ""
         elif text[at] == "{":
             at = after_bracket(text, at, "{}")
-            # A requires expression is a part of the statement; so is an initializer, before its semicolon.
+            # A requires expression is part of the statement. An initializer before a semicolon is part of it,
+            # too.
             if not REQUIRES_EXPRESSION.search(statement) and not re.match(r"\s*;", text[at:]):
                 finish()
             continue

@@ -21,7 +21,7 @@ bool boxplus::testing::allocations_are_counted() {
   return true;
 }
 
-// The internal names in glibc of malloc, calloc, …
+// glibc's internal names of malloc, calloc, … The functions below count a call and forward it to them.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);

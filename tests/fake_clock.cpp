@@ -27,7 +27,7 @@ void stop_clock() {
 
 }  // namespace boxplus::testing
 
-/// Replaces now() of the standard library, because the linker prefers the program's symbols.
+/// Replaces the now() of the standard library, because the linker prefers the symbols of the program.
 std::chrono::steady_clock::time_point std::chrono::_V2::steady_clock::now() noexcept {
   using namespace boxplus::testing;
   const long count = ++readings;

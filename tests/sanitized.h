@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that repeat work do less of it under a sanitizer, because each step then takes 10 to 100 times as
-// long.
+// Under a sanitizer, tests make fewer repetitions, because each repetition takes 10 to 100 times as long.
 #pragma once
 
 namespace boxplus {

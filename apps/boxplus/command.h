@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common parts of the sub-commands of `boxplus`. Results go to stdout, messages to stderr.
+// The parts that all sub-commands of `boxplus` share. Results go to stdout, and messages go to stderr.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,12 @@ namespace boxplus::app {
 /// The exit codes, as documented in --help.
 enum ExitCode : int { kSuccess = 0, kNotConverged = 1, kBadInput = 2, kNumericalFailure = 3 };
 
-/// The work of a sub-command, run after the command line is read; returns the exit code.
+/// Does the work of a sub-command and returns the exit code. main() calls it after it has parsed the command
+/// line.
 using Action = std::function<int()>;
 
-/// Each function adds its sub-command, which sets `action` if the user chooses it.
+/// Each of these functions adds one sub-command to `app`. If the user chooses this sub-command, it sets
+/// `action`.
 void add_optimize(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
@@ -24,6 +26,7 @@ void add_simulate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
-void add_help(CLI::App& app, Action& action);  ///< must be called last, because it lists the others
+/// Must be called last, because `help` lists the other sub-commands.
+void add_help(CLI::App& app, Action& action);
 
 }  // namespace boxplus::app

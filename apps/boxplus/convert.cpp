@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus convert IN OUT: reads any known format, writes .g2o.
+// boxplus convert IN OUT: reads a graph in any known format and writes it as .g2o.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -54,7 +54,7 @@ int convert_file(const ConvertArguments& arguments) {
 void add_convert(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand(
-      "convert", fmt::format("Writes a graph as {}, its vertices sorted by id", writable_formats()));
+      "convert", fmt::format("Writes a graph as {}, with its vertices sorted by id", writable_formats()));
   command->add_option("IN", arguments->input, graph_to_read())->required()->check(file_name());
   command
       ->add_option("OUT", arguments->output,

@@ -29,24 +29,25 @@ namespace {
 constexpr const char* kFooter =
     "Exit codes:\n"
     "  0  success (optimize: converged)\n"
-    "  1  optimize stopped before it converged; the best estimate is kept\n"
-    "  2  bad input or usage; no output file is touched\n"
-    "  3  the numerics failed, or there was not enough memory\n"
+    "  1  optimize stopped before it converged; its result is the best estimate so far\n"
+    "  2  bad input or usage; no output file is changed\n"
+    "  3  numerical failure, or not enough memory\n"
     "\n"
     "Environment:\n"
-    "  BOXPLUS_ISA  the instructions of the dense kernels: baseline, avx2 or avx512. By default, the\n"
-    "               latest that the processor has. The last digits of results may depend on them.\n"
+    "  BOXPLUS_ISA  the instruction set for dense matrices: baseline, avx2 or avx512. The default is\n"
+    "               the latest one of the processor. The last digits of results may depend on it.\n"
     "\n"
-    "In place of a file, - means standard input or standard output. Results go to standard output,\n"
-    "messages to standard error.";
+    "The file name - stands for standard input or standard output. Results go to standard output, and\n"
+    "messages go to standard error.";
 
-/// Throws for an unknown name: it would have no effect, and is most likely misspelled.
+/// Throws Error if BOXPLUS_ISA has an unknown name. Such a name would have no effect, and is most likely
+/// misspelled.
 void require_known_instructions() {
   const char* wanted = std::getenv("BOXPLUS_ISA");
   const std::vector<std::string_view> known = instruction_sets();
   if (wanted == nullptr || *wanted == '\0' || std::find(known.begin(), known.end(), wanted) != known.end())
     return;
-  throw Error(fmt::format("BOXPLUS_ISA: expected {}, which this processor has, got '{}'",
+  throw Error(fmt::format("BOXPLUS_ISA: expected an instruction set of this processor ({}), got '{}'",
                           fmt::join(known, ", "), wanted));
 }
 
@@ -66,7 +67,7 @@ int run(int argc, char** argv) {
   add_compare(app, action);
   add_completion(app, action);
   add_help(app, action);
-  app.footer(kFooter);  // last, because sub-commands would inherit it
+  app.footer(kFooter);  // must be last, because sub-commands that are added later would inherit the footer
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
@@ -84,14 +85,14 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   boxplus::app::reserve_standard_streams();
   boxplus::app::end_cleanly_on_signals();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that exceeds `ulimit -f` is a write error, like a full disk
   try {
     const int code = boxplus::app::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;
     boxplus::app::print_message("cannot write to standard output");
     return boxplus::app::kBadInput;
   } catch (const std::bad_alloc&) {
-    boxplus::app::print_message("not enough memory (optimize: --solver pcg needs the least)");
+    boxplus::app::print_message("not enough memory (for optimize, --solver pcg needs the least memory)");
     return boxplus::app::kNumericalFailure;
   } catch (const std::exception& error) {
     boxplus::app::print_message(error.what());

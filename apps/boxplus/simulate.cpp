@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus simulate WORLD -o FILE: makes a noisy graph with known truth.
+// boxplus simulate WORLD -o FILE: simulates a noisy graph whose true poses are known.
 #include "boxplus/testing/simulate.h"
 
 #include <fmt/format.h>
@@ -19,18 +19,19 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Worlds in space:\n"
-    "  sphere     winds around a sphere from pole to pole, and sees its positions from one lap ago\n"
-    "  torus      winds around a ring; the last lap meets the first\n"
-    "  grid       fills a cube line by line and floor by floor, and sees its neighbors\n"
-    "Worlds in the plane:\n"
-    "  manhattan  walks at random through streets at right angles, and recognizes crossings\n"
-    "  streets    drives each street of a town 2 to 4 times, over 100 poses from crossing to crossing,\n"
-    "             and recognizes places along the way: about 4 edges per pose\n"
-    "  city       drives through short streets, and sees lampposts and corners of houses ahead\n"
+    "3D worlds:\n"
+    "  sphere     winds around a sphere from pole to pole, with loop closures to the previous lap\n"
+    "  torus      winds around a torus, with the same loop closures; the last lap meets the first\n"
+    "  grid       fills a cube line by line and floor by floor, with loop closures between neighbors\n"
+    "2D worlds:\n"
+    "  manhattan  walks at random through streets at right angles, with loop closures at crossings\n"
+    "  streets    drives through each street of a town 2 to 4 times, with loop closures along the\n"
+    "             way: about 4 edges per pose, and more than 100 poses from crossing to crossing\n"
+    "  city       drives through short streets, and observes lampposts and corners of houses ahead\n"
     "\n"
-    "The same arguments give the same graph on every computer. Its estimates start at the odometry. A\n"
-    "wrong loop closure (observation) mistakes one place (landmark) for another; odometry is never wrong.\n"
+    "The same arguments give the same graph on every computer. Its initial estimates come from the\n"
+    "odometry. Outliers are loop closures to a wrong place or observations of a wrong landmark. The\n"
+    "odometry contains no outliers.\n"
     "\n"
     "Example:\n"
     "  boxplus simulate streets --poses 100000 --outliers 0.05 -o streets.g2o --truth truth.g2o";
@@ -47,13 +48,14 @@ Choices<World> worlds_by_name() {
   return worlds;
 }
 
-/// A summary of the graph in one line. Without outliers, chi2 at the truth is about the number of rows.
+/// Returns a summary of the graph in one line. Without outliers, chi2 of the true estimates is approximately
+/// the number of rows of all errors.
 std::string summary(const SimulateArguments& arguments, const Simulation& simulation) {
   const auto count = [&](EdgeKind kind) {
     return std::count(simulation.kinds.begin(), simulation.kinds.end(), kind);
   };
   const auto outliers = count(EdgeKind::kOutlier), recognitions = count(EdgeKind::kRecognition) + outliers;
-  return fmt::format("{}: {} vertices, {} edges, {} of them {}{}; chi2 {:.6g}, at the truth {:.6g}\n",
+  return fmt::format("{}: {} vertices, {} edges, {} of them {}{}; chi2 is {:.6g}, and {:.6g} at the truth\n",
                      output_name(arguments.output), simulation.graph.vertex_count(), simulation.edges.size(),
                      recognitions, arguments.world == World::kCity ? "observations" : "loop closures",
                      outliers > 0 ? fmt::format(" ({} wrong)", outliers) : "", simulation.graph.chi2(),
@@ -83,7 +85,7 @@ int simulate_file(const SimulateArguments& arguments) {
 
 void add_simulate(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* command = app.add_subcommand("simulate", "Makes a noisy graph with known truth");
+  CLI::App* command = app.add_subcommand("simulate", "Simulates a noisy graph whose true poses are known");
   add_choice(*command, "WORLD", arguments->world, worlds_by_name(), "The path of the robot; see below")
       ->default_str("")
       ->required();
@@ -93,28 +95,31 @@ void add_simulate(CLI::App& app, Action& action) {
       ->type_name("FILE")
       ->check(file_name())
       ->required();
-  command->add_option("--truth", arguments->truth, "Where to write the same graph at its true poses")
+  command
+      ->add_option("--truth", arguments->truth,
+                   "Where to write the same graph with the true poses as estimates")
       ->type_name("FILE")
       ->check(file_name());
   command
       ->add_option("--poses", arguments->options.poses,
-                   "The approximate number of poses; sphere, torus and grid round to whole laps")
+                   "The approximate number of poses; sphere, torus and grid round it to whole laps")
       ->type_name("N")
       ->check(whole_number_within(2, 10'000'000))
       ->capture_default_str();
   command
       ->add_option("--seed", arguments->options.seed,
-                   "Another seed gives different noise and a different town")
+                   "The random seed; another seed gives different noise and a different town")
       ->type_name("N")
       ->check(whole_number_within(0, std::numeric_limits<long>::max()))
       ->capture_default_str();
-  command->add_option("--noise", arguments->options.noise, "Factor on all standard deviations; 0: none")
+  command
+      ->add_option("--noise", arguments->options.noise, "The factor for all standard deviations; 0: no noise")
       ->type_name("X")
       ->check(number_within(0, 1000))
       ->capture_default_str();
   command
       ->add_option("--outliers", arguments->options.outliers,
-                   "Share of the loop closures (observations) that are wrong, 0 to 1")
+                   "The fraction of loop closures (or observations) that are outliers, from 0 to 1")
       ->type_name("X")
       ->check(number_within(0, 1))
       ->capture_default_str();

@@ -8,7 +8,8 @@
 namespace g2o_tool {
 namespace {
 
-/// Estimates v from the vertices in `there`, by the first of its edges that supports this.
+/// Initializes the estimate of v from the vertices in `there`. Uses the first edge of v that can compute an
+/// estimate.
 void estimate(g2o::OptimizableGraph::Vertex* v, const g2o::HyperGraph::VertexSet& there) {
   if (v->fixed()) return;
   for (g2o::HyperGraph::Edge* u : v->edges()) {
@@ -27,8 +28,8 @@ bool is_absolute(const g2o::HyperGraph::Edge* e) {
   return e->vertices().size() == 1;
 }
 
-/// Fixes the first of the vertices with the largest dimension during its lifetime, if nothing else holds the
-/// current part of the graph.
+/// Fixes one vertex as long as this object exists, unless a fixed vertex or a unary edge already holds the
+/// current part of the graph. Of the vertices with the largest dimension, it fixes the first one.
 class Hold {
  public:
   explicit Hold(const std::vector<g2o::OptimizableGraph::Vertex*>& there) {

@@ -7,9 +7,9 @@
 
 namespace g2o_tool {
 
-/// Adds the vertices in the order of their ids, and estimates each from those before it. After every
-/// Options::update_every vertices, optimizes for one iteration, or for as many as the options request. Adds
-/// the iterations to `run`.
+/// Adds the vertices in the order of their ids. Initializes the estimate of each vertex from the vertices
+/// before it. After every Options::update_every vertices, optimizes for Options::iterations iterations, or
+/// for one iteration if the user requested no number. Adds the iterations to `run`.
 void grow(g2o::SparseOptimizer& optimizer, const Options& options, Run& run);
 
 }  // namespace g2o_tool

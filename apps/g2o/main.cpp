@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line interface of the g2o document: loads a graph, optimizes it, saves it.
+// The command line tool that the g2o document describes: loads a graph, optimizes it, and saves it.
 //
-// Exit codes: 0 success (also without input, and for an unknown algorithm); 1 a file cannot be opened or
-// written; 2 the file has unreadable lines or no vertices, or lacks the vertex to fix; 3 the algorithm does
-// not suit the graph.
+// Exit codes:
+//   0  success; also if there is no input, or if the algorithm is unknown
+//   1  a file cannot be opened or written
+//   2  the file has unreadable lines or no vertices, or it does not contain a vertex that should be fixed
+//   3  the algorithm does not support the dimensions of the vertices
 #include <fstream>
 #include <iostream>
 
@@ -84,7 +86,7 @@ void make_initial_guess(g2o::SparseOptimizer& optimizer, const Options& options)
   }
 }
 
-/// The chi2 of all edges, active or not.
+/// The chi2 of all edges, whether they are active or not.
 double chi2_of_all(g2o::SparseOptimizer& optimizer) {
   double sum = 0;
   for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
@@ -99,7 +101,7 @@ double chi2_of_all(g2o::SparseOptimizer& optimizer) {
 Run optimize(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm, const Options& options) {
   Run run;
   if (!optimizer.initializeOptimization()) {
-    std::cerr << "# there is nothing to optimize: no edge has a vertex that is not fixed\n";
+    std::cerr << "# there is nothing to optimize: no edge has a free vertex\n";
     run.chi2_loaded = run.chi2_initial = run.chi2_final = chi2_of_all(optimizer);
     return run;
   }
@@ -134,17 +136,16 @@ int run(const Options& options) {
       g2o::OptimizationAlgorithmFactory::instance()->construct(options.solver, property);
   if (algorithm == nullptr) {
     std::cerr << "g2o: there is no solver " << escaped(options.solver)
-              << "; see -listSolvers, and -solverlib for those of plug-ins\n";
+              << "; -listSolvers lists the solvers, and -solverlib loads a plug-in with more solvers\n";
     return 0;
   }
   optimizer.setAlgorithm(algorithm);
   if (!options.solver_properties.empty() && !algorithm->updatePropertiesFromString(options.solver_properties))
-    std::cerr << "g2o: not all of the properties could be set: " << escaped(options.solver_properties)
-              << '\n';
+    std::cerr << "g2o: could not set all of these properties: " << escaped(options.solver_properties) << '\n';
   if (options.print_solver_properties) algorithm->printProperties(std::cerr);
   if (const int code = load(optimizer, options); code != 0) return code;
   if (!optimizer.isSolverSuitable(property)) {
-    std::cerr << "g2o: the solver " << options.solver << " does not suit vertices of these dimensions:";
+    std::cerr << "g2o: the solver " << options.solver << " does not support vertices of these dimensions:";
     for (const int dimension : optimizer.dimensions()) std::cerr << ' ' << dimension;
     std::cerr << '\n';
     return 3;
@@ -154,7 +155,7 @@ int run(const Options& options) {
   warn_about_unconnected(optimizer);
   if (!options.robust_kernel.empty() && !add_robust_kernels(optimizer, options))
     std::cerr << "g2o: there is no robust kernel " << escaped(options.robust_kernel)
-              << "; see -listRobustKernels\n";
+              << "; -listRobustKernels lists the kernels\n";
   return write_outputs(optimizer, options, optimize(optimizer, *algorithm, options)) ? 0 : 1;
 }
 

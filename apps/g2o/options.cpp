@@ -8,7 +8,8 @@
 namespace g2o_tool {
 namespace {
 
-/// Takes every "-name value" out of the arguments, because CommandArgs accepts each parameter only once.
+/// Removes every "-name value" from the arguments and returns the values. CommandArgs cannot do this, because
+/// it accepts each parameter only once.
 std::vector<std::string> take_repeated(std::vector<std::string>& arguments, const std::string& name) {
   std::vector<std::string> values;
   for (size_t i = 1; i + 1 < arguments.size();) {
@@ -23,7 +24,7 @@ std::vector<std::string> take_repeated(std::vector<std::string>& arguments, cons
   return values;
 }
 
-/// Ends the program if a number is out of its range.
+/// Prints a message and ends the program if a number is not in its range.
 void require(bool in_range, const char* name, const char* expected) {
   if (in_range) return;
   std::cerr << "parameter -" << name << ": expected " << expected << '\n';
@@ -38,22 +39,22 @@ Options read_options(int argc, char** argv) {
   g2o::CommandArgs args;
   args.setBanner("g2o: optimizes a graph of a .g2o file.");
   args.param("i", o.iterations, 5, "perform n iterations; if negative, iterate until the gain is small");
-  args.param("gain", o.gain, 1e-6, "stop when the gain is below this, with a negative -i");
+  args.param("gain", o.gain, 1e-6, "if -i is negative: stop when the gain is below this value");
   args.param("ig", o.gain_iterations, std::numeric_limits<int>::max(),
-             "at most n iterations, with a negative -i");
+             "if -i is negative: perform at most n iterations");
   args.param("v", o.verbose, false, "print a line per iteration");
   args.param("guess", o.guess, false, "start from an initial guess along a spanning tree");
   args.param("guessOdometry", o.guess_odometry, false, "start from an initial guess along the odometry");
   args.param("inc", o.incremental, false, "add the vertices one by one");
   args.param("update", o.update_every, 10,
-             "optimize after every n vertices, with -inc; one iteration if there is no -i");
-  args.param("guiout", o.gui_output, false, "write commands for gnuplot to standard output, with -inc");
+             "with -inc: optimize after every n vertices; performs one iteration if there is no -i");
+  args.param("guiout", o.gui_output, false, "with -inc: write commands for gnuplot to standard output");
   args.param("marginalize", o.marginalize, false,
-             "eliminate all vertices that do not have the largest dimension");
+             "eliminate all vertices except those with the largest dimension");
   args.param("printSolverProperties", o.print_solver_properties, false,
              "print the properties of the algorithm");
   args.param("solverProperties", o.solver_properties, "",
-             "set properties, such as initialLambda=0.0001,maxTrialsAfterFailure=2");
+             "set properties of the algorithm: initialLambda=0.0001,maxTrialsAfterFailure=2");
   args.param("gnudump", o.gnuplot, "", "write files for gnuplot whose names begin with this text");
   args.param("robustKernel", o.robust_kernel, "", "use this robust kernel for all edges");
   args.param("robustKernelWidth", o.robust_kernel_width, -1., "the width of the robust kernel");
@@ -67,11 +68,12 @@ Options read_options(int argc, char** argv) {
   args.param("solverlib", library, "", "load this library of algorithms; may be given several times");
   args.param("typeslib", library, "", "load this library of types; may be given several times");
   args.param("stats", o.statistics, "", "write statistics of every iteration to this file");
-  args.param("summary", o.summary, "", "append a line about this run to this file");
-  args.param("listTypes", o.list_types, false, "list the types of files");
+  args.param("summary", o.summary, "", "append one line with the results of this run to this file");
+  args.param("listTypes", o.list_types, false, "list the types that files can contain");
   args.param("listSolvers", o.list_solvers, false, "list the algorithms");
   args.param("listRobustKernels", o.list_kernels, false, "list the robust kernels");
-  args.param("renameTypes", o.rename_types, "", "read the types A and C as B and D: A=B,C=D");
+  args.param("renameTypes", o.rename_types, "",
+             "rename types: A=B,C=D reads lines of type A as B, and lines of type C as D");
   args.paramLeftOver("graph-input", o.input, "", "the file; - is standard input", true);
   std::vector<std::string> arguments(argv, argv + argc);
   o.solver_libraries = take_repeated(arguments, "solverlib");

@@ -44,7 +44,7 @@ bool append_summary(const g2o::SparseOptimizer& optimizer, const Options& option
   return out.flush().good();
 }
 
-/// Writes the elements for which `wanted` is true, with the action "writeGnuplot" of their types.
+/// Writes the elements for which `wanted` returns true. Uses the action "writeGnuplot" of their types.
 template <class Elements, class Wanted>
 void write_gnuplot(const Elements& elements, std::ostream& out, Wanted&& wanted) {
   auto* action = g2o::HyperGraphActionLibrary::instance()->actionByName("writeGnuplot");
@@ -110,7 +110,8 @@ bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options
   return ok;
 }
 
-// Poses in the plane have three dimensions, poses in space six.
+// Uses a 3-D plot if vertices have more than three dimensions: poses in the plane have three, and poses in
+// space have six.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer) {
   const bool in_space = optimizer.maxDimension() > 3;
   std::cout << (in_space ? "set view equal xyz\nsplot" : "set size ratio -1\nplot")

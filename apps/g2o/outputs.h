@@ -8,11 +8,13 @@
 
 namespace g2o_tool {
 
-/// Writes all outputs of the options. False, with a message, if one of the files cannot be written.
+/// Writes all outputs that the options request. If a file cannot be written, prints a message and returns
+/// false.
 bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options, const Run& run);
-/// Writes commands for gnuplot, which draw the active edges, to standard output.
+/// Writes gnuplot commands that draw the active edges to standard output.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer);
-/// Prints the diagonal blocks of the covariance at the estimates, and the neighboring blocks.
+/// Prints the diagonal blocks of the covariance matrix at the current estimates, and the blocks next to the
+/// diagonal.
 void print_marginals(g2o::SparseOptimizer& optimizer, g2o::OptimizationAlgorithm& algorithm);
 
 }  // namespace g2o_tool

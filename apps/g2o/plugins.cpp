@@ -16,11 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loads a library and never unloads it, because the types that it registers use its code. A name without a
-/// folder is a file in the current folder if there is one; otherwise the loader searches for it.
+/// Loads a library and never unloads it, because the types that it registers use its code. If `path` contains
+/// no folder, loads the file of this name in the current folder. If there is no such file, the dynamic loader
+/// searches for the library.
 void load(const std::string& path) {
   if (path.empty()) {
-    std::cerr << "g2o: expected the file of a library, got an empty name\n";
+    std::cerr << "g2o: expected the file name of a library, got an empty name\n";
     return;
   }
   std::error_code error;
@@ -30,7 +31,8 @@ void load(const std::string& path) {
               << '\n';
 }
 
-/// The folders in the variables, separated by colons; prints a message for each that does not exist.
+/// Returns the folders that the environment variables list, separated by colons. Prints a message for each
+/// folder that does not exist.
 std::vector<std::string> named_folders(const std::vector<const char*>& variables) {
   std::vector<std::string> result;
   std::error_code error;
@@ -62,7 +64,8 @@ std::vector<std::string> folders_beside(const char* program) {
   return result;
 }
 
-/// True if the tool contains the library, or finds it as a plug-in in a subfolder g2o.
+/// True if the tool links the library, or if the subfolder g2o is searched for plug-ins and contains a file
+/// of the same name.
 bool is_known(const fs::path& library, const std::vector<std::string>& folders) {
   std::istringstream linked(G2O_LINKED_LIBRARIES);
   const std::string name = library.stem().string();
@@ -75,7 +78,8 @@ bool is_known(const fs::path& library, const std::vector<std::string>& folders) 
          std::find(folders.begin(), folders.end(), plugins.string()) != folders.end();
 }
 
-/// The folders of the variables or, if none is set, those beside the program.
+/// Returns the folders that the environment variables list. If no variable is set, returns the folders near
+/// the program.
 std::vector<std::string> folders(const std::vector<const char*>& variables, const char* program) {
   const bool is_set = std::any_of(variables.begin(), variables.end(),
                                   [](const char* variable) { return std::getenv(variable) != nullptr; });

@@ -6,10 +6,10 @@
 
 namespace g2o_tool {
 
-/// Loads the named libraries, and those in plug-in folders whose names match the pattern. The folders are
-/// those of the environment variables or, if none is set, the program's, ../lib and ../lib/g2o. Libraries
-/// register their types or algorithms when they are loaded. Prints a message on standard error for each that
-/// cannot be loaded.
+/// Loads the named libraries, and all libraries in the plug-in folders whose file names match the pattern for
+/// plug-ins. The environment variables list the plug-in folders. If no variable is set, the plug-in folders
+/// are the folder of the program, ../lib and ../lib/g2o. Libraries register their types or algorithms when
+/// they are loaded. Prints a message to standard error for each library that cannot be loaded.
 void load_type_libraries(const std::vector<std::string>& named, const char* program);
 void load_solver_libraries(const std::vector<std::string>& named, const char* program);
 

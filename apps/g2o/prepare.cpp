@@ -62,7 +62,7 @@ void warn_about_unconnected(g2o::SparseOptimizer& optimizer) {
   paths.shortestPaths(fixed, &cost);
   const size_t unreached = optimizer.vertices().size() - paths.visited().size();
   if (!fixed.empty() && unreached > 0)
-    std::cerr << "# warning: vertices that are not connected to a fixed one: " << unreached << '\n';
+    std::cerr << "# warning: vertices that are not connected to a fixed vertex: " << unreached << '\n';
 }
 
 }  // namespace g2o_tool

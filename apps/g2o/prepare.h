@@ -6,13 +6,13 @@
 
 namespace g2o_tool {
 
-/// Fixes the vertices that the options name. If the gauge is still free, fixes one more. Returns false if the
-/// options name a vertex that does not exist.
+/// Fixes the vertices that the options name. If there is still gauge freedom, fixes one more vertex. Returns
+/// false if the options name a vertex that does not exist.
 bool fix_gauge(g2o::SparseOptimizer& optimizer, const Options& options);
 void marginalize_landmarks(g2o::SparseOptimizer& optimizer);
 /// Returns false if the kernel is unknown.
 bool add_robust_kernels(g2o::SparseOptimizer& optimizer, const Options& options);
-/// Prints the number of vertices that are not connected to a fixed one.
+/// If some vertices are not connected to a fixed vertex, prints a warning with the number of these vertices.
 void warn_about_unconnected(g2o::SparseOptimizer& optimizer);
 
 }  // namespace g2o_tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CHOLMOD on the same matrix as our solver.
+// Runs CHOLMOD on the same matrix as our solver.
 #pragma once
 
 #include <cholmod.h>
@@ -12,17 +12,18 @@
 
 namespace boxplus::bench {
 
-/// The configurations of CHOLMOD that are tried on every matrix.
+/// One configuration of CHOLMOD. All configurations are tried on every matrix.
 struct CholmodSettings {
   enum class Ordering { kAmd, kMetis } ordering;
-  bool on_blocks;   ///< order the graph of blocks, as g2o does, instead of that of scalars
-  bool supernodal;  ///< otherwise simplicial: L D Lᵀ, column by column
+  bool on_blocks;   ///< true: order the graph of blocks, as g2o does; false: order the graph of scalars
+  bool supernodal;  ///< true: supernodal; false: simplicial (L D Lᵀ, column by column)
 
   std::string name() const;
 };
 const std::array<CholmodSettings, 8>& all_cholmod_settings();
 
-/// One matrix, stored as its upper triangle by columns, the fastest form according to CHOLMOD's manual.
+/// CHOLMOD for one matrix. The matrix is stored as its upper triangle by columns, which is the fastest form
+/// according to the manual of CHOLMOD.
 class CholmodPeer {
  public:
   CholmodPeer(const BlockStructure& structure, std::span<const double> values,
@@ -34,12 +35,12 @@ class CholmodPeer {
   const CholmodSettings& settings() const { return settings_; }
   /// Frees the memory of the factor.
   void forget();
-  /// Each throws std::runtime_error if CHOLMOD reports a failure.
+  /// analyze(), factorize() and solve() throw std::runtime_error if CHOLMOD reports a failure.
   void analyze();
   void factorize();
-  /// Returns A⁻¹ b; the peer owns the vector.
+  /// Returns A⁻¹ b. The CholmodPeer owns the vector.
   std::span<const double> solve(std::span<const double> b);
-  /// Useful floating-point operations of a factorization L Lᵀ with the ordering.
+  /// Returns the number of useful floating-point operations of a factorization L Lᵀ with this ordering.
   double flops() const { return common_.fl; }
 
  private:

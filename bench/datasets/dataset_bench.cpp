@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures boxplus beside its peers on public graphs, and prints the tables of bench/RESULTS.md.
+// Measures boxplus and its peers on public graphs, and prints the tables of bench/RESULTS.md.
 //
 //     dataset_bench FOLDER COMMIT [NAME…]
 //
-// FOLDER contains the files (see datasets.cpp), COMMIT names the sources, NAMEs select files. Progress goes
-// to stderr.
+// FOLDER contains the graph files (see datasets.cpp), COMMIT is the commit of the sources, and NAMEs select
+// some of the files; the simulated graphs are then left out. Progress is printed to stderr.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,13 +39,13 @@ Arguments parse(int count, char** words) {
   for (const std::string& name : arguments.names) {
     const auto known = [&](const Dataset& dataset) { return dataset.name() == name; };
     if (std::none_of(datasets().begin(), datasets().end(), known)) {
-      throw std::runtime_error("no data set is called " + name);
+      throw std::runtime_error("there is no data set with the name " + name);
     }
   }
   return arguments;
 }
 
-/// True for the files in the goals of the g2o API.
+/// Returns true for the files that the goals of the g2o API name.
 bool compares_faces(const std::string& name) {
   return name == "sphere2500" || name == "torus3D";
 }
@@ -80,6 +80,7 @@ Results measure_all(const Arguments& arguments) {
     fmt::print(stderr, "{}\n", dataset.name());
     results.datasets.push_back(measure(dataset, arguments));
   }
+  if (!arguments.names.empty()) return results;
   for (const int poses : {200, 300, 400, kLargeTorus}) {
     fmt::print(stderr, "torus of {} poses\n", poses);
     Simulation torus = simulate(World::kTorus, {.poses = poses});
@@ -92,10 +93,9 @@ Results measure_all(const Arguments& arguments) {
 void print(const Results& results) {
   fmt::print(
       "# Results of the benchmarks\n\n"
-      "Written by `make bench`; the latest run. All figures are from that one run: contestants took\n"
-      "turns, and the figures are medians of at least five repetitions, with one thread unless\n"
-      "another number is given.\n"
-      "× is the factor by which boxplus is faster (or smaller).\n\n| | |\n|---|---|\n");
+      "Written by the latest run of `make bench`. All figures are from this run. The contestants took\n"
+      "turns. Unless stated otherwise, figures are medians of at least five repetitions with one thread.\n"
+      "× is the factor by which boxplus is faster (or needs less memory).\n\n| | |\n|---|---|\n");
   for (const auto& [what, value] : results.machine) fmt::print("| {} | {} |\n", what, value);
   fmt::print("\n{}{}", goals_of(results), tables_of(results));
 }

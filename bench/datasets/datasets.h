@@ -11,20 +11,20 @@
 namespace boxplus::bench {
 
 struct Dataset {
-  std::string_view path;  ///< below the folder of data sets
-  double best_chi2;       ///< the lowest that several independent optimizers reached
-  bool counts;            ///< in the geometric means of the goals
+  std::string_view path;  ///< the path of the file in the folder of data sets
+  double best_chi2;       ///< the lowest chi2 that several independent optimizers reached
+  bool counts;            ///< true if the geometric means of the goals include this file
 
-  /// The file's name without its folder and ending.
+  /// Returns the name of the file without its folder and extension.
   std::string name() const;
-  /// A run has arrived if its chi2 is at most this.
+  /// Returns the target: a run has arrived if its chi2 is at most this.
   double target() const { return best_chi2 * (1 + 1e-6); }
 };
 
 std::span<const Dataset> datasets();
 
-/// Reads a file with one thread, and fixes the vertices that optimize() would hold, so that peers hold the
-/// same.
+/// Reads a file with one thread. Fixes the vertices that optimize() would hold, so that the peers hold the
+/// same vertices.
 GraphFile read_anchored(const std::string& path);
 
 }  // namespace boxplus::bench

@@ -55,8 +55,8 @@ Figures run_face(g2o::SparseOptimizer& optimizer) {
   return {median(linearize), median(iteration), chi2};
 }
 
-/// The graph after one iteration from the chordal guess. From the estimates of its file, Gauss-Newton
-/// diverges on torus3D, differently in each API.
+/// Reads a graph and runs one iteration from the chordal guess. From the estimates in the file, Gauss-Newton
+/// diverges on torus3D, and the two APIs diverge differently.
 GraphFile read_near_minimum(const std::string& path) {
   GraphFile file = read_anchored(path);
   std::ignore = optimize(file.graph, {.start = Start::kChordal, .max_iterations = 1});
@@ -67,7 +67,8 @@ void prepare(g2o::SparseOptimizer& optimizer, const GraphFile& file) {
   using Blocks = g2o::BlockSolverX;
   using Linear = g2o::LinearSolverEigen<Blocks::PoseMatrixType>;
   std::istringstream text(format_graph(file));
-  if (!optimizer.load(text)) throw std::runtime_error("the g2o API cannot read what the native one wrote");
+  if (!optimizer.load(text))
+    throw std::runtime_error("the g2o API cannot read the graph that the native API wrote");
   optimizer.setAlgorithm(std::make_unique<g2o::OptimizationAlgorithmGaussNewton>(
       std::make_unique<Blocks>(std::make_unique<Linear>())));
   optimizer.setComputeBatchStatistics(true);

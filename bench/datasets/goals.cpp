@@ -14,8 +14,8 @@ namespace {
 /// The factor by which boxplus was faster on each file; 0 if only the peer arrived.
 struct Ratios {
   std::vector<std::pair<std::string, double>> files;
-  std::vector<std::string>
-      missing;  ///< files on which the peer did not arrive, or that could not be measured
+  /// The files on which the peer did not arrive, or that could not be measured.
+  std::vector<std::string> missing;
 };
 
 struct Goal {
@@ -57,7 +57,7 @@ std::string linear_goals(const Results& results) {
   const auto linear = [&](const std::function<double(const LinearComparison&)>& ratio) {
     return ratios_of(results, [&](const DatasetResults& result) { return ratio(*result.linear); });
   };
-  return line_of({"factorization, against CHOLMOD's fastest way", 4, 2.5},
+  return line_of({"factorization, against CHOLMOD's fastest configuration", 4, 2.5},
                  linear([](const LinearComparison& d) {
                    return d.cholmod.factorize_s / d.automatic.factorize_s;
                  })) +
@@ -68,7 +68,7 @@ std::string linear_goals(const Results& results) {
                    return (d.cholmod.factorize_s + d.cholmod.solve_s) /
                           (d.automatic.factorize_s + d.automatic.solve_s);
                  })) +
-         line_of({"analysis, against CHOLMOD's with AMD", 3}, linear([](const LinearComparison& d) {
+         line_of({"analysis, against CHOLMOD with AMD", 3}, linear([](const LinearComparison& d) {
                    return d.cholmod_amd_analyze_s / d.analyze_by_degree_s;
                  })) +
          line_of({"the same, with AMD on blocks", 3}, linear([](const LinearComparison& d) {
@@ -86,16 +86,17 @@ std::string solve_goals(const Results& results) {
          line_of({"the same, with analytic edges", 2}, solve([](const SolveComparison& d) {
                    return d.analytic.linearize_s / d.ours.linearize_s;
                  })) +
-         line_of({"iteration, against Ceres's with analytic edges", 4}, solve([](const SolveComparison& d) {
+         line_of({"iteration, against Ceres with analytic edges", 4}, solve([](const SolveComparison& d) {
                    return d.analytic.iteration_s / d.ours.iteration_s;
                  })) +
-         line_of(
-             {"to within 1e-6 of the best chi2, both from the file's estimates, against Ceres's fastest way",
-              10, 4},
-             solve([](const SolveComparison& d) {
-               return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours.arrival_s;
-             })) +
-         line_of({"the same, ours with Start::kAutomatic", 10, 4}, solve([](const SolveComparison& d) {
+         line_of({"time until chi2 is within 1e-6 of the best chi2, both from the file's estimates, against "
+                  "Ceres's "
+                  "fastest configuration",
+                  10, 4},
+                 solve([](const SolveComparison& d) {
+                   return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours.arrival_s;
+                 })) +
+         line_of({"the same, boxplus with Start::kAutomatic", 10, 4}, solve([](const SolveComparison& d) {
                    return std::min(d.analytic.arrival_s, d.autodiff.arrival_s) / d.ours_automatic.arrival_s;
                  }));
 }
@@ -112,7 +113,7 @@ std::string thread_goal(const Results& results) {
   return line_of({"two threads, against one", 1.25, 1.25}, ratios);
 }
 
-/// A second thread must not slow down small files.
+/// The goal that a second thread does not slow down small files.
 std::string slowdown_goal(const Results& results) {
   Ratios ratios;
   for (const DatasetResults& result : results.datasets) {
@@ -124,7 +125,7 @@ std::string slowdown_goal(const Results& results) {
   return line_of({"the same, on every file and simulated torus", 0.95, 0.95}, ratios);
 }
 
-/// Our factorization's rate as a share of DGEMM's.
+/// The goal for the rate of our factorization, as a fraction of the rate of DGEMM.
 std::string rate_goal(const Results& results) {
   Ratios ratios;
   for (const DatasetResults& result : results.datasets) {
@@ -135,7 +136,7 @@ std::string rate_goal(const Results& results) {
   return line_of({"factorization in double, against DGEMM's rate", 0.35, 0.35}, ratios);
 }
 
-/// The goals that are bounds instead of ratios to a peer.
+/// The goals that are absolute bounds instead of ratios to a peer.
 std::string scale_goals(const Results& results) {
   const auto streets = [&](int poses) -> const ScaleFigures* {
     for (const ScaleResult& result : results.scale) {
@@ -151,13 +152,13 @@ std::string scale_goals(const Results& results) {
   };
   return line("streets of 1M poses: seconds per iteration", "at most 6",
               fmt::format("{:.2f}", large->iteration_s), large->iteration_s <= 6) +
-         line("the same: peak memory, load to write, GiB", "at most 10",
+         line("the same: peak memory from load to write, GiB", "at most 10",
               fmt::format("{:.1f}", large->peak_mib / 1024), large->peak_mib <= 10 * 1024) +
-         line("the same: time per pose and iteration, of that at 10k", "below 2",
+         line("the same: time per pose and iteration, relative to 10k poses", "below 2",
               fmt::format("{:.2f}", growth), growth < 2);
 }
 
-/// The cost of the g2o API: the largest ratio over its files.
+/// The goals for the cost of the g2o API: the largest ratio to the native API over all compared files.
 std::string face_goals(const Results& results) {
   const auto line = [&](const char* what, double most, double FaceFigures::*figure) {
     double worst = 0;
@@ -172,9 +173,9 @@ std::string face_goals(const Results& results) {
     return fmt::format("| {} | at most {:g} | – | {:.2f} ({}) | {} |\n", what, most, worst, file,
                        worst <= most ? "met" : "**not met**");
   };
-  return line("the g2o API: time of an iteration, of the native API's, all threads", 1.25,
+  return line("the g2o API: time of an iteration, relative to the native API, all threads", 1.25,
               &FaceFigures::iteration_s) +
-         line("the same: of a linearization", 4, &FaceFigures::linearize_s);
+         line("the same: time of a linearization", 4, &FaceFigures::linearize_s);
 }
 
 }  // namespace
@@ -184,9 +185,10 @@ std::string goals_of(const Results& results) {
   for (const DatasetResults& result : results.datasets) {
     if (result.dataset.counts) counted += (counted.empty() ? "" : ", ") + result.dataset.name();
   }
-  return "## Goals\n\nTimes faster than the peer: the geometric mean over " + counted +
-         ".\nA line leaves out the files on which the peer did not arrive, and names them; if only the "
-         "peer\ndid, 0 counts.\n\n"
+  return "## Goals\n\nThe factor by which boxplus is faster than the peer: the geometric mean over " +
+         counted +
+         ".\nEach line leaves out the files on which the peer did not reach the best chi2, and names these "
+         "files.\nIf only the peer reached it, the factor is 0.\n\n"
          "| quantity | goal | mean | least | |\n|---|--:|--:|--:|---|\n" +
          linear_goals(results) + rate_goal(results) + solve_goals(results) + thread_goal(results) +
          slowdown_goal(results) + scale_goals(results) + face_goals(results);

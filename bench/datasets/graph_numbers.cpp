@@ -14,7 +14,8 @@
 namespace boxplus::bench {
 namespace {
 
-/// S with Ω = SᵀS, row by row: the transposed Cholesky factor, or √D Vᵀ if Ω is singular.
+/// Returns S with Ω = SᵀS, row by row. S is the transposed Cholesky factor or, if Ω is singular, √D Vᵀ from
+/// the eigenvalues and eigenvectors.
 template <std::size_t N>
 std::array<double, N> root_of(const detail::InformationView& information) {
   const Eigen::MatrixXd omega = information.matrix();

@@ -7,11 +7,11 @@
 
 namespace boxplus::bench {
 
-/// Poses and points have the indices of their slots. Throws std::runtime_error for an edge type that the
-/// peers do not have.
+/// Converts a graph. The index of a pose or point is its slot. Throws std::runtime_error if the graph has an
+/// edge type that the peers do not have.
 PlainGraph numbers_of(const Graph& graph);
 
-/// Overwrites the estimates of the graph from which `numbers` were taken.
+/// Sets the estimates of the graph from which `numbers` were taken.
 void set_estimates(Graph& graph, const PlainGraph& numbers);
 
 }  // namespace boxplus::bench

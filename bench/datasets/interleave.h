@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures contestants in turns, over and over, so that disturbances of the machine affect all of them
+// Measures contestants in turns, again and again, so that disturbances of the machine affect all of them
 // equally.
 #pragma once
 
@@ -13,16 +13,17 @@ using Figures = std::vector<double>;
 using Contestant = std::function<Figures()>;
 
 struct Effort {
-  int least = 5;          ///< repetitions, however long they take
-  int most = 25;          ///< repetitions, however short they are
-  double enough_s = 1.0;  ///< no further repetition beyond `least` after this many seconds
+  int least = 5;          ///< the least number of repetitions, however long they take
+  int most = 25;          ///< the largest number of repetitions, however short they are
+  double enough_s = 1.0;  ///< after this many seconds, no repetition beyond `least` begins
 };
 
-/// The median of each figure of each contestant. Each contestant first runs once without being measured.
+/// Returns the median of each figure of each contestant. Each contestant first runs once without being
+/// measured.
 std::vector<Figures> interleaved_medians(const std::vector<Contestant>& contestants,
                                          const Effort& effort = {});
 
-/// exp of the mean logarithm; 1 for an empty list.
+/// Returns the geometric mean, or 1 for an empty list.
 double geometric_mean(const std::vector<double>& values);
 
 }  // namespace boxplus::bench

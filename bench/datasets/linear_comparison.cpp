@@ -15,7 +15,8 @@
 namespace boxplus::bench {
 namespace {
 
-/// Solutions of the worst conditioned H of the files agree to 1e-7.
+/// The limit for the difference of two solutions. For the worst conditioned H of the files, solutions agree
+/// to about 1e-7.
 constexpr double kSameSolution = 1e-5;
 
 template <class F>
@@ -25,7 +26,7 @@ double seconds_of(F&& action) {
   return clock.seconds();
 }
 
-/// H and −g of a graph at its estimates.
+/// The linear system of a graph at its estimates: H and −g.
 struct Equations {
   explicit Equations(const Graph& graph) : plan(make_plan(graph, {})), linearizer(graph, plan) {
     linearizer.linearize({});
@@ -36,8 +37,8 @@ struct Equations {
   std::vector<double> right_hand_side;
 };
 
-/// Uses a new solver. On both sides, the memory of the previous solver is freed before the measurement
-/// begins.
+/// Measures a new solver. Both here and for CHOLMOD, the memory of the previous solver is freed before the
+/// measurement begins.
 Figures run_ours(const Equations& equations, Precision precision, std::unique_ptr<LinearSolver>& last,
                  std::vector<double>& x) {
   const auto make = [&](Ordering ordering) {
@@ -56,7 +57,7 @@ Figures run_ours(const Equations& equations, Precision precision, std::unique_pt
     }
   };
   const auto solve = [&] { solver.solve(equations.right_hand_side.data(), 1, x.data()); };
-  factorize();  // not measured: the first one touches fresh memory, on both sides
+  factorize();  // not measured, because it touches fresh memory; the same is true for CHOLMOD
   return {analyze, seconds_of(factorize), seconds_of(solve), by_degree};
 }
 
@@ -80,7 +81,7 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
   return difference / size;
 }
 
-/// The analysis with AMD in the form, simplicial or supernodal, that factorizes faster.
+/// Returns the time of the analysis with AMD, in the form (simplicial or supernodal) that factorizes faster.
 double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
   const Figures* best = nullptr;
   for (std::size_t k = 0; k < medians.size(); ++k) {
@@ -133,7 +134,7 @@ LinearComparison run_linear_comparison(Graph& graph) {
         {comparison.largest_difference, relative_difference(our_x, x), relative_difference(automatic_x, x)});
   }
   if (!(comparison.largest_difference < kSameSolution))
-    throw std::runtime_error("CHOLMOD solves another system");
+    throw std::runtime_error("the solutions of CHOLMOD differ from ours");
   return comparison;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The facts about the machine that belong to a table of times.
+// Describes the machine on which times are measured.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace boxplus::bench {
 
-/// Lines of a table, each with a name and a value. `commit` names the sources.
+/// Returns the lines of a table, each with a name and a value. `commit` is the commit of the sources.
 std::vector<std::pair<std::string, std::string>> describe_machine(const std::string& commit);
 
 }  // namespace boxplus::bench

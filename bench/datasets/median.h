@@ -6,7 +6,8 @@
 
 namespace boxplus::bench {
 
-/// The median of at least one value; the mean of the middle two if their number is even.
+/// Returns the median of at least one value. If the number of values is even, this is the mean of the middle
+/// two.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

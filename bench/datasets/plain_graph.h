@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pose graph as arrays of doubles, the input of the peers. Includes neither boxplus nor Eigen, so that code
-// with other compiler flags may include it.
+// A pose graph as arrays of doubles, which is the input of the peers. This header includes neither boxplus
+// nor Eigen, so that code with other compiler flags may include it.
 #pragma once
 
 #include <array>
@@ -10,23 +10,24 @@
 namespace boxplus::bench {
 
 struct PlainGraph {
-  /// z measures pose `to` from pose `from`. S, with Ω = SᵀS, row by row: 3 × 3 or 6 × 6 values.
+  /// A measurement z of the pose `to` from the pose `from`. `root_information` is S with Ω = SᵀS, row by row:
+  /// 3 × 3 or 6 × 6 values.
   struct Motion {
     std::size_t from, to;
     std::array<double, 7> z;
     std::array<double, 36> root_information;
   };
-  /// z measures a point in the plane from a pose.
+  /// A measurement z of a point in the plane from a pose.
   struct Observation {
     std::size_t pose, point;
     std::array<double, 2> z;
     std::array<double, 4> root_information;
   };
 
-  std::size_t pose_size = 3;  ///< scalars per pose: x y θ, or 7: x y z qx qy qz qw
+  std::size_t pose_size = 3;  ///< the number of scalars per pose: 3 (x y θ) or 7 (x y z qx qy qz qw)
   std::vector<double> poses;
-  std::vector<double> points;       ///< x y
-  std::vector<bool> pose_is_fixed;  ///< per pose
+  std::vector<double> points;       ///< x and y of each point
+  std::vector<bool> pose_is_fixed;  ///< one value per pose
   std::vector<Motion> motions;
   std::vector<Observation> observations;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All results of one run of the benchmark, and their Markdown.
+// All results of one run of the benchmark, and their tables in Markdown.
 #pragma once
 
 #include <map>
@@ -33,16 +33,16 @@ inline constexpr int kLargeTorus = 10'000;
 
 struct Results {
   std::vector<std::pair<std::string, std::string>> machine;
-  double dgemm_rate = 0;  ///< GFLOP/s
+  double dgemm_rate = 0;  ///< the rate of DGEMM in GFLOP/s
   std::vector<DatasetResults> datasets = {};
-  std::map<int, ThreadComparison> tori = {};  ///< simulated, by the number of their poses
+  std::map<int, ThreadComparison> tori = {};  ///< simulated graphs; the key is the number of poses
   std::vector<ScaleResult> scale = {};
 };
 
-/// The tables, without the goals.
+/// Returns the tables, without the goals.
 std::string tables_of(const Results& results);
 
-/// The goals: one line each, with the geometric mean and the worst file.
+/// Returns the goals: one line each, with the geometric mean and the worst file.
 std::string goals_of(const Results& results);
 
 }  // namespace boxplus::bench

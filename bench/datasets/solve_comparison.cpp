@@ -16,7 +16,8 @@
 namespace boxplus::bench {
 namespace {
 
-/// Runs that end far from the target are repeated with this many iterations, to measure the time of one.
+/// The number of iterations with which the time of one iteration is measured if Ceres does not reach the
+/// target.
 constexpr int kIterationsWhenStuck = 12;
 
 Figures numbers(const SolveFigures& f) {
@@ -34,7 +35,7 @@ double median_iteration(const Report& report) {
     seconds.push_back(record.time_s - before);
     before = record.time_s;
   }
-  if (seconds.size() > 1) seconds.erase(seconds.begin());  // touches fresh memory
+  if (seconds.size() > 1) seconds.erase(seconds.begin());  // the first iteration touches fresh memory
   return seconds.empty() ? 0 : median(seconds);
 }
 
@@ -63,7 +64,8 @@ SolveFigures run_ceres(CeresPeer& peer, const CeresSettings& settings, const Cer
           run.chi2_final};
 }
 
-/// Runs with each of the settings; returns the index of the fastest that arrives, or of the best chi2.
+/// Runs Ceres with each of its settings. Returns the index of the fastest settings that reach the target or,
+/// if there are none, of the settings with the best chi2.
 std::size_t find_fastest(CeresPeer& peer, const CeresStop& stop, SolveFigures& best) {
   std::size_t fastest = 0;
   const auto rank = [](const SolveFigures& f) { return std::pair(f.arrival_s, f.arrived() ? 0 : f.chi2); };
@@ -84,8 +86,8 @@ void require_equal(const char* what, double a, double b) {
   throw std::runtime_error(fmt::format("{}: expected {:.15g} within 1e-9, got {:.15g}", what, a, b));
 }
 
-/// Checks that all solve the same problem: equal chi2 at the start, and equal gradients from both kinds of
-/// edges.
+/// Checks that all contestants solve the same problem: chi2 at the start is equal, and the two kinds of edges
+/// for Ceres have equal gradients.
 void check_start(CeresPeer& analytic, CeresPeer& autodiff, double chi2) {
   const CeresStop at_once{.iterations = 0};
   const CeresRun by_hand = analytic.solve(all_ceres_settings()[0], at_once);

@@ -14,7 +14,7 @@ std::string line_of(const Cells& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-/// The first column is text, the others are numbers.
+/// Returns the head of a table. The first column contains text, and all other columns contain numbers.
 std::string head_of(const Cells& titles) {
   std::string rule = "|---|";
   for (std::size_t k = 1; k < titles.size(); ++k) rule += "--:|";
@@ -30,7 +30,7 @@ std::string times(double theirs, double ours) {
   return fmt::format("{:.2f}", theirs / ours);
 }
 
-/// One row per file; if `cells` is empty for a file, the row has the reason.
+/// Returns one row per file. If `cells` returns nothing for a file, the row contains the reason.
 std::string rows_of(const Results& results, const std::function<Cells(const DatasetResults&)>& cells) {
   std::string rows;
   for (const DatasetResults& result : results.datasets) {
@@ -50,12 +50,13 @@ std::string rate(const LinearFigures& figures, const Results& results) {
 std::string linear_tables(const Results& results) {
   std::string out =
       "## One linear system\n\n"
-      "H at the file's estimates, ms. CHOLMOD's factorization is the fastest of eight ways: AMD or\n"
-      "METIS, on scalars or on blocks, supernodal or simplicial. Its AMD analysis is that of the\n"
-      "form that factorizes faster, and is compared with our analysis with AMD. If nested\n"
-      "dissection is predicted to be faster, the time of that analysis follows. \"In float\" is given\n"
-      "if it is the automatic choice: the factorization in float, and the solution refined in\n"
-      "double to a residual of 1e-10.\n\n";
+      "Times in ms for H at the estimates of the file. For CHOLMOD, the table shows the configuration\n"
+      "that factorizes fastest, of eight: AMD or METIS, on scalars or on blocks, supernodal or\n"
+      "simplicial. The analyses with AMD are compared separately; for CHOLMOD, in the form (supernodal\n"
+      "or simplicial) that factorizes faster. \"Dissect\" is the time of our analysis with nested\n"
+      "dissection, if that ordering is predicted to be faster. \"In float\" has values if this is the\n"
+      "automatic choice: the factorization is in float, and the solution is refined in double to a\n"
+      "residual of 1e-10.\n\n";
   out +=
       head_of({"file", "scalars", "analyze", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorize",
                "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorize", "×", "solve", "both ×"});
@@ -83,11 +84,11 @@ std::string linear_tables(const Results& results) {
   });
   out += fmt::format(
       "\n"
-      "Useful operations of the factorization per second, and as a share of DGEMM, n = 1024, which\n"
-      "runs at {:.1f} GFLOP/s.\n\n",
+      "The useful operations per second of the factorization, also as a percentage of DGEMM with\n"
+      "n = 1024, which runs at {:.1f} GFLOP/s.\n\n",
       results.dgemm_rate);
-  out += head_of({"file", "boxplus Mflop", "GFLOP/s", "CHOLMOD Mflop", "GFLOP/s", "CHOLMOD's fastest way",
-                  "largest difference of the solutions"});
+  out += head_of({"file", "boxplus Mflop", "GFLOP/s", "CHOLMOD Mflop", "GFLOP/s",
+                  "CHOLMOD's fastest configuration", "largest difference of the solutions"});
   return out + rows_of(results, [&](const DatasetResults& result) -> Cells {
            if (!result.linear) return {};
            const LinearComparison& d = *result.linear;
@@ -103,10 +104,10 @@ std::string linear_tables(const Results& results) {
 std::string iteration_table(const Results& results) {
   std::string out =
       "## Linearization and iterations\n\n"
-      "ms, in the runs of the next table: the mean linearization, including the first, and the\n"
-      "median iteration without the first. Ours linearizes and adds up H and the gradient; Ceres's\n"
-      "Jacobian evaluation writes the Jacobian and the gradient; its linear solver multiplies JᵀJ\n"
-      "later.\n\n";
+      "Times in ms, from the runs of the next table: the mean time of a linearization, including the\n"
+      "first, and the median time of an iteration, without the first. Our linearization also adds up H\n"
+      "and the gradient. Ceres's evaluation of the Jacobian writes the Jacobian and the gradient; its\n"
+      "linear solver multiplies JᵀJ later.\n\n";
   out += head_of({"file", "linearize + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
                   "Ceres analytic", "×", "Ceres autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -142,10 +143,11 @@ std::string iterations(const SolveFigures& figures) {
 std::string arrival_table(const Results& results) {
   std::string out =
       "## To within 1e-6 of the best chi2\n\n"
-      "ms from the call, with the analysis. Both start at the file's estimates; \"automatic\" is our\n"
-      "Start::kAutomatic, which compares them with a chordal guess. Ceres: the fastest of six ways\n"
-      "that arrives (Levenberg-Marquardt, the same with post-ordering, with a radius of 1e16, or\n"
-      "non-monotonic; dogleg, subspace dogleg). Stuck: its chi2 after at most 100 iterations.\n\n";
+      "Times in ms from the call until chi2 is within 1e-6 of the best, including the analysis. Both\n"
+      "start at the estimates of the file. \"Automatic\" is our Start::kAutomatic, which compares these\n"
+      "estimates with a chordal guess. For Ceres, the table shows the fastest configuration of six:\n"
+      "Levenberg-Marquardt (LM); LM with post-ordering, with a radius of 1e16, or non-monotonic;\n"
+      "dogleg; subspace dogleg. \"Stuck at\" names chi2 after at most 100 iterations.\n\n";
   out += head_of({"file", "chi2 of the file", "best chi2", "iterations", "ms", "automatic: iterations", "ms",
                   "Ceres", "iterations", "analytic", "×", "autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -169,10 +171,10 @@ std::string arrival_table(const Results& results) {
 std::string whole_table(const Results& results) {
   std::string out =
       "## From file to file\n\n"
-      "Load, optimize until chi2 falls by less than 1e-10 of itself, and write, each in its own\n"
-      "process. boxplus runs as `boxplus optimize --threads 1`, which may start from the chordal\n"
-      "guess. Ceres starts from the file's estimates, with analytic Jacobians and the way above,\n"
-      "between our reader and our writer.\n\n";
+      "Each program runs in its own process. It loads the file, optimizes until the relative decrease\n"
+      "of chi2 is below 1e-10, and writes the result. boxplus runs like `boxplus optimize --threads 1`,\n"
+      "which may start from the chordal guess. Ceres starts from the estimates of the file, with\n"
+      "analytic Jacobians and the configuration above, and uses our reader and our writer.\n\n";
   out += head_of({"file", "ms", "chi2", "peak MiB", "Ceres ms", "chi2", "peak MiB", "time ×", "memory ×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
            if (!result.whole) return {};
@@ -197,8 +199,8 @@ Cells thread_cells(const ThreadComparison& comparison) {
 std::string thread_table(const Results& results) {
   std::string out =
       "## Two threads\n\n"
-      "optimize() with Start::kAutomatic, with all preparations, ms; the results have the same\n"
-      "bits.\n\n";
+      "Times in ms of optimize() with Start::kAutomatic, including all preparations. The final chi2 has\n"
+      "the same bits.\n\n";
   out += head_of({"file", "one thread", "two threads", "×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
     return result.threads ? thread_cells(*result.threads) : Cells{};
@@ -214,8 +216,8 @@ std::string thread_table(const Results& results) {
 std::string scale_table(const Results& results) {
   std::string out =
       "## Scale\n\n"
-      "Simulated worlds, each in its own process, one thread, five iterations from odometry. The\n"
-      "solver is the choice of LinearSolverKind::kAutomatic: Cholesky, unless its factor is\n"
+      "Simulated worlds: one run of each, in its own process, with one thread and five iterations from\n"
+      "the odometry. LinearSolverKind::kAutomatic chooses the solver: Cholesky, unless its factor is\n"
       "predicted not to fit into half of the memory, or to take several times as long as a rough\n"
       "solution by pcg.\n\n";
   out += head_of({"world", "poses", "edges", "load s", "plan s", "iteration s", "µs per pose", "write s",

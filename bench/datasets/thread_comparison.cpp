@@ -22,7 +22,8 @@ ThreadComparison run_thread_comparison(Graph& graph) {
   const std::vector<Figures> medians =
       interleaved_medians({[&] { return run(graph, 1); }, [&] { return run(graph, 2); }},
                           {.least = 11, .most = 15, .enough_s = 3});
-  if (medians[0][1] != medians[1][1]) throw std::runtime_error("one thread and two end at different chi2");
+  if (medians[0][1] != medians[1][1])
+    throw std::runtime_error("one thread and two threads end at different chi2");
   return {medians[0][0], medians[1][0]};
 }
 

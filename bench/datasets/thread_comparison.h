@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two threads of boxplus against one.
+// Compares boxplus with two threads and with one thread.
 #pragma once
 
 #include "boxplus/graph/graph.h"
@@ -7,10 +7,10 @@
 namespace boxplus::bench {
 
 struct ThreadComparison {
-  double one_s = 0, two_s = 0;  ///< optimize() with all preparations, Start::kAutomatic
+  double one_s = 0, two_s = 0;  ///< the time of optimize() with Start::kAutomatic, including all preparations
 };
 
-/// Throws std::runtime_error if the results differ in a bit of chi2.
+/// Throws std::runtime_error if the final chi2 with one thread and with two threads differs in any bit.
 ThreadComparison run_thread_comparison(Graph& graph);
 
 }  // namespace boxplus::bench

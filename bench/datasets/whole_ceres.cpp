@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// whole_ceres FILE OUTPUT SETTINGS: the same with Ceres, between our reader and our writer.
+// whole_ceres FILE OUTPUT SETTINGS: does the same with Ceres, but reads and writes the files with boxplus.
+// SETTINGS is an index into all_ceres_settings().
 #include <fmt/core.h>
 
 #include <exception>

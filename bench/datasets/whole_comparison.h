@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From file to file: boxplus and Ceres, each until its own tolerance of 1e-10 ends it.
+// Compares boxplus and Ceres from file to file. Each run ends if the relative decrease of its cost is below
+// 1e-10.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ struct WholeComparison {
   WholeRun ours, ceres;
 };
 
-/// `programs` is the folder of whole_boxplus and whole_ceres. A run of Ceres that misses `target` is not
-/// repeated.
+/// `programs` is the folder of whole_boxplus and whole_ceres. If the first run of Ceres does not reach
+/// `target`, Ceres is run only once.
 WholeComparison run_whole_comparison(const std::string& programs, const std::string& file, int ceres_settings,
                                      double target);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// whole_scale FILE OUTPUT: load, five iterations from the file's estimates, write, on one thread; prints
-// ScaleFigures.
+// whole_scale FILE OUTPUT: loads the file, runs five iterations from its estimates, and writes the result,
+// with one thread. Prints ScaleFigures.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,12 +15,12 @@ using namespace boxplus;
 
 namespace {
 
-/// Median time between the ends of iterations.
+/// Returns the median time between the ends of two consecutive iterations.
 double median_iteration(const Report& report) {
   std::vector<double> seconds;
   for (std::size_t k = 1; k < report.records.size(); ++k)
     seconds.push_back(report.records[k].time_s - report.records[k - 1].time_s);
-  if (seconds.empty()) throw InvalidArgument("expected two iterations at least");
+  if (seconds.empty()) throw InvalidArgument("expected at least two iterations");
   std::sort(seconds.begin(), seconds.end());
   return seconds[seconds.size() / 2];
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ceres on the same problem, with autodiff, as a separate library (see datasets/ceres/ceres_peer.h).
+// Runs Ceres with automatic differentiation on the same problem. Ceres is in a separate library;
+// datasets/ceres/ceres_peer.h says why.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,7 @@ class __attribute__((visibility("default"))) CeresIcp {
  public:
   explicit CeresIcp(const IcpProblem& problem);
   ~CeresIcp();
-  /// Solves from the start with one thread, by DENSE_NORMAL_CHOLESKY or DENSE_QR.
+  /// Solves the problem from its start with one thread, by DENSE_NORMAL_CHOLESKY or DENSE_QR.
   IcpRun run(bool normal_equations);
 
  private:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Custom edges, compared with Ceres with autodiff and with a handwritten loop; prints the last table of
-// bench/RESULTS.md.
+// Compares custom edges with Ceres (automatic differentiation) and with a handwritten loop. Prints a table
+// that `make bench` appends to its results.
 //
-//     edge_bench             measures
-//     edge_bench dual        repeats ours, for a profiler; so does `edge_bench analytic`
+//     edge_bench             measures all contestants
+//     edge_bench dual        repeats only our edges with dual numbers, for a profiler
+//     edge_bench analytic    repeats only our edges with Jacobians, for a profiler
 #include <fmt/core.h>
 
 #include <Eigen/Cholesky>
@@ -20,7 +21,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// A template in its scalar: differentiated by dual numbers.
+/// An edge whose error is a template of the scalar type, so that dual numbers can differentiate it.
 struct Plane {
   Vector3 p, q, n;
 
@@ -32,7 +33,7 @@ struct Plane {
   }
 };
 
-/// The same with Jacobians: T ⊞ δ moves p by R δ_t + 2 R (δ_q × p).
+/// The same edge with analytic Jacobians: T ⊞ δ moves p by R δ_t + 2 R (δ_q × p).
 struct PlaneWithJacobians : Plane {
   using Plane::Plane;
   template <class J>
@@ -72,7 +73,7 @@ IcpRun run_ours(Graph& graph) {
   return {median_iteration(marks), report.chi2_final};
 }
 
-/// The sums JᵀJ and Jᵀe over all matches, and their chi2.
+/// The sums of JᵀJ, Jᵀe and chi2 over all matches.
 struct NormalEquations {
   double H[6][6] = {}, b[6] = {}, chi2 = 0;
 };
@@ -164,10 +165,11 @@ int main(int count, char** words) try {
   require_open_blas_with_one_thread();
   fmt::print(
       "\n## Edges of a user\n\n"
-      "Point-to-plane ICP: one pose, one edge of one row per point. CPU ms per iteration on one\n"
-      "thread. Ceres uses the faster of DENSE_QR and DENSE_NORMAL_CHOLESKY. By hand: a loop that\n"
-      "adds up JᵀJ and Jᵀe, and a 6 × 6 solution.\n\n"
-      "| points | dual numbers | Ceres, autodiff | × | with Jacobians | × | by hand | of it |\n"
+      "Point-to-plane ICP: one pose, and for each point one edge with one row. CPU time in ms per\n"
+      "iteration on one thread. Ceres uses the faster of DENSE_QR and DENSE_NORMAL_CHOLESKY. By hand: a\n"
+      "loop that adds up JᵀJ and Jᵀe and solves a 6 × 6 system. The last column is the time with\n"
+      "Jacobians divided by the time by hand.\n\n"
+      "| points | dual numbers | Ceres, autodiff | × | with Jacobians | × | by hand | ratio |\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const std::size_t points : {2'000u, 20'000u, 200'000u}) print_comparison(points);
   return 0;

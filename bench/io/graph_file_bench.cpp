@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading and writing a simulated graph of 200 MB, and reading it with a plain std::istream for comparison.
+// Measures reading and writing a simulated graph of 200 MB. For comparison, also measures reading it with a
+// plain std::istream.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -13,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// The file, created once and removed at the end.
+/// The graph file, which is created once and removed at the end.
 class LargeFile {
  public:
   LargeFile() {
@@ -50,7 +51,7 @@ SE3 read_pose(std::istream& in) {
   return {t, q};
 }
 
-/// A simple reader: std::getline(), a std::istringstream per line, and >> for each field.
+/// A simple reader: std::getline(), a std::istringstream for each line, and >> for each field.
 Graph read_with_istream(const std::string& path) {
   Graph graph;
   std::ifstream file(path);

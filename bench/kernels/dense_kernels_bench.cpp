@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense kernels of every instruction set that this processor can run.
+// Measures the dense kernels of every instruction set that this processor can run.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -24,7 +24,7 @@ void report(benchmark::State& state, double flops) {
   state.counters["GFLOP/s"] = benchmark::Counter(flops * 1e-9, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// A panel of `columns` columns with `below` more rows.
+/// Factorizes a panel of `columns` columns, with a square at the top and `below` more rows.
 template <class Scalar>
 void factor_panel(benchmark::State& state, const dense::FactorKernels<Scalar>& kernels) {
   const int columns = static_cast<int>(state.range(0)), below = static_cast<int>(state.range(1));
@@ -41,7 +41,7 @@ void factor_panel(benchmark::State& state, const dense::FactorKernels<Scalar>& k
   report(state, n * n * n / 3 + n * n * m);
 }
 
-/// C = −A Aᵀ, the lower triangle.
+/// Computes the lower triangle of C = −A Aᵀ.
 template <class Scalar>
 void square(benchmark::State& state, const dense::FactorKernels<Scalar>& kernels) {
   const int size = static_cast<int>(state.range(0)), k = static_cast<int>(state.range(1));

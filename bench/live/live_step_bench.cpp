@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of a robot that optimizes while it drives: adds a pose and its edges, and runs one iteration on
-// the whole graph. Compares extended plans, new plans, and a window, in turns, by CPU time.
+// Measures one step of a robot that optimizes while it drives. A step adds a pose and its edges, and runs one
+// iteration. Compares the CPU time of three ways, in turns: all vertices with an extended plan, all vertices
+// with a new plan, and only a window of the last poses.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -21,7 +22,7 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A simulated graph that is built up again, pose by pose.
+/// A simulated graph that is built again, pose by pose.
 template <class Pose>
 class Drive {
  public:
@@ -50,11 +51,11 @@ class Drive {
     }
   }
 
-  /// The last poses.
+  /// Returns the last `size` poses.
   std::vector<VertexRef> window(std::size_t size) const {
     return {poses_.end() - static_cast<std::ptrdiff_t>(std::min(size, poses_.size())), poses_.end()};
   }
-  /// Makes the next call compute a new plan.
+  /// Makes the next optimization compute a new plan.
   void touch() {
     graph.fix(poses_[1]);
     graph.unfix(poses_[1]);
@@ -130,8 +131,9 @@ int main(int argc, char** argv) {
   using namespace boxplus;
   const int poses = argc > 1 ? std::atoi(argv[1]) : 2000;
   std::printf(
-      "CPU time of a step of one iteration on one thread, medians [ms]\n\n"
-      "| World | Poses | Edges | Plan anew | Plan extended | Anew / extended | Window of 10 | Extended |\n"
+      "Median CPU time of a step with one iteration on one thread [ms]\n\n"
+      "| World | Poses | Edges | New plan | Extended plan | New / extended | Window of 10 | Plans extended "
+      "|\n"
       "|---|---|---|---|---|---|---|---|\n");
   bench::measure<SE2>(World::kManhattan, poses);
   bench::measure<SE2>(World::kStreets, poses);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library of algorithms for the tool: Levenberg-Marquardt over Eigen's sparse LDLᵀ.
+// A plug-in for the tool `g2o` with one algorithm: Levenberg-Marquardt with Eigen's sparse LDLᵀ
+// factorization.
 #include <Eigen/SparseCholesky>
 #include <memory>
 #include <vector>

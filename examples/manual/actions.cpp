@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operations on the elements of a graph, by name and by type: drawing, writing, and a custom action.
+// Actions on the elements of a graph: drawing, writing, and a custom action. The program finds an action by
+// its name, and applies it to the elements of one type or of all types.
 //
 //     manual_actions [PICTURE.svg]
 #include <cmath>
@@ -44,7 +45,7 @@ EDGE_PRIOR_SE2_XY 4 3.2 4.3 1 0 1
 )";
 
 // [custom]
-/// Adds up the distance that the robot drove: a custom action for one type of edge.
+/// A custom action for one type of edge: adds up the distance that the robot drove.
 class EdgeSE2Length : public HyperGraphElementAction {
  public:
   struct Parameters : HyperGraphElementAction::Parameters {
@@ -69,7 +70,7 @@ class CountIterations : public HyperGraphAction {
  public:
   HyperGraphAction* operator()(const HyperGraph*, Parameters* parameters) override {
     const auto* iteration = dynamic_cast<ParametersIteration*>(parameters);
-    if (iteration != nullptr && iteration->iteration >= 0) ++count;  // −1: initializeOptimization()
+    if (iteration != nullptr && iteration->iteration >= 0) ++count;  // −1 in initializeOptimization()
     return this;
   }
   int count = 0;

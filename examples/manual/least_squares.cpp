@@ -28,7 +28,7 @@ class VertexCup : public g2o::BaseVertex<3, Eigen::Vector3d> {
 // [/vertex]
 
 // [edge]
-/// The temperature (°C) at a time (minutes).
+/// A measured temperature (°C) at a given time (minutes).
 class EdgeReading : public g2o::BaseUnaryEdge<1, double, VertexCup> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -48,7 +48,7 @@ class EdgeReading : public g2o::BaseUnaryEdge<1, double, VertexCup> {
 };
 // [/edge]
 
-/// Chi2 after each iteration, from a guess.
+/// Runs the algorithm from an initial guess. Returns chi2 after each iteration.
 template <class Algorithm>
 std::vector<double> fit(const Eigen::Vector3d& guess, int iterations) {
   // [problem]
@@ -85,7 +85,7 @@ std::vector<double> fit(const Eigen::Vector3d& guess, int iterations) {
 bool show(const std::vector<double>& chi2) {
   for (const double value : chi2) std::printf(" %.5g", value);
   std::printf("\n");
-  return chi2.back() < 16;  // 8 readings, 3 unknowns
+  return chi2.back() < 16;  // plausible for 8 readings and 3 unknowns
 }
 
 int main() {

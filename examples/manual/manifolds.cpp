@@ -15,7 +15,8 @@
 #include "g2o/solvers/dense/linear_solver_dense.h"
 
 // [vertex]
-/// A unit vector. The step (a, b) rotates it by a and by b radians, about two axes orthogonal to it.
+/// A unit vector. A step (a, b) rotates the vector by a and b radians about two axes that are orthogonal to
+/// it.
 class VertexDirection : public g2o::BaseVertex<2, Eigen::Vector3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -51,7 +52,7 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
     _error = kGravity * static_cast<const VertexDirection*>(_vertices[0])->estimate() - _measurement;
   }
 
-  /// d(u ⊞ δ) at δ = 0: turning u about the axis a moves it by a × u.
+  /// The derivative of u ⊞ δ at δ = 0: a small rotation of u about an axis a moves u in the direction a × u.
   void linearizeOplus() override {
     const auto* v = static_cast<const VertexDirection*>(_vertices[0]);
     const Eigen::Matrix<double, 3, 2> axes = v->axes();
@@ -69,7 +70,8 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
 // [/edge]
 
 // [check]
-/// The largest difference between the Jacobian of an edge and the numeric one of its base class.
+/// The largest difference between the Jacobian that an edge computes and the numeric Jacobian of its base
+/// class.
 template <class OwnEdge>
 double jacobian_error(OwnEdge& edge) {
   g2o::JacobianWorkspace workspace;
@@ -77,7 +79,7 @@ double jacobian_error(OwnEdge& edge) {
   workspace.allocate();
   auto& base = static_cast<g2o::OptimizableGraph::Edge&>(edge);
   edge.computeError();
-  base.linearizeOplus(workspace);  // sets the Jacobians to point into the workspace, and fills them
+  base.linearizeOplus(workspace);  // lets the Jacobians point into the workspace, and computes them
   const Eigen::MatrixXd own = edge.template jacobianOplusXn<0>();
   edge.OwnEdge::BaseFixedSizedEdge::linearizeOplus();
   return (edge.template jacobianOplusXn<0>() - own).cwiseAbs().maxCoeff();
@@ -107,8 +109,8 @@ int main() {
   const int iterations = optimizer.optimize(5);
   const Eigen::Vector3d& u = up->estimate();
   const double difference = jacobian_error(*edge);
-  std::printf("up is (%.4f, %.4f, %.4f), of length %.12f; dimension %d\n", u[0], u[1], u[2], u.norm(),
+  std::printf("up is (%.4f, %.4f, %.4f), with length %.12f and dimension %d\n", u[0], u[1], u[2], u.norm(),
               up->dimension());
-  std::printf("Jacobians as by differences: %s\n", difference < 1e-7 ? "yes" : "no");
+  std::printf("Jacobian agrees with numeric differences: %s\n", difference < 1e-7 ? "yes" : "no");
   return iterations > 0 && difference < 1e-7 && std::abs(u.norm() - 1) < 1e-12 ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two positions on a line, and one measurement: the second lies 1 beyond the first.
+// Two positions on a line, and one measurement: the second position is 1 larger than the first.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -90,7 +90,7 @@ struct Line {
   g2o::SparseOptimizer optimizer;
 };
 
-/// The system of the first iteration, as the solver builds it.
+/// Prints the linear system that the solver builds in the first iteration.
 bool print_system() {
   // [system]
   auto blocks = make_blocks();
@@ -115,7 +115,7 @@ int main() {
 
   Line floating(new GaussNewton(make_blocks()));
   std::printf("gauge freedom: %s\n", floating.optimizer.gaugeFreedom() ? "yes" : "no");
-  ok = !floating.report("Gauss-Newton, nothing held:") && ok;
+  ok = !floating.report("Gauss-Newton, nothing fixed:") && ok;
 
   // [fixed]
   Line fixed(new GaussNewton(make_blocks()));
@@ -136,5 +136,5 @@ int main() {
   // [damped]
   Line damped(new g2o::OptimizationAlgorithmLevenberg(make_blocks()));
   // [/damped]
-  return damped.report("Levenberg, nothing held:") && ok ? 0 : 1;
+  return damped.report("Levenberg, nothing fixed:") && ok ? 0 : 1;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How high is the ceiling? Six echoes come from the ceiling, two from a lamp that hangs below it.
+// How high is the ceiling? Six echoes come from the ceiling, and two from a lamp that hangs below the
+// ceiling.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -64,8 +65,8 @@ double with_kernel(const char* name) {
   Room room;
   // [kernel]
   for (EdgeEcho* echo : room.echoes) {
-    echo->setRobustKernel(g2o::RobustKernelFactory::instance()->construct(name));  // nullptr: none
-    if (echo->robustKernel() != nullptr) echo->robustKernel()->setDelta(2);        // in standard deviations
+    echo->setRobustKernel(g2o::RobustKernelFactory::instance()->construct(name));  // nullptr for no kernel
+    if (echo->robustKernel() != nullptr) echo->robustKernel()->setDelta(2);  // width in standard deviations
   }
   room.optimizer.initializeOptimization();
   room.optimizer.optimize(30);
@@ -81,7 +82,7 @@ double in_two_rounds() {
   room.optimizer.initializeOptimization();
   room.optimizer.optimize(10);
   for (EdgeEcho* echo : room.echoes) {
-    echo->setLevel(echo->chi2() > 25 ? 1 : 0);  // five standard deviations
+    echo->setLevel(echo->chi2() > 25 ? 1 : 0);  // errors of more than five standard deviations
     echo->setRobustKernel(nullptr);
   }
   room.optimizer.initializeOptimization(0);  // the edges of level 0

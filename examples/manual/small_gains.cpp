@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stops Levenberg-Marquardt after three small gains in a row, as ORB_SLAM2's copy of g2o does.
+// Stops Levenberg-Marquardt after three consecutive iterations with small gains, as ORB_SLAM2's copy of g2o
+// does.
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,7 +15,7 @@
 using namespace g2o;
 
 // [action]
-/// Stops the optimizer after three iterations in a row that each lower chi2 by less than a thousandth of it.
+/// Stops the optimizer after three consecutive iterations that each lower chi2 by less than 0.1 %.
 class EndAfterSmallGains : public HyperGraphAction {
  public:
   explicit EndAfterSmallGains(SparseOptimizer& optimizer) : optimizer_(optimizer) {
@@ -30,7 +31,7 @@ class EndAfterSmallGains : public HyperGraphAction {
 
   HyperGraphAction* operator()(const HyperGraph*, Parameters* parameters) override {
     const int iteration = static_cast<ParametersIteration*>(parameters)->iteration;
-    if (iteration < 0) {  // initializeOptimization()
+    if (iteration < 0) {  // called by initializeOptimization()
       optimizer_.computeActiveErrors();
       small_gains_ = 0;
     }
@@ -99,7 +100,7 @@ Result optimized(bool ends_early) {
 
 int main() {
   const Result without = optimized(false), with = optimized(true);
-  std::printf("without the action: %d iterations\nwith it: %d iterations, %.2f %% above that chi2\n",
+  std::printf("without the action: %d iterations\nwith the action: %d iterations; chi2 is %.2f %% higher\n",
               without.iterations, with.iterations, 100 * (with.chi2 / without.chi2 - 1));
   return with.iterations < without.iterations && with.chi2 < 1.01 * without.chi2 ? 0 : 1;
 }

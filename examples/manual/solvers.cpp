@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One graph, many ways to solve it: each combines an algorithm, a Solver and a LinearSolver.
+// Solves one graph in several ways. Each way combines an algorithm, a Solver and a LinearSolver.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,8 +23,8 @@ G2O_USE_OPTIMIZATION_LIBRARY(eigen)
 
 using namespace g2o;
 
-/// A robot drives along a square, 10 poses per side, twice; it sees the landmarks near it. The measurement
-/// errors are deterministic, but of the size of noise.
+/// A robot drives twice along a square with 10 poses per side, and sees the landmarks near it. The
+/// measurement errors are deterministic, but about as large as typical noise.
 void add_graph(SparseOptimizer& optimizer) {
   const auto wobble = [](int i) { return 0.03 * std::sin(12.9898 * i); };
   for (int id = 0; id < 16; ++id) {
@@ -103,7 +103,7 @@ int main() {
   }
   {
     // [schur]
-    using Blocks = BlockSolver_3_2;  // poses of 3 dimensions, landmarks of 2
+    using Blocks = BlockSolver_3_2;  // poses have 3 dimensions, landmarks have 2
     SparseOptimizer optimizer;
     optimizer.setAlgorithm(new OptimizationAlgorithmGaussNewton(
         std::make_unique<Blocks>(std::make_unique<LinearSolverEigen<Blocks::PoseMatrixType>>())));

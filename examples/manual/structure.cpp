@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each edge adds blocks to H, in the rows and columns of its vertices. The graph: some poses, two landmarks,
-// and an edge over three vertices.
+// Shows that each edge adds blocks to H in the rows and columns of its vertices. The graph has four poses,
+// two landmarks, and an edge over three vertices.
 #include <cstdio>
 #include <initializer_list>
 #include <memory>
@@ -50,7 +50,7 @@ int main() {
   add_edge<EdgeSE2PointXY>(optimizer, {1, 4});
   auto* both = add_edge<EdgeSE2TwoPointsXY>(optimizer, {3, 4, 5});
   both->setInformation(Matrix4::Identity() +
-                       Matrix4::Constant(0.5));  // seen together: their errors are correlated
+                       Matrix4::Constant(0.5));  // the errors of the two points are correlated
   optimizer.initializeOptimization();
   // [/graph]
 
@@ -66,7 +66,7 @@ int main() {
     solver.multiplyHessian(H.col(i).data(), e_i.data());
   }
   // [/blocks]
-  std::printf("%d rows; the vertices of the blocks:", static_cast<int>(n));
+  std::printf("%d rows; the blocks belong to the vertices", static_cast<int>(n));
   int row = 0, nonzero = 0;
   for (const auto* v : optimizer.indexMapping()) std::printf(" %d", v->id());
   std::printf("\n");

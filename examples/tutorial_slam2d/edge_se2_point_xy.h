@@ -9,7 +9,8 @@ namespace g2o {
 namespace tutorial {
 
 // [edge]
-/// A landmark as the sensor sees it. TUTORIAL_EDGE_SE2_POINT_XY id1 id2 parameter x y, then Ω.
+/// The measured position of a landmark in the frame of the sensor. In a file: TUTORIAL_EDGE_SE2_POINT_XY id1
+/// id2 parameter x y, then Ω.
 class EdgeSE2PointXY : public BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

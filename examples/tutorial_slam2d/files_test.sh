@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the tutorial's chi2 for the
-# tutorial's files, and that they become a picture. The tool g2o reads the files with their types renamed.
+# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the same chi2 for the tutorial's files as
+# the tutorial, and that boxplus can plot the files. Before that, the tool g2o renames the types in the files to types
+# that boxplus knows.
 set -euo pipefail
 tutorial_program="$1" g2o_program="$2" boxplus_program="$3" work="$4"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
@@ -20,7 +21,7 @@ boxplus plot before.g2o after.g2o -o tutorial.svg
 # [/picture]
 grep -q "</svg>" tutorial.svg
 
-# boxplus must find the chi2 that the tutorial printed, to its last digit.
+# boxplus must compute the chi2 that the tutorial printed, up to the last printed digit.
 for when in before after; do
   said=$(sed -n "s/^$when: *chi2 = \([0-9.]*\);.*/\1/p" said.txt)
   found=$(boxplus info "$when.g2o" | sed -n 's/.*chi2[^0-9]*\([0-9.e+]*\).*/\1/p' | head -1)

@@ -8,7 +8,7 @@ namespace g2o {
 namespace tutorial {
 
 // [parameter]
-/// The mount of the sensor on the robot. TUTORIAL_PARAMS_SE2_OFFSET id x y θ
+/// The pose of the sensor on the robot. In a file: TUTORIAL_PARAMS_SE2_OFFSET id x y θ
 class ParameterSE2Offset : public Parameter {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -22,8 +22,8 @@ class ParameterSE2Offset : public Parameter {
   SE2 _offset;
 };
 
-/// The pose of the sensor at one robot pose: computed once for all edges that use it.
-/// TUTORIAL_CACHE_SE2_OFFSET
+/// The pose of the sensor in the world for one pose of the robot. It is computed once for all edges that use
+/// it. Its tag is TUTORIAL_CACHE_SE2_OFFSET.
 class CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

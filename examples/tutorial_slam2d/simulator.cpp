@@ -8,8 +8,8 @@ namespace g2o {
 namespace tutorial {
 namespace {
 
-/// Drives straight on, with a random quarter turn now and then. Also turns if the next step would leave the
-/// world.
+/// Drives straight ahead, with a random quarter turn now and then. Also turns if the next step would leave
+/// the world.
 std::vector<SE2> drive(const SimulationOptions& options, Noise& noise) {
   const double quarter = const_pi() / 2;
   const auto stays_inside = [&](const SE2& pose) {

@@ -10,20 +10,20 @@ namespace g2o {
 namespace tutorial {
 
 // [simulation]
-/// The options of a simulation; lengths in meters, angles in radians.
+/// The options of a simulation. Lengths are in meters, and angles are in radians.
 struct SimulationOptions {
   int poses = 300;
   int landmarks = 100;
-  double world = 12;     ///< half the side of the square that contains the robot and the landmarks
-  double step = 1;       ///< distance from pose to pose
+  double world = 12;     ///< half the side length of the square that contains the robot and the landmarks
+  double step = 1;       ///< distance between consecutive poses
   double range = 5;      ///< largest distance at which the sensor sees landmarks
-  double opening = 1.5;  ///< largest angle to each side
+  double opening = 1.5;  ///< largest angle between the sensor's axis and a landmark that it sees
   double odometry_noise = 0.05, turn_noise = 0.02, landmark_noise = 0.05;  ///< standard deviations
   SE2 sensor_offset{0.2, 0.1, -0.1};
   unsigned seed = 1;
 };
 
-/// The truth, and the measurements of the robot.
+/// A simulated world: the true poses and landmarks, and the measurements of the robot.
 struct Simulation {
   struct Motion {
     int from, to;
@@ -42,12 +42,12 @@ struct Simulation {
   Matrix2 landmark_information;
 };
 
-/// The same world for the same options, on every machine.
+/// Returns the same world for the same options on every machine.
 Simulation simulate(const SimulationOptions& options);
 // [/simulation]
 
-/// Pseudo-random numbers. The distributions of the standard library give different numbers on different
-/// platforms.
+/// Pseudo-random numbers that are the same on all platforms. The distributions of the standard library are
+/// not.
 class Noise {
  public:
   explicit Noise(unsigned seed) : _engine(seed) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // 2-D SLAM from scratch: simulates a robot, turns its measurements into a graph of custom types, and
-// optimizes the graph. Fails if the result is far from the truth.
+// optimizes the graph. The exit code is 1 if the result is far from the truth.
 //
 //     tutorial_slam2d [-poses 300] [-landmarks 100] [-seed 1] [-o FOLDER]
 //
@@ -31,11 +31,11 @@ using namespace g2o;
 using namespace g2o::tutorial;
 
 constexpr int kSensor = 0;             // the id of the parameter
-constexpr int kFirstLandmark = 10000;  // ids of poses come before
+constexpr int kFirstLandmark = 10000;  // the ids of poses are smaller
 
 // [graph]
-/// Adds the graph of all measurements. The odometry alone determines the initial poses; a landmark starts at
-/// the position of its first observation.
+/// Adds the vertices and edges of all measurements. The initial poses come from the odometry alone. The
+/// initial position of a landmark comes from the first observation of the landmark.
 void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimizer& optimizer) {
   auto* offset = new ParameterSE2Offset;
   offset->setId(kSensor);
@@ -80,7 +80,7 @@ void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimize
 }
 // [/graph]
 
-/// The root of the mean squared distance (meters) of poses and of landmarks from their true positions.
+/// The root mean square distances (meters) of the poses and of the landmarks from their true positions.
 struct Distance {
   double poses = 0, landmarks = 0;
 };
@@ -102,8 +102,8 @@ Distance distance_from_truth(const Simulation& world, const SparseOptimizer& opt
           std::sqrt(sum.landmarks / std::max(seen, 1))};
 }
 
-/// If noise is the only error, then with n rows of errors and m free unknowns, chi2 has mean n − m and
-/// variance 2 (n − m).
+/// Returns n − m for n rows of errors and m free unknowns. If noise is the only error, chi2 at the minimum
+/// has mean n − m and variance 2 (n − m).
 double degrees_of_freedom(const SparseOptimizer& optimizer) {
   double freedom = 0;
   for (const auto* e : optimizer.activeEdges()) freedom += e->dimension();
@@ -113,7 +113,7 @@ double degrees_of_freedom(const SparseOptimizer& optimizer) {
 
 void print(const char* when, SparseOptimizer& optimizer, const Distance& distance) {
   optimizer.computeActiveErrors();
-  std::printf("%s chi2 = %.1f; from the truth: poses %.3f m, landmarks %.3f m\n", when, optimizer.chi2(),
+  std::printf("%s chi2 = %.1f; RMS errors: poses %.3f m, landmarks %.3f m\n", when, optimizer.chi2(),
               distance.poses, distance.landmarks);
 }
 
@@ -127,10 +127,10 @@ int main(int argc, char** argv) {
   std::string folder;
   int seed = 1;
   CommandArgs args;
-  args.param("poses", options.poses, options.poses, "how many steps the robot makes");
-  args.param("landmarks", options.landmarks, options.landmarks, "how many landmarks there are");
-  args.param("seed", seed, seed, "another seed is another world");
-  args.param("o", folder, "", "write the graph before and after to this folder");
+  args.param("poses", options.poses, options.poses, "the number of poses");
+  args.param("landmarks", options.landmarks, options.landmarks, "the number of landmarks");
+  args.param("seed", seed, seed, "the seed of the random world");
+  args.param("o", folder, "", "write the graph to this folder, before and after the optimization");
   args.parseArgs(argc, argv);
   options.seed = static_cast<unsigned>(seed);
 
@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
   optimizer.setAlgorithm(new OptimizationAlgorithmGaussNewton(
       std::make_unique<Blocks>(std::make_unique<LinearSolverEigen<Blocks::PoseMatrixType>>())));
   add_graph(world, options.sensor_offset, optimizer);
-  optimizer.vertex(0)->setFixed(true);  // the gauge: the world's frame is that of the first pose
+  optimizer.vertex(0)->setFixed(true);  // fixes the gauge: the first pose is the frame of the world
   optimizer.initializeOptimization();
   // [/optimize]
   const Distance before = distance_from_truth(world, optimizer);
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
   print("after: ", optimizer, after);
   if (!save(optimizer, folder, "tutorial_after.g2o")) return 1;
   const double freedom = degrees_of_freedom(optimizer), deviation = std::sqrt(2 * freedom);
-  std::printf("noise explains chi2 = %.0f ± %.0f\n", freedom, deviation);
+  std::printf("expected from noise alone: chi2 = %.0f ± %.0f\n", freedom, deviation);
   const bool is_plausible = std::abs(optimizer.chi2() - freedom) < 5 * deviation;
   const bool is_near = after.poses < 0.25 && after.landmarks < 0.25;
   return iterations > 0 && is_near && is_plausible ? 0 : 1;

@@ -7,7 +7,7 @@ namespace g2o {
 namespace tutorial {
 
 // [vertex]
-/// The position of a landmark. TUTORIAL_VERTEX_POINT_XY id x y
+/// The position of a landmark. In a file: TUTORIAL_VERTEX_POINT_XY id x y
 class VertexPointXY : public BaseVertex<2, Vector2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,7 +8,7 @@ namespace g2o {
 namespace tutorial {
 
 // [vertex]
-/// A pose of the robot. TUTORIAL_VERTEX_SE2 id x y θ
+/// A pose of the robot. In a file: TUTORIAL_VERTEX_SE2 id x y θ
 class VertexSE2 : public BaseVertex<3, SE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

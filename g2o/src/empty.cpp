@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only source of libraries that exist for compatibility with g2o's names.
+// The only source file of the empty libraries. They exist because clients link libraries with these names.

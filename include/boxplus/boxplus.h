@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common part of the library: graphs, poses, optimize(), covariances, and files. The rest has headers of
-// its own:
+// The common part of the library: graphs, poses, optimize(), covariances, and files. The other parts have
+// separate headers:
 //
-//     types/slam2d.h, types/slam3d.h       all ready-made edges of the plane and of space
+//     types/slam2d.h, types/slam3d.h       all ready-made edges in 2-D and in 3-D
 //     types/dense_prior.h                  a prior on several vertices at once
-//     manifold/so2.h, s2.h, sim3.h         rotations of the plane, directions, similarities
+//     manifold/so2.h, s2.h, sim3.h         rotations in 2-D, directions, similarities
 //     manifold/convert_to.h                poses of Eigen, Sophus and other libraries
 //     robust/huber.h, redescending.h,      robust kernels; make_robust_kernel() makes them by name
 //     robust/barron.h, default_width.h

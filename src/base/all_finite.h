@@ -6,9 +6,9 @@
 
 namespace boxplus {
 
-/// Whether no value is NaN or infinite.
+/// Whether all values are finite, that is, neither NaN nor infinite.
 inline bool all_finite(const double* values, std::size_t size) {
-  double zeros[4] = {};  // x − x is 0, or NaN if x is not finite
+  double zeros[4] = {};  // x − x is 0 if x is finite, and NaN otherwise
   std::size_t i = 0;
   for (; i + 4 <= size; i += 4) {
     for (std::size_t lane = 0; lane < 4; ++lane) zeros[lane] += values[i + lane] - values[i + lane];

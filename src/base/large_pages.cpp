@@ -12,12 +12,13 @@ namespace boxplus::detail {
 
 void prefer_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(MADV_HUGEPAGE)
-  // Only whole large pages within the memory, because the rest of the first and last page is not ours.
+  // Includes only large pages that lie entirely in `memory`, because other objects may use the rest of a
+  // page.
   constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage, end = (address + bytes) / kPage * kPage;
   if (begin >= end) return;
-  const int error = errno;  // ignore it if the system has no large pages
+  const int error = errno;  // restored below, because a system without large pages is not an error
   madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   errno = error;
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks of a StopToken inside tight loops.
+// Checks a StopToken inside tight loops.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace boxplus {
 
-/// Checks a token once in `steps` steps, so that a step costs a subtraction and a branch. With the default,
-/// and steps of about 50 ns (a cache miss or two), there are about 50 µs between two checks.
+/// Checks a token only once in `steps` steps, so that all other steps cost only a subtraction and a branch.
+/// If a step takes about 50 ns (a cache miss or two), the default leads to a check about every 50 µs.
 class PacedStop {
  public:
   static constexpr std::int64_t kSteps = 1024;
@@ -20,7 +20,7 @@ class PacedStop {
   void step(std::int64_t count = 1) {
     if (is_due(count)) token_.check();
   }
-  /// The same without an exception.
+  /// Returns true if a check is due and the token is raised. Does not throw.
   bool is_raised_after(std::int64_t count = 1) { return is_due(count) && token_.raised(); }
 
  private:

@@ -26,7 +26,8 @@ using Task = FunctionRef<void(int)>;
 
 constexpr auto kSpin = std::chrono::microseconds(50);
 
-/// True on workers, and on a caller while it runs its share. Calls from there do not use other threads.
+/// True on a worker, and on the calling thread while it runs its own tasks. If a task calls parallel_tasks(),
+/// that call uses no other threads.
 thread_local bool inside_task = false;
 
 void pause_briefly() {
@@ -51,8 +52,8 @@ void spin_then_sleep(std::mutex& mutex, std::condition_variable& wake, Ready rea
   }
 }
 
-/// Runs task(first) … task(last − 1) on this thread, all of them even if some throw. Returns the first
-/// exception.
+/// Runs task(first) … task(last − 1) on this thread. If a task throws, still runs the remaining ones, and
+/// then returns the first exception.
 std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
   std::exception_ptr failure;
   for (int i = first; i < last; ++i) {
@@ -65,11 +66,12 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
   return failure;
 }
 
-/// One thread, which lives as long as the process, with a mailbox for one task at a time.
+/// A thread that lives as long as the process, with a mailbox for one task at a time.
 ///
-/// `posted` and `done` count the posted and the finished tasks. The owner posts again only after wait(). Both
-/// change only under the mutex, so that a sleeping thread misses no change. A spinning thread reads them
-/// without the mutex; they publish `task` and `failure`.
+/// posted_ and done_ count the posted and the finished tasks. The owner posts the next task only after
+/// wait(). Both counters change only under the mutex, so that a sleeping thread misses no change. A spinning
+/// thread reads them without the mutex. Because they are atomic, a thread that sees a new count also sees the
+/// new task_ or failure_.
 class Worker {
  public:
   explicit Worker(int index) {
@@ -88,7 +90,7 @@ class Worker {
     wake_.notify_one();
   }
 
-  /// Returns when the posted task has ended, with its exception, if any.
+  /// Waits until the posted task has ended. Returns its exception, if any.
   std::exception_ptr wait() {
     spin_then_sleep(mutex_, finished_, [this] { return done_.load() == posted_.load(); });
     return std::exchange(failure_, nullptr);
@@ -134,8 +136,8 @@ class Pool {
   }
 
  private:
-  /// Starts workers until there are `count`, or until the system grants no more. Returns the number of
-  /// workers to use.
+  /// Starts workers until there are `count` of them, or until the system refuses to start another thread.
+  /// Returns the number of workers to use.
   int grow_to(int count) {
     workers_.reserve(static_cast<std::size_t>(count));
     try {
@@ -155,8 +157,8 @@ class Pool {
 };
 
 /// The pool of this process. It is never destroyed, because destructors of global objects may use it. A
-/// forked child has none of its parent's threads, so it makes a new pool and abandons the copy of the old
-/// one.
+/// forked child process has none of its parent's threads, so it creates a new pool and abandons its copy of
+/// the parent's pool.
 Pool& pool() {
   static Pool* instance = [] {
     pthread_atfork(nullptr, nullptr, [] { instance = new Pool(); });

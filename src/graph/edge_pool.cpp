@@ -100,8 +100,8 @@ void EdgePool::chi2_of_tile(std::span<const std::uint32_t> edges, int rows, doub
 void EdgePool::chi2_one_by_one(std::span<const std::uint32_t> edges, double* out) const {
   constexpr std::size_t kRoom = 512;
   double room[kRoom];
-  // Takes the memory out while it is used, because an error function may evaluate another graph on this
-  // thread.
+  // Moves the scratch memory out of the thread's storage while it is in use, because an error function may
+  // evaluate another graph on this thread.
   auto& kept = thread_scratch<std::vector<double>, struct LongError>();
   std::vector<double> more = std::move(kept);
   for (const std::uint32_t edge : edges) {
@@ -138,8 +138,8 @@ void EdgePool::reserve_slots(std::size_t edges) {
   information_.reserve(growth);
 }
 
-/// The position in free_ of a slot for this arity, or the size of free_. Looks at only a few slots of other
-/// arities.
+/// The position in free_ of a slot for edges of this arity, or free_.size() if it finds none. Looks only at
+/// the last few entries of free_.
 std::size_t EdgePool::find_free(std::size_t arity) const {
   constexpr std::size_t kLook = 16;
   for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {

@@ -235,7 +235,7 @@ double Graph::chi2() const {
       double e2 = 0;
       pool->chi2(std::span(&edge, 1), &e2);
       const RobustKernel* kernel = pool->kernel(edge);
-      sum += kernel && std::isfinite(e2) ? (*kernel)(e2).value : e2;  // a kernel must not hide NaN and Inf
+      sum += kernel && std::isfinite(e2) ? (*kernel)(e2).value : e2;  // a kernel must not hide NaN or Inf
     }
   }
   return sum;
@@ -272,7 +272,7 @@ void Graph::save(Saved saved) {
 }
 
 void Graph::pop() {
-  if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, the stack is empty");
+  if (stack_.empty()) throw InvalidArgument("pop: expected an earlier push, but the stack is empty");
   Saved saved = std::move(stack_.back());
   stack_.pop_back();
   bool resized = false;
@@ -294,7 +294,7 @@ void Graph::pop() {
 }
 
 void Graph::discard_top() {
-  if (stack_.empty()) throw InvalidArgument("discard_top: expected an earlier push, the stack is empty");
+  if (stack_.empty()) throw InvalidArgument("discard_top: expected an earlier push, but the stack is empty");
   stack_.pop_back();
 }
 

@@ -13,7 +13,7 @@ Graph::~Graph() = default;
 
 std::uint32_t Graph::new_epoch() noexcept {
   static std::atomic<std::uint32_t> epochs = 0;
-  constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // of 2^32; its multiples are spread evenly
+  constexpr std::uint32_t kGoldenRatio = 0x9E3779B9;  // 2^32 / golden ratio; spreads its multiples evenly
   return kGoldenRatio * epochs.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -22,8 +22,9 @@ Graph::Saved::Saved(const Saved& other) {
     parts.push_back({part.slots, part.generations, part.estimates ? part.estimates->clone() : nullptr});
 }
 
-// The index of edges is made again when it is needed. The elements keep their generations, so that the
-// handles of `other` are valid. New elements of the copy get generations from another number on.
+// Does not copy the index of edges, because edges() builds a new one when it is needed. The elements keep
+// their generations, so the handles of `other` are also valid for the copy. The generations of new elements
+// start at a different number in the copy, so handles to new elements are valid for one graph only.
 Graph::Graph(const Graph& other)
     : edge_access_(other.edge_access_),
       vertex_pool_of_(other.vertex_pool_of_),

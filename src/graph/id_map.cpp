@@ -10,8 +10,8 @@
 namespace boxplus::detail {
 namespace {
 
-/// A hash of x: all bits of the result depend on all bits of x (xor-shifts and multiplications: Steele, Lea,
-/// Flood, Fast splittable pseudorandom number generators, 2014).
+/// A hash of x. Each bit of the result depends on all bits of x, through xor-shifts and multiplications
+/// (Steele, Lea, Flood, Fast splittable pseudorandom number generators, 2014).
 std::uint64_t mixed(std::uint64_t x) {
   constexpr std::uint64_t kGolden = 0x9E37'79B9'7F4A'7C15;  // 2⁶⁴ divided by the golden ratio
   for (int round = 0; round < 2; ++round) x = (x ^ (x >> 32)) * kGolden;

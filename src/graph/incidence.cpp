@@ -56,11 +56,11 @@ void Graph::index_edge(EdgeRef edge, std::span<const VertexRef> vertices) noexce
   try {
     incidence_->add(*this, edge, vertices);
   } catch (...) {
-    incidence_.reset();  // the next call of edges() makes it again
+    incidence_.reset();  // the next call of edges() builds a new index
   }
 }
 
-/// edges() without an index. O(edges).
+/// Finds the edges of a vertex without an index. Takes O(edges of the graph).
 std::vector<EdgeRef> Graph::find_edges(VertexRef vertex) const {
   std::vector<EdgeRef> result;
   for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {

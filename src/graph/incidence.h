@@ -8,18 +8,18 @@
 
 namespace boxplus {
 
-/// A list of edges per vertex. Removed edges stay in a list until it is read or grows. They are recognized,
-/// because their handles are stale.
+/// A list of edges for each vertex. A removed edge stays in the list until the list is read or grows. Its
+/// stale handle shows that it was removed.
 class Graph::Incidence {
  public:
   /// O(vertices + edges).
   explicit Incidence(const Graph& graph);
 
-  /// Amortized O(1) per vertex. If it throws, the caller must drop the index.
+  /// Adds an edge. Amortized O(1) per vertex. If this throws, the caller must discard the whole index.
   void add(const Graph& graph, EdgeRef edge, std::span<const VertexRef> vertices);
-  /// The edges of a vertex, sorted. O(d log d).
+  /// The edges of a vertex, sorted. O(d log d) for d edges.
   const std::vector<EdgeRef>& edges(const Graph& graph, VertexRef vertex);
-  /// The same for a vertex that is to be removed.
+  /// Like edges(), but also clears the list, because the caller is about to remove the vertex.
   std::vector<EdgeRef> take(const Graph& graph, VertexRef vertex);
 
  private:

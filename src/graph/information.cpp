@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "base/symmetric_eigen.h"
 #include "boxplus/base/error.h"
 #include "boxplus/graph/make_room.h"
 
@@ -18,7 +18,7 @@ int triangle_index(int i, int j, int n) {
   return i * n - i * (i - 1) / 2 + (j - i);
 }
 
-/// Up to this many rows, Ω is checked without allocation.
+/// The largest number of rows for which a valid Ω is checked without a heap allocation.
 constexpr int kSmall = 6;
 
 /// The reason why a full Ω is invalid; empty if it is valid.
@@ -34,15 +34,14 @@ std::string complaint_about(const detail::InformationView& omega) {
     return "information: expected a positive semi-definite matrix, got the diagonal entry " +
            std::to_string(least);
   }
-  // A Cholesky without square roots of the slightly shifted matrix. It is cheap, and accurate enough to find
+  // Computes an LDLᵀ factorization of the slightly shifted matrix. This is cheap, and accurate enough to find
   // indefinite matrices.
   const double shift = 1e-9 * full.diagonal().cwiseAbs().maxCoeff();
   Storage l = full;
   for (int k = 0; k < rows; ++k) {
     const double pivot = l(k, k) + shift;
     if (!(pivot > 0)) {
-      const double smallest =
-          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues()(0);
+      const double smallest = symmetric_eigen(full).values[0];
       if (smallest < -shift) {
         return "information: expected a positive semi-definite matrix, got the eigenvalue " +
                std::to_string(smallest);
@@ -144,14 +143,15 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
   const int n = static_cast<int>(matrix.rows());
   if (matrix.cols() != n) {
     throw InvalidArgument("information: expected a square matrix, got " + std::to_string(n) + " × " +
-                          std::to_string(matrix.cols()) + " (for a diagonal use Information::diagonal)");
+                          std::to_string(matrix.cols()) +
+                          " (for a diagonal matrix, use Information::diagonal)");
   }
   std::vector<double> upper;
   upper.reserve(static_cast<std::size_t>(n * (n + 1) / 2));
   for (int i = 0; i < n; ++i) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also if one of them is NaN
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also true if one of them is NaN
         throw InvalidArgument(fmt::format(
             "information: expected a symmetric matrix, but ({0},{1}) = {2:.9g} and ({1},{0}) = {3:.9g}", i, j,
             matrix(i, j), matrix(j, i)));
@@ -166,7 +166,7 @@ std::string Information::complaint(int rows) const {
   const std::span<const double> values = this->values();
   if (values.empty()) return "information: expected at least one row, got none";
   if (rows_ != 0 && rows_ != rows) {
-    return "information: expected " + std::to_string(rows) + " rows like the error, got " +
+    return "information: expected as many rows as the error has (" + std::to_string(rows) + "), got " +
            std::to_string(rows_);
   }
   for (double v : values) {

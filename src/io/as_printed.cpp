@@ -12,8 +12,8 @@
 namespace boxplus {
 namespace {
 
-// Doubles hold powers of ten up to this one exactly, so n / 10^k is the same double that the decimal text
-// gives.
+// The largest k for which a double holds 10^k exactly. Up to this k, n / 10^k is the same double as the one
+// that a reader gets from the decimal text.
 constexpr int kMostDecimals = 22;
 constexpr auto kPowers = [] {
   std::array<double, kMostDecimals + 1> powers{1};
@@ -26,7 +26,7 @@ double rounded(double x, int decimals) {
   return std::nearbyint(x * power) / power;
 }
 
-/// The number of decimals for `digits` significant digits of x.
+/// The number of decimals that shows x with `digits` significant digits.
 int decimals_of(double x, int digits) {
   int decimals = digits;  // for 0.1 ≤ |x| < 1
   for (double least = 0.1; decimals < kMostDecimals && std::abs(x) < least && x != 0; least /= 10) ++decimals;
@@ -42,9 +42,9 @@ Numbers normalized_numbers(const Numbers& q) {
   return {unit.x, unit.y, unit.z, unit.w};
 }
 
-/// Finds numbers with the given decimals that are a multiple of q and become q when they are normalized. The
-/// largest one gives the factor: it was printed as the nearest number with its decimals, or as a neighbor of
-/// that.
+/// Finds four numbers that are proportional to q and become q when they are normalized. Number i has
+/// decimals[i] decimals. The largest number determines the factor: it was printed either as the nearest
+/// number with so many decimals, or as one of the two neighbors of the nearest number.
 std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest) {
   constexpr double kRoundingNoise = 0.01;
   const double power = kPowers[static_cast<std::size_t>(decimals[largest])];

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds short decimal numbers that read back to the same value, although reading normalizes or wraps them.
+// Finds short decimal numbers that give the same value when they are read back, although the reader
+// normalizes or wraps what it reads.
 #pragma once
 
 #include "boxplus/manifold/quaternion.h"
 
 namespace boxplus {
 
-/// A quaternion with fewer digits that becomes `q`, bit for bit, when it is normalized; `q` if there is none.
+/// A quaternion with fewer digits that becomes `q`, bit for bit, when it is normalized. Returns `q` itself if
+/// there is no such quaternion.
 detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q);
 
-/// An angle with few digits, slightly beyond ±π, that becomes `theta`, bit for bit, when it is wrapped;
-/// `theta` if there is none.
+/// An angle with few digits, slightly beyond ±π, that becomes `theta`, bit for bit, when it is wrapped.
+/// Returns `theta` itself if there is no such angle.
 double as_printed(double theta);
 
 }  // namespace boxplus

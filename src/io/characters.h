@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blanks of text files, and quotations of text files in messages.
+// Recognizes blanks in text files, and quotes parts of text files in messages.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// `text` in quotes, shortened if it is long. Control characters and bytes that are not UTF-8 become \xNN. An
-/// empty text gives "the end of the line".
+/// `text` in quotes, shortened if it is long. Control characters and bytes that are not UTF-8 become \xNN. If
+/// `text` is empty, returns "the end of the line".
 std::string quoted(std::string_view text);
 
 }  // namespace boxplus

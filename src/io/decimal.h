@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the decimal numbers that are common in graph files: up to 19 digits, no exponent. It is a header, so
-// that the loop that reads a line can inline it.
+// Reads the decimal numbers that are common in graph files: up to 19 digits, no exponent. This is a header,
+// so that the compiler can inline it into the loop that reads a line.
 #pragma once
 
 #include <array>
@@ -13,12 +13,12 @@ namespace boxplus {
 
 struct Decimal {
   double value = 0;
-  /// After the last digit. nullptr: there is no such number, and the other members are meaningless.
+  /// Points past the last digit. If it is nullptr, no number was read, and the other members are meaningless.
   const char* end = nullptr;
   bool is_integer = false;
 };
 
-/// The most characters, from `at` on, that are read.
+/// The largest number of characters that read_decimal(at) reads, starting with *at.
 inline constexpr std::ptrdiff_t kDecimalRoom = 56;
 
 namespace decimal {
@@ -31,8 +31,8 @@ inline constexpr bool kHasWideIntegers = false;
 using Wide = std::uint64_t;
 #endif
 
-inline constexpr int kLanes = 8;          // characters of a word
-inline constexpr int kMostDecimals = 27;  // 5²⁷ fits into a word
+inline constexpr int kLanes = 8;          // the number of characters in a word
+inline constexpr int kMostDecimals = 27;  // the largest k for which 5^k fits into a word
 
 template <int Base, int Most>
 inline constexpr auto kPowers = [] {
@@ -45,15 +45,16 @@ inline constexpr std::uint64_t in_all_lanes(std::uint64_t byte) {
   return byte * 0x0101'0101'0101'0101;
 }
 
-/// Eight characters, one per lane; a digit becomes its value 0 … 9. The first is in the lowest lane.
+/// Eight characters, one per lane. The first one is in the lowest lane. A digit is replaced by its value 0
+/// … 9.
 inline std::uint64_t load(const char* at) {
   std::uint64_t word = 0;
   std::memcpy(&word, at, sizeof word);
   return word ^ in_all_lanes('0');
 }
 
-/// The top bit of each lane that does not hold a digit; 0 if all lanes are digits. Lanes above the first such
-/// lane may be wrong.
+/// The top bit of each lane that does not hold a digit, so the result is 0 if all lanes hold digits. The bits
+/// of lanes above the first lane without a digit may be wrong.
 inline std::uint64_t not_digits(std::uint64_t word) {
   return ((word + in_all_lanes(0x80 - 10)) | word) & in_all_lanes(0x80);
 }
@@ -62,19 +63,21 @@ inline int count_before(std::uint64_t lane_bits) {
   return std::countr_zero(lane_bits) / 8;
 }
 
-/// The number with these eight digits. Joins neighbors: single digits to pairs, to groups of four, to eight.
+/// The number with these eight digits. Joins neighbors: digits to pairs, pairs to groups of four, and the two
+/// groups to one number.
 inline std::uint64_t joined(std::uint64_t word) {
   word = (word * 10 + (word >> 8)) & 0x00FF'00FF'00FF'00FF;
   word = (word * 100 + (word >> 16)) & 0x0000'FFFF'0000'FFFF;
   return (word * 10000 + (word >> 32)) & 0xFFFF'FFFF;
 }
 
-/// The number with the first `count` digits. Shifts them up, so that zeros come before them.
+/// The number that consists of the first `count` digits. Shifts the digits up, so that zeros come before
+/// them.
 inline std::uint64_t joined(std::uint64_t word, int count) {
   return count == 0 ? 0 : joined(word << (8 * (kLanes - count)));
 }
 
-/// w ← w · 10^count + digits. Returns false if this is too large.
+/// w ← w · 10^count + digits. Returns false if the result is too large for w.
 inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
   const std::uint64_t power = kPowers<10, kLanes>[static_cast<std::size_t>(count)];
   return !__builtin_mul_overflow(w, power, &w) && !__builtin_add_overflow(w, digits, &w);
@@ -83,8 +86,8 @@ inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
 /// w / 10^k, correctly rounded.
 inline double rounded_quotient(std::uint64_t w, int k) {
   if (w == 0) return 0;
-  // If both are shifted up to their top bits, the quotient has 62 or 63 bits, more than a double. Its lowest
-  // bit also represents the remainder.
+  // Shifts w and 5^k up until their top bits are set. Then the quotient has 62 or 63 bits, more than a double
+  // holds. Its lowest bit is also set if there is a remainder.
   constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
   const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
   const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
@@ -108,13 +111,14 @@ inline double with_sign(double magnitude, bool is_negative) {
 /// has no `end`, and the caller must use a general reader.
 ///
 /// Digits are read eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
-/// full-word instructions, 1975). They are divided by their power of five in integers, and the remainder
-/// determines the rounding. All numbers take the same path, because branches would be hard to predict.
+/// full-word instructions, 1975). The number that they form is divided by a power of five in integer
+/// arithmetic, and the remainder determines the rounding. All numbers take the same path, because branches
+/// would be hard to predict.
 inline Decimal read_decimal(const char* at) {
   using namespace decimal;
   if constexpr (!kHasWideIntegers || std::endian::native != std::endian::little) return {};
   const auto first = static_cast<unsigned char>(*at - '0');
-  if (first <= 9 && at[1] == ' ') return {static_cast<double>(first), at + 1, true};  // most of Ω is 0
+  if (first <= 9 && at[1] == ' ') return {static_cast<double>(first), at + 1, true};  // such as a 0 in Ω
   const bool is_negative = *at == '-';
   at += is_negative;
   std::uint64_t word = load(at), others = not_digits(word);
@@ -127,7 +131,7 @@ inline Decimal read_decimal(const char* at) {
   const char* const decimals = ++at;
   for (word = load(at); (others = not_digits(word)) == 0; word = load(at)) {
     if (!append(w, kLanes, joined(word)) || at - decimals > kMostDecimals) return {};
-    at += kLanes;  // a constant, so that the next word is loaded before the length of this one is known
+    at += kLanes;  // a constant, so that the next word is loaded before the length of this word is known
   }
   count = count_before(others);
   if (!append(w, count, joined(word, count))) return {};

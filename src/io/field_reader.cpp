@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// Whether `parse` reads all of `text`, except for a leading +.
+/// Whether `parse` reads `text` up to its end. Skips a leading +, which `parse` does not accept.
 template <class Parse>
 bool is_all_of(std::string_view text, Parse&& parse) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);

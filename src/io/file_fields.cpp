@@ -10,14 +10,14 @@
 namespace boxplus {
 namespace {
 
-/// Reads a count of points, then `dimension` values for each.
+/// Reads the number of points, and then `dimension` values for each point.
 Vector<double, kDynamic> read_points(FieldReader& in, int dimension) {
   const FieldPlace place = in.place();
   const std::int64_t count = in.integer("the number of points");
   constexpr std::int64_t kMost = 1'000'000;
   if (count < 1 || count > kMost)
-    in.fail(place, fmt::format("expected a number of points ≥ 1, got {}", count));
-  std::vector<double> values;  // grows with the line, because the count may be wrong
+    in.fail(place, fmt::format("expected a number of points from 1 to {}, got {}", kMost, count));
+  std::vector<double> values;  // grows while values are read, because the count may be wrong
   for (std::int64_t i = 0; i < count * dimension; ++i) values.push_back(in.number("a coordinate"));
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes text from files and arguments harmless to terminals. Header only, because programs use it as well.
+// Makes text from files and arguments harmless to terminals. Everything is inline, because programs include
+// this header, too.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,8 @@
 
 namespace boxplus {
 
-/// The number of bytes of the printable character at `i`, or 0: control characters (C0, DEL, C1), overlong
-/// forms, surrogates and stray bytes are not printable (RFC 3629, section 4).
+/// The number of bytes of the character at `i`, or 0 if it is not printable. Control characters (C0, DEL,
+/// C1), overlong forms, surrogates and stray bytes are not printable (RFC 3629, section 4).
 inline std::size_t printable_length(std::string_view text, std::size_t i) {
   const auto byte_at = [text](std::size_t k) {
     return k < text.size() ? static_cast<std::uint8_t>(text[k]) : std::uint8_t{0};
@@ -26,7 +27,7 @@ inline std::size_t printable_length(std::string_view text, std::size_t i) {
   return is_continuation(byte_at(i + 3)) ? 4 : 0;
 }
 
-/// A byte that is not printable as \xNN.
+/// The escape sequence \xNN for a byte.
 inline std::string hexadecimal_escape(char c) {
   constexpr const char* kDigits = "0123456789abcdef";
   const auto code = static_cast<std::uint8_t>(c);

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// Whether exactly those vertices of an edge are parameters that the tag declares as parameters.
+/// Whether the parameters among the vertices of an edge are exactly the ones that the tag declares.
 bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const VertexRef> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Tag::Argument& argument = tag.arguments[std::min(i, tag.arguments.size() - 1)];
@@ -29,7 +29,9 @@ void Registry::add(Tag tag) {
   const auto is_odd = [](unsigned char c) { return c <= ' '; };
   if (tag.name.empty() || tag.name[0] == '#' || tag.name == "FIX" ||
       std::any_of(tag.name.begin(), tag.name.end(), is_odd)) {
-    throw InvalidArgument("registry: expected a tag without blanks, got '" + tag.name + "'");
+    throw InvalidArgument(
+        "registry: expected a tag without blanks, other than FIX and not beginning with #, got '" + tag.name +
+        "'");
   }
   auto shared = std::make_shared<const Tag>(std::move(tag));
   if (!tags_.try_emplace(shared->name, shared).second) {

@@ -14,7 +14,8 @@
 namespace boxplus {
 namespace {
 
-/// A copy of the name that a signal handler can read at any time, because it is static and never freed.
+/// A copy of the name of a temporary file. A signal handler can read it at any time, because it is static and
+/// never freed.
 struct Slot {
   enum State : char { kFree, kChanging, kHolds };
   std::atomic<State> state{kFree};
@@ -22,10 +23,10 @@ struct Slot {
 };
 static_assert(std::atomic<Slot::State>::is_always_lock_free, "signal handlers must not wait for locks");
 
-constexpr int kSlots = 8;  // if more files are written at the same time, handlers do not remove the others
+constexpr int kSlots = 8;  // the largest number of temporary files that a signal handler can remove
 std::array<Slot, kSlots> slots;
 
-/// The slot that holds `name` from now on, or -1.
+/// Copies `name` to a free slot. Returns the index of the slot, or -1 if there is no room.
 int find_slot(const std::string& name) {
   if (name.size() >= PATH_MAX) return -1;
   for (int k = 0; k < kSlots; ++k) {

@@ -38,7 +38,7 @@ int flush(int descriptor) {
   return ::fsync(descriptor) != 0 && errno != EINVAL ? errno : 0;
 }
 
-/// The permissions of the file that is replaced, or those of a new one.
+/// The permissions of the file that is replaced, or the default permissions if there is no such file.
 mode_t permissions_for(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) return status.st_mode & 07777;
@@ -52,7 +52,8 @@ bool is_special_file(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// The file that a link names, so that this file is replaced or created, and the link stays.
+/// The file to which `path` leads through symbolic links. The caller replaces or creates this file, so that
+/// the links stay.
 std::string target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::filesystem::path target = path;
@@ -72,9 +73,9 @@ void write_to(const FileDescriptor& file, const std::string& path,
   if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
 
-/// A file in the folder of `target` that will replace it. Until then it has no name, if the file system
-/// supports this, so that nothing is left behind when the process ends. Otherwise remove_temporary_files()
-/// knows its name.
+/// A file in the folder of `target` that will replace `target`. Until then it has no name, if the file system
+/// supports this, so that it disappears if the process ends early. Otherwise, remove_temporary_files() knows
+/// its name.
 class Replacement {
  public:
   Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {
@@ -101,7 +102,7 @@ class Replacement {
     return file;
   }
 
-  /// Gives the file a name if it has none.
+  /// Gives the file a name if it has none. Returns false if this fails.
   bool has_name() {
     if (!name_.empty()) return true;
     const std::string source = fmt::format("/proc/self/fd/{}", file_.value());
@@ -128,7 +129,7 @@ FileDescriptor::~FileDescriptor() {
 
 std::optional<std::size_t> FileDescriptor::regular_size() const {
   struct stat status {};
-  // Files of /proc are regular, but report size 0.
+  // The files in /proc are regular files, but report a size of 0.
   if (::fstat(value_, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return std::nullopt;
   return static_cast<std::size_t>(status.st_size);
 }

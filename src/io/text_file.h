@@ -26,7 +26,7 @@ class FileDescriptor {
 
   bool is_open() const { return value_ >= 0; }
   int value() const { return value_; }
-  /// The size of a regular file; none for a pipe or a device.
+  /// The size of a regular file; nullopt for a pipe, a device, or a file that reports a size of 0.
   std::optional<std::size_t> regular_size() const;
 
  private:
@@ -40,8 +40,8 @@ std::string read_all(const FileDescriptor& file, const std::string& path);
 std::size_t read_at(const FileDescriptor& file, const std::string& path, std::size_t offset, char* out,
                     std::size_t size);
 
-/// Replaces a file atomically. `write` gets a sink for the new text. Pipes and devices, such as /dev/stdout,
-/// are written to, because they cannot be replaced. Throws FileError.
+/// Replaces a file atomically. `write` gets a sink for the new text. Writes directly to pipes and devices,
+/// such as /dev/stdout, because they cannot be replaced. Throws FileError.
 void replace_file(const std::string& path, detail::FunctionRef<void(TextSink)> write);
 
 }  // namespace boxplus

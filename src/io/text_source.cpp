@@ -30,7 +30,7 @@ TextSource TextSource::of_file(const std::string& path, std::size_t block_size) 
 }
 
 std::string_view TextSource::block(std::size_t k, std::string& memory) const {
-  // A line begins after a newline, so the search for one begins a byte earlier.
+  // A line begins after a newline, so the search for the first newline begins one byte before the block.
   const std::size_t begin = k == 0 ? 0 : k * block_size_ - 1, end = std::min((k + 1) * block_size_, size_);
   std::string_view part = bytes(begin, end - begin, memory);
   std::size_t first = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors and Jacobians of relative-pose edges, one edge per lane. The formulas, and the plain functions that
-// are the reference for tests, are in boxplus/types/slam2d (slam3d)/between_jacobians.h.
+// tests use as a reference, are in between_jacobians.h of boxplus/types/slam2d and boxplus/types/slam3d.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -19,7 +19,7 @@ inline Pack wrapped(Pack angle) {
   return angle > all(-kPi) ? above : angle + 2 * kPi;
 }
 
-/// For poses in the plane, given as x y θ cos θ sin θ.
+/// The error and, unless `jacobian` is null, the Jacobian for poses in the plane, given as x y θ cos θ sin θ.
 inline void between_se2_of(const Pack* z, const Pack* i, const Pack* j, double* error, double* jacobian) {
   const auto put = [](double* to, int m, Pack value) { store(to + m * kTileLanes, value); };
   const Pack dx = j[0] - i[0], dy = j[1] - i[1];
@@ -83,7 +83,7 @@ inline void rotation_columns(const LaneQuaternion& q, Pack (&r)[3][3]) {
   r[2][0] = xz + wy, r[2][1] = yz - wx, r[2][2] = one - (xx + yy);
 }
 
-/// For poses in space, given as x y z qx qy qz qw.
+/// The error and, unless `jacobian` is null, the Jacobian for poses in space, given as x y z qx qy qz qw.
 inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* error, double* jacobian) {
   const LaneQuaternion qz{z[3], z[4], z[5], z[6]}, qi{i[3], i[4], i[5], i[6]}, qj{j[3], j[4], j[5], j[6]};
   const LaneQuaternion qa = conjugate_times(qi, qj), qd = conjugate_times(qz, qa);
@@ -130,7 +130,7 @@ inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* 
   }
 }
 
-/// Applies `between`, for poses of N values, to all edges.
+/// Applies `between` to all edges. Each pose is given as N values.
 template <int N, int kRows, class Between>
 inline void between_all(const PosePairs& edges, double* error, double* jacobian, Between&& between) {
   for (int k = 0; k < edges.count; k += kLanes) {

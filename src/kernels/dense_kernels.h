@@ -16,14 +16,15 @@ int factor_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* min
   return factor_kernels<Scalar>().factor_panel(panel, rows, columns, ld, minimum_pivot);
 }
 
-/// Columns [begin, end) of C = −A Aᵀ. Only the lower triangle; entries above the diagonal may be overwritten.
-/// C is size × size, A is size × k. The values do not depend on the division of the columns into calls.
+/// Computes columns [begin, end) of C = −A Aᵀ, but only the lower triangle. May overwrite the entries above
+/// the diagonal. C is size × size, A is size × k. The result does not depend on how the calls split up the
+/// columns.
 template <class Scalar>
 void set_to_minus_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
   factor_kernels<Scalar>().set_to_minus_square(c, ldc, a, lda, size, k, begin, end);
 }
 
-/// The same for C −= A Aᵀ, k ≤ kBlock.
+/// Like set_to_minus_square(), but computes C −= A Aᵀ. Requires k ≤ kBlock.
 template <class Scalar>
 void subtract_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
   factor_kernels<Scalar>().subtract_square(c, ldc, a, lda, size, k, begin, end);
@@ -55,14 +56,15 @@ void divide_by(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size)
   factor_kernels<Scalar>().divide_by(x, ldx, l, ldl, rows, size);
 }
 
-/// Forward substitution for one right-hand side: with panel = [L11; L21] and work = [y; z], y ← L11⁻¹ y and z
-/// ← z − L21 y.
+/// Forward substitution for one right-hand side: with panel = [L11; L21] and work = [y; z], computes
+/// y ← L11⁻¹ y and then z ← z − L21 y.
 template <class Scalar>
 void solve_forward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
   factor_kernels<Scalar>().solve_forward(panel, rows, columns, ld, work);
 }
 
-/// Backward substitution for one right-hand side: with work = [y; z], y ← L11⁻ᵀ (y − L21ᵀ z).
+/// Backward substitution for one right-hand side: with panel = [L11; L21] and work = [y; z], computes
+/// y ← L11⁻ᵀ (y − L21ᵀ z).
 template <class Scalar>
 void solve_backward(const Scalar* panel, int rows, int columns, int ld, Scalar* work) {
   factor_kernels<Scalar>().solve_backward(panel, rows, columns, ld, work);

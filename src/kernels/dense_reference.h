@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The operations of dense_kernels.h, written as their definitions: the reference for tests of the fast ones.
-// For Scalar = double and float.
+// Simple implementations of the operations in dense_kernels.h. Tests compare the fast kernels with them.
+// Scalar is double or float.
 #pragma once
 
 namespace boxplus::dense::reference {

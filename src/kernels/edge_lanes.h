@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JᵀΩJ and JᵀΩe of several binary edges at a time, one edge per lane, added to H and to the gradient.
+// Adds JᵀΩJ and JᵀΩe of several binary edges at a time, one edge per lane, to H and to the gradient.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -27,8 +27,9 @@ inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
   }
 }
 
-/// The results of kLanes edges: H_ii, H_ji and H_jj, column by column, and both gradients. They are computed
-/// value by value for all edges, and then transposed to be contiguous for each edge.
+/// The results of kLanes edges: H_ii, H_ji and H_jj, column by column, and both gradients. multiply()
+/// computes each value for all edges at once. turn_to_edges() then transposes the values, so that the values
+/// of each edge are contiguous.
 template <int R, int I, int J>
 struct LaneProducts {
   static constexpr int kII = 0, kJI = I * I, kJJ = kJI + J * I, kGradient = kJJ + J * J;
@@ -182,7 +183,7 @@ inline SquaredNorms squared_norms_for(int rows) {
   return nullptr;
 }
 
-/// Copies the blocks of `size` values of edges, which lie one after the other, to lanes.
+/// Copies blocks of `size` values to lanes. `edges` points to contiguous blocks, one per edge.
 inline void to_lanes(const double* edges, int size, int count, double* lanes) {
   for (int k = 0; k < count; k += kLanes) {
     const double* blocks[kLanes];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arithmetic of the Schur complement on one block W of an eliminated column: R rows, N columns.
+// The arithmetic of the Schur complement on one block W of an eliminated column. W has R rows and N columns.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -65,7 +65,7 @@ void half_block(int, int, const double* l, const double* w, double* y) {
   }
 }
 
-/// C −= A Bᵀ, with A in registers. Cols is 0 if the number of B's rows is known only at run time.
+/// C −= A Bᵀ, with A in registers. Cols is the number of rows of B, or 0 if it is known only at run time.
 template <int R, int N, int Cols>
 inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int b_rows, double* c) {
   const int cols = Cols > 0 ? Cols : b_rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Included once per instruction set, by isa_….cpp.
+// Each isa_*.cpp includes this file once, for its instruction set.
 #include "kernels/between_lanes.h"
 #include "kernels/edge_lanes.h"
 #include "kernels/elimination_kernels.h"

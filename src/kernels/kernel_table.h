@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense kernels, compiled once per instruction set. The set is chosen when the program starts.
+// The dense kernels, compiled once per instruction set. The program chooses a set when it first uses one.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace boxplus::dense {
 
-/// The largest edges that normal_products() takes.
+/// The numbers of rows and columns of the largest Jacobian that normal_products() accepts.
 inline constexpr int kMostEdgeRows = 8, kMostEdgeColumns = 16;
 
-/// An edge: the columns of J, at least one, each at any address. Ω is one value, one value per row, or the
-/// upper triangle by rows.
+/// The numbers of an edge. J has at least one column, and each column may have any address. Depending on
+/// `kind`, Ω is stored as one value, one value per row, or its upper triangle by rows.
 struct EdgeNumbers {
   enum Kind { kScalar, kDiagonal, kFull };
   int rows, cols;
@@ -22,53 +22,54 @@ struct EdgeNumbers {
   double weight;  ///< the factor on Ω
 };
 
-/// The number of edges that are processed side by side. In lanes, value m of the block of edge k, which has n
-/// values, lies at ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
+/// The number of edges that are processed side by side. "In lanes" means: if the block of each edge has n
+/// values, value m of edge k lies at ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
 inline constexpr int kTileLanes = 8;
 
-/// The targets of a binary edge: the offsets of both vertices in the gradient, then those of H_ii, H_ji and
-/// H_jj among the values. kTransposedTarget means that H_ij is stored instead of H_ji.
+/// The number of targets of a binary edge. They are the offsets of its two vertices in the gradient, and then
+/// the offsets of H_ii, H_ji and H_jj among the values. A target H_ji with the bit kTransposedTarget means
+/// that H_ij is stored instead. kNoTarget means that this part of the gradient or of H is not stored.
 inline constexpr int kBinaryTargets = 5;
 inline constexpr std::uint32_t kNoTarget = 0xFFFFFFFFu, kTransposedTarget = 0x80000000u;
 
 /// Binary edges of one shape.
 struct EdgeLanes {
   int count;
-  const double *jacobian, *error;  // in lanes
+  const double *jacobian, *error;  // the Jacobians and errors of all edges, in lanes
   EdgeNumbers::Kind kind;
-  const double* const* omega;           // of each edge
-  const double* weight;                 // of each edge; null: 1
-  const std::uint32_t* const* targets;  // kBinaryTargets, of each edge
+  const double* const* omega;           // Ω of each edge
+  const double* weight;                 // the weight of each edge; null if all weights are 1
+  const std::uint32_t* const* targets;  // kBinaryTargets targets of each edge
   double *values, *gradient;
 };
-/// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
+/// Adds JᵀΩJ to H and JᵀΩe to the gradient, for all edges in their order.
 using AddEdges = void (*)(const EdgeLanes& edges);
 
-/// out[k] = eᵀΩe of edge k. `error` in lanes; all Ω of one kind.
+/// out[k] = eᵀΩe of edge k. `error` is stored in lanes. All Ω have the same kind.
 using SquaredNorms = void (*)(int count, const double* error, EdgeNumbers::Kind kind,
                               const double* const* omega, double* out);
 
-/// Unary edges of one shape, one after the other; the other fields as in EdgeLanes.
+/// Unary edges of one shape. Their values are stored edge after edge. The other members are as in EdgeLanes.
 struct UnaryEdges {
   int count;
-  const double *jacobian, *error;  // rows × cols column by column, and rows, of each edge
+  const double *jacobian, *error;  // of each edge: rows × cols values column by column, and rows values
   EdgeNumbers::Kind kind;
   const double* const* omega;
   const double* weight;
-  const std::uint32_t* const* targets;  // the offset in the gradient and that of H_ii, of each edge
+  const std::uint32_t* const* targets;  // of each edge: its offset in the gradient, and the offset of H_ii
   double *values, *gradient;
 };
-/// H += JᵀΩJ and gradient += JᵀΩe of all edges, in their order.
+/// Adds JᵀΩJ to H and JᵀΩe to the gradient, for all edges in their order.
 using AddUnaryEdges = void (*)(const UnaryEdges& edges);
 
-/// Edges that measure one pose relative to another: pointers to the values of each.
+/// Edges that measure one pose relative to another: for each edge, pointers to its measurement and two poses.
 struct PosePairs {
   int count;
   const double *const *measurement, *const *from, *const *to;
 };
 
 /// The products of one block A with `count` blocks B, which lie one after the other. Block k has b_rows[k]
-/// rows, and its product is added at values + targets[k].
+/// rows, and its product is subtracted from the block at values + targets[k].
 struct BlockProducts {
   const double* b;
   const int* b_rows;
@@ -77,7 +78,8 @@ struct BlockProducts {
   double* values;
 };
 
-/// Steps of an elimination (linear/schur/schur.h) on a block W of rows × dim values, column-major.
+/// The steps of an elimination (linear/schur/schur.h) on a block W, which has rows × dim values and is
+/// column-major.
 struct EliminationKernels {
   /// y = W L⁻ᵀ. L is dim × dim, with the reciprocals of its diagonal in place of the diagonal.
   void (*half_block)(int rows, int dim, const double* l, const double* w, double* y);
@@ -94,7 +96,8 @@ struct Run {
   std::uint32_t source, destination, length;
 };
 
-/// Adds columns of a child's update matrix, at and below the diagonal, to a part of its parent's front.
+/// The task of adding columns of a child's update matrix, at and below the diagonal, to a part of its
+/// parent's front.
 template <class Scalar>
 struct ExtendAdd {
   const Scalar* update;  // below × below
@@ -102,11 +105,11 @@ struct ExtendAdd {
   const Run *columns, *columns_end, *end;  // the columns to add; the rows continue until `end`
   Scalar* to;
   int leading;
-  std::uint32_t row_origin, column_origin;  // of the parent's front, from which destinations count
+  std::uint32_t row_origin, column_origin;  // the row and column of the parent's front that `to` points to
 };
 
-/// The number of columns that are factored together before the rest of a panel is updated. A strip of A over
-/// them stays in the L1 cache.
+/// The number of columns that are factorized together before the rest of a panel is updated. It is small
+/// enough for a strip of these columns to stay in the L1 cache.
 inline constexpr int kBlock = 64;
 
 /// The kernels of a factorization in double or float. dense_kernels.h documents them.
@@ -124,7 +127,8 @@ struct FactorKernels {
   void (*divide_by)(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size);
   void (*solve_forward)(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
   void (*solve_backward)(const Scalar* panel, int rows, int columns, int ld, Scalar* work);
-  /// work[source…] = x[destination…] for each run, and back.
+  /// gather_runs(): work[source…] = x[destination…] for each run. scatter_runs() copies in the other
+  /// direction.
   void (*gather_runs)(const Run* runs, int count, const Scalar* x, Scalar* work);
   void (*scatter_runs)(const Run* runs, int count, const Scalar* work, Scalar* x);
   /// to[destination…] += from[source…] for each run.
@@ -135,12 +139,13 @@ struct FactorKernels {
 /// One set of kernels.
 struct KernelTable {
   const char* name;
-  /// The time of the kernels for fronts of medium size, measured on processors of about 2023.
+  /// The nanoseconds per operation for fronts of medium size, measured on processors from about 2023.
   double nanoseconds_per_flop;
   FactorKernels<double> in_double;
   FactorKernels<float> in_float;
-  /// products = JᵀΩJ, column-major with the returned stride, and gradient = JᵀΩe. Both have room for
-  /// kMostEdgeColumns columns of kMostEdgeColumns values; values beyond cols are overwritten.
+  /// products = JᵀΩJ, column-major with the returned stride, and gradient = JᵀΩe. `products` must have room
+  /// for kMostEdgeColumns columns of kMostEdgeColumns values, and `gradient` for one such column. Values
+  /// beyond `cols` may be overwritten.
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
   /// block += source. The block is rows × cols and dense; the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
@@ -148,22 +153,23 @@ struct KernelTable {
   AddEdges (*add_edges_for)(int rows, int dim_i, int dim_j);
   /// The kernel for unary edges of these sizes, or null if there is none.
   AddUnaryEdges (*add_unary_edges_for)(int rows, int dim);
-  /// Copies blocks of `size` values, which lie edge after edge, to lanes. The remaining lanes repeat the last
-  /// edge.
+  /// Copies blocks of `size` values, which lie edge after edge, to lanes. Remaining lanes get copies of the
+  /// last edge.
   void (*to_lanes)(const double* edges, int size, int count, double* lanes);
   /// The kernel for errors of this many rows, or null if there is none.
   SquaredNorms (*squared_norms_for)(int rows);
-  /// Errors and, unless `jacobian` is null, Jacobians of Between<SE2> (<SE3>) in lanes.
+  /// Computes the errors and, unless `jacobian` is null, the Jacobians of Between<SE2> and Between<SE3> in
+  /// lanes.
   void (*between_se2)(const PosePairs& edges, double* error, double* jacobian);
   void (*between_se3)(const PosePairs& edges, double* error, double* jacobian);
   /// The kernels for blocks of this size, or null if there are none.
   const EliminationKernels* (*elimination_kernels_for)(int rows, int dim);
 };
 
-/// The sets that this processor can run, the best one last.
+/// The sets of kernels that this processor can run, with the best one last.
 std::span<const KernelTable* const> usable_kernels();
-/// The set in use: the best one or, if the processor can run it, the one that the environment variable
-/// BOXPLUS_ISA names (baseline, avx2, avx512).
+/// The set of kernels in use. This is the one that the environment variable BOXPLUS_ISA names (baseline,
+/// avx2, avx512) if the processor can run it. Otherwise, it is the best one.
 const KernelTable& kernels();
 template <class Scalar>
 const FactorKernels<Scalar>& factor_kernels() {
@@ -173,7 +179,7 @@ const FactorKernels<Scalar>& factor_kernels() {
     return kernels().in_float;
   }
 }
-/// Uses another set from now on. Only for tests, while nothing else runs.
+/// Changes the set in use. Only tests may call this, and only while no other thread uses kernels.
 void use_kernels(const KernelTable& table);
 
 namespace baseline {

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Register tiles: products of a few packs of rows with a strip of columns, accumulated over k.
+// Register tiles: products of a few packs of rows and a strip of columns, accumulated over k in registers.
 #pragma once
 
 #include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// B of the product A B or A Bᵀ: entry (k, column) is at data[k * step_k + column * step_column].
+/// The factor B in the product A B or A Bᵀ. Its entry (k, column) is at data[k * step_k + column *
+/// step_column].
 template <class Scalar>
 struct Operand {
   const Scalar* data;
   int step_k, step_column;
 };
 
-/// The use of the tile: C −= A·B, C = −A·B, or C = (C − A·B) T⁻ᵀ with a lower triangle T (its inverse
-/// diagonal is given).
+/// The operation that a tile performs: C −= A·B, C = −A·B, or C = (C − A·B) T⁻ᵀ. T is a lower triangle, and
+/// the inverses of its diagonal entries are given.
 enum class TileUse { kSubtract, kSet, kDivide };
 
 template <class Scalar>
@@ -24,8 +25,8 @@ struct Triangle {
   const Scalar* inverse_diagonal = nullptr;
 };
 
-/// One tile of Packs packs of rows and Columns columns. If IsTail, only the first `lanes` lanes of the last
-/// pack count.
+/// Computes one tile of Packs packs of rows and Columns columns. If IsTail is true, only the first lanes of
+/// the last pack, given by `lanes`, are used.
 template <TileUse Use, int Packs, int Columns, bool IsTail, class Scalar>
 inline void run_tile(Scalar* __restrict c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int k,
                      Triangle<Scalar> t, LanesOf<Scalar> lanes) {
@@ -79,7 +80,7 @@ inline void run_tile(Scalar* __restrict c, int ldc, const Scalar* a, int lda, Op
   }
 }
 
-/// A column of tiles: all `rows` of C, `Columns` columns.
+/// Computes a column of tiles, which covers all `rows` rows and `Columns` columns of C.
 template <TileUse Use, int Columns, class Scalar>
 void run_strip(Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int rows, int k,
                Triangle<Scalar> t) {
@@ -98,7 +99,7 @@ void run_strip(Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, 
   }
 }
 
-/// run_strip for 1 … kStrip columns.
+/// run_strip() for a number of columns, 1 … kStrip, that is known only at run time.
 template <TileUse Use, int Most = kStrip, class Scalar>
 inline void run_strip(int columns, Scalar* c, int ldc, const Scalar* a, int lda, Operand<Scalar> b, int rows,
                       int k, Triangle<Scalar> t = {}) {
@@ -106,7 +107,8 @@ inline void run_strip(int columns, Scalar* c, int ldc, const Scalar* a, int lda,
   if constexpr (Most > 1) run_strip<Use, Most - 1>(columns, c, ldc, a, lda, b, rows, k, t);
 }
 
-/// The width of the next strip of `left` columns, for as few strips as possible, of about the same width.
+/// The width of the next strip if `left` columns remain. Divides them into as few strips as possible, all of
+/// about the same width.
 inline int strip_width(int left) {
   const int strips = (left + kStrip - 1) / kStrip;
   return strips == 0 ? 0 : (left + strips - 1) / strips;

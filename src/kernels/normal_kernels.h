@@ -8,15 +8,15 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// The state of normal_products(), row by row, with lanes across columns. Rows is 0 if their number is known
-/// only at run time.
+/// Holds ΩJ row by row, with lanes across columns. Rows is the number of rows, or 0 if it is known only at
+/// run time.
 template <int Rows, int Packs>
 class NormalProducts {
  public:
   explicit NormalProducts(const EdgeNumbers& edge) : edge_(edge) { weigh(); }
 
-  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe, because Ω is symmetric. J and e are read
-  /// from the caller's memory.
+  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe. They equal JᵀΩJ and JᵀΩe, because Ω is
+  /// symmetric.
   void multiply(double* products, double* gradient) const {
     int b = 0;
     if constexpr (Packs <= 3) {
@@ -32,7 +32,7 @@ class NormalProducts {
 
   static constexpr int rows_of(const EdgeNumbers& edge) { return Rows > 0 ? Rows : edge.rows; }
 
-  /// ΩJ.
+  /// Computes weighted_ = ΩJ.
   void weigh() {
     const int rows = rows_of(edge_);
     Pack jacobian[Packs][kRoom];
@@ -94,7 +94,7 @@ class NormalProducts {
   Pack weighted_[kRoom][Packs];
 };
 
-/// Uses as few packs as can hold the columns.
+/// Uses the smallest number of packs that can hold the columns.
 template <int Rows, int Packs = 1>
 inline int normal_products_of(const EdgeNumbers& edge, double* products, double* gradient) {
   if constexpr (Packs * kLanes < kMostEdgeColumns) {
@@ -117,8 +117,8 @@ inline int normal_products(const EdgeNumbers& edge, double* products, double* gr
   }
 }
 
-/// to[0 … N) += from[0 … N). Accesses no byte beyond, because a wider load would wait for the store of the
-/// previous column.
+/// to[i] += from[i] for 0 ≤ i < N. Accesses no other values, because a load that includes the previous column
+/// would have to wait until that column has been stored.
 template <int N>
 inline void add_column(double* to, const double* from) {
 #if defined(__GNUC__)

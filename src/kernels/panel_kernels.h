@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels over panels and fronts: blocks and strips of register tiles.
+// The kernels for panels and fronts, which divide them into blocks, strips and register tiles.
 #pragma once
 
 #include <cmath>
@@ -19,12 +19,12 @@ inline int smaller(int a, int b) {
   return a < b ? a : b;
 }
 
-template <class Scalar>  // which may be const
+template <class Scalar>  // may be a const type
 inline Scalar* at(Scalar* a, int ld, int i, int j) {
   return a + i + static_cast<long>(ld) * j;
 }
 
-/// Factorizes a tiny square in place. Returns the column of the first bad pivot, or `size`.
+/// Factorizes a tiny square in place. Returns the column of the first bad pivot, or `size` if there is none.
 template <class Scalar>
 int factor_tiny(Scalar* a, int size, int ld, const Scalar* minimum_pivot, Scalar* inverse_diagonal) {
   for (int j = 0; j < size; ++j) {
@@ -43,8 +43,9 @@ int factor_tiny(Scalar* a, int size, int ld, const Scalar* minimum_pivot, Scalar
   return size;
 }
 
-/// Left-looking, strip by strip: update with the columns to the left, factor the diagonal, divide the rows
-/// below.
+/// Factorizes a panel of few columns by a left-looking method. For each strip of columns, subtracts the
+/// product with the columns to the left, factorizes the square on the diagonal, and divides the rows below by
+/// it.
 template <class Scalar>
 int factor_narrow_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* minimum_pivot) {
   for (int j = 0; j < columns;) {
@@ -63,9 +64,11 @@ int factor_narrow_panel(Scalar* panel, int rows, int columns, int ld, const Scal
   return columns;
 }
 
-/// C −= A Aᵀ or C = −A Aᵀ in the columns [begin, end) of the lower trapezoid; A has k ≤ kBlock columns.
+/// Computes C −= A Aᵀ or C = −A Aᵀ for the columns [begin, end) of the lower trapezoid. A has k ≤ kBlock
+/// columns; without any, `a` may be null.
 template <TileUse Use, class Scalar>
 void update_trapezoid(Scalar* c, int ldc, const Scalar* a, int lda, int rows, int k, int begin, int end) {
+  if (k == 0) a = c;  // it is not read, but a null pointer must not be advanced
   for (int j = begin; j < end;) {
     const int width = strip_width(end - j);
     run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, Operand<Scalar>{a + j, lda, 1}, rows - j, k);
@@ -130,7 +133,7 @@ void divide_by_transposed(Scalar* x, int ldx, const Scalar* l, int ldl, int rows
 
 template <class Scalar>
 void divide_by(Scalar* x, int ldx, const Scalar* l, int ldl, int rows, int size) {
-  // Columns from the last to the first; the triangle of a strip is Lᵀ of its diagonal square, reversed.
+  // Processes the columns from the last to the first, in strips.
   for (int end = size; end > 0;) {
     const int width = strip_width(end), j = end - width;
     subtract_general(at(x, ldx, 0, j), ldx, at(x, ldx, 0, end), ldx,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Copies of runs of values: between a front and a vector, and from a child's update matrix to its parent.
+// Copies or adds runs of values: between a front and a vector, and from a child's update matrix to its
+// parent.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -7,7 +8,8 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Calls f(first, lanes) for each part of [0, length). `lanes` can load and store the part.
+/// Divides [0, length) into parts that fit into a pack, and calls f(first, lanes) for each of them. `lanes`
+/// can load and store the part.
 template <class Scalar, class F>
 inline void for_packs(int length, F&& f) {
   struct All {
@@ -32,8 +34,8 @@ void add_numbers(const Scalar* from, Scalar* to, int length) {
   });
 }
 
-/// Adds rows × columns values. Short columns are processed side by side, so that their lanes are computed
-/// once.
+/// Adds rows × columns values. If the columns are short, runs over all columns for one pack of rows after the
+/// other, so that the lanes for these rows are computed only once.
 template <class Scalar>
 void add_rectangle(const Scalar* from, long from_stride, Scalar* to, long to_stride, int rows, int columns) {
   constexpr int kShort = 4 * kLanesOf<Scalar>;

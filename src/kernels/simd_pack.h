@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A few values, double or float, that are loaded, multiplied and stored together.
+// Packs: a few values, double or float, that are loaded, multiplied and stored together.
 //
 // The kernels are compiled once per instruction set, each time in a different namespace, BOXPLUS_ISA. They
-// must not call functions that are compiled elsewhere under the same name, because the linker might keep the
-// copy of the wrong set.
+// must not call functions that several instruction sets compile under the same name, because the linker keeps
+// only one copy, which may be the copy for the wrong instruction set.
 #pragma once
 
 #if defined(__AVX2__)
@@ -16,9 +16,8 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-// The vector extension of GCC and Clang. For other compilers a single scalar, which the kernels accept as
-// well.
-// kPacks × kStrip is the largest tile that stays in the registers, with the operands of one step.
+// A pack uses the vector extension of GCC and Clang. For other compilers, a pack is a single scalar. kPacks ×
+// kStrip is the largest tile that fits into the registers together with the operands of one step.
 #if defined(__AVX512F__)
 #define BOXPLUS_PACK_BYTES 64
 inline constexpr int kPacks = 3, kStrip = 8;
@@ -60,7 +59,7 @@ using PackOf = typename PackType<Scalar>::Type;
 template <class Scalar>
 inline constexpr int kLanesOf = static_cast<int>(sizeof(PackOf<Scalar>) / sizeof(Scalar));
 
-/// Of doubles.
+/// A pack of doubles.
 using Pack = PackOf<double>;
 inline constexpr int kLanes = kLanesOf<double>;
 
@@ -78,7 +77,8 @@ inline void store(float* to, PackOf<float> pack) {
   __builtin_memcpy(to, &pack, sizeof(pack));
 }
 
-/// The first lanes of a pack. The other lanes are neither read nor written.
+/// Loads and stores the first `count` lanes of a pack. The memory of the other lanes is neither read nor
+/// written.
 template <class Scalar>
 class LanesOf {
  public:

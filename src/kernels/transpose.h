@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Transposes between values that are contiguous for each element, and packs that hold the same value of
-// several elements.
+// Transposes between two layouts: contiguous values for each element, and packs that hold one value of each
+// of several elements.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -8,7 +8,7 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Pack r, lane l ⇄ pack l, lane r.
+/// Exchanges lane l of pack r and lane r of pack l, for all l and r.
 inline void transpose(Pack (&p)[kLanes]) {
 #if defined(__AVX512F__)
   constexpr __mmask8 kAll = 0xff;  // GCC warns that the forms without a mask use uninitialized values
@@ -18,7 +18,7 @@ inline void transpose(Pack (&p)[kLanes]) {
     pairs[r] = _mm512_maskz_unpacklo_pd(kAll, p[r], p[r + 1]);
     pairs[r + 1] = _mm512_maskz_unpackhi_pd(kAll, p[r], p[r + 1]);
   }
-  constexpr int kEven = 0x88, kOdd = 0xdd;  // the 128-bit parts 0 2 0 2, and 1 3 1 3
+  constexpr int kEven = 0x88, kOdd = 0xdd;  // select the 128-bit parts 0 2 0 2, and 1 3 1 3
 #pragma GCC unroll 2
   for (int odd = 0; odd < 2; ++odd) {
     quads[odd] = _mm512_maskz_shuffle_f64x2(kAll, pairs[odd], pairs[odd + 2], kEven);
@@ -56,12 +56,13 @@ inline void transpose(Pack (&p)[kLanes]) {
 #endif
 }
 
-/// The offset of the first value of element k in a tile of blocks of `size` values in lanes.
+/// The offset of the first value of element k, if each element has a block of `size` values and the blocks
+/// are stored in lanes.
 inline long lane_offset(int size, int k) {
   return static_cast<long>(k / kTileLanes) * size * kTileLanes + k % kTileLanes;
 }
 
-/// packs[m] = value m of each element, for `count` values. Reads no others.
+/// packs[m] = value m of each element, for m = 0 … count − 1. Reads no other values.
 inline void load_lanes(const double* const* elements, int count, Pack* packs) {
   int m = 0;
   for (; m + kLanes / 2 < count; m += kLanes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JᵀΩJ and JᵀΩe of unary edges, one after the other. While consecutive edges share their vertex, its block of
-// H and its gradient stay in registers.
+// Adds JᵀΩJ and JᵀΩe of unary edges, one after the other. As long as consecutive edges have the same vertex,
+// its block of H and its gradient stay in registers.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -10,7 +10,8 @@
 namespace boxplus::dense::BOXPLUS_ISA {
 
 /// H (C × C) and the gradient (C) of one vertex, with lanes across rows. Each edge is added term by term to
-/// the running sums, so the bits depend only on the order of the edges, not on their division into calls.
+/// these sums. So the bits of the result depend only on the order of the edges, not on how the calls split
+/// them up.
 template <int R, int C>
 class UnarySums {
  public:
@@ -71,7 +72,7 @@ class UnarySums {
     }
   }
 
-  /// weight · Ω · rows.
+  /// weighted = weight · Ω · rows.
   static void weigh(const Pack (&rows)[R][kPacksOfColumn], EdgeNumbers::Kind kind, const double* omega,
                     double weight, Pack (&weighted)[R][kPacksOfColumn]) {
     if (kind == EdgeNumbers::kFull && R > 1) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangular solves with one right-hand side, four columns at a time. They are bound by the time to read L.
+// Triangular solves with one right-hand side, four columns at a time. Most of their time is spent reading L.
 #pragma once
 
 #include "kernels/simd_pack.h"

@@ -26,7 +26,7 @@ std::uint32_t checked_size(std::uint64_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-/// Lists the rows of each column (counting sort by column), sorts them and drops duplicates.
+/// Lists the rows of each column by a counting sort. Then sorts the rows of each column and drops duplicates.
 void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>& lower, PacedStop& pace) {
   const std::uint32_t blocks = structure.blocks();
   std::vector<std::uint32_t> next(blocks + 1, 0);

@@ -24,7 +24,8 @@ void add_transposed_product(const double* a, std::uint32_t rows, std::uint32_t c
   }
 }
 
-/// Both for a Size × Size block, which is read once: y_i += A x_j and y_j += Aᵀ x_i.
+/// Adds both products with a Size × Size block, y_i += A x_j and y_j += Aᵀ x_i, but reads the block only
+/// once.
 template <std::uint32_t Size>
 void add_both_products(const double* a, const double* xi, const double* xj, double* yi, double* yj) {
   double sums[Size];

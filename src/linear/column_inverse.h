@@ -16,12 +16,12 @@ struct InverseRequest {
   double* out;
 };
 
-/// The requests for `blocks`, whose values are written one after the other from `out` on.
+/// The requests for `blocks`. The places for their values lie one after the other, starting at `out`.
 std::vector<InverseRequest> list_requests(const BlockStructure& structure,
                                           std::span<const BlockCoordinate> blocks, double* out);
 
-/// Sorts the requests by column, and fills them with one solve per scalar column that occurs. The solver must
-/// have factorized. Returns false if a solve fails or is stopped.
+/// Sorts the requests by column, and computes them with one solve per scalar column that they contain. The
+/// solver's factorize() must have succeeded before. Returns false if a solve fails or is stopped.
 bool solve_for_inverse(LinearSolver& solver, const BlockStructure& structure,
                        std::span<InverseRequest> requests, const StopToken& stop);
 

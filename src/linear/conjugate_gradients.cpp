@@ -31,7 +31,7 @@ void ConjugateGradients::resize(std::size_t size) {
   for (auto* vector : {&b_, &x_, &r_, &z_, &p_, &q_}) vector->resize(size);
 }
 
-/// Iterates from x_ with residual r_, until the residual of the recurrence is ‖r‖ ≤ target.
+/// Iterates from x_, whose residual is r_, until ‖r_‖ ≤ target. A recurrence updates r_ in each iteration.
 SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition, double target,
                                         int& iterations_left, const StopToken& stop) {
   double rz = 0;
@@ -56,8 +56,8 @@ SolveResult ConjugateGradients::iterate(Operator multiply, Operator precondition
   }
 }
 
-/// Solves into x_. Rounding errors let the residual of the recurrence drift away from the true one. If they
-/// differ at the end, the iteration restarts with the true residual.
+/// Computes the solution in x_. Rounding errors let the residual of the recurrence drift away from the true
+/// residual b − A x. If the true residual is still too large at the end, the iteration restarts from it.
 SolveResult ConjugateGradients::solve_into_x(Operator multiply, Operator precondition, const double* b,
                                              const SolveControl& control) {
   const std::size_t size = x_.size();

@@ -9,11 +9,11 @@
 
 namespace boxplus {
 
-/// The number of the first block column of the matrix or its damping that has a value that is not finite, or
-/// kAbsent.
+/// The first block column with a value or a damping that is not finite, or kAbsent if all of them are finite.
 std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping);
 
-/// The same for the diagonal blocks only, in the layout of BlockSystem::block_diagonal().
+/// Like find_not_finite(), but checks only the diagonal blocks, in the layout of
+/// BlockSystem::block_diagonal().
 std::uint32_t find_not_finite_diagonal(const BlockStructure& structure, const double* diagonal_blocks,
                                        const Damping& damping);
 

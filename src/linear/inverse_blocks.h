@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks of an inverse in both triangles, from those of its lower triangle.
+// Provides blocks in both triangles of an inverse, although solvers compute only blocks in the lower
+// triangle.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,10 +14,10 @@ namespace boxplus {
 
 class InverseBlocks {
  public:
-  /// `pairs`: the blocks (row, column), in either triangle. `structure` must outlive this.
+  /// `pairs` lists the blocks (row, column), in either triangle. `structure` must outlive this object.
   InverseBlocks(const BlockStructure& structure, std::span<const BlockCoordinate> pairs);
-  /// Lets a solver that has factorized compute the blocks. Returns false if it cannot, or if a value is not
-  /// finite.
+  /// Computes the blocks with a solver whose factorize() has succeeded. Returns false if the solver cannot do
+  /// this, or if a value is not finite.
   bool compute(LinearSolver& solver, const StopToken& stop = {});
   /// The block of the k-th pair.
   Eigen::MatrixXd block(std::size_t k) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only file that knows every linear solver. A new one is a line in this table.
+// The only file that knows every linear solver. To add a solver, add a line to its table.
 #include "boxplus/linear/linear_solver_table.h"
 
 #include <string>
@@ -58,9 +58,10 @@ std::string_view to_string(LinearSolverKind kind) {
 }
 
 LinearSolverOptions for_newton_steps(LinearSolverOptions options) {
-  // As good as exact for Newton's method, which squares its error in each step, with half of the refinement.
+  // For the block Cholesky in mixed precision. Newton's method squares its error in each step, so this
+  // tolerance is as good as an exact solution, but it needs only half as much refinement.
   constexpr double kRefined = 1e-6;
-  // For pcg: on large maps, this takes far fewer iterations than an exact step.
+  // For pcg. On large maps, this tolerance takes far fewer iterations than an exact step.
   constexpr double kRough = 0.1;
   options.block_cholesky.min_tolerance = kRefined;
   options.automatic.min_tolerance = kRough;

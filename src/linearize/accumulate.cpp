@@ -8,8 +8,8 @@
 namespace boxplus {
 namespace {
 
-/// Adds Jiᵀ WJj to a block of di × dj, or its transpose to a block of dj × di. Ji and WJj have `rows` rows.
-/// `Rows` > 0 fixes the number of rows at compile time.
+/// Adds Jiᵀ WJj to a di × dj block, or its transpose to a dj × di block. Ji and WJj have `rows` rows. If Rows
+/// > 0, it is the number of rows, known at compile time.
 template <int Rows>
 void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed,
                  double* block) {
@@ -49,8 +49,8 @@ void add_rank_one(double scale, const double* vi, int di, const double* vj, int 
   }
 }
 
-/// Visits the targets of an edge: calls add_vertex(column, dim, target) for each vertex that moves, and
-/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each pair of such vertices, j ≤ i.
+/// Visits the targets of an edge. Calls add_vertex(column, dim, target) for each vertex that moves, and
+/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each pair j ≤ i of vertices that move.
 template <class AddVertex, class AddPair>
 void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVertex&& add_vertex,
                      AddPair&& add_pair) {
@@ -67,7 +67,7 @@ void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVe
   }
 }
 
-/// `weighted` ← ΩJ; the first rows of `weighted_error` ← Ωe, and its other rows ← JᵀΩe.
+/// Computes weighted = ΩJ and weighted_error = [Ωe; JᵀΩe].
 void weigh(const EdgeSystem& edge, const detail::InformationView& information, double* weighted,
            double* weighted_error) {
   const int rows = edge.rows;
@@ -81,7 +81,7 @@ void weigh(const EdgeSystem& edge, const detail::InformationView& information, d
   }
 }
 
-/// Adds the edge with scalar loops. It may have any size, and a rank-one weight.
+/// Adds an edge with scalar loops. The edge may have any size, and a rank-one term in its weight.
 void accumulate_any(const EdgeSystem& edge, const detail::InformationView& information,
                     const EdgeWeight& weight, const std::uint32_t* targets, double* values, double* gradient,
                     double* weighted, double* weighted_error) {
@@ -106,7 +106,8 @@ void accumulate_any(const EdgeSystem& edge, const detail::InformationView& infor
       });
 }
 
-/// Adds the edge with the kernels for small edges: computes P = JᵀΩJ as a whole, then adds its blocks.
+/// Adds an edge with the kernels for small edges. Computes `products` = ρ′JᵀΩJ as a whole, and then adds its
+/// blocks.
 void accumulate_small(const EdgeSystem& edge, const detail::InformationView& information,
                       const EdgeWeight& weight, const std::uint32_t* targets, double* values,
                       double* gradient) {
@@ -128,7 +129,7 @@ void accumulate_small(const EdgeSystem& edge, const detail::InformationView& inf
         kernels.add_block(gradient + target, dim, 1, gradient_of_edge + column, stride);
       },
       [&](int column_i, int di, int column_j, int dj, bool transposed, std::uint32_t target) {
-        if (transposed) {  // P is symmetric
+        if (transposed) {  // `products` is symmetric
           kernels.add_block(values + target, dj, di, products + column_i * stride + column_j, stride);
         } else {
           kernels.add_block(values + target, di, dj, products + column_j * stride + column_i, stride);
@@ -136,8 +137,8 @@ void accumulate_small(const EdgeSystem& edge, const detail::InformationView& inf
       });
 }
 
-/// Adds the edge with the dense kernels: computes the lower triangle of −ρ′JᵀΩJ in strips of columns, then
-/// adds its blocks.
+/// Adds an edge with the dense kernels. Computes the lower triangle of −ρ′JᵀΩJ in strips of columns, and then
+/// subtracts its blocks.
 void accumulate_large(const EdgeSystem& edge, const detail::InformationView& information,
                       const EdgeWeight& weight, const std::uint32_t* targets, double* values,
                       double* gradient, double* weighted, double* weighted_error, double* dense) {
@@ -178,7 +179,7 @@ void accumulate_large(const EdgeSystem& edge, const detail::InformationView& inf
 }  // namespace
 
 std::size_t dense_scratch(int rows, int cols) {
-  constexpr int kFewest = 24;  // rows and columns from which on the dense kernels are faster
+  constexpr int kFewest = 24;  // the fewest rows and columns for which the dense kernels are faster
   if (std::min(rows, cols) < kFewest) return 0;
   return static_cast<std::size_t>(cols) * static_cast<std::size_t>(rows + cols);
 }

@@ -11,31 +11,30 @@
 
 namespace boxplus {
 
-/// The weights of one edge: its Ω is scaled by `first` = max(0, ρ′) and gets the rank-one term `second` · Ωe
-/// eᵀΩ.
+/// The weights of one edge. They replace its Ω by first · Ω + second · Ωe eᵀΩ. `first` is max(0, ρ′).
 struct EdgeWeight {
   double first = 1;
   double second = 0;
 };
 
-/// The weights of an edge with squared error e2. `triggs` asks for the second-order term.
+/// The weights of an edge with the squared error e2. `second` is 0 unless `triggs` is true.
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs);
 
 /// One edge of a tile.
 struct EdgeSystem {
   int rows, cols;
-  std::span<const int> dims;  ///< tangent size of each vertex
+  std::span<const int> dims;  ///< the tangent size of each vertex
   const double* error;
   const double* jacobian;  ///< rows × cols, column-major
 };
 
-/// The number of scratch values with which accumulate() uses the dense kernels for a large edge; 0 if these
-/// are not faster for this edge.
+/// The number of scratch values that accumulate() needs to use the dense kernels for an edge of this size. It
+/// is 0 if these kernels are not faster for this size.
 std::size_t dense_scratch(int rows, int cols);
 
-/// Adds the edge to H (`values`) and to the gradient, at the places `targets`. `weighted`, `weighted_error`
-/// and `dense` are scratch of rows·cols, rows + cols and dense_scratch() values. If `dense` is null, large
-/// edges are added with scalar loops.
+/// Adds the edge to H (`values`) and to the gradient, at the places that `targets` lists. `weighted`,
+/// `weighted_error` and `dense` are scratch memory for rows · cols, rows + cols and dense_scratch() values.
+/// If `dense` is null, adds large edges with scalar loops.
 void accumulate(const EdgeSystem& edge, const detail::InformationView& information, const EdgeWeight& weight,
                 const std::uint32_t* targets, double* values, double* gradient, double* weighted,
                 double* weighted_error, double* dense = nullptr);

@@ -20,7 +20,7 @@ Flags make_flags(const Graph& graph, std::uint8_t value) {
   return flags;
 }
 
-/// Vertices that may move: neither fixed nor outside of the requested subset.
+/// The vertices that may move, which are neither fixed nor outside of the requested subset.
 Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
   Flags movable = make_flags(graph, request.vertices.empty());
   for (const VertexRef& vertex : request.vertices) {
@@ -44,8 +44,8 @@ void for_each_vertex(const detail::EdgePool& pool, std::uint32_t edge, F&& f) {
   for (std::size_t i = 0; i < slots.size(); ++i) f(pool.vertex_pool(edge, static_cast<int>(i)), slots[i]);
 }
 
-/// The active edges. If a subset of vertices was requested, these are the edges that touch one that may move;
-/// otherwise all edges.
+/// The active edges. If a subset of vertices was requested, these are the requested edges that touch a vertex
+/// that may move. Otherwise, these are all requested edges.
 std::vector<std::vector<std::uint32_t>> active_edges(const Graph& graph, const PlanRequest& request,
                                                      const Flags& movable) {
   std::vector<std::vector<std::uint8_t>> wanted;
@@ -93,8 +93,8 @@ std::vector<VertexRef> touched_vertices(const Graph& graph, const ActiveSet& act
   return result;
 }
 
-/// Numbers the blocks: eliminated vertices first, then the others, each group by id (parameters after
-/// vertices of the same id).
+/// Numbers the blocks. Eliminated vertices come first, then all others. Both groups are sorted by id, and a
+/// parameter comes after a vertex with the same id.
 void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSet& active,
                    const StopToken& stop) {
   PacedStop pace(stop);

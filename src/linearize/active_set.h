@@ -13,9 +13,9 @@ namespace boxplus {
 struct ActiveSet {
   static constexpr std::uint32_t kInactive = 0xFFFFFFFFu;
 
-  /// Per edge pool: the slots of its active edges, ascending.
+  /// The slots of the active edges of each edge pool, ascending.
   std::vector<std::vector<std::uint32_t>> edges;
-  /// Per vertex pool and slot: the block of the vertex in H, or kInactive.
+  /// The block of each vertex in H, or kInactive, by vertex pool and slot.
   std::vector<std::vector<std::uint32_t>> block;
   std::vector<VertexRef> block_vertex;
   std::uint32_t eliminated_blocks = 0;

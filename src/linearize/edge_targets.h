@@ -12,10 +12,10 @@ namespace boxplus {
 
 inline constexpr std::uint32_t kNoBlock = BlockStructure::kAbsent;
 
-/// The block of every slot of every vertex pool, or kNoBlock.
+/// The block of each slot of each vertex pool, or kNoBlock.
 using BlockOf = std::vector<std::vector<std::uint32_t>>;
 
-/// The blocks of an edge's vertices, in order; kNoBlock for vertices that do not move.
+/// Lists the blocks of an edge's vertices, in order. Lists kNoBlock for vertices that do not move.
 inline void edge_blocks(const detail::EdgePool& pool, std::uint32_t edge, const BlockOf& block_of,
                         std::vector<std::uint32_t>& out) {
   out.clear();
@@ -33,7 +33,7 @@ inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks
   return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(chunk, b); });
 }
 
-/// Appends an edge with these blocks to a scatter of the chunk.
+/// Appends an edge, whose vertices have these blocks, to a scatter of the chunk.
 void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
                  const BlockStructure& structure, const Chunk& chunk, Scatter& scatter);
 

@@ -9,10 +9,10 @@
 namespace boxplus {
 namespace {
 
-/// The elements that were appended to a graph and take part.
+/// The elements that were appended to a graph and take part in the optimization.
 struct Additions {
-  std::vector<VertexRef> vertices;                // by id
-  std::vector<std::vector<std::uint32_t>> edges;  // per pool, ascending
+  std::vector<VertexRef> vertices;                // sorted by id
+  std::vector<std::vector<std::uint32_t>> edges;  // the new edges of each pool, ascending
 };
 
 BlockOf block_of(const Graph& graph, const Plan& plan) {
@@ -24,15 +24,15 @@ BlockOf block_of(const Graph& graph, const Plan& plan) {
   return result;
 }
 
-/// Finds the additions, or finds that they need a new plan.
+/// Finds the additions, or finds out that they need a new plan.
 class Finder {
  public:
   Finder(const Graph& graph, const PlanRequest& request, std::span<const std::uint32_t> vertices,
          std::span<const std::uint32_t> edges, const Plan& plan)
       : graph_(graph), request_(request), old_vertices_(vertices), old_edges_(edges), plan_(plan) {}
 
-  /// `blocks` are those of the plan; adds the blocks of new vertices that take part. Returns false if a new
-  /// plan is needed.
+  /// `blocks` holds the blocks of the plan. Adds the blocks of the new vertices that take part. Returns false
+  /// if a new plan is needed.
   bool find(BlockOf& blocks, Additions& out) {
     if (!request_.vertices.empty() || !request_.edges.empty()) return false;
     return find_edges(out) && find_vertices(blocks, out) && look_at_edges(blocks, out) && is_connected();
@@ -57,7 +57,7 @@ class Finder {
     return true;
   }
 
-  /// The new vertices that an edge touches and that may move.
+  /// Finds the new vertices that may move and that a new edge touches.
   bool find_vertices(BlockOf& blocks, Additions& out) const {
     constexpr std::uint32_t kSeen = kNoBlock - 1;
     for (std::uint32_t p = 0; p < out.edges.size(); ++p) {
@@ -93,7 +93,7 @@ class Finder {
     if (!std::any_of(plan_.vertices.begin(), plan_.vertices.end(), has_list)) return false;
     if (pool.eliminated(vertex.slot) || pool.parameter(vertex.slot)) return false;
     if (!pool.fixed_directions(vertex.slot).empty()) return false;
-    // The held vertex must still be the first one of largest dimension.
+    // The held vertex must still be the one that a new plan would choose: the first of the largest dimension.
     return plan_.held.empty() ||
            (plan_.held[0].vertex.pool == vertex.pool
                 ? pool.id(vertex.slot) > plan_.held[0].id
@@ -104,8 +104,9 @@ class Finder {
     return !plan_.held.empty() && plan_.held[0].vertex.pool == pool && plan_.held[0].vertex.slot == slot;
   }
 
-  /// Records which vertices are connected. Returns false if an edge may measure the motions for which a
-  /// vertex is held (a relative pose cannot), or if an edge makes an inactive old vertex active.
+  /// Records which vertices are connected. Returns false if an edge makes an inactive old vertex active. Also
+  /// returns false if a vertex is held because the whole graph can move freely, but an edge may measure this
+  /// motion. (An edge that only measures a relative pose cannot measure it.)
   bool look_at_edges(const BlockOf& blocks, const Additions& out) {
     sets_ = DisjointSets(1 + out.vertices.size());  // 0 stands for all old vertices
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());
@@ -172,7 +173,8 @@ std::vector<BlockCoordinate> new_blocks(const Graph& graph, const Additions& add
   return added;
 }
 
-/// The distances by which values of H have moved: those from `value[k]` on by `shift[k]`.
+/// The distances by which values of H have moved. The values from value[k] to value[k + 1] have moved by
+/// shift[k].
 struct Shifts {
   std::vector<std::uint32_t> value, shift;
 
@@ -183,7 +185,7 @@ struct Shifts {
   }
 };
 
-/// The structure with more blocks and off-diagonal blocks. `added` must be sorted by column.
+/// Adds diagonal and off-diagonal blocks to a structure. PlanGrowth::added must be sorted by column.
 class GrownStructure {
  public:
   GrownStructure(BlockStructure& structure, PlanGrowth& growth) : old_(structure), growth_(growth) {
@@ -197,7 +199,7 @@ class GrownStructure {
   Shifts grow(std::span<const std::uint32_t> new_dims) {
     for (const std::uint32_t dim : new_dims) result_.offset.push_back(result_.offset.back() + dim);
     Shifts shifts;
-    std::uint32_t column = 0;  // the next to be closed
+    std::uint32_t column = 0;  // the next column to be completed
     for (const BlockCoordinate& pair : growth_.added) {
       if (pair.column >= growth_.old_blocks) break;
       copy_columns(column, pair.column);
@@ -222,7 +224,7 @@ class GrownStructure {
   }
 
  private:
-  /// Copies old blocks of H up to `end`.
+  /// Copies the old blocks of H with numbers below `end`.
   void copy_blocks(std::uint32_t end) {
     const std::uint32_t moved = result_.value_start.back() - old_.value_start[next_];
     for (; next_ < end; ++next_) {
@@ -232,7 +234,7 @@ class GrownStructure {
     }
   }
 
-  /// Copies old columns before `end`.
+  /// Copies the old columns before `end`.
   void copy_columns(std::uint32_t& column, std::uint32_t end) {
     for (; column < end; ++column) {
       copy_blocks(old_.column_start[column + 1]);
@@ -258,7 +260,7 @@ class GrownStructure {
   BlockStructure& old_;
   PlanGrowth& growth_;
   BlockStructure result_;
-  std::uint32_t next_ = 0;  // next old block of H
+  std::uint32_t next_ = 0;  // the next old block of H to be copied
 };
 
 /// The number of values of H with these additions.
@@ -273,7 +275,7 @@ std::uint64_t count_values(const BlockStructure& structure, std::span<const std:
   return values;
 }
 
-/// Moves the targets of old edges with their blocks.
+/// Shifts the targets of the edges that the plan already had: the blocks of H have moved.
 void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   if (shifts.value.empty()) return;
   const detail::EdgePool& pool = *graph.edge_pools()[scatter.pool];
@@ -290,7 +292,7 @@ void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   }
 }
 
-/// Appends the new edges of a pool to a chunk. Its runs are in the order of the pools.
+/// Appends the new edges of a pool to a chunk. The runs of a chunk are in the order of the pools.
 void append_edges(const Graph& graph, std::uint32_t p, const std::vector<std::uint32_t>& edges,
                   const BlockOf& block_of, const BlockStructure& structure, Chunk& chunk) {
   const detail::EdgePool& pool = *graph.edge_pools()[p];

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// The growth of H; see StructureGrowth.
+/// Owns the data of a StructureGrowth, which describes how H grows.
 struct PlanGrowth {
   std::uint32_t old_blocks = 0;
   std::vector<BlockCoordinate> added;
@@ -25,11 +25,13 @@ struct PlanGrowth {
 bool is_extensible(const Graph& graph, const Plan& plan);
 
 /// Extends `plan`, which make_plan() made for `request`, by the elements that were appended to the graph
-/// since: the slots of pool p from `vertices[p]` (`edges[p]`) on. The result is the same as a new plan.
+/// since then. In vertex pool p, these are the slots from vertices[p] on. In edge pool p, these are the slots
+/// from edges[p] on. The result is the same as a new plan.
 ///
-/// Returns nothing and changes nothing if the additions need a new plan. Otherwise new vertices have higher
-/// ids and are connected to the old ones, the gauge is unchanged, and the additions have no new pool, no
-/// eliminated vertices and no run-time sizes. O(blocks of H + edges) cheap steps.
+/// Returns nullopt and changes nothing if the additions need a new plan. They need no new plan if the new
+/// vertices have higher ids than the old ones and are connected to them, if the gauge does not change, and if
+/// the additions have no new pool, no eliminated vertices and no run-time sizes. Takes O(blocks of H + edges)
+/// cheap steps.
 std::optional<PlanGrowth> extend_plan(const Graph& graph, const PlanRequest& request,
                                       std::span<const std::uint32_t> vertices,
                                       std::span<const std::uint32_t> edges, Plan& plan);

@@ -7,8 +7,8 @@
 namespace boxplus {
 namespace {
 
-/// The fixed directions of the vertex of each block. Estimates of run-time size may have shrunk since their
-/// directions were fixed.
+/// The fixed directions of the vertex of each block. Leaves out directions that no longer exist, because an
+/// estimate of run-time size may have shrunk since its directions were fixed.
 class FixedOfBlocks {
  public:
   FixedOfBlocks(const Graph& graph, const Plan& plan) : graph_(graph), plan_(plan) {}
@@ -27,7 +27,7 @@ class FixedOfBlocks {
   const Plan& plan_;
 };
 
-/// Lists the entries of the k-th block of H, which lies in `column`.
+/// Lists the entries of the k-th block of H that belong to fixed directions. The block lies in `column`.
 void list_block(const FixedOfBlocks& fixed_of, const BlockStructure& structure, std::uint32_t column,
                 std::uint32_t k, Chunk::FixedScalars& out) {
   const std::uint32_t row = structure.row[k], rows = structure.dim(row), cols = structure.dim(column);

@@ -11,12 +11,12 @@ namespace boxplus {
 /// Whether all directions of the vertex's tangent are fixed.
 bool all_directions_fixed(const detail::VertexPool& pool, std::uint32_t slot);
 
-/// Fills Plan::fixed_scalars and Chunk::fixed of an otherwise complete plan. O(nonzero blocks of H) if any
-/// vertex has fixed directions.
+/// Fills Plan::fixed_scalars and Chunk::fixed of an otherwise complete plan. Takes O(nonzero blocks of H) if
+/// any vertex has fixed directions.
 void list_fixed_directions(const Graph& graph, Plan& plan);
 
-/// Removes the fixed scalars of a chunk from H and the gradient, as if their columns of every Jacobian were
-/// zero, except that the diagonal stays positive.
+/// Removes the fixed scalars of a chunk from H and the gradient. The result is the same as if their columns
+/// in every Jacobian were zero, except that the diagonal of H stays positive.
 void leave_out_fixed(const Chunk::FixedScalars& fixed, std::span<double> values, std::span<double> gradient);
 
 }  // namespace boxplus

@@ -20,9 +20,9 @@ using Eigen::MatrixXd;
 struct Component {
   std::vector<VertexSlot> vertices;
   std::vector<EdgeSlot> edges;
-  int most_anchor_rows = 0;  // of one edge with exactly one moving vertex
-  bool anchored = false;     // an edge or a fixed direction ties a vertex to the world
-  bool only_rigid = true;    // all edges are of types that measure poses relative to each other
+  int most_anchor_rows = 0;  // the most rows of an edge with exactly one moving vertex
+  bool anchored = false;     // whether an edge or a fixed direction ties a vertex to the world
+  bool only_rigid = true;    // whether all edges are of types that measure poses relative to each other
 };
 
 /// Finds the moving vertices of an edge. Parameters count neither as moving nor as fixed.
@@ -98,7 +98,7 @@ class GaugeFinder {
       });
     });
     std::vector<Component> result;
-    std::vector<std::uint32_t> component_of(count, kNone);  // by root
+    std::vector<std::uint32_t> component_of(count, kNone);  // the index in `result`, by root
     std::vector<std::uint8_t> seen(count, 0);
     for_each_edge([&](EdgeSlot edge) {
       std::uint32_t root = kNone;
@@ -138,8 +138,8 @@ class GaugeFinder {
     return {v.pool, v.slot, graph_.vertex_pools()[v.pool]->generation(v.slot)};
   }
 
-  /// The rank of a vertex; the first one is held. Vertices are ranked by dimension (the largest first), then
-  /// by kind (poses, points, others), then by id. Eliminated vertices are not held.
+  /// The rank of a vertex. The vertex with the lowest rank is held. Vertices are ranked by dimension (the
+  /// largest first), then by kind (poses, points, others), then by id. Eliminated vertices come last.
   auto rank(VertexSlot v) const {
     const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     detail::Frame frame;
@@ -178,7 +178,7 @@ class GaugeFinder {
     });
   }
 
-  /// For components with relative poses only: all directions of the pose `first` are gauge freedom.
+  /// Handles a component that has only relative poses. All directions of its pose `first` are gauge freedom.
   void hold_rigid(VertexSlot first, int dim) {
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
     if (policy_ == GaugePolicy::kFixFirst) {
@@ -211,10 +211,11 @@ class GaugeFinder {
     return taken_by(v, freedom) == graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
   }
 
-  /// The vertex that takes up most of the freedom. Prefers a vertex whose directions are all gauge freedom.
+  /// The vertex that removes most of the gauge freedom if it is held. Among several of them, prefers a vertex
+  /// whose directions are all gauge freedom.
   VertexSlot gauge_vertex(const Component& component, const SimilarityFreedom& freedom) const {
     const auto role = [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot]; };
-    std::vector<VertexSlot> firsts;  // per vertex pool and role
+    std::vector<VertexSlot> firsts;  // the vertex with the lowest rank of each vertex pool and role
     for (const VertexSlot v : component.vertices) {
       const auto same = std::find_if(firsts.begin(), firsts.end(),
                                      [&](VertexSlot f) { return f.pool == v.pool && role(f) == role(v); });
@@ -231,8 +232,9 @@ class GaugeFinder {
                              [&](VertexSlot a, VertexSlot b) { return order(a) < order(b); });
   }
 
-  /// Holds one tangent direction per free motion, preferably of `first`, so that every motion changes one of
-  /// them. A step that is zero in these directions is then an exact Gauss-Newton step.
+  /// Holds as many tangent directions as there are free motions, preferably directions of `first`. Every free
+  /// motion changes at least one held direction. So there is an exact Gauss-Newton step that is zero in all
+  /// held directions.
   void hold_directions(const Component& component, VertexSlot first, bool first_is_held,
                        SimilarityFreedom left) {
     const auto row_norms = [&](VertexSlot v) -> Eigen::VectorXd {
@@ -274,7 +276,7 @@ class GaugeFinder {
             scale};
   }
 
-  /// A fraction of the unit of a motion; smaller values are rounding errors.
+  /// A fraction of the unit of a motion. Values below this fraction are rounding errors.
   static constexpr double kNoticeable = 1e-5;
 
   const Graph& graph_;

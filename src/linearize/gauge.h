@@ -17,16 +17,18 @@ struct TangentDirection {
 
 struct Gauge {
   std::vector<GaugeVertex> held;
-  std::vector<TangentDirection> held_directions;  ///< of vertices that are not held completely
+  std::vector<TangentDirection> held_directions;  ///< held directions of vertices that are not fully held
   std::vector<detail::GaugeFreedom> freedoms;
-  /// One vertex of each component that nothing anchors and whose freedom, if any, is not a similarity.
+  /// One vertex of each component that nothing anchors and that no similarity can move freely. Such a
+  /// component may have gauge freedom of another kind.
   std::vector<VertexRef> loose;
 };
 
-/// Finds the gauge freedom of every component of the active edges (slots per edge pool). `movable`: per
-/// vertex pool and slot. For components of ready-made relative poses and priors, counting is enough. For all
-/// others, tests whether a similarity of the world changes an error (similarity_freedom.h). Throws Stopped
-/// when `stop` is raised.
+/// Finds the gauge freedom of every component of the active graph. `active_edges` lists the slots of each
+/// edge pool. `movable` has a flag for each slot of each vertex pool. If the types of all edges in a
+/// component only measure relative poses or priors, counting is enough. For all other components, tests
+/// whether a similarity of the world changes an error (similarity_freedom.h). Throws Stopped when `stop` is
+/// raised.
 Gauge find_gauge(const Graph& graph, const std::vector<std::vector<std::uint32_t>>& active_edges,
                  const std::vector<std::vector<std::uint8_t>>& movable, GaugePolicy policy,
                  const StopToken& stop);

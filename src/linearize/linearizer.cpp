@@ -17,7 +17,7 @@
 namespace boxplus {
 namespace {
 
-/// Tangent sizes of an edge's vertices.
+/// Lists the tangent sizes of an edge's vertices.
 void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t edge,
                  std::vector<int>& dims) {
   dims.clear();
@@ -27,12 +27,13 @@ void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t
   }
 }
 
-/// The number of edges between two checks of the stop token. It suits edges that take 1 µs as well as edges
-/// that take 100 µs. The second is the number of entries of H that are cleared in about the same time.
+/// The number of edges between two checks of the stop token. It is reasonable for edges that take between 1
+/// µs and 100 µs. kValuesBetweenStops is the number of values of H that are cleared in about the same time.
 constexpr std::uint32_t kEdgesBetweenStops = detail::EdgeTile::kCapacity;
 constexpr std::uint32_t kValuesBetweenStops = 1u << 15;
 
-/// ρ(eᵀΩe) of the listed edges.
+/// Computes ρ(eᵀΩe) of the listed edges. Disabled edges get 0. Keeps values that are not finite, because a
+/// robust kernel may hide them.
 void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, double* out) {
   pool.chi2(edges, out);
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -98,7 +99,8 @@ void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const L
   leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
 }
 
-/// Returns false if the token was raised.
+/// Linearizes the edges of a run, and adds them to H and to the gradient. Returns false if the token was
+/// raised.
 bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                                const LinearizeOptions& options, PacedStop& pace) {
   const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
@@ -149,8 +151,7 @@ double Linearizer::chi2() {
   return stopped_ ? std::numeric_limits<double>::quiet_NaN() : pairwise_sum(edge_chi2_);
 }
 
-/// Each worker evaluates an equal share of the active edges. Values that are not finite are kept, because a
-/// robust kernel may hide them.
+/// Evaluates one worker's share of the active edges. All workers get equal shares.
 void Linearizer::evaluate_share(int worker, int workers) {
   const auto bound = [&](int w) {
     return static_cast<std::uint32_t>(std::uint64_t{plan_->edge_count} * static_cast<std::uint64_t>(w) /

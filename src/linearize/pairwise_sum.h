@@ -5,8 +5,8 @@
 
 namespace boxplus {
 
-/// The sum of `values`, by recursive halving. The error grows with log n (Higham, "The accuracy of floating
-/// point summation", 1993), and the order of the additions depends only on n.
+/// The sum of the n values, by recursive halving. Its rounding error grows only with log n (Higham, "The
+/// accuracy of floating point summation", 1993), and the order of the additions depends only on n.
 double pairwise_sum(std::span<const double> values);
 
 }  // namespace boxplus

@@ -14,10 +14,10 @@
 namespace boxplus {
 namespace {
 
-/// Another worker saves time only if it has at least this much work.
+/// The least predicted work of a worker. With less work, an additional worker saves no time.
 constexpr double kMinWorkerNanoseconds = 120e3;
 
-/// The predicted time to linearize, per entry of the Jacobian.
+/// The predicted time to linearize an edge, per entry of its Jacobian.
 double nanoseconds_per_entry(detail::JacobianSource source) {
   switch (source) {
     case detail::JacobianSource::kAnalytic:
@@ -144,7 +144,7 @@ void place_gauge(const ActiveSet& active, Plan& plan) {
   for (const VertexRef& vertex : active.gauge.loose) plan.loose_blocks.push_back(block_of(vertex));
 }
 
-/// Contiguous ranges of block columns with about the same number of touching edges.
+/// Divides the block columns into contiguous ranges. About the same number of edges touches each range.
 std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& active, int workers,
                                          PacedStop& pace) {
   if (workers == 1) return {0, static_cast<std::uint32_t>(active.block_vertex.size())};
@@ -170,7 +170,7 @@ std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& ac
   return bounds;
 }
 
-/// The scatter map of one chunk.
+/// Builds the scatter map of one chunk.
 class ChunkBuilder {
  public:
   ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure,
@@ -182,7 +182,9 @@ class ChunkBuilder {
 
   Chunk build() {
     struct Entry {
-      std::uint32_t group, pool, edge;  // group: the eliminated block, or their number
+      // `group` is the eliminated block that the edge touches. If there is none, it is the number of these
+      // blocks.
+      std::uint32_t group, pool, edge;
     };
     std::vector<Entry> entries;
     for_each_active_edge(graph_, active_, pace_,

@@ -17,13 +17,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Sums the changes of the errors by each motion, over the rows of the edges' Jacobians. A row whose terms
-/// cancel to within `tolerance` resists nothing.
+/// Measures how much the errors resist each motion. Sums the squared changes of the errors over all rows of
+/// the edges' Jacobians. If the terms of a row cancel to within `tolerance`, the row resists no motion.
 class Resistance {
  public:
   explicit Resistance(int motions) : motions_(motions) {}
 
-  /// `tangents`: one row per column of the Jacobian.
+  /// Adds an edge. `tangents` has one row for each column of the Jacobian.
   void add(const detail::EdgeTile& edge, const double* tangents, double tolerance) {
     for (int row = 0; row < edge.rows; ++row) {
       std::array<double, WorldMotions::kMost> change{};
@@ -50,7 +50,7 @@ class Resistance {
       if (motion.norm() > least) add_row(change, motion.norm(), 0);
     }
   }
-  /// The combinations of the candidates that nothing resists.
+  /// The linear combinations of the candidates that nothing resists.
   MatrixXd unresisted(const MatrixXd& candidates) const {
     constexpr double kNothing = 1e-12;
     const MatrixXd among = candidates.transpose() * sum_.topLeftCorner(motions_, motions_) * candidates;
@@ -75,7 +75,7 @@ class Resistance {
       Eigen::Matrix<double, WorldMotions::kMost, WorldMotions::kMost>::Zero();
 };
 
-/// About `count` of the edges of each pool, evenly spaced.
+/// A sample of at most `count` edges of each pool, evenly spaced.
 std::vector<EdgeSlot> sample_of(std::span<const EdgeSlot> edges, std::size_t count) {
   std::vector<EdgeSlot> sample;
   for (std::size_t begin = 0; begin < edges.size();) {
@@ -97,10 +97,10 @@ MatrixXd SimilarityFreedom::of_vertex(const Graph& graph, VertexSlot vertex) con
   return tangents * basis;
 }
 
-/// Vertices of one type that have the same positions in the same types of edges.
+/// A group of vertices of one type that occur at the same positions in the same types of edges.
 struct SimilarityTest::Kind {
   std::uint32_t id;
-  std::vector<WorldRole> candidates;  // the likeliest first
+  std::vector<WorldRole> candidates;  // the roles to try, with the most likely one first
 };
 
 SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
@@ -117,7 +117,8 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
                                                              std::span<const EdgeSlot> edges, int dimension) {
   constexpr std::uint32_t kNew = 0xFFFFFFFFu;
   for (const VertexSlot v : vertices) kind_of_[v.pool][v.slot] = kNew;
-  // By edge pool, position (one for all of a range) and vertex pool.
+  // Numbers the combinations of edge pool, position and vertex pool. In edges of run-time size, all positions
+  // count as one position.
   std::map<std::tuple<std::uint32_t, int, std::uint32_t>, std::uint32_t> places;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
   for (const EdgeSlot edge : edges) {
@@ -157,7 +158,7 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
   return kinds;
 }
 
-/// The digits of `choice` select among the candidates of each kind.
+/// Assigns a role to each vertex. `choice` has one digit for each kind, which selects one of its candidates.
 void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds,
                                   unsigned choice) {
   std::map<std::uint32_t, WorldRole> role_of;
@@ -172,8 +173,8 @@ void SimilarityTest::assign_roles(std::span<const VertexSlot> vertices, const st
   }
 }
 
-/// The motions about the center of the vertices. Their root mean square distance from the center is the unit
-/// of translation.
+/// The motions about the center of the vertices. The unit of translation is the root mean square distance of
+/// the vertices from the center.
 WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, int dimension) const {
   WorldMotions motions;
   motions.dimension = dimension;
@@ -200,7 +201,8 @@ WorldMotions SimilarityTest::motions_for(std::span<const VertexSlot> vertices, i
   return motions;
 }
 
-/// An orthonormal basis of the motions that move at least one vertex. Stores the tangents of all motions.
+/// An orthonormal basis of the motions that move at least one vertex. Stores the tangents of all motions in
+/// tangents_.
 MatrixXd SimilarityTest::moving(std::span<const VertexSlot> vertices, const WorldMotions& motions) {
   const int count = motions.count();
   MatrixXd sum = MatrixXd::Zero(count, count), tangents;
@@ -241,12 +243,12 @@ void SimilarityTest::tangents_of_edge(const detail::EdgePool& pool, std::uint32_
   }
 }
 
-/// The combinations of the candidates that no edge resists.
+/// The linear combinations of the candidates that neither an edge nor a fixed direction resists.
 MatrixXd SimilarityTest::unresisted(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                     const WorldMotions& world, const MatrixXd& candidates) const {
   constexpr double kExact = 1e-7, kNumeric = 1e-5;
-  constexpr std::int64_t kBetweenStops = 64;         // edges
-  constexpr std::size_t kEdgesBetweenChecks = 1024;  // edges between two checks whether any motion is left
+  constexpr std::int64_t kBetweenStops = 64;         // edges between two checks of the stop token
+  constexpr std::size_t kEdgesBetweenChecks = 1024;  // edges between two checks for free motions
   const auto motions = static_cast<int>(candidates.rows());
   Resistance resistance(motions);
   for (const VertexSlot v : vertices) {

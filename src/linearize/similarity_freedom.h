@@ -13,20 +13,22 @@
 
 namespace boxplus {
 
-/// One active edge, and one vertex that may move.
+/// An active edge.
 struct EdgeSlot {
   std::uint32_t pool, slot;
 };
+/// A vertex that may move.
 struct VertexSlot {
   std::uint32_t pool, slot;
 };
 
-/// The motions z = motions · basis for which J z = 0 for every edge; J is the edge's Jacobian at the current
-/// estimates. Each column of `basis` is one free motion. Every combination of them moves some vertex.
+/// The motions z = motions · basis with J z = 0 for the Jacobian J of every edge at the current estimates.
+/// Each column of `basis` is one free motion. Every nonzero combination of the columns moves at least one
+/// vertex.
 struct SimilarityFreedom {
   WorldMotions motions;
   Eigen::MatrixXd basis;  ///< motions.count() × number of free motions
-  /// Per vertex pool and slot.
+  /// The role of each vertex, by vertex pool and slot.
   const std::vector<std::vector<WorldRole>>* roles = nullptr;
 
   double unit() const { return motions.unit(); }
@@ -37,17 +39,19 @@ struct SimilarityFreedom {
 
 /// Tests components of one graph. Throws Stopped when the token is raised.
 ///
-/// An edge resists a motion if a row of J z is not zero to within rounding, relative to the sum of the
+/// An edge resists a motion if a row of J z is larger than a rounding error, relative to the sum of the
 /// magnitudes of its terms. So weights, Ω and condition numbers have no influence. Disabled edges take part,
 /// because enabling an edge does not change the structure of the problem.
+///
+/// All vertices of one kind have the same role. Vertices are of one kind if they have the same type and occur
+/// at the same positions in the same types of edges. The test finds the roles by trial.
 class SimilarityTest {
  public:
-  /// `movable`: per vertex pool and slot, whether the vertex moves. Vertices of one kind have the same
-  /// positions in edges of the same types. They share a role, which is found by trial.
+  /// `movable` says for each slot of each vertex pool whether the vertex moves.
   SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
                  const StopToken& stop);
 
-  /// The freedom of one component in a world of 2 or 3 dimensions. O(edges).
+  /// The freedom of one component in a world of 2 or 3 dimensions. Takes O(edges).
   SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                          int dimension);
 
@@ -71,7 +75,8 @@ class SimilarityTest {
   const StopToken& stop_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;
-  /// Per vertex pool and slot, the index in tangents_ of the vertex's motions: dim × count, row-major.
+  /// For each slot of each vertex pool, the index in tangents_ of the vertex's tangents, or kStill if no
+  /// motion moves the vertex. The tangents are a row-major matrix of dim × count values.
   static constexpr std::size_t kStill = static_cast<std::size_t>(-1);
   std::vector<std::vector<std::size_t>> tangents_of_;
   std::vector<double> tangents_;

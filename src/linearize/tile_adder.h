@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// Uses kernels for the common sizes of unary and binary edges. accumulate() is the plain reference for all
-/// of them.
+/// Uses kernels for the common sizes of unary and binary edges. accumulate() does the same for edges of any
+/// size, one by one.
 class TileAdder {
  public:
   /// Makes room for tiles with `values` values of Jacobians and `rows` values of errors.
@@ -20,9 +20,9 @@ class TileAdder {
 
   /// Chooses the kernel for edges of these sizes. Returns false if there is none.
   bool choose(int rows, std::span<const int> dims);
-  /// Whether the kernel also reads tiles in lanes.
+  /// Whether the chosen kernel also accepts tiles in lanes.
   bool takes_lanes() const { return add_edges_ != nullptr; }
-  /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places `targets` (Scatter).
+  /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places in `targets` (see Scatter).
   void add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, const detail::EdgeTile& tile,
            std::span<const std::uint32_t* const> targets, double* values, double* gradient);
 
@@ -34,9 +34,9 @@ class TileAdder {
   void add_binary(const detail::EdgeTile& tile, detail::InformationKind kind,
                   const std::uint32_t* const* targets, double* values, double* gradient);
 
-  dense::AddEdges add_edges_ = nullptr;             // binary
-  dense::AddUnaryEdges add_unary_edges_ = nullptr;  // at most one of the two is set
-  std::vector<double> jacobian_, error_;            // in lanes
+  dense::AddEdges add_edges_ = nullptr;             // the kernel, if the edges are binary
+  dense::AddUnaryEdges add_unary_edges_ = nullptr;  // the kernel, if the edges are unary
+  std::vector<double> jacobian_, error_;            // copies of a tile's Jacobians and errors in lanes
   std::vector<double> omega_;                       // all Ω in full, for tiles with Ω of several kinds
   std::vector<double> weights_;                     // empty if no edge has a robust kernel
   std::vector<const double*> omegas_;

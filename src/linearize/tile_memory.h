@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The memory into which one worker linearizes.
+// The scratch memory in which one worker linearizes edges.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace boxplus {
 
 struct TileMemory {
-  /// For tiles with `values` values of Jacobians and `rows` values of errors. `dense_values` is the largest
-  /// dense_scratch() of an edge.
+  /// Makes room for tiles with `values` values of Jacobians and `rows` values of errors. `dense_values` is
+  /// the largest dense_scratch() of an edge.
   TileMemory(std::size_t values, std::size_t rows, std::size_t dense_values)
       : error(rows),
         jacobian(values),
@@ -25,8 +25,8 @@ struct TileMemory {
     targets.resize(detail::EdgeTile::kCapacity);
   }
 
-  /// Gathers the next enabled edges of a run, at most `capacity` of them, from `next` to `end`. Advances
-  /// `next`.
+  /// Gathers at most `capacity` enabled edges from the part [next, end) of a run, with their targets.
+  /// Advances `next` past them.
   std::span<const std::uint32_t> gather(const detail::EdgePool& pool, const Scatter& scatter,
                                         std::uint32_t& next, std::uint32_t end, std::size_t capacity) {
     const int arity = static_cast<int>(dims.size());
@@ -41,8 +41,8 @@ struct TileMemory {
   }
 
   std::vector<double> error, jacobian, weighted, weighted_error, dense;
-  std::vector<std::uint32_t> edges;           // room for a tile
-  std::vector<const std::uint32_t*> targets;  // of each of them
+  std::vector<std::uint32_t> edges;           // the gathered edges
+  std::vector<const std::uint32_t*> targets;  // the targets of each gathered edge
   std::vector<int> dims;
   TileAdder adder;
 };

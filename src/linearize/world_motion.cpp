@@ -12,7 +12,7 @@ namespace {
 using Matrix3 = Eigen::Matrix3d;
 using Vector3d = Eigen::Vector3d;
 
-/// A frame of either dimension, in 3-D.
+/// A frame of 2 or 3 dimensions, as a pose in 3-D.
 struct Pose {
   Matrix3 rotation = Matrix3::Identity();
   Vector3d translation = Vector3d::Zero();
@@ -40,7 +40,7 @@ detail::Frame frame_of(const Pose& pose, int dimension, bool has_rotation) {
   return frame;
 }
 
-/// The rotation by `angle` about axis `axis` (Rodrigues).
+/// The rotation by `angle` about coordinate axis number `axis`.
 Matrix3 rotation_about(int axis, double angle) {
   const int y = (axis + 1) % 3, z = (axis + 2) % 3;
   Matrix3 r = Matrix3::Identity();
@@ -50,7 +50,7 @@ Matrix3 rotation_about(int axis, double angle) {
   return r;
 }
 
-/// The pose after motion `m` by `amount`.
+/// The pose after motion number `m` has moved it by `amount`.
 Pose moved(const Pose& pose, const WorldMotions& motions, int m, double amount) {
   Pose result = pose;
   if (m < motions.translations()) {

@@ -10,9 +10,9 @@
 
 namespace boxplus {
 
-/// The dependence of a vertex's estimate on the coordinates of the world.
+/// The way in which a vertex's estimate depends on the coordinates of the world.
 enum class WorldRole : std::uint8_t {
-  kNone,    ///< none: a focal length, a bias
+  kNone,    ///< no dependence, such as for a focal length or a bias
   kFrame,   ///< T_world_body, or a point in the world
   kInverse  ///< T_body_world, such as the pose of a camera that maps world points to its own frame
 };
@@ -29,18 +29,19 @@ struct WorldMotions {
 
   int translations() const { return dimension; }
   int rotations() const { return dimension == 2 ? 1 : 3; }
-  /// If a motion of unit size moves a tangent, it moves it by at least this: meters or radians.
+  /// If a motion of unit size moves a vertex, it moves the vertex by at least about this many meters or
+  /// radians.
   double unit() const { return std::min(1.0, length); }
   int count() const { return translations() + rotations() + 1; }
 };
 
-/// The frame of a vertex in the world: T_world_body or a point. Returns false if it has no frame of that
-/// dimension.
+/// Gets the frame of a vertex in the world: T_world_body or a point. Returns false if the vertex has no frame
+/// of this dimension.
 bool world_frame(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role, int dimension,
                  detail::Frame& out);
 
 /// Writes the derivative of the vertex's tangent with respect to each motion: tangent_dim × count(),
-/// column-major. Zero for WorldRole::kNone and for vertices without a frame of that dimension.
+/// column-major. Writes zeros for WorldRole::kNone and for vertices without a frame of this dimension.
 void motion_tangents(const detail::VertexPool& pool, std::uint32_t slot, WorldRole role,
                      const WorldMotions& motions, double* out);
 

@@ -11,12 +11,12 @@
 namespace boxplus {
 namespace {
 
-/// The fraction of itself that GaugePolicy::kDamp adds to each diagonal entry: enough to lift pivots that are
-/// rounding error, too little to change a step noticeably.
+/// GaugePolicy::kDamp increases each diagonal entry by this fraction of itself. This is enough to lift pivots
+/// that are only rounding errors, but too little to change a step noticeably.
 constexpr double kGaugeDamping = 1e-10;
 
-/// The diagonal that scales the damping is kept above this fraction of its largest entry. Smaller entries are
-/// rounding errors of Jacobians that are zero.
+/// The lower limit of the entries of the diagonal that scales the damping, as a fraction of the largest
+/// entry. Smaller entries are rounding errors of Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
 
 }  // namespace
@@ -25,7 +25,7 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
                          SchurMode schur)
     : graph_(&graph),
       plan_(std::make_unique<Plan>(make_plan(graph, request))),
-      before_step_(graph, *plan_),  // no iteration allocates, not even the first
+      before_step_(graph, *plan_),  // so that no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
       solver_(make_schur_solver(std::move(solver), schur)) {
@@ -96,8 +96,8 @@ double BatchSystem::curvature(std::span<const double> d) {
   return dot(d, product_);
 }
 
-/// λD, plus the diagonal of H for scalars that are held. With λ > 0 nothing has to be held, because damping
-/// removes the gauge freedom.
+/// λD, plus the damping of the gauge, plus the diagonal of H for scalars that are held. If λ > 0, the scalars
+/// of the gauge need not be held, because damping removes the gauge freedom.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
   const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
@@ -148,13 +148,13 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
   const Damping full = full_damping(damping);
   const StepResult result = factorize_and_solve(full, step);
-  for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly, also with a custom solver
+  for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
   return result;
 }
 
-/// Holds the direction of a loose block whose pivot vanished. If the pivot of another block vanished, because
-/// the solver does not eliminate the loose blocks last, holds the next direction of a loose block. If e is a
-/// gauge direction, (H + c e eᵀ) δ = −g gives the Gauss-Newton step with δ = 0 along e.
+/// Holds the direction of a loose block whose pivot vanished. If the solver does not eliminate the loose
+/// blocks last, the pivot of another block may vanish; then holds the next direction of a loose block. If e
+/// is a gauge direction, (H + c e eᵀ) δ = −g gives the Gauss-Newton step with δ = 0 along e.
 bool BatchSystem::hold_lost_pivot() {
   if (gauge_ != GaugePolicy::kFixFirst) return false;
   const auto hold = [&](std::uint32_t scalar) {
@@ -174,11 +174,12 @@ bool BatchSystem::hold_lost_pivot() {
 }
 
 /// Whether the held directions are still gauge freedom. The gradient vanishes along every free direction. So
-/// if the step along held directions is more than rounding error, H measures them now. This happens because
-/// more directions are free at estimates for which poses coincide or lie on a line.
+/// if the step along held directions is larger than a rounding error, the edges measure these directions now.
+/// This happens after estimates for which poses coincide or lie on a line, because more directions are free
+/// there.
 bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const double> step) const {
   constexpr double kOfDecrease = 1e-9, kOfChi2 = 1e-11, kExact = 1e-20;
-  double along = 0;  // decrease of chi2 along held directions
+  double along = 0;  // the decrease of chi2 along held directions
   const auto add = [&](std::uint32_t i) { along += diagonal_[i] * step[i] * step[i]; };
   for (const std::uint32_t i : lost_scalars_) add(i);
   if (holds_ && damping.lambda == 0) {
@@ -187,8 +188,8 @@ bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const dou
   return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
 }
 
-/// Whether vertices of other types than poses and points move. The plan finds all freedom of poses and
-/// points, but does not know the motions of other types.
+/// Whether any moving vertex is neither a pose nor a point. The plan finds all freedom of poses and points,
+/// but does not know the motions of other types.
 bool BatchSystem::has_other_types() const {
   detail::Frame frame;
   return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {
@@ -203,7 +204,8 @@ bool BatchSystem::is_free() {
   return solve({}, step).status == LinearStatus::kNotPositiveDefinite;
 }
 
-/// If the solver does not name the block, assumes the first one that the Schur complement does not eliminate.
+/// Records the block that was not positive definite. If the solver does not name it, assumes the first block
+/// that the Schur complement does not eliminate.
 void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
   const bool reduces = plan_->eliminated_blocks < plan_->structure.blocks();
   const std::uint32_t likely = reduces ? plan_->eliminated_blocks : 0;
@@ -224,7 +226,7 @@ StepResult BatchSystem::factorize_and_solve(const Damping& damping, std::span<do
   const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
   if (solved.status == LinearStatus::kNotPositiveDefinite)
     note_failure(solved.failed_block, solved.failed_scalar);
-  const bool usable = solved.status == LinearStatus::kNotConverged;  // inexact steps may be used
+  const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is usable
   return {usable ? LinearStatus::kOk : solved.status, solved.iterations, solved.exact};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a whole graph: linearizes all edges, and solves with a linear solver.
+// The System of a whole graph. It linearizes all edges, and computes steps with a linear solver.
 #pragma once
 
 #include <memory>
@@ -17,14 +17,14 @@ namespace boxplus {
 
 class BatchSystem final : public System {
  public:
-  /// Makes the plan and all memory. `graph` must outlive it and keep its structure; `solver` is not null.
-  /// Throws Stopped when request.stop is raised.
+  /// Makes the plan and allocates all memory. `graph` must outlive this system and keep its structure.
+  /// `solver` must not be null. Throws Stopped when request.stop is raised.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
               SchurMode schur);
 
   /// Adds the elements that were appended to the graph since the plan was made. `vertices` and `edges` are
-  /// the numbers of slots that each pool had then. Returns false if a new plan is needed; this system is then
-  /// not usable.
+  /// the numbers of slots that each pool had at that time. Returns false if a new plan is needed; this system
+  /// is then not usable.
   bool extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,
               std::span<const std::uint32_t> edges);
 
@@ -46,13 +46,13 @@ class BatchSystem final : public System {
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
   const LinearSolver& linear_solver() const { return *solver_; }
-  /// The elimination order of the plan's blocks; empty if the solver has none, or if the Schur complement
-  /// eliminates some of them.
+  /// The elimination order of the plan's blocks. Empty if the solver has no such order, or if the Schur
+  /// complement eliminates some of the blocks.
   std::span<const std::uint32_t> elimination_order() const { return solver_->elimination_order(); }
   /// Whether a component can move without changing any error. May factorize H at the current estimates to
   /// find out.
   bool is_free();
-  /// False after a motion that seemed free turned out to be measured.
+  /// False after it has turned out that edges measure a motion that seemed free.
   bool gauge_is_free() const { return holds_; }
   /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
   int held_directions() const { return static_cast<int>(lost_scalars_.size()); }
@@ -82,12 +82,12 @@ class BatchSystem final : public System {
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   std::vector<std::uint32_t> lost_scalars_;
   bool holds_ = true;         // whether the plan's held_scalars are held
-  double gauge_damping_ = 0;  // of each diagonal entry
+  double gauge_damping_ = 0;  // the fraction of itself that is added to each diagonal entry
   double last_chi2_ = 0;
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;
-  std::optional<bool> extensible_;  // set at the first use
+  std::optional<bool> extensible_;  // the result of is_extensible(), once it is known
   Report::Timings* timings_ = nullptr;
 };
 

@@ -51,7 +51,7 @@ class CovarianceMaker {
       const auto found = block_of.find(vertex);
       blocks_.push_back(found == block_of.end() ? kNoBlock : found->second);
       if (found == block_of.end() && dim > 0 && moves(vertex)) {
-        fail(Covariance::Status::kSingular, vertex, "no edge that takes part touches it");
+        fail(Covariance::Status::kSingular, vertex, "no active edge touches it");
       }
     }
     if (!blocks_.empty())
@@ -121,7 +121,8 @@ class CovarianceMaker {
     }
   }
 
-  /// Holds the direction of a vanished pivot if its block is one of Plan::loose_blocks: it is gauge freedom.
+  /// If the block of a vanished pivot is one of Plan::loose_blocks, holds the direction of the pivot, because
+  /// it is gauge freedom. Otherwise, returns false.
   bool hold(const FactorResult& factor) {
     const auto& loose = plan_.loose_blocks;
     const bool is_loose = std::find(loose.begin(), loose.end(), factor.failed_block) != loose.end();
@@ -132,7 +133,8 @@ class CovarianceMaker {
   }
 
   void hold(std::uint32_t block, std::uint32_t scalar) {
-    constexpr double kStiff = 1e30;  // times the diagonal of H: the variance is then below any rounding error
+    // The factor on the diagonal of H. It makes the variance smaller than any rounding error.
+    constexpr double kStiff = 1e30;
     const std::uint32_t dim = plan_.structure.dim(block), i = scalar - plan_.structure.offset[block];
     const double* diagonal =
         linearizer_.values().data() + plan_.structure.value_start[plan_.structure.column_start[block]];
@@ -165,7 +167,7 @@ class CovarianceMaker {
     for (std::size_t k = 0; k < wanted.size(); ++k) store(targets[k].i, targets[k].j, inverse.block(k));
   }
 
-  /// Stores the block of the inverse for vertices i and j; makes it exactly symmetric if i is j.
+  /// Stores the block of the inverse for vertices i and j. If i equals j, makes the block exactly symmetric.
   void store(std::size_t i, std::size_t j, Eigen::MatrixXd inverse) {
     for (Eigen::Index r = 0; r < inverse.rows(); ++r) {
       if (is_held(blocks_[i], r)) inverse.row(r).setZero();
@@ -203,8 +205,8 @@ class CovarianceMaker {
   Plan plan_;
   Linearizer linearizer_;
   std::shared_ptr<LinearSolver> solver_;
-  std::vector<double> stiffness_;      // added to the diagonal of H in directions that are held
-  std::vector<std::uint32_t> blocks_;  // of H, per vertex
+  std::vector<double> stiffness_;      // the terms that hold directions, added to the diagonal of H
+  std::vector<std::uint32_t> blocks_;  // the block in H of each vertex, or kNoBlock
   Covariance result_;
 };
 

@@ -40,14 +40,14 @@ RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, in
 /// The relative rounding error of chi2, which is a sum.
 constexpr double kChi2Rounding = 1e-13;
 
-/// Whether data without noise are fitted exactly. Errors below 1e-10 standard deviations are nothing but
-/// rounding errors, even if the model predicts a decrease for the next step.
+/// Whether the estimates fit noise-free data exactly. Errors below 1e-10 standard deviations are only
+/// rounding errors, even if the model predicts a further decrease for the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
   constexpr double kRounding = 1e-20, kFallsFast = 0.25;
   return record.chi2 <= kRounding * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
 }
 
-/// Whether neither the decrease of chi2 nor the predicted decrease exceeds `fraction` of chi2.
+/// Whether both the decrease of chi2 and the predicted decrease are at most `fraction` times chi2.
 bool gains_less_than(double fraction, const IterationRecord& record) {
   return std::abs(record.chi2_decrease) <= fraction * record.chi2 &&
          record.predicted_decrease <= fraction * record.chi2;

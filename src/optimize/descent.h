@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The runs of one algorithm that one call of Optimizer::run() makes, one after another.
+// Runs an algorithm for Optimizer::run(), once or several times in a row.
 #pragma once
 
 #include "boxplus/base/function_ref.h"
@@ -28,7 +28,7 @@ inline Report::Reason reason_of(const StopToken& stop) {
   return stop.flag_raised() ? Report::Reason::kStopFlag : Report::Reason::kTimeLimit;
 }
 
-/// Runs an algorithm. The limits on iterations and time hold for all runs together.
+/// Runs an algorithm once or several times. The limits on iterations and time apply to all runs together.
 class Descent {
  public:
   /// All arguments must outlive the descent. Runs append to `records`.
@@ -43,17 +43,18 @@ class Descent {
 
   /// Runs the algorithm from the current estimates, whose chi2 is given.
   RunResult run(double chi2);
-  /// The same, but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
+  /// Like run(), but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
   /// false.
   RunResult run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
 
   /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
   int iterations_left() const { return options_.max_iterations - iterations_; }
-  /// The iterations of all runs together.
+  /// The number of iterations of all runs together.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
-  /// The rows of the enabled active edges minus the unknowns. This is the expected chi2 if Ω is right.
+  /// The number of rows of the enabled active edges minus the number of unknowns. If Ω is right, this is the
+  /// expected chi2.
   double degrees_of_freedom() const { return degrees_of_freedom_; }
 
  private:

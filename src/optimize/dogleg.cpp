@@ -25,15 +25,16 @@ double Dogleg::norm(const std::vector<double>& step) const {
   return std::sqrt(sum);
 }
 
-/// D = diag H, kept away from zero.
+/// Sets D to diag H, with a lower limit above zero.
 void Dogleg::scale_from(const System& system) {
   const auto diagonal = system.diagonal();
   const double floor = std::max(1e-12 * max_abs(diagonal), 1e-300);
   for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(diagonal[i], floor);
 }
 
-/// The Gauss-Newton step. If H is not positive definite, the step of H + λD, with the smallest λ of a
-/// geometric series that makes it positive definite. The series begins one value below the last one used.
+/// Computes the Gauss-Newton step. If H is not positive definite, uses H + λD instead, with the smallest λ of
+/// a geometric series for which H + λD is positive definite. The series begins one value below the last λ in
+/// use.
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
   regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
   for (;;) {
@@ -51,14 +52,14 @@ LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record)
   }
 }
 
-/// dᵀHd of the Gauss-Newton step d. If the step is exact, (H + λD) d = −g, which saves a product.
+/// dᵀHd of the Gauss-Newton step d. If the step is exact, uses (H + λD) d = −g to save a product with H.
 double Dogleg::curvature_of_newton(System& system) const {
   if (!newton_is_exact_) return system.curvature(newton_);
   const double damped = norm(newton_);
   return -dot(system.gradient(), newton_) - regularization_ * damped * damped;
 }
 
-/// The minimum of the model along −D⁻¹g.
+/// Computes the Cauchy step, which leads to the minimum of the model along −D⁻¹g.
 void Dogleg::find_cauchy_step(System& system) {
   const auto gradient = system.gradient();
   double slope = 0;
@@ -72,7 +73,7 @@ void Dogleg::find_cauchy_step(System& system) {
   cauchy_norm_ = norm(cauchy_);
 }
 
-/// step ← the point of the dogleg path at distance radius.
+/// Sets step_ to the point of the dogleg path at the distance radius_, or to its end if the path is shorter.
 void Dogleg::blend() {
   if (newton_norm_ <= radius_) {
     step_ = newton_;
@@ -83,7 +84,7 @@ void Dogleg::blend() {
     for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = shrink * cauchy_[i];
     return;
   }
-  // Solves ‖cauchy + β (newton − cauchy)‖ = radius for the root in [0, 1], without cancellation.
+  // Solves ‖cauchy + β (newton − cauchy)‖ = radius for the root β in [0, 1], without cancellation.
   double a = 0, b = 0;
   for (std::size_t i = 0; i < step_.size(); ++i) {
     const double difference = newton_[i] - cauchy_[i];
@@ -96,7 +97,7 @@ void Dogleg::blend() {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = cauchy_[i] + beta * (newton_[i] - cauchy_[i]);
 }
 
-/// step ← the longest dogleg step within the radius. Returns its predicted decrease.
+/// Sets step_ to the longest dogleg step within the radius. Returns its predicted decrease.
 double Dogleg::find_step(System& system) {
   if (newton_norm_ > radius_ && !have_cauchy_) find_cauchy_step(system);
   blend();
@@ -104,7 +105,7 @@ double Dogleg::find_step(System& system) {
   return model_decrease(system.gradient(), step_, curvature);
 }
 
-/// Grows the radius until the predicted decrease is above rounding error.
+/// Like find_step(), but grows the radius until the predicted decrease is larger than a rounding error.
 double Dogleg::find_first_step(System& system, double chi2) {
   double predicted = find_step(system);
   while (newton_norm_ > radius_ && predicted <= kNegligible * chi2) {
@@ -150,7 +151,7 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
     system.reject();
     if (stopped) return IterationOutcome::kStopped;
     record.chi2 = chi2;
-    if (predicted <= kRounding * chi2) break;  // the model predicts even less of smaller steps
+    if (predicted <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
   }
   const double newton_decrease = model_decrease(system.gradient(), newton_, system.curvature(newton_));
   return outcome_without_decrease(newton_decrease, max_abs(newton_), chi2);

@@ -10,7 +10,7 @@ namespace boxplus {
 
 /// Powell's dogleg ("A hybrid method for nonlinear equations", 1970) in the norm ‖δ‖² = δᵀDδ with D = diag H,
 /// so that meters and radians are comparable. A rejected step costs no factorization. The trust region is
-/// unbounded at first, so the method takes full Gauss-Newton steps while these lower chi2.
+/// unbounded at first, so the method takes full Gauss-Newton steps as long as they decrease chi2.
 class Dogleg final : public Algorithm {
  public:
   std::string_view name() const override { return "dogleg"; }
@@ -31,7 +31,7 @@ class Dogleg final : public Algorithm {
 
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   double radius_ = kUnbounded;
-  double regularization_ = 0;  // relative to the diagonal
+  double regularization_ = 0;  // λ of the last solve, relative to the diagonal of H
   int regularized_steps_ = 0;
   bool newton_is_exact_ = false;
   double newton_norm_ = 0, newton_curvature_ = 0, cauchy_norm_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The estimates of a plan's active vertices, as a value.
+// A copy of the estimates of a plan's active vertices.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class Estimates {
 
   /// Copies the estimates from the graph. Allocates nothing if the last take() was for the same plan.
   void take(const Graph& graph, const Plan& plan);
-  /// Copies the estimates back to the graph. `plan` must be that of the last take().
+  /// Copies the estimates back to the graph. `plan` must be the plan of the last take().
   void put_back(Graph& graph, const Plan& plan) const;
 
  private:
@@ -25,7 +25,7 @@ class Estimates {
     std::uint32_t pool = 0;
     std::unique_ptr<detail::SavedEstimates> estimates;
   };
-  std::vector<Part> parts_;  // per list of Plan::vertices
+  std::vector<Part> parts_;  // one part for each list of Plan::vertices
 };
 
 }  // namespace boxplus

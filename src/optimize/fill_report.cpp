@@ -33,7 +33,8 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
-/// Whether large weights may have hidden other edges: the minimum is then not one of the problem.
+/// Whether large weights of some edges may be the reason for this result, because they hide other edges. The
+/// result is then not a minimum of the whole problem.
 bool may_be_swamped(const RunResult& result) {
   return result.status == Report::Status::kConverged || result.reason == Report::Reason::kMaxIterations ||
          result.reason == Report::Reason::kNoStepFound ||
@@ -45,7 +46,7 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
          std::string(graph.vertex_pools()[vertex.pool]->type_name()) + ")";
 }
 
-/// Adds the vertex or edge that caused the end of the run.
+/// Appends the vertex or the edge that caused the run to end.
 void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
                  const std::optional<SwampingEdge>& swamping) {
   if (reason == Report::Reason::kNotPositiveDefinite) {
@@ -64,8 +65,9 @@ void add_culprit(std::string& message, Report::Reason reason, const Graph& graph
 }  // namespace
 
 void begin_report(Report& report, const Options& options) {
-  constexpr int kRecords = 100;          // reserved room,
-  constexpr std::size_t kMessage = 100;  // so that a later run does not allocate
+  // Reserves memory for this many records and characters, so that a later run does not allocate.
+  constexpr int kRecords = 100;
+  constexpr std::size_t kMessage = 100;
   reset(report);
   report.start.requested = options.start;
   report.threads = resolved_threads(options);
@@ -107,14 +109,14 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
   const double chi2 = system.chi2();
-  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2 could not be evaluated again
+  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   report.message.assign(to_string(result.reason));
   add_culprit(report.message, result.reason, graph, system, swamping);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
     report.message += " before chi2 was evaluated";
 }
 
-// If the plan changed after a run, the estimates are those of that run.
+// The estimates have not changed since the last iteration, if there was one, so chi2 has not changed either.
 void finish_report_without_plan(Report& report, const Stopped& stopped) {
   report.status = Report::Status::kNotConverged;
   report.reason = stopped.by_flag() ? Report::Reason::kStopFlag : Report::Reason::kTimeLimit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills the report of Optimizer::run(), except for the start.
+// Fills the report of Optimizer::run(), except for the description of the start.
 #pragma once
 
 #include "boxplus/optimize/report.h"
@@ -11,14 +11,14 @@ namespace boxplus {
 /// Empties the report but keeps its memory, and reserves room for a run.
 void begin_report(Report& report, const Options& options);
 
-/// Fills everything that is known when the plan is made: sizes, solvers, threads, gauge, sources of
+/// Fills everything that is known when the plan has been made: sizes, solvers, threads, gauge, and sources of
 /// Jacobians.
 void describe_problem(Report& report, const Graph& graph, const BatchSystem& system, const Options& options);
 
-/// Fills the end of the run, with the message for people. Evaluates chi2 at the final estimates.
+/// Fills the result of the run and the message for people. Evaluates chi2 at the final estimates.
 void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunResult result);
 
-/// Fills the end of a run that was stopped while it planned.
+/// Fills the result of a run that was stopped while its plan was made.
 void finish_report_without_plan(Report& report, const Stopped& stopped);
 
 }  // namespace boxplus

@@ -19,7 +19,7 @@ IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationReco
   record.tries = 1;
   record.step_max = max_abs(step_);
   record.predicted_decrease = solved.exact
-                                  ? -dot(system.gradient(), step_)  // H δ = −g
+                                  ? -dot(system.gradient(), step_)  // because H δ = −g
                                   : model_decrease(system.gradient(), step_, system.curvature(step_));
   record.chi2 = system.try_step(step_);
   record.chi2_decrease = chi2 - record.chi2;

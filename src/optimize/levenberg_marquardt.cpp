@@ -37,8 +37,8 @@ void LevenbergMarquardt::raise_damping() {
   growth_ *= 2;
 }
 
-/// Finds the step δ of H + λD, for which δᵀ(H + λD)δ = −gᵀδ. Damping counts as having shortened the step if
-/// λD contributes more than half of this curvature.
+/// Computes the step δ with (H + λD) δ = −g, and so δᵀ(H + λD)δ = −gᵀδ. If λD contributes more than half of
+/// this curvature, the step counts as cut short by damping.
 LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, IterationRecord& record) {
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
@@ -49,7 +49,7 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
   return LinearStatus::kOk;
 }
 
-/// Lowers the damping until the predicted decrease is above rounding error.
+/// Like find_step(), but lowers the damping until the predicted decrease is larger than a rounding error.
 LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, IterationRecord& record) {
   for (;;) {
     const LinearStatus status = find_step(system, lambda_, record);
@@ -59,8 +59,8 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
   }
 }
 
-/// Takes the step if it lowers chi2, and lowers the damping the more, the better the model was. Otherwise
-/// returns false and takes no step.
+/// Takes the step if it lowers chi2, and then updates the damping: the better the model predicted the
+/// decrease, the lower the new damping. Otherwise returns false and takes no step.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
   record.predicted_decrease = predicted_;
@@ -97,7 +97,7 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
       if (record.step_max >= largest_step) largest_cut_short = cut_short_;
       largest_prediction = std::max(largest_prediction, predicted_);
       largest_step = std::max(largest_step, record.step_max);
-      if (predicted_ <= kRounding * chi2) break;  // the model predicts even less of smaller steps
+      if (predicted_ <= kRounding * chi2) break;  // a smaller step would decrease chi2 even less
     }
     raise_damping();
   }

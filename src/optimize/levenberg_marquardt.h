@@ -28,8 +28,8 @@ class LevenbergMarquardt final : public Algorithm {
   double lambda_ = 0, growth_ = 2;
   bool started_ = false;
   std::vector<double> step_;
-  double predicted_ = 0;    // decrease of chi2 by the step
-  bool cut_short_ = false;  // damping has shortened the step
+  double predicted_ = 0;    // the predicted decrease of chi2 by step_
+  bool cut_short_ = false;  // whether damping has shortened step_
 };
 
 }  // namespace boxplus

@@ -67,13 +67,13 @@ std::string describe_non_finite(const Graph& graph, BatchSystem& system) {
       pool.chi2(std::span(&edge, 1), &value);
       return value;
     };
-    return "chi2 overflows; the largest part is that of " +
+    return "chi2 overflows; the largest part comes from " +
            edge_text(graph, largest_edge(graph, system.plan(), chi2));
   }
   const auto curvature = [&](const detail::EdgePool& pool, std::uint32_t edge) {
     return curvature_of(pool, edge, options.numeric_jacobians);
   };
-  return "the linear system overflows; the largest Jacobian is that of " +
+  return "the linear system overflows; the largest Jacobian belongs to " +
          edge_text(graph, largest_edge(graph, system.plan(), curvature));
 }
 

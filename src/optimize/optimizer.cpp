@@ -30,7 +30,8 @@ void check(const Options& options) {
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
 }
 
-/// Has exclusive use of a graph during its lifetime.
+/// Marks a graph as being optimized during the lifetime of this object. Throws if the graph is already
+/// marked.
 class InUse {
  public:
   explicit InUse(std::shared_ptr<detail::LifeState> life) : life_(std::move(life)) {
@@ -62,10 +63,10 @@ struct Optimizer::Impl {
   Graph& checked_graph() const;
 
   Graph* graph;
-  std::shared_ptr<detail::LifeState> life;  // of the graph
+  std::shared_ptr<detail::LifeState> life;  // knows whether `graph` still exists
   Options options;
   PlannedSystem planned;
-  Estimates memory;  // for starts
+  Estimates memory;  // scratch memory of minimize_from_starts()
   std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
 };
 

@@ -22,16 +22,17 @@ inline IterationOutcome outcome_without_linearization(const System& system) {
   return system.stopped() ? IterationOutcome::kStopped : IterationOutcome::kNotFinite;
 }
 
-/// If the predicted decrease of a step is below this fraction of chi2, rounding error alone may prevent a
+/// If the predicted decrease of a step is below this fraction of chi2, rounding errors alone may prevent a
 /// decrease.
 inline constexpr double kNegligible = 1e-9;
 /// If damping or the radius makes a step so short that its predicted decrease is negligible, the step is made
 /// longer, until the predicted decrease is this fraction of chi2.
 inline constexpr double kNoticeable = 1e-6;
 
-/// The outcome if no trial step lowered chi2. `predicted` and `step_max` belong to the step that neither
-/// damping nor a radius shortens. The estimates are at a minimum if its predicted decrease is below rounding
-/// error, or if the step itself is (then chi2 is nothing but rounding error).
+/// The outcome if no trial step lowered chi2. `predicted` and `step_max` describe the step that neither
+/// damping nor a radius shortens. The estimates are at a minimum if the predicted decrease of this step is
+/// negligible. They are also at a minimum if the step itself is negligible, because chi2 then has only
+/// rounding errors.
 inline IterationOutcome outcome_without_decrease(double predicted, double step_max, double chi2) {
   constexpr double kStep = 1e-9;
   return predicted <= kNegligible * chi2 || step_max <= kStep ? IterationOutcome::kNoFurtherDecrease

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// The precision that Options::precision means for the algorithm.
+/// The precision that the options ask for. For Gauss-Newton, kAutomatic means kDouble.
 Precision resolved_precision(const Options& options) {
   const bool exact_steps = options.algorithm == AlgorithmKind::kGaussNewton;
   return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
@@ -43,10 +43,11 @@ bool PlannedSystem::suits(const Options& options) const {
          options_.edges == options.edges;
 }
 
-/// Brings the plan up to date if elements were only added since it was made.
+/// Extends the plan if the only change of the graph's structure is that elements were added. Otherwise,
+/// returns false.
 bool PlannedSystem::extend(Graph& graph, const StopToken& stop) {
   if (graph.last_rewrite() > revision_) return false;
-  std::unique_ptr<BatchSystem> system = std::move(system_);  // not usable if this throws
+  std::unique_ptr<BatchSystem> system = std::move(system_);  // dropped if this throws
   if (!system->extend(request(stop), vertex_slots_, edge_slots_)) return false;
   system_ = std::move(system);
   note_structure(graph);

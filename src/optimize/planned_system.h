@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The System of a graph. It follows the changes of the graph's structure and of the options.
+// Owns the System of a graph, and adapts it when the graph's structure or the options change.
 #pragma once
 
 #include <memory>
@@ -28,9 +28,9 @@ class PlannedSystem {
   PlanRequest request(const StopToken& stop) const;
 
   std::unique_ptr<BatchSystem> system_;
-  Options options_;                                       // of the plan
-  std::uint64_t revision_ = 0;                            // of the graph
-  std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // of each pool, at that revision
+  Options options_;                                       // the options for which the plan was made
+  std::uint64_t revision_ = 0;                            // the revision of the graph at the last update
+  std::vector<std::uint32_t> vertex_slots_, edge_slots_;  // the size of each pool at that revision
 };
 
 /// Options::threads, with 0 replaced by the number of hardware threads.

@@ -20,12 +20,12 @@ void add(Text& text, fmt::format_string<A...> format, A&&... arguments) {
   fmt::format_to(std::back_inserter(text), format, std::forward<A>(arguments)...);
 }
 
-/// Removes the sign of a NaN, which would be printed.
+/// Removes the sign of a NaN, because it would be printed.
 double without_sign_of_nan(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value;
 }
 
-/// Bytes for people, to two digits: 950 MB, 61 GB, 1.2 TB.
+/// A number of bytes in a readable form, with about two digits: 950 MB, 61 GB, 1.2 TB.
 std::string bytes_text(std::uint64_t bytes) {
   constexpr std::array kUnits{"kB", "MB", "GB", "TB"};
   double value = static_cast<double>(bytes) / 1e3;
@@ -45,12 +45,14 @@ std::string solver_text(const Report& report) {
   if (linear.precision == Precision::kMixed) text += " (in float, refined in double)";
   if (linear.fell_back_to_double) text += " (fell back to double)";
   if (linear.refused_factor_bytes == 0) return text;
-  return text + fmt::format(" (because the factor would take {} and {} s each time, a rough solution {} s)",
-                            bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),
-                            two_digits(linear.pcg_seconds));
+  return text +
+         fmt::format(
+             " (because each factorization would take {} and {} s; a rough solution by pcg takes {} s)",
+             bytes_text(linear.refused_factor_bytes), two_digits(linear.factor_seconds),
+             two_digits(linear.pcg_seconds));
 }
 
-/// The first and the last rows of a long table.
+/// The numbers of rows that are printed from the beginning and from the end of a long table.
 constexpr std::size_t kHeadRows = 12, kTailRows = 4;
 
 void add_records(Text& text, const Report& report) {

@@ -11,20 +11,20 @@
 
 namespace boxplus {
 
-/// Decides when further decreases of chi2 are insignificant compared with the noise of the measurements.
+/// Decides whether further decreases of chi2 are insignificant compared with the noise of the measurements.
 ///
 /// If Ω is right, a decrease of chi2 by 1 corresponds to estimates that move by one standard deviation in one
-/// direction. If Ω is only right up to a factor, a decrease by the variance s² = chi2 / degrees of freedom
-/// does.
+/// direction. If Ω is right only up to a factor, this change of the estimates corresponds to a decrease by
+/// the variance s² = chi2 / degrees of freedom.
 class Significance {
  public:
   /// `tolerance` is Options::noise_tolerance.
   Significance(double tolerance, double degrees_of_freedom)
       : tolerance_(tolerance / std::max(1.0, degrees_of_freedom)) {}
 
-  /// Records an iteration. Returns true if the last two iterations lowered chi2 insignificantly and were
-  /// predicted to, or if the last ten did so together. Iterations whose decreases grow do not count, because
-  /// they come from a trust region that is too small.
+  /// Records an iteration. Returns true if the actual and the predicted decreases of the last two iterations
+  /// are insignificant, or if the sum of these decreases over the last ten iterations is insignificant.
+  /// Returns false if the decreases grow, because this means that a trust region was too small.
   bool is_lost(const IterationRecord& record) {
     std::rotate(gains_.begin(), gains_.end() - 1, gains_.end());
     gains_[0] = std::max(std::abs(record.chi2_decrease), record.predicted_decrease);
@@ -42,8 +42,8 @@ class Significance {
   /// Decreases above these fractions of chi2 are always significant.
   static constexpr double kMostOfOne = 2e-7, kMostOfTen = 5e-6;
 
-  double tolerance_;                // as a fraction of chi2
-  std::array<double, 10> gains_{};  // the last one first
+  double tolerance_;                // the largest insignificant decrease, as a fraction of chi2
+  std::array<double, 10> gains_{};  // the decreases in the last iterations, with the latest one first
   std::size_t count_ = 0;
 };
 

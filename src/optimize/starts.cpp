@@ -20,7 +20,7 @@ GuessResult guess_by(Start start, Graph& graph, const Plan& plan, const GuessLim
                         std::to_string(static_cast<int>(start)));
 }
 
-/// A copy of estimates from which to run.
+/// Estimates from which to run, and their chi2.
 struct StartingPoint {
   Start start = Start::kCurrent;
   Estimates estimates;
@@ -34,7 +34,7 @@ struct Candidate {
   std::vector<IterationRecord> records;
   Estimates estimates;
 
-  /// Whether to keep this candidate rather than the other.
+  /// Whether to keep this candidate rather than `other`.
   bool is_better_than(const Candidate& other) const {
     const auto rank = [](const RunResult& r) {
       return std::pair(r.status == Report::Status::kFailed, r.chi2);
@@ -43,16 +43,17 @@ struct Candidate {
   }
 };
 
-/// Whether chi2 fell by about the predicted decrease: the ratio is within the bounds that trust regions call
-/// "very good". The model then holds as far as the minimum, so the estimates lie in its valley.
+/// Whether the first try of a step decreased chi2 by about the predicted amount: the ratio is within the
+/// bounds that trust-region methods call "very good". The quadratic model then holds as far as the minimum,
+/// so the estimates lie in the valley of this minimum.
 bool keeps_prediction(const IterationRecord& step) {
   constexpr double kLeast = 0.75, kMost = 1.25;
   const double kept = step.chi2_decrease / step.predicted_decrease;
   return step.tries == 1 && kept >= kLeast && kept <= kMost;
 }
 
-/// Whether edges have robust kernels. These bound chi2 and flatten the model, so that neither tells how close
-/// a minimum is.
+/// Whether any active edge has a robust kernel. Robust kernels limit chi2 and flatten the quadratic model, so
+/// neither chi2 nor the model shows how close a minimum is.
 bool has_robust_kernels(const Graph& graph, const Plan& plan) {
   for (const EdgeList& list : plan.edges) {
     const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
@@ -87,8 +88,8 @@ class StartSearch {
     if (!make_guess(start)) return descent_.run(chi2_original_);
     report_.used = start;
     RunResult result = descent_.run(report_.chi2_guess);
-    // A guess may be worse than the current estimates. If the run is stopped before its chi2 is below theirs,
-    // the current estimates are restored.
+    // A guess may be worse than the current estimates. If the run is stopped while its chi2 is still higher
+    // than the chi2 of the current estimates, restores the current estimates.
     const bool stopped =
         result.reason == Report::Reason::kTimeLimit || result.reason == Report::Reason::kStopFlag;
     if (!stopped || !(result.chi2 > chi2_original_)) return result;
@@ -99,8 +100,9 @@ class StartSearch {
     return result;
   }
 
-  /// Runs from the current estimates if they seem to lie in the valley of the global minimum. Otherwise runs
-  /// from the better of them and a chordal guess. If the result is not plausible, also runs from the other.
+  /// Runs from the current estimates if they seem to lie in the valley of the global minimum. Otherwise,
+  /// makes a chordal guess, and runs from the better of the two starts. If the result is not plausible, also
+  /// runs from the other start.
   RunResult run_automatically() {
     double chi2 = chi2_original_;
     if (std::isfinite(chi2) && descent_.options().max_iterations > 1 &&
@@ -124,7 +126,8 @@ class StartSearch {
   }
 
   /// Runs from the current estimates. Gives up, with Report::Reason::kCallback, if the first step does not
-  /// lower chi2 as predicted, or if the run does not converge soon, as Gauss-Newton does in the right valley.
+  /// lower chi2 as predicted, or if the run does not converge within a few iterations. In the valley of the
+  /// global minimum, Gauss-Newton converges that fast.
   RunResult try_current(bool& gave_up) {
     constexpr int kMostIterations = 9;
     const auto wanted = [&](const IterationRecord& step) {
@@ -142,10 +145,11 @@ class StartSearch {
     return result;
   }
 
-  /// Runs from the better of two estimates: the chordal guess, which is in the graph, and fallback_, whose
-  /// chi2 is given. The guess is the better one if its chi2 is below that of the original estimates. With
-  /// robust kernels, chi2 tells little about the valley, and runs need many iterations; then the first run
-  /// leaves iterations for the other.
+  /// Runs from the better of two starts. One is the chordal guess, which is in the graph. The other is
+  /// fallback_, with the chi2 `chi2_current`. The guess counts as better if its chi2 is below the chi2 of the
+  /// original estimates. If the result is worse than the chi2 of the other start, also runs from the other
+  /// start. With robust kernels, chi2 tells little about the valley, and runs need many iterations. In this
+  /// case, the first run leaves half of the iterations for the second run.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
@@ -169,7 +173,8 @@ class StartSearch {
     return is_unfinished ? descent_.run(best.chi2) : best;
   }
 
-  /// All remaining iterations, or half of them.
+  /// The number of iterations for the next run: half of the remaining ones if it has to leave some for
+  /// another run, otherwise all of them.
   int share_of_iterations(bool leaves_iterations) const {
     const int left = descent_.iterations_left();
     return leaves_iterations ? (left + 1) / 2 : left;
@@ -184,8 +189,8 @@ class StartSearch {
     return result;
   }
 
-  /// Follows a run from the current estimates that may have ended in a local minimum. Also runs from the
-  /// chordal guess, if there is one.
+  /// Called after a run from the current estimates, `first`, that may have ended in a local minimum. Also
+  /// runs from the chordal guess, if there is one, and keeps the better result.
   RunResult compare_with_guess(const RunResult& first) {
     fallback_.take(graph(), plan());
     if (!make_guess(Start::kChordal)) return first;
@@ -194,8 +199,8 @@ class StartSearch {
     return run_from_other(first, std::move(guess), descent_.iterations_left());
   }
 
-  /// Runs from the other start, for at most `most` iterations, and keeps the better of this run and the one
-  /// that has just ended.
+  /// Runs from the other start, for at most `most` iterations. Keeps the better result of this run and the
+  /// run that has just ended.
   RunResult run_from_other(const RunResult& first_result, StartingPoint other, int most) {
     const Candidate first{report_.used, first_result, std::exchange(descent_.records(), {}),
                           Estimates(graph(), plan())};
@@ -211,8 +216,8 @@ class StartSearch {
     return better.result;
   }
 
-  /// Replaces the estimates by the guess `start`, and evaluates its chi2. If there is no guess (the report
-  /// says why) or no time, restores fallback_ and returns false.
+  /// Replaces the estimates by the guess `start`, and evaluates its chi2. If no guess can be made (the report
+  /// says why), or if there is no time left, restores fallback_ and returns false.
   bool make_guess(Start start) {
     if (try_guess(start)) return true;
     fallback_.put_back(graph(), plan());
@@ -222,7 +227,7 @@ class StartSearch {
   bool try_guess(Start start) {
     if (descent_.stop().raised()) return false;
     if (!plan().fixed_scalars.empty()) {
-      report_.note = "guesses do not keep the directions in which vertices are fixed";
+      report_.note = "no guess was made, because it would change fixed directions of vertices";
       return false;
     }
     {
@@ -239,7 +244,8 @@ class StartSearch {
     return true;
   }
 
-  /// Whether noise explains chi2. A local minimum far from the best one hardly has such a low chi2.
+  /// Whether chi2 is so low that noise alone explains it. A local minimum far from the global minimum is
+  /// unlikely to have such a low chi2.
   bool is_plausible(double chi2) const {
     constexpr double kAtMost = 2;
     return chi2 <= std::max(1.0, kAtMost * descent_.degrees_of_freedom());
@@ -249,7 +255,7 @@ class StartSearch {
   Report::StartReport& report_;
   double& guess_seconds_;
   Estimates& fallback_;         // the original estimates, or the result of try_current()
-  const double chi2_original_;  // of the original estimates
+  const double chi2_original_;  // the chi2 of the original estimates
 };
 
 }  // namespace

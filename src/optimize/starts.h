@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The initial estimates of a run.
+// Chooses the initial estimates of a run.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace boxplus {
 
 /// Minimizes from the start that Options::start selects: the current estimates, an initial guess, or the
 /// better of both. Fills `report`; the caller sets report.chi2_current, the chi2 of the current estimates.
-/// Adds the time of guesses to `guess_seconds`. `memory` is scratch for estimates, which later calls may use
-/// again.
+/// Adds the time of guesses to `guess_seconds`. `memory` is scratch memory for estimates, which later calls
+/// can reuse.
 RunResult minimize_from_starts(Descent& descent, Report::StartReport& report, double& guess_seconds,
                                Estimates& memory);
 

@@ -29,7 +29,7 @@ inline double model_decrease(std::span<const double> gradient, std::span<const d
   return -(2 * dot(gradient, step) + curvature);
 }
 
-/// Decreases below this fraction of F are rounding error.
+/// A decrease below this fraction of F is only a rounding error.
 inline constexpr double kRounding = 1e-12;
 
 }  // namespace boxplus

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// If the ratio of two terms is larger than this, their sum has lost the smaller one.
+/// If the ratio of two terms is larger than this, their sum loses all digits of the smaller term.
 constexpr double kAllDigits = 1e15;
 
 /// The smallest and the largest positive value of a list.

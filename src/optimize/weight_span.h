@@ -7,16 +7,16 @@
 
 namespace boxplus {
 
-/// An edge between moving vertices with such a large weight that another edge rounds to nothing in H, and the
-/// vertex that both edges touch.
+/// An edge between moving vertices, and one of these vertices. The weight of the edge is so large that H
+/// loses the contribution of another edge at this vertex by rounding.
 struct SwampingEdge {
   EdgeRef edge;
   VertexRef vertex;
 };
 
-/// Finds the heaviest such edge at the current estimates. In a sum with its contribution, double precision
-/// loses that of the other edge, so a step can ignore the other measurement. O(edges); linearizes only if
-/// weights differ that much.
+/// Finds the swamping edge with the largest contribution to H at the current estimates. Because H loses the
+/// contribution of the other edge, steps may ignore the measurement of the other edge. Takes O(edges).
+/// Linearizes edges only if the entries of their Ω differ by that much.
 std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

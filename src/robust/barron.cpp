@@ -25,8 +25,8 @@ RobustKernel::Rho Barron::operator()(double e2) const {
     const double weight = std::exp(sign * 0.5 * r);
     return {sign * 2 * c2 * std::expm1(sign * 0.5 * r), weight, sign * 0.5 * weight / c2};
   }
-  // With b = |α − 2| and L = ln(1 + r/b): ρ = c² b L (exp(t) − 1)/t, t = α L / 2. Continuous at α = 0 and α
-  // = 2.
+  // With b = |α − 2| and L = ln(1 + r/b): ρ = c² b L (exp(t) − 1)/t, t = α L / 2. ρ is continuous
+  // at α = 0 and α = 2.
   const double b = std::abs(shape_ - 2);
   const double log = std::log1p(r / b);
   const double t = 0.5 * shape_ * log;

@@ -18,7 +18,7 @@ constexpr double kDefaultProbability = 0.95, kLargestProbability = 1 - 1e-9;
 double scaled_density(double a, double x) {
   constexpr double kLarge = 20;
   if (a < kLarge) return std::exp(a * std::log(x) - x - std::lgamma(a));
-  // With Stirling's series for Γ(a), so that no large terms cancel.
+  // Uses Stirling's series for Γ(a), so that no large terms cancel.
   const double d = (x - a) / a, rest = (1 / 12.0 - (1 / 360.0 - 1 / (1260 * a * a)) / (a * a)) / a;
   return std::exp(a * (std::log1p(d) - d) - rest) * std::sqrt(a / (2 * std::numbers::pi));
 }
@@ -42,7 +42,8 @@ double chi2_quantile(int rows, double probability) {
     throw InvalidArgument("chi2_quantile: expected a probability > 0 and ≤ 1 - 1e-9, got " +
                           std::to_string(probability));
   }
-  // Half of a chi2 variable has the gamma distribution of shape rows / 2. Newton's method, kept in a bracket.
+  // Half of a chi2 variable has the gamma distribution with shape rows / 2. Finds its quantile by Newton's
+  // method, and by bisection when a step would leave the bracket [low, high].
   const double a = 0.5 * rows, spread = 2 + 2 * std::sqrt(a);
   double low = 0, high = a + spread;
   for (; distribution(a, high) < probability; high += spread) low = high;

@@ -23,7 +23,7 @@ RobustKernel::Rho PseudoHuber::operator()(double e2) const {
 
 namespace {
 
-/// x − ln(1 + x) for x ≥ 0, exact to rounding.
+/// x − ln(1 + x) for x ≥ 0, accurate to rounding.
 double x_minus_log1p(double x) {
   if (x > 0.01) return x - std::log1p(x);
   double sum = 0;

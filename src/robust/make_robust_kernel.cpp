@@ -55,7 +55,7 @@ constexpr std::array kKernels = {
     KernelEntry{Welsch::kName, make<Welsch>},
 };
 
-/// A row of the table, and the text after the colon of the name.
+/// A row of the table, and the text after the colon in the name of the kernel.
 struct Choice {
   const KernelEntry& kernel;
   std::string_view parameter;

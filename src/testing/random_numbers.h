@@ -14,12 +14,12 @@ class RandomNumbers {
  public:
   explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
-  /// In [0, 1).
+  /// A uniformly distributed number in [0, 1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// In {0, …, count − 1}.
+  /// A uniformly distributed number in {0, …, count − 1}.
   int below(int count) { return static_cast<int>(uniform() * count); }
-  /// Mean 0, variance 1 (Box & Muller 1958).
+  /// A normally distributed number with mean 0 and variance 1 (Box & Muller 1958).
   double normal() {
     const double radius = std::sqrt(-2 * std::log1p(-uniform())), angle = 2 * kPi * uniform();
     return radius * std::cos(angle);

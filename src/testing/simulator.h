@@ -13,7 +13,7 @@
 
 namespace boxplus {
 
-/// Standard deviations of relative poses: per axis, in meters and radians.
+/// The standard deviations of relative poses, per axis, in meters and radians.
 struct PoseNoise {
   double translation, rotation;
 };
@@ -21,7 +21,7 @@ struct PoseNoise {
 template <class Pose>
 class Simulator {
   static constexpr int kDim = Manifold<Pose>::kDim, kSpace = kDim == 3 ? 2 : 3;
-  static constexpr double kRotationUnit = kDim == 3 ? 1 : 0.5;  // quaternion vectors are half angles
+  static constexpr double kRotationUnit = kDim == 3 ? 1 : 0.5;  // a quaternion's vector part is half an angle
 
  public:
   Simulator(const SimulationOptions& options, const PoseNoise& noise)
@@ -35,7 +35,7 @@ class Simulator {
     }
   }
 
-  /// The next pose of the trajectory, with an odometry edge from the last one.
+  /// Adds the next pose of the trajectory, and an odometry edge from the previous pose.
   void drive_to(const Pose& truth) {
     if (!poses_.empty()) {
       const Between<Pose> edge = measure(truths_.back(), truth);
@@ -72,7 +72,8 @@ class Simulator {
   }
   const Vector2& landmark(int index) const { return landmarks_[static_cast<std::size_t>(index)].point; }
 
-  /// Observes a landmark from the last pose. An outlier mistakes it for another one that was seen before.
+  /// Observes a landmark from the last pose. An outlier mistakes it for another landmark that was seen
+  /// before.
   void observe(int index, double deviation) {
     const Landmark& seen = landmarks_[static_cast<std::size_t>(index)];
     Vector2 noise;
@@ -101,8 +102,9 @@ class Simulator {
     std::optional<VertexHandle<Vector2>> vertex, true_vertex;
   };
 
-  /// Decides at random whether a measurement is an outlier. If so, returns the wrong place, which `draw`
-  /// chooses; otherwise kNone. Uses a separate generator, so that outliers change no other measurement.
+  /// Decides at random whether a measurement is an outlier. If so, returns a wrong place, which `draw`
+  /// chooses. Otherwise, returns kNone. Uses a separate random generator, so that outliers do not change the
+  /// other measurements.
   template <class Draw>
   int mistake(Draw&& draw) {
     if (!(outlier_random_.uniform() < outliers_)) return kNone;
@@ -158,7 +160,7 @@ class Simulator {
   std::vector<Pose> truths_;
   std::vector<VertexHandle<Pose>> poses_, true_poses_;
   std::vector<Landmark> landmarks_;
-  std::vector<int> seen_;  // landmarks that are vertices
+  std::vector<int> seen_;  // the landmarks that have a vertex
 };
 
 }  // namespace boxplus

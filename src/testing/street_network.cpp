@@ -12,23 +12,23 @@ namespace boxplus {
 namespace {
 
 constexpr int kNone = -1;
-constexpr double kJitter = 0.1, kBend = 0.35, kMostBow = 0.06;  // in blocks
-constexpr double kMissing = 0.2;                                // of the streets that are not avenues
-constexpr double kLane = 1.5;                                   // meters right of the middle
-constexpr int kLaneChange = 12;                                 // steps
+constexpr double kJitter = 0.1, kBend = 0.35, kMostBow = 0.06;  // lengths relative to a block
+constexpr double kMissing = 0.2;  // the share of streets that are missing; avenues are complete
+constexpr double kLane = 1.5;     // the meters from the middle line to the lane
+constexpr int kLaneChange = 12;   // the number of steps to get into the lane
 
-/// Whether a column or row is an avenue: every fifth one is.
+/// Whether a column or a row of the lattice is an avenue. Every fifth one is.
 bool is_avenue(int line) {
   return line % 5 == 1;
 }
 
-/// The number of steps to drive every street of a lattice twice.
+/// The approximate number of steps that it takes to drive every street of a lattice twice.
 double steps_for_two_passes(int columns, int rows, int block) {
   constexpr double kPresent = 0.88;
   return 2.0 * block * kPresent * (columns * (rows - 1) + rows * (columns - 1));
 }
 
-/// Sets of crossings that streets connect (union-find).
+/// The sets of crossings that streets connect (union-find).
 class Components {
  public:
   explicit Components(std::size_t crossings) : parents_(crossings) {
@@ -85,8 +85,8 @@ void StreetNetwork::lay_crossings(int block, RandomNumbers& random) {
   }
 }
 
-/// Adds streets between neighbors of the lattice. Missing streets leave at least two streets at each
-/// crossing, and a path between every two crossings.
+/// Adds streets between neighboring crossings of the lattice. Leaves out some of them, but keeps at least two
+/// streets at each crossing, and a path between every two crossings.
 void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   std::vector<Street> spare;
   std::vector<int> degree(crossings_.size());
@@ -121,8 +121,9 @@ void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   }
 }
 
-/// Adds third passes around whole blocks, then third and fourth passes there and back, until `steps` are
-/// driven. The number of passes that end at a crossing stays even, as a closed tour requires.
+/// Adds third passes around whole blocks. Then adds third and fourth passes, there and back, along single
+/// streets. Stops when all passes together have `steps` steps. The number of passes that end at a crossing
+/// stays even, as a closed tour requires.
 void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   std::int64_t missing = steps;
   for (const Street& street : streets_) missing -= std::int64_t{street.passes} * street.steps;
@@ -147,7 +148,7 @@ void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   }
 }
 
-/// The streets around each cell of the lattice that has all four.
+/// The four streets around each cell of the lattice. Leaves out cells with a missing street.
 std::vector<std::array<int, 4>> StreetNetwork::blocks() const {
   std::map<std::pair<int, int>, int> street_between;
   for (std::size_t i = 0; i < streets_.size(); ++i) {
@@ -167,14 +168,14 @@ std::vector<std::array<int, 4>> StreetNetwork::blocks() const {
 
 std::vector<Leg> StreetNetwork::route(RandomNumbers& random) const {
   std::vector<std::vector<int>> streets_at(crossings_.size());
-  std::vector<int> left;  // passes of each street
+  std::vector<int> left;  // the number of passes of each street that are still to be driven
   for (std::size_t i = 0; i < streets_.size(); ++i) {
     for (int end : {streets_[i].from, streets_[i].to}) {
       streets_at[static_cast<std::size_t>(end)].push_back(static_cast<int>(i));
     }
     left.push_back(streets_[i].passes);
   }
-  // Chooses any street with a pass left, but turns back only if there is no other.
+  // Chooses a random street with a pass left. Turns back only if there is no other such street.
   const auto choose = [&](int at, int arrived_by) {
     std::vector<int> choices;
     for (int street : streets_at[static_cast<std::size_t>(at)]) {
@@ -210,7 +211,8 @@ double StreetNetwork::length(const Street& street) const {
       .norm();
 }
 
-/// The middle line is a straight line and half a wave of height `bow` across it.
+/// The direction of the middle line, which is a straight line plus half a sine wave of height `bow` across
+/// it.
 Vector2 StreetNetwork::tangent(const Street& street, double position) const {
   const Vector2 along =
       crossings_[static_cast<std::size_t>(street.to)] - crossings_[static_cast<std::size_t>(street.from)];

@@ -13,38 +13,38 @@ namespace boxplus {
 
 /// A slightly curved street between two crossings, driven in steps of about a meter.
 struct Street {
-  int from = 0, to = 0;  ///< crossings
-  int steps = 0;         ///< positions are 0 (at `from`) … steps (at `to`)
-  double bow = 0;        ///< distance of its middle to the left of the straight line
+  int from = 0, to = 0;  ///< the crossings at its ends
+  int steps = 0;         ///< the number of steps; positions go from 0 (at `from`) to `steps` (at `to`)
+  double bow = 0;        ///< the distance of its middle to the left of the straight line between its ends
   int passes = 2;
 };
 
 /// One drive along a whole street.
 struct Leg {
   int street = 0;
-  bool forward = true;  ///< from `from` to `to`
+  bool forward = true;  ///< whether the drive goes from Street::from to Street::to
 };
 
-/// Crossings on a lattice that is bent as a whole; each crossing is also displaced at random. Avenues have no
-/// gaps; some other streets are missing.
+/// Streets between the crossings of a lattice. The lattice is bent as a whole, and crossings are also
+/// displaced at random. Avenues are complete, but some other streets are missing.
 class StreetNetwork {
  public:
-  /// Makes streets of about `block` steps, as many as needed to drive each 2 to 4 times in about `steps`
-  /// steps. No street has fewer than 4/5 `block` steps.
+  /// Makes streets of about `block` steps. Their number is such that a route of about `steps` steps drives
+  /// each of them 2 to 4 times. No street has fewer than 4/5 `block` steps.
   StreetNetwork(int steps, int block, RandomNumbers& random);
 
   const std::vector<Vector2>& crossings() const { return crossings_; }
   const std::vector<Street>& streets() const { return streets_; }
   const Street& street(const Leg& leg) const { return streets_[static_cast<std::size_t>(leg.street)]; }
 
-  /// A closed tour (Hierholzer 1873) in which each street appears as often as it has passes, and the robot
-  /// rarely turns on the spot.
+  /// A closed tour (Hierholzer 1873) in which each street appears as often as it has passes. The robot rarely
+  /// turns around and drives back.
   std::vector<Leg> route(RandomNumbers& random) const;
 
-  /// A pose on the right-hand side of the street, in the direction of the drive. `position` always counts
-  /// from `from`.
+  /// A pose on the right-hand side of the street, in the direction of the drive. `position` counts from
+  /// Street::from in both directions.
   SE2 pose(const Leg& leg, int position) const;
-  /// The point `left` meters left of the street's middle line, seen from `from`.
+  /// The point `left` meters to the left of the street's middle line, seen from Street::from.
   Vector2 beside(const Street& street, double position, double left) const;
   double length(const Street& street) const;
 

@@ -28,7 +28,7 @@ class StreetWalk {
  private:
   static constexpr int kDx[] = {1, 0, -1, 0}, kDy[] = {0, 1, 0, -1};
 
-  /// Goes straight on, left or right, but never out of town.
+  /// Goes straight on or turns left or right, but never leaves the town.
   void turn(RandomNumbers& random) {
     const int before = direction_;
     do {
@@ -40,7 +40,7 @@ class StreetWalk {
   int half_size_, block_, x_ = 0, y_ = 0, direction_ = 0;
 };
 
-/// Half the side of a town for a walk of `poses` steps, in whole blocks.
+/// Half the side of a town for a walk of `poses` steps, rounded to whole blocks.
 int half_size_for(int poses, int block) {
   return block *
          std::max(2, static_cast<int>(std::lround(0.45 * std::sqrt(static_cast<double>(poses)) / block)));

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// Drives the route, repeatedly if there are more `poses`, and calls `arrived(leg, position)` at each pose.
+/// Drives the route, and repeats it until there are `poses` poses. Calls arrived(leg, position) at each pose.
 template <class Arrived>
 void drive(Simulator<SE2>& simulator, const StreetNetwork& network, int poses, Arrived&& arrived) {
   const std::vector<Leg> route = network.route(simulator.random);
@@ -25,7 +25,7 @@ void drive(Simulator<SE2>& simulator, const StreetNetwork& network, int poses, A
   }
 }
 
-/// Recognizes streets and crossings.
+/// Adds loop closures when the robot returns to a street or a crossing.
 class PlaceMemory {
  public:
   PlaceMemory(const StreetNetwork& network, Simulator<SE2>& simulator)
@@ -47,7 +47,7 @@ class PlaceMemory {
 
  private:
   static constexpr int kNever = -1;
-  /// One drive along a street. The first pose is at the crossing at its beginning.
+  /// One drive along a street. `first_pose` is the pose at the crossing at the beginning of the drive.
   struct Pass {
     int first_pose;
     bool forward;
@@ -59,7 +59,7 @@ class PlaceMemory {
     last = simulator_.size() - 1;
   }
 
-  /// Adds edges to three poses of each earlier pass: behind, here and ahead.
+  /// Adds edges to three poses of each earlier pass along this street: behind, here and ahead.
   void arrive_in_street(const Leg& leg, int position) {
     constexpr int kSightings[] = {-2, 0, 2};
     const int steps = network_.street(leg).steps, pose = simulator_.size() - 1;
@@ -76,7 +76,7 @@ class PlaceMemory {
 
   const StreetNetwork& network_;
   Simulator<SE2>& simulator_;
-  std::vector<std::vector<Pass>> passes_;  // of each street
+  std::vector<std::vector<Pass>> passes_;  // the passes along each street
   std::vector<int> visited_;               // the last pose at each crossing
 };
 
@@ -89,7 +89,7 @@ class LandmarkCells {
     cells_[key(cell(point[0]), cell(point[1]))].push_back(landmark);
   }
 
-  /// Calls `visit(landmark)` for all landmarks in the nine cells around a position.
+  /// Calls visit(landmark) for all landmarks in the cell of a position and its eight neighbors.
   template <class Visit>
   void around(const Vector2& point, Visit&& visit) const {
     for (std::int64_t y = cell(point[1]) - 1; y <= cell(point[1]) + 1; ++y) {

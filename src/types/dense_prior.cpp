@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boxplus/types/dense_prior.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <string>
 
+#include "base/symmetric_eigen.h"
 #include "boxplus/base/error.h"
 
 namespace boxplus::dense_prior {
@@ -47,8 +47,8 @@ Rows from_information(const Eigen::MatrixXd& H, const Eigen::VectorXd& b, int co
   const double scale = H.cwiseAbs().maxCoeff();
   if ((H - H.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale)
     throw InvalidArgument("DensePrior: expected a symmetric information matrix");
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((H + H.transpose()) / 2);
-  const Eigen::VectorXd& values = eigen.eigenvalues();  // ascending
+  const SymmetricEigen eigen = symmetric_eigen((H + H.transpose()) / 2);
+  const Eigen::VectorXd& values = eigen.values;
   const double floor = kRounding * cols * scale;
   if (cols > 0 && values[0] < -1e5 * floor)
     throw InvalidArgument(
@@ -58,7 +58,7 @@ Rows from_information(const Eigen::MatrixXd& H, const Eigen::VectorXd& b, int co
   while (flat < values.size() && values[flat] <= floor) ++flat;
   const Index rows = values.size() - flat;
   const Eigen::VectorXd roots = values.tail(rows).cwiseSqrt();
-  const Eigen::MatrixXd vectors = eigen.eigenvectors().rightCols(rows);
+  const Eigen::MatrixXd vectors = eigen.vectors.rightCols(rows);
   const Eigen::MatrixXd root = roots.asDiagonal() * vectors.transpose();
   Eigen::VectorXd offset = Eigen::VectorXd::Zero(rows);
   if (b.size() != 0) offset = (vectors.transpose() * b).cwiseQuotient(roots);

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clients with other compilers and flags than the library run without errors, or fail to link and say why.
+"""Client programs whose compiler or flags differ from those of the library either run without errors or do not link.
 
     abi_test.py CMAKE BUILD_DIR WORK_DIR
 
-Installs the build, then builds the programs of client/ against it with each compiler. A program with the flags of
-our CMake target always links, and AddressSanitizer finds no error. A program without them does the same if its
-flags give Eigen the same alignment. Otherwise its link fails with an undefined reference that names its alignment.
+Installs the build, then builds the programs in client/ against the installed library with g++ and with clang++.
+A program with all flags of the target boxplus::boxplus always links, and AddressSanitizer finds no error in it. A
+program NAME_bare removes the flag for Eigen's alignment. If Eigen's default alignment for its other flags equals the
+alignment of the library, it also links and runs without errors. Otherwise the linker reports an undefined symbol
+whose name ends with the alignment of the program.
 """
 
 import os
@@ -33,7 +35,7 @@ def must_run(*command):
     return text
 
 def eigen_alignment(compiler, *flags):
-    """The default alignment of Eigen under these flags."""
+    """Eigen's default alignment, in bytes, with these compiler flags."""
     macros = must_run(compiler, *flags, "-dM", "-E", "-x", "c++", "/dev/null")
     return 64 if "__AVX512F__" in macros else 32 if "__AVX__" in macros else 16
 
@@ -44,27 +46,28 @@ def cpu_runs_avx2():
         return False
 
 def check(folder, program, alignment, runnable):
-    """None if the program behaved as expected, else the reason."""
+    """Builds and runs a program. Returns None if it behaves as expected, else a message that says why it does not."""
     code, text = run(CMAKE, "--build", folder, "--target", program)
     if alignment != LIBRARY_ALIGNMENT:
         symbol = f"boxplus_abi_1_{alignment}"
         if code == 0:
-            return f"linked, though it lacks {symbol}"
+            return f"linked, although the library does not define {symbol}"
         named = re.search(rf"undefined (reference|symbol).*\b{symbol}\b", text)
-        return None if named else f"failed, but not by naming {symbol}:\n{text}"
+        return None if named else f"failed to build, but no error names the undefined symbol {symbol}:\n{text}"
     if code:
         return f"does not build:\n{text}"
     if not runnable:
         return None
     code, text = run(folder / program)
-    return None if code == 0 else f"runs with status {code}:\n{text}"
+    return None if code == 0 else f"exits with status {code}:\n{text}"
 
 def check_compiler(compiler, prefix):
     folder = WORK / compiler
     must_run(CMAKE, "-S", pathlib.Path(__file__).parent / "client", "-B", folder, "-G", "Ninja",
              f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_CXX_COMPILER={compiler}",
              f"-DCMAKE_CXX_COMPILER_LAUNCHER={shutil.which('ccache') or ''}")
-    run(CMAKE, "--build", folder, "--parallel", os.cpu_count(), "--", "-k", "0")  # links that must fail do so here
+    # Builds all programs in parallel. With -k 0, it continues after programs that must not link.
+    run(CMAKE, "--build", folder, "--parallel", os.cpu_count(), "--", "-k", "0")
 
     bare = {"plain": 16, "debug": 16, "native": eigen_alignment(compiler, "-march=native")}
     if platform.machine() in ("x86_64", "AMD64"):
@@ -73,7 +76,8 @@ def check_compiler(compiler, prefix):
         runnable = cpu_runs_avx2() or "avx2" not in name
         for program, alignment in ((name, LIBRARY_ALIGNMENT), (f"{name}_bare", bare[name])):
             trouble = check(folder, program, alignment, runnable)
-            expected = "links" + " and runs" * runnable if alignment == LIBRARY_ALIGNMENT else f"lacks ..._{alignment}"
+            expected = ("links" + " and runs" * runnable if alignment == LIBRARY_ALIGNMENT
+                        else f"does not link with alignment {alignment}")
             print(f"{compiler:8} {program:20} {trouble or 'ok: ' + expected}", flush=True)
             yield trouble is None
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad files give one message and exit code 2, and no output is touched.
+"""If a file is bad, boxplus prints one message, exits with code 2, and changes no output file.
 
-For bad lines see tests/io/g2o/graph_reader_malformed_lines_test.cpp.
+tests/io/g2o/graph_reader_malformed_lines_test.cpp tests the messages about bad lines.
 """
 
 import os
@@ -35,7 +35,7 @@ class BadInputTest(CommandCase):
             self.assert_refused(run(*words), *texts)
         self.assert_untouched()
 
-    def test_files_that_cannot_be_read(self):
+    def test_files_that_cannot_be_read_are_refused(self):
         self.assert_bad(self.path / "none.g2o", "none.g2o: cannot be opened: No such file or directory")
         self.assert_bad(self.path, "Is a directory")
         secret = self.written("secret.g2o", GRAPH)
@@ -43,7 +43,7 @@ class BadInputTest(CommandCase):
         if os.geteuid() != 0:  # root may read everything
             self.assert_bad(secret, "secret.g2o: cannot be opened: Permission denied")
 
-    def test_files_without_a_graph(self):
+    def test_files_without_a_graph_are_refused(self):
         self.assert_bad(self.written("empty.g2o", ""), "empty.g2o:1:1: expected a vertex or an edge, got the end of the file")
         self.assert_bad(self.written("blank.g2o", "\n  \n# nothing\n"), "blank.g2o:4:1: expected a vertex or an edge")
         self.assert_bad(self.written("prose.g2o", "Dear all,\n"), "its first line is 'Dear all,'")
@@ -53,10 +53,10 @@ class BadInputTest(CommandCase):
         self.assert_refused(run("optimize", path, "-o", self.output), "lonely.g2o:2:1: expected an edge")
         self.assert_untouched()
 
-    def test_bad_lines_name_their_place(self):
+    def test_messages_about_bad_lines_name_the_line_and_the_column(self):
         self.assert_bad(self.written("bad.g2o", GRAPH + BAD_LINE), "bad.g2o:4:16: expected y (a finite number), got 'zero'")
 
-    def test_lenient_reading_counts_bad_lines(self):
+    def test_lenient_reading_skips_and_counts_bad_lines(self):
         path = self.written("bad.g2o", BAD_LINE + GRAPH + BAD_LINE)
         done = run("convert", path, self.path / "good.g2o", "--lenient")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -64,41 +64,41 @@ class BadInputTest(CommandCase):
         self.assertEqual(done.stderr.count("skipped"), 2)
         self.assertEqual((self.path / "good.g2o").read_text(encoding="utf-8"), GRAPH)
 
-    def test_a_skipped_line_names_its_place_once(self):
+    def test_the_message_about_a_skipped_line_names_its_place_once(self):
         path = self.written("bad.g2o", GRAPH + BAD_LINE)
         complaint = f"boxplus: {path}:4:16: skipped: expected y (a finite number), got 'zero'\n"
         self.assertEqual(run("info", path, "--lenient").stderr, complaint)
 
-    def test_a_file_of_bad_lines_only_names_the_first(self):
+    def test_a_file_with_only_bad_lines_is_refused_and_the_message_names_the_first_error(self):
         path = self.written("bad.g2o", "STRANGE 1\n" + 2 * BAD_LINE)
         done = run("info", path, "--lenient")
         self.assert_refused(done, "; 2 lines were skipped, the first at 2:16: expected y (a finite number), got 'zero'\n")
         self.assertEqual((done.stderr.count("skipped"), done.stderr.count(str(path))), (1, 1))
 
-    def test_outputs_that_cannot_be_written(self):
+    def test_outputs_that_cannot_be_written_are_refused(self):
         graph = self.written("graph.g2o", GRAPH)
         self.assert_refused(run("optimize", graph, "-o", self.path), "Is a directory")
         self.assert_refused(run("optimize", graph, "-o", self.path / "none" / "out.g2o"), "No such file or directory")
         self.assert_refused(run("convert", graph, "/dev/full"), "No space left on device")
 
-    def test_a_link_to_itself_is_refused_as_output(self):
+    def test_a_symbolic_link_to_itself_is_refused_as_output(self):
         loop = self.path / "loop.g2o"
         loop.symlink_to(loop)
         done = run("optimize", self.written("graph.g2o", GRAPH), "-o", loop)
         self.assert_refused(done, "loop.g2o: cannot be written: Too many levels of symbolic links")
         self.assertTrue(loop.is_symlink())
 
-    def test_a_hard_link_to_the_input_is_the_input(self):
+    def test_a_hard_link_to_the_input_is_refused_as_output(self):
         graph = self.written("graph.g2o", GRAPH)
         link = self.path / "link.json"
         os.link(graph, link)
-        self.assert_refused(run("info", graph, "--json", link), "expected a file different from the input")
+        self.assert_refused(run("info", graph, "--json", link), "expected a file other than the input")
         self.assertEqual(link.read_text(encoding="utf-8"), GRAPH)
 
     def is_half_written(self):
         try:
             return any(path.stat().st_size > 0 for path in self.path.glob("out.g2o.*"))
-        except FileNotFoundError:  # a probe for write permission, which was removed meanwhile
+        except FileNotFoundError:  # the file was only a test for write permission, and is already removed
             return False
 
     @unittest.skipIf(len(sys.argv) < 4, "needs the path of old_file_system")
@@ -116,8 +116,8 @@ class BadInputTest(CommandCase):
                 self.assertEqual(process.returncode, -each)
                 self.assert_untouched()
 
-    def test_a_full_disk_leaves_the_old_file(self):
-        # A limit on the size of files acts like a full disk, because the graph is larger.
+    def test_if_the_disk_is_full_the_old_file_is_kept(self):
+        # A limit on the size of files acts like a full disk, because the graph exceeds the limit.
         graph = self.written("graph.g2o", "".join(f"VERTEX_SE2 {i} 0.123456789 0 0\n" for i in range(5000)))
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (65536, 65536))  # noqa: E731
         done = subprocess.run([BOXPLUS, "convert", graph, self.output], capture_output=True, encoding="utf-8", check=False,
@@ -125,16 +125,16 @@ class BadInputTest(CommandCase):
         self.assert_refused(done, "out.g2o: cannot be written: File too large")
         self.assert_untouched()
 
-    def test_a_line_of_a_gigabyte_needs_memory_of_a_few_times_its_size(self):
+    def test_reading_a_line_of_one_gigabyte_needs_at_most_five_gigabytes_of_memory(self):
         path = self.path / "long.g2o"
         size = 1 << 30
         with path.open("wb") as file:
             file.write(GRAPH.encode() + b"VERTEX_SE2 7 ")
-            file.truncate(size)  # a hole: NUL bytes
+            file.truncate(size)  # the rest of the file is a hole, which reads as NUL bytes
         script = f'ulimit -v {5 * size // 1024}; exec "$0" info "$1"'
         done = subprocess.run(["bash", "-c", script, BOXPLUS, path], capture_output=True, encoding="utf-8", check=False, timeout=600)
         if "AddressSanitizer" in done.stderr or "ThreadSanitizer" in done.stderr:
-            self.skipTest("a sanitizer needs more address space than any limit leaves")
+            self.skipTest("a sanitizer needs more address space than the limit allows")
         self.assert_refused(done, "long.g2o:4:14: expected x (a finite number), got '\\x00\\x00")
 
 if __name__ == "__main__":

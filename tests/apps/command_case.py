@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Common code of the tests of the boxplus command. Each is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
+"""The code that all tests of the boxplus command share. Each test is run as X_test.py PATH_OF_BOXPLUS DATA_FOLDER."""
 
 import os
 import pathlib
@@ -12,13 +12,13 @@ BOXPLUS, DATA = sys.argv[1], pathlib.Path(sys.argv[2])
 TOWN = DATA / "01_town.g2o"
 
 def run(*arguments, stdin="", environment=None):
-    """Runs boxplus to its end, with its output as text. `environment` is added to that of the test."""
+    """Runs boxplus to its end, and returns its output as text. Adds `environment` to the environment of the test."""
     words = [BOXPLUS, *map(str, arguments)]
     return subprocess.run(words, input=stdin, capture_output=True, encoding="utf-8", check=False, timeout=300,
                           env={**os.environ, **(environment or {})})
 
 class CommandCase(unittest.TestCase):
-    """A test with an empty folder of its own, `self.path`."""
+    """A test with its own empty folder, `self.path`."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -30,7 +30,7 @@ class CommandCase(unittest.TestCase):
         return self.path / name
 
     def assert_refused(self, done, *texts):
-        """Exit code 2, nothing on stdout, and one message that holds all texts."""
+        """Requires exit code 2, nothing on stdout, and one message that contains all texts."""
         self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
         self.assertRegex(done.stderr, r"\Aboxplus: [^\n]*\n\Z")
         for text in texts:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the boxplus command as users do, and tests the common behavior of all sub-commands."""
+"""Runs the boxplus command as users do, and tests the behavior that all sub-commands share."""
 
 import pathlib
 import re
@@ -23,15 +23,15 @@ class CommandTest(CommandCase):
         self.assertIn("BOXPLUS_ISA", run("--help").stdout)
         self.assertEqual(run("help", "optimize").stdout, run("optimize", "--help").stdout)
 
-    def test_the_page_about_the_command_line_is_the_output_of_help(self):
+    def test_docs_cli_md_equals_the_output_of_help(self):
         self.assertEqual(DOCUMENT.read_text(encoding="utf-8"), run("help", "--markdown").stdout,
                          "regenerate it: boxplus help --markdown > docs/cli.md")
 
-    def test_instructions_that_the_processor_lacks_exit_with_2_and_name_the_known_ones(self):
+    def test_an_unknown_instruction_set_is_refused_and_the_message_names_the_known_ones(self):
         for name in ("avx1024", "AVX2"):
             done = run("help", environment={"BOXPLUS_ISA": name})
             self.assertEqual((done.returncode, done.stdout), (2, ""))
-            self.assertRegex(done.stderr, f"BOXPLUS_ISA: expected baseline.*, got '{name}'")
+            self.assertRegex(done.stderr, rf"BOXPLUS_ISA: expected an instruction set of this processor \(baseline.*\), got '{name}'")
         for name in ("baseline", ""):
             self.assertEqual(run("help", environment={"BOXPLUS_ISA": name}).returncode, 0)
         done = run("optimize", TOWN, "--json", "-", environment={"BOXPLUS_ISA": "baseline"})
@@ -59,7 +59,7 @@ class CommandTest(CommandCase):
         self.assert_refused(done, r"dance\x07")
 
     def run_with(self, redirections, *arguments):
-        """Runs boxplus with these redirections of the shell; returns its exit code."""
+        """Runs boxplus with these shell redirections, and returns its exit code."""
         script = f'"$0" "$@" {redirections}'
         words = ["bash", "-c", script, BOXPLUS, *map(str, arguments)]
         return subprocess.run(words, capture_output=True, check=False, timeout=300).returncode
@@ -73,8 +73,9 @@ class CommandTest(CommandCase):
             self.assertEqual(self.run_with(closed, "optimize", TOWN, "-v"), 0)
             self.assertEqual(self.run_with(closed, "convert", TOWN, "-"), 0)
 
-    def test_closed_streams_do_not_become_outputs(self):
-        # The graph has an unknown tag, so that there is a message, which must not end up in the output.
+    def test_messages_to_a_closed_stream_do_not_end_up_in_an_output_file(self):
+        # The graph has an unknown tag, so boxplus prints a message. The message must not end up in the
+        # output.
         graph = self.written("graph.g2o", TOWN.read_text(encoding="utf-8") + "STRANGE 1\n")
         expected, output = self.path / "expected.g2o", self.path / "output.g2o"
         self.assertEqual(run("optimize", graph, "-q", "-o", expected).returncode, 0)
@@ -83,7 +84,7 @@ class CommandTest(CommandCase):
         self.assertEqual(self.run_with("<&-", "info", "-"), 2)
         self.assertEqual(self.run_with(">&-", "info", graph), 2)
 
-    def test_results_do_not_depend_on_the_threads(self):
+    def test_results_do_not_depend_on_the_number_of_threads(self):
         run("simulate", "sphere", "--poses", 225, "-o", self.path / "s.g2o")
         for threads in (1, 2, 4):
             run("optimize", self.path / "s.g2o", "-o", self.path / f"{threads}.g2o", "--threads", threads)

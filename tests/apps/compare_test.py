@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus compare: the errors of trajectories whose errors are known."""
+"""Tests `boxplus compare` with trajectories whose errors are known."""
 
 import json
 import math
@@ -10,7 +10,7 @@ from command_case import CommandCase, main, run
 PLACES = [(0, 0), (1, 0), (2, 0.5), (2, 2), (0, 3)]
 
 def graph(places, turn=0.0, shift=(0, 0), scale=1.0):
-    """Poses in the plane at these positions, in a world that is rotated, scaled and shifted."""
+    """A graph with poses at these positions in the plane, after the whole world is scaled, rotated and shifted."""
     lines = []
     for i, (x, y) in enumerate(places):
         moved = (scale * (math.cos(turn) * x - math.sin(turn) * y) + shift[0], scale * (math.sin(turn) * x + math.cos(turn) * y) + shift[1])
@@ -18,7 +18,7 @@ def graph(places, turn=0.0, shift=(0, 0), scale=1.0):
     return "".join(lines)
 
 def tum(places, times, angle=0.0):
-    """The same in the TUM format, rotated about z by `angle` per pose."""
+    """A TUM file with poses at these positions. Pose i is rotated about z by i times `angle`."""
     return "# time x y z qx qy qz qw\n" + "".join(
         f"{time!r} {x} {y} 0.5 0 0 {math.sin(angle * i / 2)!r} {math.cos(angle * i / 2)!r}\n"
         for i, (time, (x, y)) in enumerate(zip(times, places)))
@@ -53,7 +53,7 @@ class CompareTest(CommandCase):
         first = self.compared(graph(PLACES, turn=2.5, shift=(30, -7)), graph(PLACES), "--align", "first")
         self.assertLess(first["ate_m"]["max"], 1e-13)
 
-    def test_a_scale_is_an_error_unless_it_is_asked_for(self):
+    def test_a_wrong_scale_is_an_error_unless_the_scale_is_estimated(self):
         rigid = self.compared(graph(PLACES, scale=0.5), graph(PLACES))
         self.assertGreater(rigid["ate_m"]["rmse"], 0.5)
         scaled = self.compared(graph(PLACES, scale=0.5, turn=1), graph(PLACES), "--scale")
@@ -61,12 +61,12 @@ class CompareTest(CommandCase):
         self.assertLess(scaled["ate_m"]["max"], 1e-13)
         self.assertLess(scaled["rpe"]["translation_m"]["max"], 1e-13)
 
-    def test_a_mirrored_trajectory_is_not_aligned_by_a_mirror(self):
+    def test_the_alignment_contains_no_reflection(self):
         facts = self.compared(graph([(x, -y) for x, y in PLACES]), graph(PLACES))
         self.assertGreater(facts["ate_m"]["rmse"], 0.3)
 
-    def test_relative_errors_are_those_of_the_motions(self):
-        # The third step is 0.2 m too long; all later poses keep that error.
+    def test_relative_errors_are_the_errors_of_the_motions_between_poses(self):
+        # The third step is 0.2 m too long, so all later positions are wrong by 0.2 m.
         longer = [(x, y + (0.2 if i >= 3 else 0)) for i, (x, y) in enumerate(PLACES)]
         facts = self.compared(graph(longer), graph(PLACES), "--align", "none")
         self.assertEqual(facts["rpe"]["count"], 4)
@@ -75,18 +75,18 @@ class CompareTest(CommandCase):
         self.assertEqual(over_two["rpe"]["count"], 3)
         self.assert_errors(over_two["rpe"]["translation_m"], math.sqrt(0.08 / 3), 0.4 / 3, 0.2, 0.2)
 
-    def test_relative_errors_over_a_distance_begin_at_every_pose_that_has_so_much_path_ahead(self):
+    def test_relative_errors_over_a_distance_begin_at_every_pose_that_is_far_enough_from_the_end(self):
         line = [(float(i), 0.0) for i in range(10)]
         stretched = [(1.01 * x, y) for x, y in line]
         facts = self.compared(tum(stretched, range(10)), tum(line, range(10)), "--distance", 3)
         self.assertEqual((facts["rpe"]["count"], facts["rpe"]["distance_m"], facts["rpe"]["steps"]), (7, 3, None))
         self.assert_errors(facts["rpe"]["translation_m"], 0.03, 0.03, 0.03, 0.03)
 
-    def test_relative_rotations_are_angles(self):
+    def test_relative_rotation_errors_are_angles(self):
         facts = self.compared(tum(PLACES, range(5), angle=0.25), tum(PLACES, range(5)))
         self.assert_errors(facts["rpe"]["rotation_rad"], 0.25, 0.25, 0.25, 0.25)
 
-    def test_timed_poses_match_their_nearest_in_time(self):
+    def test_poses_with_times_are_matched_to_the_nearest_pose_in_time(self):
         truth = tum([(0.1 * i, 0) for i in range(100)], [0.1 * i for i in range(100)])
         result = tum([(1, 0), (2, 0), (3, 0), (7, 7)], [1.004, 1.997, 3.0, 4.05])
         facts = self.compared(result, truth, "--align", "none")
@@ -99,7 +99,7 @@ class CompareTest(CommandCase):
         self.assertEqual(facts["matched"], 1)
         self.assertIsNone(facts["rpe"]["translation_m"])
 
-    def test_poses_match_by_id_in_any_order_and_landmarks_do_not_count(self):
+    def test_poses_are_matched_by_id_in_any_order_and_landmarks_are_ignored(self):
         lines = graph(PLACES).splitlines(keepends=True)
         facts = self.compared("".join(lines[:0:-1]) + "VERTEX_XY 77 5 5\n", graph(PLACES) + "VERTEX_XY 78 1 1\n")
         self.assertEqual((facts["result_poses"], facts["matched"]), (4, 4))
@@ -112,7 +112,7 @@ class CompareTest(CommandCase):
         errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (before, after)]
         self.assertLess(errors[1], 0.2 * errors[0])
 
-    def test_false_loop_closures_need_a_kernel_from_the_first_iteration(self):
+    def test_with_false_loop_closures_a_kernel_helps_only_from_the_first_iteration(self):
         # The example of docs/first_steps.md under "Outliers".
         graph, squares, robust, late, truth = (self.path / f"{name}.g2o" for name in ("graph", "squares", "robust", "late", "truth"))
         run("simulate", "streets", "--poses", 2000, "--outliers", 0.2, "-o", graph, "--truth", truth)
@@ -124,13 +124,13 @@ class CompareTest(CommandCase):
         self.assertLess(errors[0], 0.3)
         self.assertGreater(errors[1], 20)
 
-    def test_prints_the_same_values_in_a_table(self):
+    def test_without_json_the_values_are_printed_in_a_table(self):
         done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for text in ("<stdin> against", "5 of 5 poses", "ATE [m]", "RPE [deg]", "best rigid alignment", "from pose to pose"):
             self.assertIn(text, done.stdout)
 
-    def test_input_that_cannot_be_compared_is_refused_with_its_place(self):
+    def test_input_that_cannot_be_compared_is_refused_and_the_message_names_the_place(self):
         good, flat = tum(PLACES, range(5)), graph(PLACES)
         space = "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
         for result, truth, options, text in (
@@ -138,16 +138,16 @@ class CompareTest(CommandCase):
                 ("# c\n\n1 0 0 0 0 0 0\n", good, (), "result:3:14: expected qw, got the end of the line"),
                 ("1 0 0 0 0 0 0 1 9\n", good, (), "result:1:17: "),
                 ("1 0 0 0 0 0 0 0\n", good, (), "result:1:9: expected a quaternion of length 1, got length 0"),
-                ("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n", good, (), "result:3:1: expected a time different from that of line 1, got 2"),
+                ("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n2 1 0 0 0 0 0 1\n", good, (), "result:3:1: expected a time that differs from the time of line 1, got 2"),
                 ("VERTEX_SE2 0 0 zero 0\n", flat, (), "result:1:16: expected y"),
                 ("", good, (), "result:1:1: expected a vertex or an edge"),
-                ("VERTEX_XY 0 0 0\n", flat, (), "expected poses, got a graph without any"),
-                ("VERTEX_SE2 0 1e200 0 0\n", flat, (), "vertex 0 is farther away"),
-                (flat, good, (), "got one of each: ids and times do not match"),
+                ("VERTEX_XY 0 0 0\n", flat, (), "expected poses, got a graph without poses"),
+                ("VERTEX_SE2 0 1e200 0 0\n", flat, (), "the pose of vertex 0 is farther away"),
+                (flat, good, (), "got one of each; poses with ids cannot be matched with poses with times"),
                 (flat, space, (), "two graphs in the plane or two in space"),
-                (flat, "VERTEX_SE2 99 0 0 0\n", (), "expected poses with the ids of"),
-                (good, tum(PLACES, range(100, 105)), (), "expected poses with the times of"),
-                (graph(5 * [(1, 1)]), flat, ("--scale",), "expected poses at different places"),
+                (flat, "VERTEX_SE2 99 0 0 0\n", (), " by id, found none"),
+                (good, tum(PLACES, range(100, 105)), (), " by time, found none"),
+                (graph(5 * [(1, 1)]), flat, ("--scale",), "expected poses at different positions"),
                 (flat, flat, ("--scale", "--align", "first"), "--scale"),
                 (flat, flat, ("--steps", "2", "--distance", "3"), "--distance")):
             with self.subTest(text):
@@ -156,7 +156,7 @@ class CompareTest(CommandCase):
         self.assert_refused(run("compare", "-", "-"), "'-' twice")
         truth = self.written("truth", flat)
         self.assert_refused(run("compare", truth, self.path / "none"), "none: cannot be opened")
-        self.assert_refused(run("compare", truth, truth, "--json", truth), "expected a file different from the input")
+        self.assert_refused(run("compare", truth, truth, "--json", truth), "expected a file other than the input")
 
 if __name__ == "__main__":
     main()

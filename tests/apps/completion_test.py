@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus completion: every shell loads its script, and bash completes by its script."""
+"""Tests `boxplus completion`: every shell loads its script, and bash and fish complete command lines with it."""
 
 import os
 import shutil
@@ -32,7 +32,7 @@ class CompletionTest(CommandCase):
         self.assertIn("--worst", completions("boxplus", "info", "-"))
         self.assertNotIn("--worst", completions("boxplus", "optimize", "-"))
 
-    def test_bash_completes_values(self):
+    def test_bash_completes_values_of_options_and_arguments(self):
         solvers = ["automatic", "cholesky", "pcg", "dense", "eigen"]
         self.assertEqual(completions("boxplus", "optimize", "--solver", ""), solvers)
         self.assertEqual(completions("boxplus", "optimize", "--solver", "=", "p"), ["pcg"])
@@ -42,13 +42,13 @@ class CompletionTest(CommandCase):
         self.assertEqual(completions("boxplus", "completion", ""), ["bash", "zsh", "fish"])
         self.assertEqual(completions("boxplus", "simulate", "sph"), ["sphere"])
 
-    def test_bash_leaves_files_to_the_shell(self):
+    def test_the_script_leaves_the_completion_of_file_names_to_bash(self):
         self.assertEqual(completions("boxplus", "optimize", ""), [])
         self.assertEqual(completions("boxplus", "optimize", "graph.g2o", "-o", ""), [])
 
     def output_of(self, shell, script):
         if not shutil.which(shell):
-            self.skipTest(f"no {shell} here")
+            self.skipTest(f"{shell} is not installed")
         path = self.written(f"completion.{shell}", run("completion", shell).stdout)
         done = subprocess.run([shell, "-c", script, path], capture_output=True, text=True, check=True,
                               env={"HOME": str(self.path), "PATH": os.environ["PATH"], "SCRIPT": str(path)})
@@ -59,7 +59,7 @@ class CompletionTest(CommandCase):
         script = 'autoload -U compinit && compinit -u && source $SCRIPT && echo $_comps[boxplus]'
         self.assertEqual(self.output_of("zsh", script), ["_boxplus"])
 
-    def test_fish_completes(self):
+    def test_fish_completes_commands_options_and_values(self):
         for words, offered in (("op", ["optimize"]), ("optimize --iter", ["--iterations"]),
                                ("optimize --solver p", ["pcg"]), ("completion f", ["fish"])):
             found = self.output_of("fish", f"source $SCRIPT; complete -C 'boxplus {words}' | string replace -r '\\t.*' ''; true")

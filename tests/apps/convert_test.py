@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus convert: TORO and unsorted files become plain .g2o."""
+"""Tests `boxplus convert`, which turns TORO files and unsorted files into sorted .g2o files."""
 
 from command_case import TOWN, CommandCase, main, run
 
@@ -16,7 +16,7 @@ class ConvertTest(CommandCase):
         self.assertEqual(out.read_text(encoding="utf-8"),
                          "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 51 2 3 52 4 53\n")
 
-    def test_a_converted_file_is_converted_to_itself(self):
+    def test_converting_a_converted_file_does_not_change_it(self):
         once = run("convert", TOWN, "-").stdout
         again = run("convert", "-", "-", stdin=once)
         self.assertEqual(again.stdout, once)
@@ -29,10 +29,10 @@ class ConvertTest(CommandCase):
         self.assertEqual((done.returncode, done.stdout), (0, "VERTEX_SE2 0 0 0 0\nMYSTERY 1 2 3\n"))
         self.assertIn("1 vertex, 0 edges, 1 other line kept, 1 line skipped", done.stderr)
 
-    def test_refuses_wrong_input_and_touches_no_file(self):
+    def test_refuses_bad_input_and_changes_no_file(self):
         out = self.written("out.g2o", "precious")
         self.assert_refused(run("convert", self.written("bad.g2o", "VERTEX_SE2 0\n"), out), "bad.g2o:1:13: expected")
-        self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o file to write")
+        self.assert_refused(run("convert", TOWN, self.path / "out.graph"), "expected a .g2o file as output, because boxplus can only read TORO's .graph")
         self.assert_refused(run("convert", TOWN), "expected OUT, got none")
         self.assert_refused(run("convert", TOWN, ""), "OUT: expected the name of a file, got ''")
         self.assertEqual(out.read_text(encoding="utf-8"), "precious")

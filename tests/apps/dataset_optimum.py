@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""dataset_optimum.py BOXPLUS FILE BEST: `boxplus optimize FILE`, with no option, ends within 1e-6 of BEST.
+"""dataset_optimum.py BOXPLUS FILE BEST: checks that `boxplus optimize FILE` ends at a chi2 within 1e-6 of BEST.
 
-The file is read from $BOXPLUS_DATA. If it is absent, the test is skipped (exit code 77) and says so.
+No option of the optimization is set. FILE is in the folder $BOXPLUS_DATA. If there is no such file, the test prints
+this and is skipped (exit code 77).
 """
 
 import json
@@ -12,12 +13,12 @@ import subprocess
 import sys
 import tempfile
 
-TOLERANCE = 1e-6  # relative
+TOLERANCE = 1e-6  # the largest relative difference from BEST
 
 def main(boxplus, name, best):
     path = pathlib.Path(os.environ.get("BOXPLUS_DATA", "")) / name
     if not path.is_file():
-        print(f"SKIPPED: no {name} in BOXPLUS_DATA")
+        print(f"SKIPPED: there is no {name} in BOXPLUS_DATA")
         return 77
     with tempfile.TemporaryDirectory() as folder:
         report_path = pathlib.Path(folder) / "report.json"
@@ -33,7 +34,7 @@ def main(boxplus, name, best):
     for key in ("load", "plan", "optimize", "total"):
         assert key in report["time_s"], f"the JSON report lacks time_s.{key}"
     difference = (report["chi2_final"] - best) / best
-    print(f"{name}: {report['status']}, chi2 {report['chi2_final']:.10g}, best known {best:.10g}, {difference:+.1e}")
+    print(f"{name}: {report['status']}, chi2 {report['chi2_final']:.10g}, best known {best:.10g}, relative difference {difference:+.1e}")
     return 0 if report["status"] == "converged" and abs(difference) <= TOLERANCE else 1
 
 if __name__ == "__main__":

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus info: its output for tiny graphs, and for unusual ones."""
+"""Tests the output of `boxplus info` for tiny graphs and for unusual graphs."""
 
 import json
 
 from command_case import TOWN, CommandCase, main, run
 
-UNIT = "1 0 0 1 0 1"  # Ω of an EDGE_SE2
+UNIT = "1 0 0 1 0 1"  # the information matrix of an EDGE_SE2
 
-# Two components. Nothing holds the first one, and its loop closure is wrong by 3 meters. The second has a fixed vertex.
+# Two components. Nothing holds the first one in place, and its loop closure is wrong by 3 meters. The second
+# one has a fixed vertex.
 GRAPH = f"""\
 VERTEX_SE2 0 0 0 0
 VERTEX_SE2 2 1 0 0
@@ -62,13 +63,13 @@ class InfoTest(CommandCase):
         facts = facts_of(GRAPH + f"EDGE_SE2_XY 0 -1 1 2 1 0 1\n")
         self.assertEqual({edge["line"] for edge in facts["worst_edges"]}, {None})
 
-    def test_prints_components_and_how_they_are_held(self):
+    def test_prints_components_and_what_holds_them_in_place(self):
         first, second = (facts := facts_of(GRAPH))["components"]
         self.assertEqual(first, {"first": 0, "vertices": 4, "edges": 4, "fixed": [], "priors": 0, "held": [0], "free": ""})
         self.assertEqual(second, {"first": 10, "vertices": 2, "edges": 1, "fixed": [10], "priors": 0, "held": [], "free": ""})
         self.assertEqual(facts["isolated"], [20])
         text = run("info", "-", stdin=GRAPH).stdout
-        for words in ("nothing: optimize holds vertex 0", "fixed vertex 10", "without edges: vertex 20"):
+        for words in ("nothing; optimize will hold vertex 0", "fixed vertex 10", "without edges: vertex 20"):
             self.assertIn(words, text)
 
     def test_optimize_holds_the_vertex_that_info_names(self):
@@ -82,7 +83,7 @@ class InfoTest(CommandCase):
         self.assertEqual((first["priors"], first["held"]), (1, []))
         self.assertIn("1 prior", run("info", "-", stdin=GRAPH + prior).stdout)
 
-    def test_the_text_is_aligned_and_plain(self):
+    def test_the_text_has_no_trailing_blanks(self):
         done = run("info", TOWN)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("119 odometry, 6 loop closures", done.stdout)
@@ -92,15 +93,15 @@ class InfoTest(CommandCase):
         lone = facts_of("VERTEX_SE2 7 0 0 0\n")
         self.assertEqual((lone["edges"], lone["chi2"], lone["components"], lone["isolated"]), (0, 0, [], [7]))
         huge = f"VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1e300 0 0\nEDGE_SE2 0 1 0 0 0 {UNIT}\n"
-        self.assertIsNone(facts_of(huge)["chi2"])  # it overflows
+        self.assertIsNone(facts_of(huge)["chi2"])  # chi2 overflows
         for text in ("VERTEX_SE2 7 0 0 0\n", huge, "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 3 0 0 0 0 0 0 1\n"):
             done = run("info", "-", stdin=text)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_notes_of_the_file_are_printed_up_to_a_limit(self):
+    def test_notes_about_the_file_are_printed_up_to_a_limit(self):
         words = "".join(f"WORD{k} 1\n" for k in range(50))
         done = run("info", "-", stdin=GRAPH + words)
-        self.assertIn("and 40 more such notes", done.stderr)
+        self.assertIn("and 40 more notes", done.stderr)
         self.assertEqual(len(done.stderr.splitlines()), 11)
         self.assertEqual(len(facts_of(GRAPH + words)["notes"]), 50)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For LD_PRELOAD: simulates a file system that is old (files without names, O_TMPFILE, are not supported) and
-// slow (fsync() does not return).
+// For LD_PRELOAD: simulates an old and slow file system. It is old, because it does not support files without
+// names (O_TMPFILE). It is slow, because fsync() does not return.
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus optimize: options, outputs, exit codes, progress and Ctrl-C."""
+"""Tests `boxplus optimize`: options, outputs, exit codes, progress and Ctrl-C."""
 
 import json
 import os
@@ -12,7 +12,7 @@ import time
 from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
 def estimates(text):
-    """The vertex lines of a graph by id."""
+    """The estimates in the vertex lines of a graph, by id."""
     lines = (line.split() for line in text.splitlines())
     return {int(words[1]): words[2:] for words in lines if words[0].startswith("VERTEX")}
 
@@ -31,7 +31,7 @@ class OptimizeTest(CommandCase):
         done = run("optimize", TOWN)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("converged: chi2", done.stdout)
-        self.assertIn("not written (-o FILE writes it)", done.stdout)
+        self.assertIn("not written (use -o FILE)", done.stdout)
 
     def test_writes_the_graph_and_the_report(self):
         report = self.report_of(TOWN, "-o", self.path / "out.g2o")
@@ -45,7 +45,7 @@ class OptimizeTest(CommandCase):
         again = self.report_of(self.path / "out.g2o")
         self.assertAlmostEqual(again["chi2_initial"] / report["chi2_final"], 1, places=12)
 
-    def test_reads_stdin_and_keeps_stdout_for_the_graph(self):
+    def test_reads_the_graph_from_stdin_and_writes_only_the_graph_to_stdout(self):
         text = TOWN.read_text(encoding="utf-8")
         done = run("optimize", "-", "-o", "-", stdin=text)
         self.assertEqual(done.returncode, 0)
@@ -55,26 +55,26 @@ class OptimizeTest(CommandCase):
         run("optimize", TOWN, "-o", self.path / "out.g2o")
         self.assertEqual(done.stdout, (self.path / "out.g2o").read_text(encoding="utf-8"))
 
-    def test_keeps_stdout_for_the_json(self):
+    def test_writes_only_the_json_report_to_stdout(self):
         done = run("optimize", TOWN, "--json", "-")
         self.assertEqual(json.loads(done.stdout)["status"], "converged")
         self.assertIn("converged: chi2", done.stderr)
 
-    def test_bad_input_on_stdin_is_named(self):
+    def test_messages_about_bad_input_on_stdin_name_stdin(self):
         self.assert_refused(run("optimize", "-", stdin="VERTEX_SE2 0 0 0\n"), "<stdin>:1:17: expected")
 
-    def test_refuses_two_outputs_in_one_place(self):
+    def test_refuses_to_write_two_outputs_to_one_file(self):
         for first, second in (("-", "-"), (self.path / "x", self.path / "." / "x")):
             self.assert_refused(run("optimize", TOWN, "-o", first, "--json", second), "two different files")
         self.assertEqual(list(self.path.iterdir()), [])
 
-    def test_finds_an_unwritable_output_before_it_reads(self):
+    def test_refuses_an_unwritable_output_before_it_reads_the_input(self):
         missing = self.path / "none" / "out.g2o"
         self.assert_refused(run("optimize", self.path / "none.g2o", "-o", missing), "none/out.g2o: cannot be written")
         self.assert_refused(run("optimize", TOWN, "--json", self.path), "cannot be written")
         self.assert_refused(run("optimize", TOWN, "-o", ""), "--output: expected the name of a file, got ''")
 
-    def test_bad_input_touches_no_output(self):
+    def test_bad_input_changes_no_output(self):
         bad = self.written("bad.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 zero 0\n")
         out = self.written("out.g2o", "precious")
         self.assert_refused(run("optimize", bad, "-o", out, "--json", self.path / "out.json"),
@@ -91,13 +91,13 @@ class OptimizeTest(CommandCase):
         self.assertIn(r"BAD\x1b[31m", done.stderr)
         self.assertNotIn("\x1b", done.stderr + done.stdout)
 
-    def test_not_converged_is_1(self):
+    def test_a_run_that_does_not_converge_exits_with_1(self):
         done = run("optimize", TOWN, "--iterations", 1, "--start", "current")
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"\Aboxplus: .*iteration limit.*\n\Z")
         self.assertEqual(self.report_of(TOWN, "--time-limit", 0, code=1)["reason"], "the time limit is reached")
 
-    def test_a_gauge_freedom_that_is_an_error_is_3(self):
+    def test_a_gauge_freedom_exits_with_3_if_the_option_gauge_is_error(self):
         loose = self.written("loose.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 1 0 0 1 0 1\n")
         self.assertEqual(self.report_of(loose)["gauge"]["held"], [0])
         self.assertEqual(self.report_of(loose, "--gauge", "damp")["gauge"]["held"], [])
@@ -105,7 +105,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual(done.returncode, 3)
         self.assertNotEqual(done.stderr, "")
 
-    def test_results_do_not_depend_on_the_threads(self):
+    def test_optimized_graphs_do_not_depend_on_the_number_of_threads(self):
         graph = self.simulated("sphere", 225)
         texts = set()
         for threads in (1, 2, 4):
@@ -127,7 +127,7 @@ class OptimizeTest(CommandCase):
             self.assertEqual(report[key], shown)
             self.assertAlmostEqual(report["chi2_final"] / best["chi2_final"], 1, places=8, msg=name)
 
-    def test_damping_is_an_option_of_levenberg_marquardt_only(self):
+    def test_only_levenberg_marquardt_accepts_the_options_for_damping(self):
         marquardt = ("--algorithm", "levenberg-marquardt")
         records = self.report_of(TOWN, *marquardt, "--lambda", 7.5)["records"]
         self.assertEqual(records[0]["lambda"], 7.5)
@@ -137,12 +137,12 @@ class OptimizeTest(CommandCase):
         for option in (("--lambda", 1), ("--damping", "identity")):
             self.assert_refused(run("optimize", TOWN, *option), "requires --algorithm levenberg-marquardt")
 
-    def test_starts_from_the_chosen_start(self):
+    def test_starts_from_the_chosen_initial_estimates(self):
         for name, used in (("current", "current"), ("odometry", "odometry"), ("spanning-tree", "spanning-tree"),
                            ("chordal", "chordal")):
             self.assertEqual(self.report_of(TOWN, "--start", name)["start"]["used"], used)
 
-    def test_the_default_width_of_a_kernel_follows_from_the_rows_of_each_edge(self):
+    def test_the_default_width_of_a_kernel_depends_on_the_rows_of_each_edge(self):
         widths = self.report_of(TOWN, "--kernel", "Cauchy")["kernel"]["width_by_rows"]
         self.assertEqual(list(widths), ["3"])
         self.assertAlmostEqual(widths["3"], 2.795483, places=6)
@@ -152,7 +152,7 @@ class OptimizeTest(CommandCase):
         self.assertIn("Cauchy kernel of width 2.795 (3 rows) on 125 of 125 edges",
                       run("optimize", TOWN, "--kernel", "Cauchy").stdout)
 
-    def test_kernels_can_be_for_loop_closures_only(self):
+    def test_kernels_can_be_limited_to_loop_closures(self):
         self.assertIsNone(self.report_of(TOWN)["kernel"])
         report = self.report_of(TOWN, "--kernel", "Huber", "--kernel-width", 2)
         self.assertEqual(report["kernel"], {"name": "Huber", "width": 2, "edges": 125})
@@ -164,22 +164,22 @@ class OptimizeTest(CommandCase):
         chain = self.written("chain.g2o",
                              "VERTEX_SE2 0 0 0 0\nVERTEX_XY 1 5 5\nVERTEX_SE2 2 1 0 0\nEDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n")
         done = run("optimize", chain, "--kernel", "Huber", "--kernel-on", "loop-closures")
-        self.assertIn("no loop closures", done.stderr)  # the poses 0 and 2 follow each other: 1 is a landmark
+        self.assertIn("no loop closures", done.stderr)  # poses 0 and 2 are consecutive, because vertex 1 is a landmark
 
-    def test_fixed_vertices_stay_and_are_not_marked_in_the_file(self):
+    def test_the_option_fix_holds_vertices_in_place_and_does_not_mark_them_as_fixed_in_the_file(self):
         before = estimates(TOWN.read_text(encoding="utf-8"))
         done = run("optimize", TOWN, "--fix", "5,17-19", "-o", "-")
         after = estimates(done.stdout)
         self.assertEqual({id for id in before if before[id] == after[id]}, {0, 5, 17, 18, 19})
         self.assertEqual([line for line in done.stdout.splitlines() if line.startswith("FIX")], ["FIX 0"])
-        self.assert_refused(run("optimize", TOWN, "--fix", 900), "--fix: expected the id of a vertex, got 900")
+        self.assert_refused(run("optimize", TOWN, "--fix", 900), "--fix: there is no vertex with id 900")
         self.assert_refused(run("optimize", TOWN, "--fix", "9-4"), "got '9-4'")
 
-    def test_a_subset_moves_alone(self):
+    def test_the_option_only_vertices_moves_no_other_vertex(self):
         before = estimates(TOWN.read_text(encoding="utf-8"))
         after = estimates(run("optimize", TOWN, "--only-vertices", "30-39,8", "-o", "-").stdout)
         self.assertEqual({id for id in before if before[id] != after[id]}, {8, *range(30, 40)})
-        self.assert_refused(run("optimize", TOWN, "--only-vertices", "900-999"), "no vertex from 900 to 999")
+        self.assert_refused(run("optimize", TOWN, "--only-vertices", "900-999"), "no vertex with an id from 900 to 999")
 
     def test_tags_can_be_renamed(self):
         text = TOWN.read_text(encoding="utf-8").replace("VERTEX_SE2", "VERTEX_ROBOT").replace("EDGE_SE2", "MY_EDGE")
@@ -187,14 +187,14 @@ class OptimizeTest(CommandCase):
         self.assertEqual((done.returncode, done.stdout), (0, run("optimize", TOWN, "-o", "-").stdout))
         self.assert_refused(run("optimize", "-", "--rename", "A=NONSENSE"), "got 'NONSENSE'")
 
-    def test_verbose_writes_a_line_per_iteration_to_a_log(self):
+    def test_verbose_writes_one_line_per_iteration_to_stderr(self):
         lines = run("optimize", TOWN, "--start", "current", "--verbose").stderr.splitlines()
         self.assertGreater(len(lines), 2)
         self.assertEqual([line.split()[:3] for line in lines],
                          [["iteration", str(k), "chi2"] for k in range(len(lines))])
 
     def on_a_terminal(self, *arguments):
-        """The output of boxplus to stderr when that is a terminal."""
+        """The output of boxplus to stderr if stderr is a terminal."""
         try:
             leader, follower = pty.openpty()
         except OSError as error:
@@ -207,11 +207,11 @@ class OptimizeTest(CommandCase):
             try:
                 while chunk := terminal.read(65536):
                     shown += chunk
-            except OSError:  # the error of Linux if nobody holds the other end
+            except OSError:  # on Linux, reading fails if the other end is closed
                 pass
         return shown.decode()
 
-    def test_a_terminal_gets_one_line_that_is_erased(self):
+    def test_on_a_terminal_the_progress_is_one_line_that_is_erased_at_the_end(self):
         shown = self.on_a_terminal("optimize", TOWN)
         self.assertIn("iteration", shown)
         self.assertNotIn("\n", shown)
@@ -219,7 +219,7 @@ class OptimizeTest(CommandCase):
         self.assertEqual(self.on_a_terminal("optimize", TOWN, "--quiet"), "")
 
     def start_endless(self, output):
-        """A long optimization, after it has begun to iterate."""
+        """Starts a long optimization, and waits for its first iteration."""
         words = [BOXPLUS, "optimize", self.simulated("sphere", 2500), "-o", output, "--json", self.path / "out.json",
                  "--verbose", "--algorithm", "levenberg-marquardt", "--lambda", "1e9", "--start", "current",
                  "--iterations", "1000000000", "--cost-tolerance", "0", "--step-tolerance", "0"]
@@ -242,8 +242,8 @@ class OptimizeTest(CommandCase):
             written = json.loads(run("info", self.path / "out.g2o", "--json", "-").stdout)
             self.assertAlmostEqual(written["chi2"] / report["chi2_final"], 1, places=10)
 
-    def test_a_second_interrupt_ends_at_once(self):
-        os.mkfifo(self.path / "pipe")  # nobody reads it: after the first interrupt, boxplus waits to write
+    def test_a_second_interrupt_ends_the_process_at_once(self):
+        os.mkfifo(self.path / "pipe")  # nobody reads the pipe, so boxplus waits to write after the first interrupt
         process = self.start_endless(self.path / "pipe")
         while process.poll() is None:
             process.send_signal(signal.SIGINT)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`boxplus plot`: pictures of graphs."""
+"""Tests the pictures of graphs that `boxplus plot` draws."""
 
 import os
 import re
@@ -30,7 +30,7 @@ class Picture:
         self.words = [text.text for text in self.root.iter(f"{SVG}text")]
 
     def closures(self):
-        """The colors of loop closures, one for each path: gray ones are thinner."""
+        """The colors of loop closures, one for each path. Gray paths are thinner than the others."""
         return [path.get("stroke") for path in self.paths
                 if path.get("stroke-opacity") and path.get("stroke-width") in ("0.7", "1")]
 
@@ -38,7 +38,7 @@ class Picture:
         return [float(number) for path in self.paths for number in re.findall(r"-?[\d.]+", path.get("d"))]
 
 def pixels_of(png):
-    """The width, the height and the rows of (r, g, b) of a PNG file. Checks its check sums."""
+    """The width, the height and the rows of (r, g, b) of a PNG file. Also checks the checksums of the file."""
     assert png[:8] == b"\x89PNG\r\n\x1a\n"
     chunks, at = {}, 8
     while at < len(png):
@@ -54,7 +54,7 @@ def pixels_of(png):
     return width, height, [[tuple(rows[i:i + 3]) for i in range(y * stride + 1, (y + 1) * stride, 3)] for y in range(height)]
 
 def content_of(pdf):
-    """The drawing commands of a PDF file. Checks its table of objects."""
+    """The drawing commands of a PDF file. Also checks the table of objects of the file."""
     assert pdf.startswith(b"%PDF-1.4") and pdf.endswith(b"%%EOF\n")
     begin = int(pdf.split(b"startxref\n")[1].split()[0])
     lines = pdf[begin:].splitlines()
@@ -97,17 +97,17 @@ class PlotTest(CommandCase):
             self.assertEqual((len(colors), colors[0]), (2, GRAY))
             self.assertNotEqual(colors[1], GRAY)
 
-    def test_both_panels_have_one_scale_of_colors(self):
+    def test_both_panels_have_the_same_color_scale(self):
         closure = f"EDGE_SE2 0 3 3 {{}} 0 {INFORMATION}\n"
         before, after = (self.written(name, CHAIN + closure.format(y)) for name, y in (("b", 500), ("a", 8)))
         same, different = self.drawn(after, after), self.drawn(before, after)
         self.assertEqual((len(same.closures()), len(set(same.closures()))), (2, 1))
         self.assertEqual(len(set(different.closures())), 2)
-        self.assertNotIn(same.closures()[0], different.closures(), "a darker scale makes the same error lighter")
+        self.assertNotIn(same.closures()[0], different.closures(), "on a longer scale, the same error has a lighter color")
         self.assertIn("100", same.words)
         self.assertIn("10⁴", different.words)
 
-    def test_draws_tiny_graphs(self):
+    def test_draws_graphs_with_one_vertex_or_one_position(self):
         one = "VERTEX_SE2 0 3 4 0\n"
         point = "VERTEX_XY 1 3 4\n"
         same = "".join(f"VERTEX_SE2 {i} 7 7 0\n" for i in range(5)) + f"EDGE_SE2 0 1 0 0 0 {INFORMATION}\n"
@@ -115,15 +115,15 @@ class PlotTest(CommandCase):
             picture = self.drawn("-", stdin=text)
             self.assertGreaterEqual(len(picture.paths), 1)
             self.assertTrue(all(0 <= number <= 700 for number in picture.numbers()), picture.numbers())
-            self.assertFalse(any(re.fullmatch(r"\S+ m", words) for words in picture.words), "a single point has no scale")
+            self.assertFalse(any(re.fullmatch(r"\S+ m", words) for words in picture.words), "a single point has no scale bar")
 
-    def test_stays_small_for_large_graphs(self):
+    def test_pictures_of_large_graphs_are_small_files(self):
         run("simulate", "streets", "--poses", 100_000, "-o", self.path / "s.g2o")
         done = run("plot", self.path / "s.g2o", self.path / "s.g2o", "-o", self.path / "p.svg")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertLess((self.path / "p.svg").stat().st_size, 8_000_000)
 
-    def test_keeps_the_worst_of_edges_that_cover_each_other(self):
+    def test_of_edges_that_cover_each_other_only_the_worst_is_drawn(self):
         copies = "".join(f"EDGE_SE2 0 3 3 1 0 {INFORMATION}\n" for _ in range(50))
         colors = self.drawn("-", stdin=CHAIN + copies + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n").closures()
         self.assertEqual(len(colors), 1)
@@ -133,7 +133,7 @@ class PlotTest(CommandCase):
         path = self.written("a<b>&c.g2o", CHAIN)
         self.assertIn("a<b>&c", self.drawn(path).words)
 
-    def test_bytes_of_titles_that_are_not_utf8_become_replacement_characters(self):
+    def test_bytes_of_titles_that_are_not_valid_utf8_become_replacement_characters(self):
         latin = os.fsdecode(b"lat\xe9in.g2o")
         self.assertIn("lat\ufffdin", self.drawn(self.written(latin, CHAIN)).words)
 
@@ -170,13 +170,13 @@ class PlotTest(CommandCase):
         double = pixels_of(self.file_drawn("b.png", "-", "--bare", "--size", "300x200", stdin=CHAIN))
         self.assertEqual(double[:2], (600, 400))
 
-    def test_a_png_has_text(self):
+    def test_a_png_shows_its_title(self):
         plain = pixels_of(self.file_drawn("a.png", "-", "--resolution", 1, stdin=CHAIN))[2]
         titled = pixels_of(self.file_drawn("a.png", "-", "--resolution", 1, "--title", "Title", stdin=CHAIN))[2]
         changed = [y for y, (a, b) in enumerate(zip(plain, titled)) if a != b]
         self.assertTrue(20 < min(changed) and max(changed) < 60, changed)
 
-    def test_a_pdf_has_the_lines_and_the_words(self):
+    def test_a_pdf_contains_the_lines_and_the_text(self):
         pdf = self.file_drawn("a.pdf", "-", "--title", "A (b) \\ é x²", "--size", "252x200", stdin=CHAIN)
         self.assertIn(b"/MediaBox [0 0 252.00 200.00]", pdf)
         content = content_of(pdf)
@@ -184,7 +184,7 @@ class PlotTest(CommandCase):
         self.assertIn(r"(chi2 = 0  \267  4 poses, 3 edges) Tj", content)
         self.assertGreaterEqual(content.count(" l\nS\n"), 3)
 
-    def test_a_bare_picture_is_the_graph_alone(self):
+    def test_a_bare_picture_contains_only_the_graph(self):
         picture = self.drawn("-", "--bare", stdin=CHAIN)
         self.assertEqual((picture.words, picture.root.findall(f"{SVG}rect")), ([], []))
         with_axes = self.drawn("-", "--bare", "--axes", stdin=CHAIN)
@@ -196,7 +196,7 @@ class PlotTest(CommandCase):
             self.assertIn(word, words)
         self.assertFalse(any(re.fullmatch(r"\S+ m", word) for word in words), "a scale bar would be redundant")
 
-    def test_graphs_in_space_are_seen_from_the_chosen_direction(self):
+    def test_graphs_in_space_are_drawn_from_the_chosen_direction(self):
         tower = "".join(f"VERTEX_SE3:QUAT {i} {x} 0 {z} 0 0 0 1\n" for i, (x, z) in enumerate(((0, 0), (1, 8), (0, 16))))
         for view, here, absent in (("top", ("x [m]", "y [m]"), ("z [m]",)), ("side", ("x [m]", "z [m]", "15"), ("y [m]",)),
                                    ("iso", ("x", "y", "z"), ("x [m]",)), ("30,10", ("x", "y", "z"), ("x [m]",))):
@@ -204,7 +204,7 @@ class PlotTest(CommandCase):
             self.assertTrue(set(here) <= set(words) and not set(absent) & set(words), (view, words))
         dots = [path for path in self.drawn("-", "--bare", "--view", "top", stdin=tower).paths if "h0" in path.get("d")]
         heights = {re.search(r" ([\d.]+)h0", path.get("d"))[1] for path in dots}
-        self.assertEqual(len(heights), 1, "from above, the tower is a line")
+        self.assertEqual(len(heights), 1, "from above, all poses of the tower are at the same height in the picture")
         for view in ("below", "1", "1,2,3", "400,0", "0,91", "a,b"):
             self.assert_refused(run("plot", "-", "-o", "-", "--view", view, stdin=tower), "--view: expected top, side, iso")
 
@@ -214,18 +214,18 @@ class PlotTest(CommandCase):
         truth = [path for path in picture.paths if path.get("stroke") == "#f2d06b"]
         shape = lambda paths: {tuple(map(float, p)) for path in paths for p in re.findall(r"([\d.]+) ([\d.]+)", path.get("d"))}  # noqa: E731
         self.assertEqual(len(shape(truth)), 4)
-        self.assertEqual(shape(truth), shape(picture.paths), "a turned truth is the same truth")
+        self.assertEqual(shape(truth), shape(picture.paths), "the rotated truth covers the graph")
         self.assertIn("truth", self.drawn("-", "--truth", self.path / "truth.g2o", stdin=CHAIN).words)
         self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.txt", "1 0 0 0 0 0 0 1\n"), stdin=CHAIN), "t.txt: expected a graph")
-        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.g2o", "VERTEX_SE2 77 0 0 0\n"), stdin=CHAIN), "with the ids of <stdin>")
+        self.assert_refused(run("plot", "-", "-o", "-", "--truth", self.written("t.g2o", "VERTEX_SE2 77 0 0 0\n"), stdin=CHAIN), "with the same ids as in <stdin>")
 
-    def test_both_panels_have_one_scale_if_asked(self):
+    def test_the_option_equal_scale_gives_both_panels_the_same_scale(self):
         large = self.written("large", re.sub(r"(VERTEX_SE2 \d) (\d) (\d)", r"\1 \g<2>000 \g<3>000", CHAIN))
         bars = lambda *options: [w for w in self.drawn(self.written("small", CHAIN), large, *options).words if re.fullmatch(r"\S+ m", w)]  # noqa: E731
         self.assertEqual(len(set(bars())), 2)
         self.assertEqual(len(set(bars("--equal-scale"))), 1)
 
-    def test_with_a_kernel_the_colors_are_those_of_the_robust_chi2(self):
+    def test_with_a_kernel_the_colors_show_the_robust_chi2(self):
         graph = CHAIN + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n" + f"EDGE_SE2 0 2 2 400 0 {INFORMATION}\n"
         plain, robust = self.drawn("-", stdin=graph), self.drawn("-", "--kernel", "GemanMcClure", "--kernel-width", 1, stdin=graph)
         self.assertNotIn(GRAY, plain.closures())
@@ -245,7 +245,7 @@ class PlotTest(CommandCase):
                 if "--bare" not in options:
                     self.assertIn("chi2 is not finite", done.stdout)
 
-    def test_sizes_and_fonts_are_checked(self):
+    def test_invalid_sizes_are_refused_and_valid_sizes_are_used(self):
         for words, text in ((["--size", "100"], "WIDTHxHEIGHT"), (["--size", "1x1"], "from 16 to 10000"), (["--size", "nanx100"], "WIDTHxHEIGHT"),
                             (["--font-size", "0"], "--font-size"), (["--format", "png", "--size", "9000x9000"], "at most 5e+07 pixels"), (["--resolution", "99"], "--resolution")):
             self.assert_refused(run("plot", "-", "-o", "-", *words, stdin=CHAIN), text)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""same_bits.py BOXPLUS: the output has the same bytes for 1, 2 and 3 threads and in each process.
+"""same_bits.py BOXPLUS: checks that the output has the same bytes with 1, 2 and 3 threads and in each process.
 
-Every process has another address-space layout (ASLR), so nothing may be ordered by address. More than one worker
-must have done work.
+Each process has a different address-space layout (ASLR), so the test fails if results depend on the order of addresses.
+The test also checks that every thread did some of the work.
 """
 
 import json

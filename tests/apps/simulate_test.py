@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""`boxplus simulate`: graphs whose truth is known."""
+"""Tests `boxplus simulate`, which makes graphs whose true poses are known."""
 
 import re
 
@@ -9,7 +9,7 @@ from command_case import CommandCase, main, run
 WORLDS = ("sphere", "torus", "grid", "manhattan", "streets", "city")
 
 def words_of(path):
-    """How often each word begins a line."""
+    """The number of lines that begin with each word."""
     counts = {}
     for line in path.read_text(encoding="utf-8").splitlines():
         word = line.split(" ", 1)[0]
@@ -17,7 +17,7 @@ def words_of(path):
     return counts
 
 class SimulateTest(CommandCase):
-    def test_each_world_is_described_made_and_read_back(self):
+    def test_each_world_is_in_the_help_and_its_graph_can_be_optimized(self):
         text = run("simulate", "--help").stdout
         for world in WORLDS:
             self.assertRegex(text, rf"\n  {world} +\w+")
@@ -37,14 +37,14 @@ class SimulateTest(CommandCase):
     def test_the_summary_describes_the_written_graph(self):
         done = run("simulate", "manhattan", "--poses", 2500, "--outliers", 0.1, "-o", self.path / "m.g2o")
         found = re.fullmatch(r".*m\.g2o: (\d+) vertices, (\d+) edges, (\d+) of them loop closures \((\d+) wrong\); "
-                             r"chi2 \S+, at the truth \S+\n", done.stdout)
+                             r"chi2 is \S+, and \S+ at the truth\n", done.stdout)
         self.assertIsNotNone(found, done.stdout)
         vertices, edges, closures, wrong = map(int, found.groups())
         self.assertEqual(words_of(self.path / "m.g2o"), {"VERTEX_SE2": vertices, "FIX": 1, "EDGE_SE2": edges})
         self.assertEqual((vertices, closures), (2500, edges - 2499))
         self.assertAlmostEqual(wrong / closures, 0.1, delta=0.05)
 
-    def test_the_truth_of_perfect_measurements_is_their_graph(self):
+    def test_without_noise_the_estimates_equal_the_truth(self):
         run("simulate", "streets", "--poses", 500, "--noise", 0, "-o", self.path / "g.g2o", "--truth", self.path / "t.g2o")
         done = run("optimize", self.path / "t.g2o", "--iterations", 0, "--start", "current")
         self.assertIn("chi2", done.stdout)

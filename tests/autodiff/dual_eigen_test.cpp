@@ -16,7 +16,7 @@ Matrix<double, 2, 2> literal_matrix() {
 }
 const Vector<D2, 2> kPoint(D2::variable(5, 0), D2::variable(6, 1));
 
-TEST(DualInEigen, MultipliesWithAMatrixOfDoubles) {
+TEST(DualInEigen, MultipliesByAMatrixOfDoubles) {
   const Vector<D2, 2> y = literal_matrix() * kPoint;
   EXPECT_EQ(y[1].value, 39);
   EXPECT_EQ(y[1].derivative[0], 3);
@@ -49,7 +49,7 @@ TEST(DualInEigen, TheNormOfAConstantZeroVectorHasDerivativeZero) {
   EXPECT_EQ(zero.norm().derivative[0], 0);
 }
 
-TEST(DualInEigen, WorksAtRunTimeSizes) {
+TEST(DualInEigen, WorksInMatricesOfRunTimeSize) {
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> m = Eigen::MatrixXd::Identity(30, 30) * 2;
   Eigen::Matrix<D2, Eigen::Dynamic, 1> x(30);
   x.setConstant(D2::variable(3, 1));
@@ -65,7 +65,7 @@ TEST(DualInEigen, AppliesFunctionsToArrays) {
   EXPECT_DOUBLE_EQ(y[0].derivative[0], (std::sin(5) + std::cos(5)) * std::exp(5));
 }
 
-TEST(DualInEigen, NestedDualsMixWithInnerOnes) {
+TEST(DualInEigen, NestedDualsCombineWithTheirInnerDuals) {
   using H = detail::Dual<detail::Dual<double, 1>, 2>;
   const Vector<H, 2> x(H::variable(5, 0), H::variable(6, 1));
   const Vector<detail::Dual<double, 1>, 2> inner(detail::Dual<double, 1>(1), detail::Dual<double, 1>(2));

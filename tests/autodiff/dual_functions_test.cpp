@@ -13,7 +13,8 @@ using D1 = detail::Dual<double, 1>;
 using D2 = detail::Dual<double, 2>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The dual derivative of f at x, and that of its first derivative (nested), against numeric ones.
+/// Expects that the first derivative from a dual number, and the second derivative from a nested dual number,
+/// agree with numeric derivatives of f at each point.
 template <class F>
 void expect_derivatives(const char* name, const F& f, std::initializer_list<double> points) {
   detail::NumericOptions options;
@@ -52,7 +53,7 @@ TEST(DualFunctions, OfOneArgumentMatchNumericDerivatives) {
   expect_derivatives("round", [](auto x) { return round(x); }, {-2.2, 3.2});
 }
 
-TEST(DualFunctions, OfAnglesMatchNumericDerivatives) {
+TEST(DualFunctions, TrigonometricAndHyperbolicFunctionsMatchNumericDerivatives) {
   expect_derivatives("sin", [](auto x) { return sin(x); }, {-3, 0, 1.5707963267948966, 2});
   expect_derivatives("cos", [](auto x) { return cos(x); }, {-3, 0, 1.5707963267948966, 2});
   expect_derivatives("tan", [](auto x) { return tan(x); }, {-1, 0, 1});
@@ -68,7 +69,8 @@ TEST(DualFunctions, OfAnglesMatchNumericDerivatives) {
 }
 
 TEST(DualFunctions, OfTwoArgumentsMatchNumericDerivatives) {
-  expect_derivatives("atan2 all around", [](auto x) { return atan2(sin(x), cos(x)); }, {-3, -1, 0, 1, 2, 3});
+  expect_derivatives("atan2(sin(x), cos(x))", [](auto x) { return atan2(sin(x), cos(x)); },
+                     {-3, -1, 0, 1, 2, 3});
   expect_derivatives("atan2(x, c)", [](auto x) { return atan2(x, 2.0); }, {-1, 0, 1});
   expect_derivatives("atan2(c, x)", [](auto x) { return atan2(2.0, x); }, {-1, 0, 1});
   expect_derivatives("hypot", [](auto x) { return hypot(x, 2 * x + 1); }, {-3, 0, 1});
@@ -85,7 +87,7 @@ TEST(DualFunctions, OfTwoArgumentsMatchNumericDerivatives) {
   expect_derivatives("copysign", [](auto x) { return copysign(x, -1.0); }, {-2, 3});
 }
 
-TEST(DualFunctions, KeepConstantDirectionsIfTheSlopeIsInfinite) {
+TEST(DualFunctions, HaveDerivativeZeroInConstantDirectionsEvenIfTheSlopeIsInfinite) {
   const D2 zero = D2::variable(0, 0);
   EXPECT_EQ(sqrt(zero).derivative[0], kInfinity);
   EXPECT_EQ(sqrt(zero).derivative[1], 0);
@@ -105,7 +107,7 @@ TEST(DualFunctions, PowersAtZeroHaveFiniteDerivatives) {
   EXPECT_EQ(pow(D2::variable(-2, 0), D2(3)).derivative[0], 12);
 }
 
-TEST(DualFunctions, AbsoluteValueAtZeroHasTheCorrectDerivative) {
+TEST(DualFunctions, AbsoluteValueHasDerivativeOneAtZero) {
   EXPECT_EQ(abs(D1::variable(0, 0)).derivative[0], 1);
   EXPECT_EQ(abs(D1::variable(-0.0, 0)).derivative[0], 1);
 }

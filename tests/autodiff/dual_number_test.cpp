@@ -29,7 +29,7 @@ TEST(Dual, FollowsTheRulesOfDifferentiation) {
   expect_dual(+kX, 3, 1, 0);
 }
 
-TEST(Dual, MixesWithEveryArithmeticType) {
+TEST(Dual, CombinesWithEveryArithmeticType) {
   expect_dual(2 * kX + 1, 7, 2, 0);
   expect_dual(1.5f + kX * 2u, 7.5, 2, 0);
   expect_dual(1 - kX, -2, -1, 0);
@@ -64,7 +64,7 @@ TEST(Dual, ComparesValuesOnly) {
   EXPECT_TRUE(kX == D2(3));
 }
 
-TEST(Dual, IsAPlainValue) {
+TEST(Dual, IsATrivialTypeWithoutPadding) {
   static_assert(std::is_trivially_copyable_v<D2>);
   static_assert(std::is_trivially_default_constructible_v<D2>);
   static_assert(sizeof(D2) == 3 * sizeof(double));
@@ -90,7 +90,7 @@ S polynomial(const S& x, const S& y) {
   return x * y * y + sin(x) * y;
 }
 
-TEST(Dual, NestsIntoTheHessian) {
+TEST(Dual, ComputesTheHessianIfItIsNested) {
   using H = detail::Dual<D2, 2>;
   H x(D2::variable(3, 0)), y(D2::variable(4, 1));
   x.derivative[0] = D2(1);
@@ -105,7 +105,7 @@ TEST(Dual, NestsIntoTheHessian) {
   EXPECT_DOUBLE_EQ(f.derivative[1].derivative[1], 6);
 }
 
-TEST(Dual, NestedMixesWithEveryInnerScalar) {
+TEST(Dual, CombinesWithEveryInnerScalarIfItIsNested) {
   using H = detail::Dual<D1, 2>;
   const H x(D1::variable(3, 0));
   const H f = 2 * x + x * D1(2) + 1.0 - D1(1) / x;

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-TEST(FunctionRef, CallsTheOriginalAndNotACopy) {
+TEST(FunctionRef, CallsTheOriginalFunctionObjectAndNotACopy) {
   int calls = 0;
   auto count = [calls]() mutable { return ++calls; };
   const detail::FunctionRef<int()> reference = count;
@@ -31,7 +31,7 @@ TEST(FunctionRef, ForwardsReferencesAndMoveOnlyArguments) {
   EXPECT_EQ(value, 7);
 }
 
-TEST(FunctionRef, IsTwoWordsAndTriviallyCopied) {
+TEST(FunctionRef, IsAsLargeAsTwoPointersAndTriviallyCopyable) {
   EXPECT_EQ(sizeof(detail::FunctionRef<void(int)>), 2 * sizeof(void*));
   EXPECT_TRUE(std::is_trivially_copyable_v<detail::FunctionRef<void(int)>>);
 }

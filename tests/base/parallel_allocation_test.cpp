@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-TEST(AllocationCounter, SeesNewAndEigen) {
+TEST(AllocationCounter, CountsAllocationsByOperatorNewAndByEigen) {
   if (!testing::allocations_are_counted()) GTEST_SKIP();
   const long before = testing::allocation_count();
   ::operator delete(::operator new(1));  // a new-expression might be optimized away

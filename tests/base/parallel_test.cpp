@@ -31,14 +31,15 @@ std::vector<std::thread::id> threads_of_tasks(int count) {
   return ids;
 }
 
-/// How often each task of one call runs.
+/// The number of times that each task of one call runs.
 std::vector<int> runs_of_tasks(int count) {
   std::vector<int> runs(static_cast<std::size_t>(count));
   detail::parallel_tasks(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
   return runs;
 }
 
-/// The exception of a call if its tasks throw their index from `first` on; -1 if it throws nothing.
+/// Runs `count` tasks. Each task throws its index if the index is at least `first`. Returns the index that
+/// parallel_tasks() throws, or -1 if it throws nothing.
 int index_thrown(int count, int first) {
   try {
     detail::parallel_tasks(count, [&](int i) {
@@ -65,13 +66,13 @@ TEST(ParallelTasks, RunNothingForANegativeCount) {
   detail::parallel_tasks(-1, [](int) { FAIL(); });
 }
 
-TEST(ParallelTasks, RunOnOneWorkerEachAndTheFirstOnTheCaller) {
+TEST(ParallelTasks, RunOnOneThreadEachAndTheFirstTaskRunsOnTheCallingThread) {
   const auto ids = threads_of_tasks(6);
   EXPECT_EQ(std::set(ids.begin(), ids.end()).size(), 6U);
   EXPECT_EQ(ids[0], std::this_thread::get_id());
 }
 
-TEST(ParallelTasks, StayOnTheirWorkersFromCallToCall) {
+TEST(ParallelTasks, RunOnTheSameThreadsInEveryCall) {
   const auto six = threads_of_tasks(6);
   const auto four = threads_of_tasks(4);
   EXPECT_TRUE(std::equal(four.begin(), four.end(), six.begin()));
@@ -87,14 +88,14 @@ TEST(ParallelTasks, HaveAllFinishedWhenTheCallReturns) {
   EXPECT_THAT(sums, ElementsAre(20000, 16000, 12000, 8000, 4000));
 }
 
-TEST(ParallelTasks, WakeWorkersThatFellAsleep) {
+TEST(ParallelTasks, WakeSleepingWorkers) {
   for (int call = 0; call < 20; ++call) {
     EXPECT_THAT(runs_of_tasks(4), Each(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
-TEST(ParallelTasks, WaitForATaskThatOutlastsTheSpinning) {
+TEST(ParallelTasks, WaitForATaskThatRunsLongerThanTheCallerSpins) {
   std::vector<int> slept(3);
   detail::parallel_tasks(3, [&](int i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5 * i));
@@ -103,7 +104,7 @@ TEST(ParallelTasks, WaitForATaskThatOutlastsTheSpinning) {
   EXPECT_THAT(slept, Each(1));
 }
 
-TEST(ParallelTasks, RunNestedCallsInOrderOnTheCallingWorker) {
+TEST(ParallelTasks, RunInOrderOnTheCallingThreadIfTheCallIsNested) {
   std::array<std::vector<int>, 4> orders;
   std::atomic<int> strays{0};
   detail::parallel_tasks(4, [&](int outer) {
@@ -117,25 +118,25 @@ TEST(ParallelTasks, RunNestedCallsInOrderOnTheCallingWorker) {
   EXPECT_EQ(strays, 0);
 }
 
-TEST(ParallelTasks, ForkAgainAfterNestedAndThrowingCalls) {
+TEST(ParallelTasks, RunOnSeveralThreadsAgainAfterNestedAndThrowingCalls) {
   detail::parallel_tasks(2, [](int) { detail::parallel_tasks(2, [](int) {}); });
   EXPECT_EQ(index_thrown(2, 0), 0);
   EXPECT_NE(threads_of_tasks(2)[1], std::this_thread::get_id());
 }
 
-TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndex) {
+TEST(ParallelTasks, RethrowTheExceptionOfTheTaskWithTheLowestIndex) {
   EXPECT_EQ(index_thrown(4, 4), -1);
   for (int first = 3; first >= 0; --first) EXPECT_EQ(index_thrown(4, first), first);
   EXPECT_EQ(index_thrown(1, 0), 0);
 }
 
-TEST(ParallelTasks, RethrowTheExceptionOfTheLowestIndexFromNestedCalls) {
+TEST(ParallelTasks, RethrowTheExceptionOfTheTaskWithTheLowestIndexFromNestedCalls) {
   std::array<int, 3> thrown{};
   detail::parallel_tasks(3, [&](int i) { thrown[static_cast<std::size_t>(i)] = index_thrown(4, i); });
   EXPECT_THAT(thrown, ElementsAre(0, 1, 2));
 }
 
-TEST(ParallelTasks, RunToTheEndEvenIfSomeThrow) {
+TEST(ParallelTasks, AllRunEvenIfSomeThrow) {
   const auto count_runs = [](std::atomic<int>& runs) {
     try {
       detail::parallel_tasks(4, [&](int) {
@@ -175,9 +176,9 @@ TEST(ParallelTasks, ServeSeveralCallersAtOnce) {
   EXPECT_THAT(sums, Each(1500));
 }
 
-#ifndef BOXPLUS_SANITIZED  // the sanitizers allow neither fork with threads nor a tight limit of address
-                           // space
-TEST(ParallelTasks, WorkInAForkedChild) {
+// Sanitizers support neither fork() in a program with several threads nor a tight limit of the address space.
+#ifndef BOXPLUS_SANITIZED
+TEST(ParallelTasks, RunInAForkedChildProcess) {
   detail::parallel_tasks(4, [](int) {});
   const pid_t child = fork();
   if (child == 0) _exit(runs_of_tasks(4) == std::vector<int>(4, 1) ? 0 : 1);
@@ -186,7 +187,7 @@ TEST(ParallelTasks, WorkInAForkedChild) {
   EXPECT_EQ(status, 0);
 }
 
-/// Leaves the process too little address space for the stack of another thread.
+/// Limits the address space of the process, so that the stack of another thread does not fit.
 void forbid_more_threads() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -195,7 +196,7 @@ void forbid_more_threads() {
   setrlimit(RLIMIT_AS, &limits);
 }
 
-TEST(ParallelTasksDeathTest, AllRunOnTheCallerIfTheSystemGrantsNoThreads) {
+TEST(ParallelTasksDeathTest, RunOnTheCallingThreadIfNoOtherThreadCanBeCreated) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto run_without_threads = [] {
     forbid_more_threads();
@@ -207,7 +208,7 @@ TEST(ParallelTasksDeathTest, AllRunOnTheCallerIfTheSystemGrantsNoThreads) {
 }
 #endif
 
-/// A global object whose destructor runs tasks: the workers outlive it.
+/// A global object whose destructor runs tasks. The worker threads must still exist at that time.
 struct RunsTasksAtTheEnd {
   ~RunsTasksAtTheEnd() {
     std::atomic<int> done = 0;

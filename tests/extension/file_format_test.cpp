@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom file format is recognized, read, written and listed like those of the library. Includes public
-// headers only.
+// The library recognizes, reads, writes and lists a custom file format like its own formats. This test
+// includes public headers only.
 #include "boxplus/io/file_format.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using namespace boxplus;
 
 constexpr std::string_view kTitle = "id,x,y\n";
 
-/// Points in the plane as a table of comma-separated values.
+/// Reads points in the plane from a table of comma-separated values.
 GraphFile read_table(const TextSource& text, const ReadOptions& options) {
   std::string memory;
   std::istringstream lines(std::string(text.text(memory)));
@@ -69,15 +69,16 @@ class CustomFileFormat : public testing::Test {
   const WriteOptions writing_{.formats = &formats_};
 };
 
-TEST_F(CustomFileFormat, IsRecognizedByItsContentAndRead) {
+TEST_F(CustomFileFormat, IsReadIfTheContentOfAFileIsRecognized) {
   const GraphFile file = parse_graph("id,x,y\n0,1,2\n7,3,4.5\n", "t", reading_);
   EXPECT_EQ(file.graph.estimate(file.graph.vertex<Vector2>(7)), Vector2(3, 4.5));
   EXPECT_EQ(parse_graph("VERTEX_XY 0 1 2\n", "t", reading_).graph.vertex_count(), 1u) << "a .g2o file";
-  EXPECT_EQ(parse_graph("VERTEX2 0 1 2 0\n", "t", reading_).graph.vertex_count(), 1u) << "a file of TORO";
-  EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n", "t").graph.vertex_count(), 0u) << "without the format";
+  EXPECT_EQ(parse_graph("VERTEX2 0 1 2 0\n", "t", reading_).graph.vertex_count(), 1u) << "a TORO file";
+  EXPECT_EQ(parse_graph("id,x,y\n0,1,2\n", "t").graph.vertex_count(), 0u)
+      << "the default formats do not include the custom format";
 }
 
-TEST_F(CustomFileFormat, IsWrittenIfTheFileHasItsExtension) {
+TEST_F(CustomFileFormat, IsWrittenIfThePathHasItsExtension) {
   const GraphFile file = parse_graph("VERTEX_XY 3 1 2.5\n", "t", reading_);
   const std::string path = testing::TempDir() + "boxplus_own_file_format_test.csv";
   write_graph(path, file, writing_);
@@ -93,7 +94,7 @@ TEST_F(CustomFileFormat, IsWrittenIfItsNameIsRequested) {
   EXPECT_EQ(format_graph(file, {.formats = &formats_, .format = "table"}), "id,x,y\n3,1,2.5\n");
 }
 
-TEST_F(CustomFileFormat, IsListed) {
+TEST_F(CustomFileFormat, IsListedAfterTheFormatsOfTheLibrary) {
   std::vector<std::string> labels;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
   EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "table's .csv"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact and numeric Jacobians against each other and against values derived by hand.
+// Compares exact and numeric Jacobians with each other and with formulas that were derived by hand.
 #include "boxplus/graph/differentiate.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace boxplus {
 
-/// A constant that cannot move.
+/// A vertex type of tangent dimension 0.
 struct Frozen {
   double value;
 };
@@ -79,7 +79,7 @@ Eigen::MatrixXd jacobian(const E& e, int rows, detail::Argument<V>... x) {
   return exact;
 }
 
-/// Errors and Jacobians of edges of one row, linearized `at_once` at a time.
+/// The errors and Jacobians of edges whose errors have one row. Each call linearizes `at_once` edges.
 std::vector<double> linearize(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
                               std::size_t at_once) {
   std::vector<double> numbers;
@@ -109,18 +109,18 @@ TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsConvertedToDualNumbersOnce) 
   EXPECT_EQ(Counted<double>::lifts, 32);
   Counted<double>::lifts = 0;
   const std::vector<double> together = linearize(pool, edges, 16);
-  EXPECT_EQ(Counted<double>::lifts, 2 + 3);  // a, c; b, c, b
+  EXPECT_EQ(Counted<double>::lifts, 2 + 3);  // first vertices: a, c; second vertices: b, c, b
   for (std::size_t k = 0; k < 16; ++k) {
     EXPECT_EQ(together[k], alone[3 * k]);
     EXPECT_EQ(together[16 + 2 * k], alone[3 * k + 1]);
     EXPECT_EQ(together[16 + 2 * k + 1], alone[3 * k + 2]);
   }
-  graph.set_estimate(c, Counted<double>{7});  // nothing is kept between calls
+  graph.set_estimate(c, Counted<double>{7});  // the next call must not use old values
   EXPECT_EQ(linearize(pool, std::span(edges).last(1), 1)[0], 7 * 7 * 3);
 }
 
-TEST(Jacobian, OfATileOfEdgesEqualsThatOfEachEdgeAlone) {
-  // 30 columns take four passes of dual numbers.
+TEST(Jacobian, OfEachEdgeInATileEqualsTheJacobianOfThisEdgeAlone) {
+  // Thirty columns take four passes with dual numbers.
   Graph graph;
   const auto a = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(1, 2))),
              b = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(3, 4)));
@@ -145,12 +145,12 @@ TEST(Jacobian, OfATileOfEdgesEqualsThatOfEachEdgeAlone) {
   }
 }
 
-TEST(Jacobian, OfAPolynomialEqualsTheFormulaOfTheTextbook) {
+TEST(Jacobian, OfAPolynomialEqualsTheTextbookFormula) {
   const auto e = [](const auto& x, const auto& y) { return x * x * y; };
   EXPECT_EQ((jacobian<double, double>(e, 1, 3, 5)), Eigen::RowVector2d(30, 9));
 }
 
-TEST(Jacobian, OfAnSe2BetweenEqualsTheFormulaOfTheDocument) {
+TEST(Jacobian, OfAnSe2BetweenErrorEqualsTheFormulaDerivedByHand) {
   const auto e = [](const auto& a, const auto& b) { return a.inverse_times(b).vector(); };
   const SE2 a(1, 2, 0.3), b(4, -1, -2.5);
   const Eigen::MatrixXd J = jacobian<SE2, SE2>(e, 3, a, b);
@@ -164,7 +164,7 @@ TEST(Jacobian, OfAnSe2BetweenEqualsTheFormulaOfTheDocument) {
   EXPECT_LE((J - expected).norm(), 1e-14);
 }
 
-TEST(Jacobian, OfAnSe3BetweenAtItsMeasurementIsTheIdentityInTheSecondPose) {
+TEST(Jacobian, OfAnSe3BetweenErrorOfZeroIsTheIdentityForTheSecondPose) {
   const SE3 a = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
   const SE3 z = SE3::from_minimal((Vector<double, 6>() << 3, 2, 1, 0.4, 0.1, -0.3).finished());
   const auto e = [z](const auto& x, const auto& y) {
@@ -172,13 +172,13 @@ TEST(Jacobian, OfAnSe3BetweenAtItsMeasurementIsTheIdentityInTheSecondPose) {
   };
   const Eigen::MatrixXd J = jacobian<SE3, SE3>(e, 6, a, a * z);
   EXPECT_LE((J.rightCols<6>() - Eigen::MatrixXd::Identity(6, 6)).norm(), 1e-13);
-  // d(Z⁻¹ (X ⊞ δ)⁻¹ Y) = −Ad in its translation part: −R(z)ᵀ.
+  // The derivative of the translation of Z⁻¹ (X ⊞ δ)⁻¹ Y by the translation of δ is −R(z)ᵀ.
   EXPECT_LE((J.block<3, 3>(0, 0) + z.rotation().transpose()).norm(), 1e-13);
   const SE3 far = a * z * SE3::from_minimal((Vector<double, 6>() << 1, -1, 2, 0.5, 0.3, 0.2).finished());
   jacobian<SE3, SE3>(e, 6, a, far);
 }
 
-TEST(Jacobian, OfAnSe3PointMeasurementEqualsTheFormulaOfTheTextbook) {
+TEST(Jacobian, OfAnSe3PointMeasurementEqualsTheTextbookFormula) {
   const auto e = [](const auto& x, const auto& p) { return x.inverse_times(p); };
   const SE3 x = SE3::from_minimal((Vector<double, 6>() << 1, 2, 3, 0.1, -0.2, 0.3).finished());
   const Eigen::Vector3d p(4, 5, 7);
@@ -187,7 +187,8 @@ TEST(Jacobian, OfAnSe3PointMeasurementEqualsTheFormulaOfTheTextbook) {
   const Eigen::Vector3d q = x.inverse_times(p);
   Eigen::Matrix3d skew;
   skew << 0, -q[2], q[1], q[2], 0, -q[0], -q[1], q[0], 0;
-  EXPECT_LE((J.middleCols<3>(3) - 2 * skew).norm(), 1e-13);  // quaternion vectors are half angles
+  // Twice, because the vector part of a quaternion is half of a small rotation vector.
+  EXPECT_LE((J.middleCols<3>(3) - 2 * skew).norm(), 1e-13);
   EXPECT_LE((J.rightCols<3>() - x.rotation().transpose()).norm(), 1e-14);
 }
 
@@ -198,7 +199,7 @@ constexpr auto kProducts = [](const auto& a, const auto& b, const auto& c, const
   return e;
 };
 
-TEST(Jacobian, OfThirtyColumnsIsComputedInPasses) {
+TEST(Jacobian, OfThirtyColumnsIsComputedInSeveralPasses) {
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   static_assert(detail::kDualSize<Vector6, Vector6, Vector6, Vector6, Vector6> == detail::kDualChunk);
   Vector6 x;
@@ -216,7 +217,7 @@ TEST(Jacobian, OfThirtyColumnsIsComputedInPasses) {
   EXPECT_EQ(J, expected);
 }
 
-TEST(Jacobian, OfARangeHasTheColumnsOfItsElements) {
+TEST(Jacobian, OfARangeHasTheColumnsOfEachOfItsVertices) {
   const auto e = [](const auto& scale, const auto& points) {
     using S = std::remove_cvref_t<decltype(scale)>;
     Eigen::Matrix<S, 3, 1> sum = Eigen::Matrix<S, 3, 1>::Zero();
@@ -233,12 +234,12 @@ TEST(Jacobian, OfARangeHasTheColumnsOfItsElements) {
   }
 }
 
-TEST(Jacobian, OfAnEmptyRangeHasTheColumnsOfTheOtherVertices) {
+TEST(Jacobian, OfAnEmptyRangeHasOnlyTheColumnsOfTheOtherVertices) {
   const auto e = [](const auto& x, const auto& tail) { return x * x + static_cast<double>(tail.size()); };
   EXPECT_EQ((jacobian<double, detail::Tail<double>>(e, 1, 3, {}))(0, 0), 6);
 }
 
-TEST(Jacobian, OfRunTimeSizesEqualsTheFormula) {
+TEST(Jacobian, OfVectorsOfRunTimeSizeEqualsTheFormula) {
   const auto e = [](const auto& x, const auto& y) { return (x.squaredNorm() * y).eval(); };
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(13, 1, 13), y = Eigen::VectorXd::LinSpaced(2, 1, 2);
   const Eigen::MatrixXd J = jacobian<Eigen::VectorXd, Eigen::VectorXd>(e, 2, x, y);
@@ -246,14 +247,14 @@ TEST(Jacobian, OfRunTimeSizesEqualsTheFormula) {
   EXPECT_LE((J.rightCols(2) - x.squaredNorm() * Eigen::Matrix2d::Identity()).norm(), 1e-12);
 }
 
-TEST(Jacobian, SkipsAVertexWithoutTangent) {
+TEST(Jacobian, HasNoColumnsForAVertexOfDimensionZero) {
   const auto e = [](const auto& x, const auto& frozen, const auto& y) { return x * frozen.value + y; };
   EXPECT_EQ((jacobian<double, Frozen, double>(e, 1, 3, Frozen{5}, 7)), Eigen::RowVector2d(5, 1));
   const auto constant = [](const auto& frozen) { return frozen.value; };
   EXPECT_EQ((jacobian<Frozen>(constant, 1, Frozen{5})).cols(), 0);
 }
 
-TEST(Jacobian, NumericStaysAccurateForLargeAndSmallScales) {
+TEST(Jacobian, IsAccurateForLargeAndSmallErrorsEvenIfItIsNumeric) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     const auto e = [scale](const auto& x) {
       using std::sin;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges over ranges of vertices of several types, with analytic Jacobians of run-time sizes.
+// Edges over several ranges, each with its own vertex type. Analytic Jacobians of run-time size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,8 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Has one row per point: the first coordinate of pose⁻¹ p, scaled by the sum of all scales. Generic.
+/// Has one row per point p: the first coordinate of pose⁻¹ p, multiplied by the sum of all scales. The
+/// function is a template, so boxplus differentiates it automatically.
 struct Stack {
   template <class S, class Point, class Scale>
   Vector<S, kDynamic> error(const BasicSE2<S>& pose, std::span<const Point> points,
@@ -58,7 +59,7 @@ struct World {
   }
 };
 
-TEST(SeveralRanges, ReachTheErrorFunctionInTheirOrder) {
+TEST(SeveralRanges, ReachTheErrorFunctionInTheOrderOfTheArguments) {
   World w;
   const auto edge = w.graph.add_edge(
       [](std::span<const double> a, std::span<const Vector2> b) {
@@ -71,7 +72,7 @@ TEST(SeveralRanges, ReachTheErrorFunctionInTheirOrder) {
   EXPECT_THAT(w.graph.edges(w.points[1]), ElementsAre(EdgeRef(edge)));
 }
 
-TEST(SeveralRanges, HaveExactJacobiansWithTheColumnsOfEachRangeSideBySide) {
+TEST(SeveralRanges, HaveExactJacobiansForEachVertexOfEachRange) {
   World w;
   const auto edge = w.graph.add_edge(Stack{}, w.pose, w.points, w.scales);
   const auto own = w.graph.add_edge(StackWithJacobians{}, w.pose, w.points, w.scales);
@@ -80,17 +81,17 @@ TEST(SeveralRanges, HaveExactJacobiansWithTheColumnsOfEachRangeSideBySide) {
   const auto exact = w.graph.jacobian(edge), analytic = w.graph.jacobian(own);
   ASSERT_EQ(exact.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) EXPECT_LE((exact[k] - analytic[k]).norm(), 1e-13) << k;
-  EXPECT_EQ(exact[2].col(0).cwiseAbs().array().count(), 1);  // the second point moves the second row alone
+  EXPECT_EQ(exact[2].col(0).cwiseAbs().array().count(), 1);  // the second point affects only the second row
 }
 
-TEST(SeveralRanges, PassTheCheckOfJacobians) {
+TEST(SeveralRanges, AreAcceptedByCheckJacobians) {
   const std::vector<Vector2> points{Vector2(1, 2), Vector2(3, 1)};
   const JacobianCheck check =
       check_jacobians(StackWithJacobians{}, SE2(1, 2, 0.3), points, std::vector<double>{2, 0.5, 1});
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(SeveralRanges, MayBeEmptyAndHaveOtherLengthsInAReusedSlot) {
+TEST(SeveralRanges, MayBeEmptyAndMayHaveOtherLengthsInAReusedSlot) {
   World w;
   const auto error = [](std::span<const Vector2> b, std::span<const double> a) {
     double sum = 0;
@@ -107,8 +108,8 @@ TEST(SeveralRanges, MayBeEmptyAndHaveOtherLengthsInAReusedSlot) {
   EXPECT_EQ(second.slot, first.slot);
   EXPECT_THAT(w.graph.error(second), ElementsAre(300));
   EXPECT_THAT(w.graph.vertices(second), ElementsAre(VertexRef(w.points[1]), VertexRef(w.points[2])));
-  w.graph.remove(
-      w.scales[1]);  // same slot number as points[1], but in a different pool, so the edge must stay
+  // scales[1] has the same slot number as points[1], but in another pool, so the edge must stay.
+  w.graph.remove(w.scales[1]);
   EXPECT_TRUE(w.graph.contains(second));
   w.graph.remove(w.points[2]);
   EXPECT_FALSE(w.graph.contains(second));
@@ -141,7 +142,7 @@ struct RunTimeRows {
   }
 };
 
-TEST(AnalyticJacobians, AreUsedForRunTimeRows) {
+TEST(AnalyticJacobians, AreUsedForErrorsOfRunTimeSize) {
   Graph graph;
   const auto x = graph.add_vertex(3.0);
   const auto p = graph.add_vertex(Vector2(5, 7));

@@ -24,7 +24,7 @@ detail::JacobianSource source(const Graph& graph, EdgeHandle<E> edge) {
   return graph.edge_pools()[edge.pool]->jacobian_source();
 }
 
-TEST(Edge, ALambdaIsAnEdgeWithExactJacobians) {
+TEST(Edge, AGenericLambdaGetsExactJacobians) {
   Graph graph;
   const auto a = graph.add_vertex(Point(1, 2)), b = graph.add_vertex(Point(4, 6));
   const auto edge = graph.add_edge([](const auto& p, const auto& q) { return (q - p).eval(); }, a, b);
@@ -47,7 +47,7 @@ TEST(Edge, ALambdaMayCaptureItsMeasurement) {
   EXPECT_EQ(graph.chi2(next), 1);
 }
 
-TEST(Edge, APlainDoubleFunctionIsDifferentiatedNumerically) {
+TEST(Edge, AFunctionOfDoublesIsDifferentiatedNumerically) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
   const auto edge = graph.add_edge([](double x) { return x * x; }, a);
@@ -55,10 +55,10 @@ TEST(Edge, APlainDoubleFunctionIsDifferentiatedNumerically) {
   EXPECT_EQ(graph.chi2(edge), 81);
 }
 
-TEST(Edge, NumericWrapsAGenericFunction) {
+TEST(Edge, AGenericFunctionInsideNumericIsDifferentiatedNumerically) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
-  // Generic by its signature only: the body needs a double.
+  // Only the signature is generic: the body works with a double only.
   const auto body = [](const auto& x) { return static_cast<double>(static_cast<long>(x)) + x; };
   EXPECT_EQ(source(graph, graph.add_edge(Numeric{body}, a)), detail::JacobianSource::kNumeric);
 }
@@ -76,7 +76,7 @@ struct Analytic {
   }
 };
 
-TEST(Edge, ItsAnalyticJacobiansAreUsed) {
+TEST(Edge, AnalyticJacobiansOfTheErrorFunctionAreUsed) {
   Graph graph;
   const auto edge = graph.add_edge(Analytic{}, graph.add_vertex(3.0), graph.add_vertex(Point(5, 7)));
   EXPECT_EQ(source(graph, edge), detail::JacobianSource::kAnalytic);
@@ -91,7 +91,7 @@ TEST(Edge, ItsAnalyticJacobiansAreUsed) {
   }
 }
 
-/// A template over Eigen's own vectors, which does not accept a Vector<S, 2>.
+/// An error function over Eigen::Matrix. The compiler cannot deduce S from a boxplus Vector<S, 2>.
 struct Eigens {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const Eigen::Matrix<S, 2, 1>& p, const S& scale) const {
@@ -114,7 +114,7 @@ TEST(Edge, ATemplateOverEigenVectorsIsDifferentiatedExactly) {
   }
 }
 
-/// The same template for a range of vectors.
+/// The same for a range of vectors.
 struct EigensSum {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const S& scale, std::span<const Eigen::Matrix<S, 2, 1>> points) const {
@@ -139,7 +139,7 @@ TEST(Edge, ARangeMayBeASpanOfEigenVectors) {
   EXPECT_THAT(graph.error(plain), ElementsAre(2));
 }
 
-TEST(Edge, ResultsMayBeScalarsArraysAndVectors) {
+TEST(Edge, AnErrorMayBeAScalarAnArrayOrAVector) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
   EXPECT_THAT(graph.error(graph.add_edge([](double x) { return x; }, a)), ElementsAre(3));
@@ -159,7 +159,7 @@ TEST(Edge, ResultsMayBeScalarsArraysAndVectors) {
               ElementsAre(3, 3));
 }
 
-TEST(Edge, ThreeTypesMakeATernaryEdge) {
+TEST(Edge, VerticesMayHaveThreeDifferentTypes) {
   Graph graph;
   const auto a = graph.add_vertex(3.0);
   const auto b = graph.add_vertex(Point(1, 2));
@@ -194,7 +194,7 @@ TEST(Edge, TheNumberOfVerticesMayBeChosenAtRunTime) {
   EXPECT_TRUE(graph.contains(two));
 }
 
-TEST(Edge, ASlotIsReusedForTheSameNumberOfVertices) {
+TEST(Edge, ASlotIsReusedForAnEdgeWithTheSameNumberOfVertices) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0), c = graph.add_vertex(4.0);
   const auto two = graph.add_edge(kSum, a, Handles{b});
@@ -219,7 +219,7 @@ TEST(Edge, VerticesMayHaveRunTimeSize) {
   EXPECT_EQ(shape.cols, 6);
 }
 
-TEST(Edge, AChangedNumberOfRowsThrows) {
+TEST(Edge, AnErrorWhoseNumberOfRowsChangesIsRefused) {
   Graph graph;
   const auto a = graph.add_vertex(2.0);
   const auto edge =

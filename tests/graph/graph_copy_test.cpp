@@ -78,14 +78,14 @@ TEST(GraphCopy, ChangesIndependentlyOfItsOriginal) {
   EXPECT_EQ(graph.edges(b).size(), 1u);
 }
 
-TEST(GraphCopy, RefusesNewHandlesOfItsOriginalAndViceVersa) {
+TEST(GraphCopy, RefusesHandlesThatItsOriginalCreatesLaterAndViceVersa) {
   Graph graph;
   const auto old = graph.add_vertex(1.0), removed = graph.add_vertex(2.0);
   graph.remove(removed);
   Graph copy = graph;
   EXPECT_TRUE(copy.contains(old));
   EXPECT_FALSE(copy.contains(removed));
-  for (int i = 0; i < 3; ++i) {  // the first one reuses the slot of the removed vertex
+  for (int i = 0; i < 3; ++i) {  // the first new vertex reuses the slot of `removed`
     const auto a = graph.add_vertex(3.0), b = copy.add_vertex(3.0);
     EXPECT_EQ(a.slot, b.slot);
     EXPECT_FALSE(copy.contains(a));
@@ -105,7 +105,7 @@ TEST(GraphCopy, EvaluatesEdgesOverRangesAtItsOwnVertices) {
   EXPECT_EQ(graph.chi2(edge), 9);
 }
 
-TEST(GraphCopy, SharesRobustKernels) {
+TEST(GraphCopy, SharesRobustKernelsWithItsOriginal) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   const auto edge = graph.add_edge(kDifference, a, b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A refused vertex or edge leaves the graph unchanged, wherever the exception comes from.
+// If add_vertex() or add_edge() throws, the graph is unchanged, no matter which copy or call inside threw.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// A number whose copies and moves throw once the countdown has reached zero.
+/// A number whose copies and moves throw if the countdown has reached zero.
 struct Fragile {
   static inline int countdown = 1 << 30;
   static void tick() {
@@ -35,7 +35,8 @@ struct Manifold<Fragile> {
 
 namespace {
 
-/// Calls `f` until it succeeds. The n-th call throws at the n-th copy.
+/// Calls `f` until it succeeds. The n-th call of `f` throws at the n-th copy of a Fragile. After each
+/// exception, calls `check`.
 template <class F, class Check>
 void fail_everywhere(F&& f, Check&& check) {
   for (int allowed = 0; allowed < 20; ++allowed) {
@@ -49,7 +50,7 @@ void fail_everywhere(F&& f, Check&& check) {
       check();
     }
   }
-  FAIL() << "no number of copies was enough";
+  FAIL() << "f failed 20 times";
 }
 
 TEST(ExceptionSafety, AVertexThatCannotBeCopiedIsNotAdded) {

@@ -42,7 +42,7 @@ TEST(GraphStack, PushesMayBeNested) {
   EXPECT_EQ(graph.estimate(a), 1);
 }
 
-TEST(GraphStack, APushOfSomeVerticesLeavesTheOthersAlone) {
+TEST(GraphStack, PopRestoresOnlyTheVerticesThatPushWasCalledFor) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   graph.push(std::array<VertexRef, 1>{b});
@@ -85,7 +85,7 @@ TEST(GraphStack, PopSkipsRemovedVerticesEvenIfTheirSlotIsReused) {
   EXPECT_EQ(graph.estimate(b), 2);
 }
 
-TEST(GraphStack, ParametersAreSavedToo) {
+TEST(GraphStack, PushSavesParametersToo) {
   Graph graph;
   const auto offset = graph.add_parameter(1.0);
   graph.push();
@@ -100,7 +100,7 @@ TEST(GraphStack, AnEmptyStackCannotBePopped) {
   EXPECT_THROW(graph.discard_top(), InvalidArgument);
 }
 
-TEST(GraphStack, AStaleVertexCannotBePushed) {
+TEST(GraphStack, AStaleHandleCannotBePushed) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.remove(a);
@@ -108,7 +108,7 @@ TEST(GraphStack, AStaleVertexCannotBePushed) {
   EXPECT_EQ(graph.stack_size(), 0);
 }
 
-TEST(GraphStack, RestoringTheSizeOfAVertexChangesTheStructure) {
+TEST(GraphStack, PopAdvancesTheRevisionIfItRestoresTheSizeOfAVertex) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::VectorXd::Zero(2).eval());
   graph.push();
@@ -119,7 +119,7 @@ TEST(GraphStack, RestoringTheSizeOfAVertexChangesTheStructure) {
   EXPECT_NE(graph.revision(), revision);
 }
 
-TEST(SavedEstimates, AreIndependentOfThePool) {
+TEST(SavedEstimates, DoNotChangeWithThePool) {
   detail::TypedVertexPool<double> pool;
   const std::uint32_t a = pool.add(1.0, 0), b = pool.add(2.0, 1);
   std::unique_ptr<detail::SavedEstimates> both, last;
@@ -128,7 +128,7 @@ TEST(SavedEstimates, AreIndependentOfThePool) {
   pool.value(b) = 6.0;
   pool.save(std::array{b}, last);
   const std::unique_ptr<detail::SavedEstimates> copy = both->clone();
-  pool.save(std::array{b}, both);  // reuses `both` for a shorter list
+  pool.save(std::array{b}, both);  // now `both` holds b only
   pool.restore(std::array{detail::VertexPool::kNoSlot, b}, *copy);
   EXPECT_EQ(pool.value(a), 5);
   EXPECT_EQ(pool.value(b), 2);

@@ -32,7 +32,7 @@ std::string complaint(F&& f) {
 constexpr auto kDifference = [](const auto& x, const auto& y) { return y - x; };
 constexpr auto kPrior = [](const auto& x) { return x - 1.0; };
 
-TEST(Graph, EstimatesOfOneTypeLieSideBySide) {
+TEST(Graph, EstimatesOfOneTypeAreContiguousInMemory) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.add_vertex(SE2(1, 2, 3));
@@ -91,7 +91,7 @@ TEST(Graph, ChangeIdAssignsTheNewIdAndFreesTheOldOne) {
   EXPECT_EQ(graph.id(b), 8);
 }
 
-TEST(Graph, FixAndUnfixAreFlags) {
+TEST(Graph, VerticesCanBeFixedAndUnfixed) {
   Graph graph;
   const auto a = graph.add_vertex(0.5);
   EXPECT_FALSE(graph.is_fixed(a));
@@ -171,11 +171,11 @@ TEST(Graph, AVertexMayNotAppearTwiceInOneEdge) {
   EXPECT_THAT(complaint([&] { graph.add_edge(kDifference, a, a); }), HasSubstr("vertex 5 appears twice"));
 }
 
-TEST(Graph, AHandleOfAnotherGraphWithAnotherTypeIsRefused) {
+TEST(Graph, AHandleOfAnotherGraphIsRefusedIfItsTypeDiffers) {
   Graph graph, other;
   graph.add_vertex(Point(1, 2));
   graph.add_vertex(1.0);
-  const auto foreign = other.add_vertex(1.0);  // pool 0, which holds points in `graph`
+  const auto foreign = other.add_vertex(1.0);  // in pool 0 of `other`; pool 0 of `graph` holds points
   EXPECT_THROW((void)graph.estimate(foreign), InvalidArgument);
   EXPECT_THROW(graph.set_estimate(foreign, 2.0), InvalidArgument);
   EXPECT_THROW(graph.add_edge(kPrior, foreign), InvalidArgument);
@@ -183,7 +183,7 @@ TEST(Graph, AHandleOfAnotherGraphWithAnotherTypeIsRefused) {
   EXPECT_THROW(graph.add_edge([](const auto& x) { return x[0]; }, range), InvalidArgument);
 }
 
-TEST(Graph, AnEdgeHandleOfAnotherGraphWithAnotherTypeIsRefused) {
+TEST(Graph, AnEdgeHandleOfAnotherGraphIsRefusedIfItsTypeDiffers) {
   Graph graph, other;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(2.0);
   graph.add_edge(kDifference, a, b);
@@ -199,7 +199,7 @@ TEST(Graph, AHandleOfAnotherGraphIsRefusedEvenIfItsSlotAndTypeMatch) {
   for (Graph& graph : graphs) {
     vertices.push_back(graph.add_vertex(1.0));
     edges.push_back(graph.add_edge(kPrior, vertices.back()));
-    graph.remove(graph.add_vertex(2.0));  // so that slots are reused
+    graph.remove(graph.add_vertex(2.0));  // so that the next vertex reuses its slot
     graph.add_vertex(3.0);
   }
   for (std::size_t a = 0; a < graphs.size(); ++a) {
@@ -214,18 +214,18 @@ TEST(Graph, AHandleOfAnotherGraphIsRefusedEvenIfItsSlotAndTypeMatch) {
               HasSubstr("belongs to another graph"));
 }
 
-TEST(Graph, HandlesOfAMovedGraphAreRefusedByTheGraphThatItWasMovedFrom) {
+TEST(Graph, AMovedFromGraphRefusesTheHandlesThatItCreatedBeforeTheMove) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   const Graph moved(std::move(graph));
-  const auto b = graph.add_vertex(2.0);  // NOLINT(bugprone-use-after-move): it is empty
+  const auto b = graph.add_vertex(2.0);  // NOLINT(bugprone-use-after-move): a moved-from graph is empty
   EXPECT_TRUE(moved.contains(a));
   EXPECT_FALSE(moved.contains(b));
   EXPECT_TRUE(graph.contains(b));
   EXPECT_FALSE(graph.contains(a));
 }
 
-TEST(Graph, EigenVectorsAndVectorsOfTheLibraryAreOneVertexType) {
+TEST(Graph, EigenVectorsAndBoxplusVectorsAreTheSameVertexType) {
   Graph graph;
   const auto ours = graph.add_vertex(Vector2(1, 2), 0);
   const auto eigens = graph.add_vertex(Eigen::Vector2d(3, 4), 1);
@@ -244,7 +244,7 @@ TEST(Graph, EigenVectorsAndVectorsOfTheLibraryAreOneVertexType) {
   EXPECT_EQ((graph.vertex<Vector<double, kDynamic>>(graph.id(dynamic))), dynamic);
 }
 
-TEST(Graph, AHandleOfAnEigenVectorConvertsToOneOfALibraryVectorAndBack) {
+TEST(Graph, AHandleOfAnEigenVectorConvertsToAHandleOfABoxplusVectorAndBack) {
   Graph graph;
   VertexHandle<Eigen::Vector2d> eigens = graph.add_vertex(Eigen::Vector2d(1, 2));
   const VertexHandle<Vector2> ours = eigens;
@@ -258,11 +258,11 @@ TEST(Graph, AHandleOfAnEigenVectorConvertsToOneOfALibraryVectorAndBack) {
   EXPECT_EQ(graph.error(graph.add_edge([](const auto& x) { return x[0][1]; }, range))[0], 10);
 }
 
-TEST(Graph, ChiSquaredCountsEnabledEdgesAndTheirKernels) {
+TEST(Graph, Chi2SumsOverEnabledEdgesAndAppliesTheirKernels) {
   Graph graph;
   const auto a = graph.add_vertex(4.0), b = graph.add_vertex(6.0);
-  graph.add_edge(kDifference, a, b);                  // 4
-  const auto prior = graph.add_edge(kPrior, 2.0, a);  // 2·9
+  graph.add_edge(kDifference, a, b);                  // chi2 = 4
+  const auto prior = graph.add_edge(kPrior, 2.0, a);  // chi2 = 2·9
   EXPECT_EQ(graph.chi2(), 22);
   graph.set_kernel(prior, Huber(1));
   EXPECT_NEAR(graph.chi2(), 4 + 2 * std::sqrt(18) - 1, 1e-12);
@@ -275,7 +275,7 @@ TEST(Graph, ChiSquaredCountsEnabledEdgesAndTheirKernels) {
   EXPECT_EQ(graph.chi2(), 22);
 }
 
-TEST(Graph, ChangedLevelsAdvanceTheRevisionAndChangedValuesDoNot) {
+TEST(Graph, ANewLevelAdvancesTheRevisionAndNewValuesDoNot) {
   Graph graph;
   const auto a = graph.add_vertex(4.0);
   const auto edge = graph.add_edge(kPrior, a);
@@ -292,7 +292,7 @@ TEST(Graph, ChangedLevelsAdvanceTheRevisionAndChangedValuesDoNot) {
   EXPECT_EQ(graph.level(edge), 2);
 }
 
-TEST(Graph, ParametersHaveTheirOwnIdsAndAreFixed) {
+TEST(Graph, ParametersAreFixedAndTheirIdsAreSeparateFromVertexIds) {
   Graph graph;
   const auto a = graph.add_vertex(1.0, 0);
   const auto offset = graph.add_parameter(2.0, 0);
@@ -333,12 +333,12 @@ TEST(Graph, OldHandlesAreStaleAfterClear) {
   EXPECT_EQ(graph.estimate(b), 2);
 }
 
-TEST(Graph, HandlesSurviveMoves) {
+TEST(Graph, HandlesStayValidIfTheGraphIsMoved) {
   Graph graph;
   const auto a = graph.add_vertex(4.0), b = graph.add_vertex(6.0);
   const auto edge = graph.add_edge(kDifference, a, b);
   Graph moved(std::move(graph));
-  EXPECT_EQ(graph.vertex_count(), 0u);  // NOLINT(bugprone-use-after-move): it is empty
+  EXPECT_EQ(graph.vertex_count(), 0u);  // NOLINT(bugprone-use-after-move): a moved-from graph is empty
   EXPECT_EQ(moved.chi2(edge), 4);
   Graph assigned;
   assigned.add_vertex(Point(1, 2));
@@ -348,7 +348,7 @@ TEST(Graph, HandlesSurviveMoves) {
   EXPECT_EQ(assigned.chi2(), 1);
 }
 
-TEST(Graph, ObserversNoticeIfTheGraphIsMovedAssignedOrDestroyed) {
+TEST(Graph, ItsLifeEndsIfItIsMovedAssignedToOrDestroyed) {
   Graph graph;
   const auto of_graph = graph.life();
   EXPECT_EQ(graph.life(), of_graph);

@@ -10,7 +10,7 @@ namespace boxplus {
 namespace {
 
 RC_GTEST_PROP(IdMap, AgreesWithAnOrderedMapOverRandomInsertionsAndRemovals, ()) {
-  // Ids with few different low and high digits, so that many of them collide.
+  // The low and high bits of the ids take few values, so ids repeat and share their low bits.
   const auto any_id = rc::gen::map(rc::gen::pair(rc::gen::inRange<Id>(0, 40), rc::gen::inRange<Id>(0, 4)),
                                    [](const auto& parts) { return parts.first + (parts.second << 40); });
   const auto ids = *rc::gen::container<std::vector<Id>>(any_id);
@@ -36,14 +36,14 @@ RC_GTEST_PROP(IdMap, AgreesWithAnOrderedMapOverRandomInsertionsAndRemovals, ()) 
   RC_ASSERT(map.by_id() == in_order);
 }
 
-TEST(IdMap, FindsNothingInAnEmptyMapNorUnderNegativeIds) {
+TEST(IdMap, FindsNothingInAnEmptyMapOrUnderNegativeIds) {
   detail::IdMap map;
   EXPECT_EQ(map.find(0), nullptr);
   map.insert(0, {});
   for (const Id id : {Id{-1}, Id{-2}}) EXPECT_EQ(map.find(id), nullptr);
 }
 
-TEST(IdMap, EndsEverySearchWhileVerticesAreAddedAndRemoved) {
+TEST(IdMap, EndsEverySearchEvenAfterManyInsertionsAndRemovals) {
   detail::IdMap map;
   for (Id id = 0; id < 100'000; ++id) {
     map.insert(id, {});
@@ -53,8 +53,8 @@ TEST(IdMap, EndsEverySearchWhileVerticesAreAddedAndRemoved) {
   EXPECT_EQ(map.by_id().size(), 8u);
 }
 
-TEST(IdMap, AcceptsIdsThatShareTheirLowBits) {
-  // If they collided repeatedly, so many insertions would take minutes or hours.
+TEST(IdMap, IsFastForIdsThatShareTheirLowBits) {
+  // If most of the ids collided, the insertions would take minutes or hours.
   constexpr Id kCount = 300'000;
   for (const int shift : {20, 36, 40, 44}) {
     detail::IdMap map;
@@ -63,7 +63,7 @@ TEST(IdMap, AcceptsIdsThatShareTheirLowBits) {
   }
 }
 
-TEST(IdMap, AcceptsIdsWhoseHighBitsAreTags) {
+TEST(IdMap, IsFastForIdsWhoseHighBitsAreTags) {
   for (const int tag_bits : {5, 8, 14}) {
     detail::IdMap map;
     const Id tags = Id{1} << tag_bits, numbers = 300'000 / tags;

@@ -26,7 +26,7 @@ constexpr auto kSum = [](std::span<const double> all) {
   return sum;
 };
 
-/// The edges of a vertex, found among all edges.
+/// The edges of a vertex, found by a search through all edges.
 std::vector<EdgeRef> edges_by_search(const Graph& graph, VertexRef vertex) {
   std::vector<EdgeRef> result;
   for (const EdgeRef& edge : graph.all_edges()) {
@@ -58,7 +58,7 @@ TEST(EdgesOfAVertex, IncludeEdgesOfParametersAndEdgesOverRanges) {
   EXPECT_THAT(graph.edges(tail[2]), ElementsAre(EdgeRef(sum)));
 }
 
-TEST(EdgesOfAVertex, OfAStaleHandleAreRefused) {
+TEST(EdgesOfAVertex, CannotBeListedForAStaleHandle) {
   Graph graph;
   const auto a = graph.add_vertex(1.0);
   graph.remove(a);

@@ -21,7 +21,7 @@ Eigen::Matrix2d matrix2(double a, double b, double c, double d) {
   return (Eigen::Matrix2d() << a, b, c, d).finished();
 }
 
-TEST(Information, OfATriangleIsStoredInItsShortestForm) {
+TEST(Information, GivenAsATriangleIsStoredInTheShortestForm) {
   constexpr int kRows = 6;
   std::vector<double> triangle;
   for (int i = 0; i < kRows; ++i) {
@@ -44,7 +44,7 @@ TEST(Information, IsStoredAsScalarDiagonalOrFullMatrix) {
   EXPECT_EQ(Information(matrix2(2, 1, 1, 2)).values().size(), 3u);
 }
 
-TEST(Information, ViewsOfAllKindsAgreeWithTheDenseMatrix) {
+TEST(Information, OfEachKindActsLikeItsDenseMatrix) {
   const std::array triangle{4.0, 1.0, 0.5, 3.0, -1.0, 2.0};
   const std::array diagonal{4.0, 3.0, 2.0};
   const Eigen::Vector3d e(1, -2, 3);
@@ -70,7 +70,7 @@ TEST(Information, OfTheWrongSizeIsRefused) {
   EXPECT_EQ(graph.edge_count(), 0u);
 }
 
-TEST(Information, OfNoRowsIsRefused) {
+TEST(Information, WithoutRowsIsRefused) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
   EXPECT_THROW(graph.add_edge(kPosition, Information(Eigen::MatrixXd(0, 0)), a), InvalidArgument);
@@ -104,7 +104,7 @@ TEST(Information, IsRefusedUnlessItIsSymmetricSemiDefiniteAndFinite) {
   EXPECT_EQ(graph.add_edge(kPosition, a).slot, 1u);
 }
 
-TEST(Information, IsRefusedWithItsEigenvalueIfItIsIndefinite) {
+TEST(Information, IsRefusedWithAMessageThatNamesTheNegativeEigenvalue) {
   EXPECT_THAT(Information(matrix2(1, 2, 2, 1)).complaint(2), HasSubstr("eigenvalue -1.0"));
 }
 
@@ -116,7 +116,7 @@ TEST(Information, MayBeSingular) {
   EXPECT_EQ(graph.chi2(graph.add_edge(kPosition, 0.0, a)), 0);
 }
 
-TEST(Information, MayChangeItsKind) {
+TEST(Information, MayBeReplacedByOneOfAnotherKind) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Vector2d(1, 2));
   const auto edge = graph.add_edge(kPosition, 1.0, a), other = graph.add_edge(kPosition, 7.0, a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The weight and the Jacobians of one edge.
+// Graph::weight() and Graph::jacobian() of one edge.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto kDifference = [](const auto& x, const auto& y) { return y - x; };
 
-TEST(EdgeWeight, IsTheDerivativeOfTheKernelAtTheEstimates) {
+TEST(EdgeWeight, IsTheDerivativeOfTheKernelAtTheCurrentChi2) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(4.0);
   const auto edge = graph.add_edge(kDifference, 0.25, a, b);
@@ -35,7 +35,7 @@ TEST(EdgeWeight, OfADisabledEdgeIsZero) {
   EXPECT_EQ(graph.weight(edge), 0);
 }
 
-/// Rises, and then falls.
+/// A kernel that decreases for large chi2, so its derivative is negative there.
 struct Falling final : RobustKernel {
   std::string_view name() const override { return "Falling"; }
   Rho operator()(double s) const override { return {s * (1 - s), 1 - 2 * s, -2}; }
@@ -51,7 +51,7 @@ TEST(EdgeWeight, IsNeverNegative) {
   EXPECT_EQ(graph.weight(edge), 0);
 }
 
-TEST(EdgeJacobian, HasOneBlockPerVertexWithRowsOfTheError) {
+TEST(EdgeJacobian, HasOneBlockPerVertexWithOneRowPerRowOfTheError) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2(1, 2, 0.5));
   const auto point = graph.add_vertex(Vector2(3, 5));
@@ -69,7 +69,7 @@ TEST(EdgeJacobian, HasOneBlockPerVertexWithRowsOfTheError) {
   EXPECT_TRUE(J[1].isApprox(R, 1e-14)) << J[1];
 }
 
-TEST(EdgeJacobian, OfARangeHasOneBlockPerElement) {
+TEST(EdgeJacobian, OfARangeHasOneBlockPerVertex) {
   Graph graph;
   const std::vector tail{graph.add_vertex(1.0), graph.add_vertex(2.0), graph.add_vertex(3.0)};
   const auto edge = graph.add_edge(
@@ -87,7 +87,7 @@ TEST(EdgeJacobian, OfARangeHasOneBlockPerElement) {
   }
 }
 
-TEST(EdgeJacobian, OfAReadyMadeEdgeEqualsTheJacobianOfItsError) {
+TEST(EdgeJacobian, OfABetweenEdgeAgreesWithFiniteDifferences) {
   Graph graph;
   const auto a = graph.add_vertex(SE2(1, 2, 0.5)), b = graph.add_vertex(SE2(3, -1, 1.5));
   const auto edge = graph.add_edge(Between(SE2(1, 0, 1)), a, b);

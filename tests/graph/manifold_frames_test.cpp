@@ -33,7 +33,7 @@ TEST(ManifoldFrames, OfAPointHaveNoRotation) {
   EXPECT_EQ(frame.translation[2], 3);
 }
 
-TEST(ManifoldFrames, ReplaceAnEstimateThatIsNotFinite) {
+TEST(ManifoldFrames, CanReplaceAnEstimateThatIsNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   SE3 pose =
       SE3::from_unit(Vector<double, 3>(kNan, kNan, kNan), detail::Quaternion<double>{kNan, kNan, kNan, kNan});

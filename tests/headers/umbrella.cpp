@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus.h alone suffices for a pose graph with a custom edge, a robust kernel, covariances and files.
+// boxplus.h is the only header that a program needs for pose graphs, robust kernels, covariances and files.
 #include "boxplus/boxplus.h"
 
 using namespace boxplus;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: installs the build, moves it, and builds a consumer against it.
+# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: installs the build, moves the installed folder, and builds and runs
+# a program that uses it.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4"
 consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"
@@ -9,7 +10,7 @@ rm -rf "$work"
 "$cmake" --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/moved"
 if grep -rnF -e "$work" -e "$build" "$work/moved" --include='*.cmake'; then
-  echo "the package names the place where it was built or first installed" >&2
+  echo "the CMake package contains the path of the build folder or of the first installation folder" >&2
   exit 1
 fi
 
@@ -17,7 +18,7 @@ fi
 "$cmake" --build "$work/build"
 "$work/build/consumer"
 
-# Installed programs start from the folder that they were moved to.
+# The installed programs start, although their folder was moved.
 for program in "$work"/moved/bin/*; do
   if [[ -x "$program" ]]; then "$program" --help >/dev/null; fi
 done

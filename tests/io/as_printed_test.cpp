@@ -17,7 +17,7 @@ TEST(AsPrinted, QuaternionsOfMeasurementsAreWrittenAsTheyWereRead) {
       "0 1 0 1\n";
   const GraphFile file = parse_graph(text, "g");
   const SE3& z = file.graph.measurement(EdgeHandle<Between<SE3>>{file.edges[0]}).measurement;
-  EXPECT_NE(z.quaternion().w, 0.976059) << "the estimate itself is normalized";
+  EXPECT_NE(z.quaternion().w, 0.976059) << "the measurement in memory is normalized";
   EXPECT_EQ(format_graph(file), text);
 }
 

@@ -8,13 +8,13 @@
 namespace boxplus {
 namespace {
 
-TEST(Characters, AreQuotedAsTheyAreIfATerminalCanShowThem) {
+TEST(Characters, AreQuotedUnchangedIfATerminalCanShowThem) {
   EXPECT_EQ(quoted("VERTEX_SE2"), "'VERTEX_SE2'");
   EXPECT_EQ(quoted("Größe €😀"), "'Größe €😀'");
   EXPECT_EQ(quoted(""), "the end of the line");
 }
 
-TEST(Characters, AreEscapedIfTheyControlATerminalOrAreNotUtf8) {
+TEST(Characters, AreEscapedIfTheyAreControlCharactersOrNotUtf8) {
   EXPECT_EQ(quoted("a\x1b[31mb\x7f"), "'a\\x1b[31mb\\x7f'");
   EXPECT_EQ(quoted("\xff\xfe x"), "'\\xff\\xfe x'");
   EXPECT_EQ(quoted("\xc2\x9b"), "'\\xc2\\x9b'") << "a C1 control character";
@@ -23,7 +23,7 @@ TEST(Characters, AreEscapedIfTheyControlATerminalOrAreNotUtf8) {
   EXPECT_EQ(quoted("x\xe2\x82"), "'x\\xe2\\x82'") << "a character that is cut off";
 }
 
-TEST(Characters, AreNotCutInTheMiddle) {
+TEST(Characters, OfSeveralBytesAreNotCutIfALongTextIsShortened) {
   EXPECT_EQ(boxplus::quoted(std::string(39, 'a') + "€"), "'" + std::string(39, 'a') + "…'");
 }
 

@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// The message of the reader for bad text.
+/// The message of the exception that parse_graph() throws for a bad text.
 inline std::string complaint(const std::string& text) {
   try {
     parse_graph(text, "g");

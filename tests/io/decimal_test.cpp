@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// The value that the reader finds at the beginning of a longer text.
+/// The result of read_decimal() for a text that more characters follow.
 Decimal read(const std::string& text) {
   static std::string padded;
   padded = text + " 3.25 7" + std::string(kDecimalRoom, '9');
@@ -35,7 +35,7 @@ void expect_nearest(const std::string& text) {
   EXPECT_EQ(number.is_integer, text.find('.') == std::string::npos) << text;
 }
 
-TEST(Decimal, ReadsTheNumbersOfGraphFilesToTheNearestDouble) {
+TEST(Decimal, ReadsNumbersThatGraphFilesContainToTheNearestDouble) {
   for (const char* text :
        {"0", "-0", "7", "-12", "9999999", "0.5", "-0.0", "1.0", "11.1111", "0.9893383066362528", "3.14159",
         "-0.03313281201822979", "0.000123456789012345678", "1111.111111111111", "9999999.999999999",
@@ -44,8 +44,8 @@ TEST(Decimal, ReadsTheNumbersOfGraphFilesToTheNearestDouble) {
   }
 }
 
-TEST(Decimal, RoundsNumbersThatLieAlmostHalfwayBetweenDoubles) {
-  // 1 + 2^-53 = 1.00000000000000011102…, 1 - 2^-54 = 0.999999999999999944488…, 1000 + 2^-44 and the like.
+TEST(Decimal, RoundsCorrectlyIfANumberIsAlmostHalfwayBetweenTwoDoubles) {
+  // Some numbers halfway: 1 + 2^-53 = 1.00000000000000011102…, 1 - 2^-54 = 0.999999999999999944488…
   for (const char* text :
        {"1.000000000000000110", "1.000000000000000111", "1.000000000000000112", "0.999999999999999944",
         "0.999999999999999945", "0.5000000000000000555", "0.5000000000000000556", "1000.000000000000056",
@@ -54,7 +54,7 @@ TEST(Decimal, RoundsNumbersThatLieAlmostHalfwayBetweenDoubles) {
   }
 }
 
-TEST(Decimal, LeavesOtherTextToAGeneralReader) {
+TEST(Decimal, ReportsNoEndIfTheTextNeedsAGeneralReader) {
   for (const char* text :
        {"", "-", "+1", ".5", "5.", "nan", "inf", "-inf", "x", "12345678", "12345678.5",
         "0.1000000000000000055511151", "1.0000000000000000000000000001", "0.12345678901234567890123456789"}) {
@@ -62,14 +62,14 @@ TEST(Decimal, LeavesOtherTextToAGeneralReader) {
   }
 }
 
-TEST(Decimal, EndsWhereAnExponentOrALetterBegins) {
+TEST(Decimal, EndsBeforeAnExponentOrALetter) {
   for (const char* text : {"1.5e3", "1.5x", "1.5-2", "1.5.5"}) {
     const std::string padded = text + std::string(kDecimalRoom, ' ');
     EXPECT_EQ(read_decimal(padded.data()).end, padded.data() + 3) << text;
   }
 }
 
-RC_GTEST_PROP(Decimal, IsTheNearestDoubleForAnyDigits, ()) {
+RC_GTEST_PROP(Decimal, IsTheNearestDoubleOfAnyRandomDigits, ()) {
   const int whole = *rc::gen::inRange(1, 8), decimals = *rc::gen::inRange(0, 20 - whole);
   std::string text = *rc::gen::element<std::string>("", "-");
   const auto append = [&](int count) {
@@ -82,8 +82,8 @@ RC_GTEST_PROP(Decimal, IsTheNearestDoubleForAnyDigits, ()) {
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
-RC_GTEST_PROP(Decimal, ReadsBackWhatIsPrinted, (std::uint64_t bits)) {
-  // Any fraction, from 1e-5 to 1e6: the shortest text, and all digits.
+RC_GTEST_PROP(Decimal, ReadsBackRandomDoublesThatWerePrinted, (std::uint64_t bits)) {
+  // A random number from 1e-5 to 1e7, printed with 17 digits, with the fewest digits, and with 12 decimals.
   const double x = (1 + std::ldexp(static_cast<double>(bits >> 12), -52)) *
                    std::pow(10.0, static_cast<int>(bits % 12) - 5);
   for (const std::string& text :

@@ -22,7 +22,7 @@ std::string complaint(std::string_view line) {
   return "";
 }
 
-TEST(FieldReader, ReadsFieldsThatAnyBlanksSeparate) {
+TEST(FieldReader, ReadsFieldsSeparatedByAnyKindOfBlank) {
   FieldReader in("file", 1, "  A\t12 -1.5e3 +2\r");
   EXPECT_EQ(in.token("a tag"), "A");
   EXPECT_EQ(in.integer("an id"), 12);
@@ -31,7 +31,7 @@ TEST(FieldReader, ReadsFieldsThatAnyBlanksSeparate) {
   EXPECT_TRUE(in.at_end());
 }
 
-TEST(FieldReader, NamesThePlaceTheExpectedFieldAndTheActualText) {
+TEST(FieldReader, ReportsThePlaceTheExpectedFieldAndTheActualText) {
   EXPECT_EQ(complaint("  abc 1"), "file:7:3: expected x (a finite number), got 'abc'");
   EXPECT_EQ(complaint("  "), "file:7:3: expected x, got the end of the line");
 }
@@ -48,7 +48,7 @@ TEST(FieldReader, TreatsACommentAsTheEndOfTheLine) {
   EXPECT_NO_THROW(in.expect_end());
 }
 
-/// A line whose fields have already been converted to numbers.
+/// A line whose fields are already converted to numbers.
 struct Converted {
   std::string line;
   std::vector<double> values;
@@ -65,7 +65,7 @@ std::string complaint_of(FieldReader& in, void (*read)(FieldReader&)) {
   return "";
 }
 
-TEST(FieldReader, ReadsFieldsThatHaveBeenConverted) {
+TEST(FieldReader, ReadsFieldsThatAreAlreadyConvertedToNumbers) {
   const Converted line{"TAG 3 0.5 -2", {3, 0.5, -2}, 1};
   FieldReader in = line.reader();
   EXPECT_EQ(in.integer("an id"), 3);
@@ -85,7 +85,7 @@ TEST(FieldReader, ContinuesWithTheTextAfterTheConvertedFields) {
   EXPECT_TRUE(in.at_end());
 }
 
-TEST(FieldReader, NamesTheColumnsOfConvertedFields) {
+TEST(FieldReader, ReportsTheColumnsOfConvertedFields) {
   const Converted line{" TAG 3  0.5 4", {3, 0.5, 4}, 1};
   FieldReader in = line.reader();
   in.integer("an id");
@@ -105,7 +105,7 @@ TEST(FieldReader, NamesTheColumnsOfConvertedFields) {
   }
 }
 
-TEST(FieldWriter, WritesTheShortestTextThatReadsBack) {
+TEST(FieldWriter, WritesTheShortestTextThatReadsBackTheSameNumber) {
   for (double value :
        {0.1, 1.0 / 3, 123456.789012, 1000000.25, 5e-324, std::numeric_limits<double>::max(), -0.0}) {
     std::string text;

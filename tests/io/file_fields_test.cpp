@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-TEST(FileFields, NormalizeQuaternionsThatAreNearlyUnitAndRefuseOthers) {
+TEST(FileFields, NormalizeQuaternionsOfAlmostUnitLengthAndRefuseOthers) {
   const GraphFile file = parse_graph("VERTEX_SE3:QUAT 0 1 2 3 0 0 0 1.0005", "g");
   EXPECT_EQ(file.graph.estimate(file.graph.vertex<SE3>(0)).quaternion().w, 1);
   ASSERT_THAT(file.notes, SizeIs(1));

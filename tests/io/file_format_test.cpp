@@ -18,7 +18,7 @@ TEST(FileFormats, AreFoundByNameAndByExtension) {
   EXPECT_EQ(formats.of_path("graph"), nullptr);
 }
 
-TEST(FileFormats, AskTheFormatThatWasAddedLastFirst) {
+TEST(FileFormats, TryTheFormatThatWasAddedLastFirst) {
   FileFormats formats = default_formats();
   EXPECT_EQ(formats.recognize("any text")->name, "g2o");
   formats.add({.name = "mine",
@@ -26,10 +26,10 @@ TEST(FileFormats, AskTheFormatThatWasAddedLastFirst) {
                .recognize = [](std::string_view) { return true; },
                .read = formats.find("g2o")->read});
   EXPECT_EQ(formats.recognize("any text")->name, "mine");
-  EXPECT_EQ(default_formats().find("mine"), nullptr) << "a copy was changed";
+  EXPECT_EQ(default_formats().find("mine"), nullptr) << "only a copy of the default formats was changed";
 }
 
-TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithANameThatIsTaken) {
+TEST(FileFormats, RefuseAFormatWithoutFunctionsOrWithATakenNameOrExtension) {
   const auto complaint = [](const char* name, const char* extension) -> std::string {
     FileFormats formats = default_formats();
     FileFormat format = *formats.find("g2o");

@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(GraphFile, NamesTheFileThatCannotBeOpened) {
+TEST(GraphFile, ReportsTheFileThatCannotBeOpened) {
   try {
     read_graph("/nowhere/graph.g2o");
     FAIL();
@@ -21,7 +21,7 @@ TEST(GraphFile, NamesTheFileThatCannotBeOpened) {
   EXPECT_THROW(read_graph("/"), FileError);
 }
 
-TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknown) {
+TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknownOrReadOnly) {
   const GraphFile file = parse_graph("VERTEX2 0 0 0 0\n", "g");
   for (const char* name : {"boxplus_graph_file_test.txt", "boxplus_graph_file_test.graph"}) {
     const std::string path = testing::TempDir() + name;
@@ -31,7 +31,7 @@ TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknown) {
   }
 }
 
-TEST(GraphFile, CannotBeWrittenInUnknownFormatsOrInFormatsThatAreOnlyRead) {
+TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
   const auto complaint = [](const char* format) -> std::string {
     try {
       return format_graph({}, {.format = format});

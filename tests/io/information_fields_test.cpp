@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-TEST(InformationFields, AreTheUpperTriangleByRows) {
+TEST(InformationFields, AreTheRowsOfTheUpperTriangle) {
   FieldReader in("g", 1, "4 1 0 3 0.5 2");
   const Information omega = read_information(in, 3);
   const detail::InformationView view{omega.kind(), 3, omega.values().data()};
@@ -20,7 +20,7 @@ TEST(InformationFields, AreTheUpperTriangleByRows) {
   EXPECT_EQ(text, "4 1 0 3 0.5 2");
 }
 
-TEST(InformationFields, AreRefusedAtTheirColumnIfTheMatrixIsIndefinite) {
+TEST(InformationFields, AreReportedWithTheirColumnIfTheMatrixIsIndefinite) {
   const std::vector<double> values{7, 1, 2, 1};
   const std::string line = "TAG 7 1 2 1";
   FieldReader text("g", 1, line), numbers("g", 1, line, {.values = values, .integers = 4});

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-TEST(Pipeline, ConsumesInOrderForAnyNumberOfThreads) {
+TEST(Pipeline, ConsumesItemsInOrderWithAnyNumberOfThreads) {
   for (const int threads : {1, 2, 3}) {
     for (const std::size_t count : {0u, 1u, 5u, 100u}) {
       std::vector<std::size_t> consumed, expected;

@@ -6,7 +6,7 @@
 namespace boxplus {
 namespace {
 
-TEST(Printable, TextHasNoControlCharactersAndNoBytesThatAreNotUtf8) {
+TEST(Printable, TextHasNoControlCharactersAndIsValidUtf8) {
   EXPECT_EQ(escaped("Größe €😀"), "Größe €😀");
   EXPECT_EQ(escaped("two\nlines\tand \x1b[31m"), "two\\nlines\\tand \\x1b[31m");
   EXPECT_EQ(escaped("\xff"), "\\xff");

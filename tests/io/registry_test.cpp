@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// An edge of a user: the distance of a point from the origin.
+/// A user's edge type: it measures the distance of a point from the origin.
 struct FromOrigin {
   double measurement;
   explicit FromOrigin(double z) : measurement(z) {}
@@ -29,7 +29,7 @@ TEST(Registry, RegistersANewEdgeTypeInOneLine) {
   EXPECT_EQ(format_graph(file, {.registry = &registry}), text);
 }
 
-TEST(Registry, RefusesARepeatedTagAndTextThatIsNotATag) {
+TEST(Registry, RefusesATakenTagAndTextThatCannotBeATag) {
   Registry registry = default_registry();
   EXPECT_THROW(registry.vertex<SE2>("VERTEX_SE2"), InvalidArgument);
   EXPECT_THROW(registry.vertex<SE2>("TWO WORDS"), InvalidArgument);
@@ -37,7 +37,7 @@ TEST(Registry, RefusesARepeatedTagAndTextThatIsNotATag) {
   EXPECT_THROW(registry.vertex<SE2>("#X"), InvalidArgument);
 }
 
-TEST(Registry, WritesTheFirstTagOfAType) {
+TEST(Registry, WritesTheTagThatWasRegisteredFirstForAType) {
   const GraphFile file = parse_graph("VERTEX_XYZ 0 1 2 3\nVERTEX2 1 0 0 0\n", "g");
   EXPECT_EQ(format_graph(file), "VERTEX_TRACKXYZ 0 1 2 3\nVERTEX_SE2 1 0 0 0\n");
 }

@@ -34,7 +34,7 @@ TEST(TemporaryName, RemovesItsFileUnlessItIsReleased) {
   EXPECT_TRUE(std::filesystem::remove(path));
 }
 
-TEST(TemporaryName, IsKnownToSignalHandlers) {
+TEST(TemporaryName, LetsSignalHandlersRemoveItsFile) {
   TemporaryName name;
   const std::string path = new_file();
   name.assign(path);

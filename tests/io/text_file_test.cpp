@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
+TEST(WriteFile, FollowsALinkToAFileThatDoesNotExistYet) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "boxplus_link_test";
   std::filesystem::create_directory(folder);
   std::filesystem::create_symlink("gone.g2o", folder / "link.g2o");
@@ -22,7 +22,7 @@ TEST(WriteFile, FollowsALinkToAFileThatIsNotThereYet) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(WriteFile, LeavesTheOldFileIfItCannotWriteTheNewOne) {
+TEST(WriteFile, ThrowsAndChangesNothingIfThePathCannotBeWritten) {
   EXPECT_THROW(write_file("/nowhere/graph.g2o", "text"), FileError);
   const std::string folder = std::string(testing::TempDir()) + "boxplus_text_file_test";
   std::filesystem::create_directory(folder);

@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-/// All blocks, one after the other.
+/// The text of all blocks, one after the other.
 std::string joined(const TextSource& source) {
   std::string all, memory;
   for (std::size_t k = 0; k < source.block_count(); ++k) {
@@ -23,7 +23,7 @@ std::string joined(const TextSource& source) {
   return all;
 }
 
-RC_GTEST_PROP(TextSource, HoldsEveryLineOnce, ()) {
+RC_GTEST_PROP(TextSource, ContainsEveryLineOnce, ()) {
   const auto lines = *rc::gen::container<std::vector<std::string>>(
       rc::gen::container<std::string>(rc::gen::element('a', 'b', ' ')));
   std::string text;

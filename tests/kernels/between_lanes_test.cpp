@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the kernels that linearize several relative-pose edges at a time with the plain functions.
+// Compares the kernels that linearize several Between edges at a time with the functions for one edge.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,7 +27,8 @@ class BetweenLanes : public EveryIsa {
     return Eigen::MatrixXd(full.diagonal().asDiagonal());
   }
 
-  /// Compares errors, Jacobians and chi2 of `count` edges in lanes with those of each edge alone.
+  /// Computes errors, Jacobians and chi2 of `count` edges in lanes, and compares them with the results for
+  /// each edge alone.
   template <class T>
   void compare(int count, int kinds) {
     constexpr int kDim = Manifold<T>::kDim;
@@ -77,7 +78,7 @@ class BetweenLanes : public EveryIsa {
   std::mt19937 random_{1};
 };
 
-TEST_P(BetweenLanes, AgreeWithThePlainFunctionsForEveryNumberOfEdgesAndKindOfInformation) {
+TEST_P(BetweenLanes, AgreeWithTheFunctionsForOneEdgeForAnyNumberOfEdgesAndKindOfInformation) {
   for (const int count : {1, 2, 3, 7, 8, 9, 17, 24}) {
     for (int kinds = 0; kinds < 4; ++kinds) {
       compare<SE2>(count, kinds);
@@ -86,7 +87,7 @@ TEST_P(BetweenLanes, AgreeWithThePlainFunctionsForEveryNumberOfEdgesAndKindOfInf
   }
 }
 
-TEST_P(BetweenLanes, WrapAnglesAsThePlainFunctionDoes) {
+TEST_P(BetweenLanes, WrapAnglesLikeTheFunctionForOneEdge) {
   Graph graph;
   std::vector<std::uint32_t> edges;
   for (const double from : {-3.0, -kPi / 2, 0.0, 1.0, 3.0, kPi}) {
@@ -107,8 +108,8 @@ TEST_P(BetweenLanes, WrapAnglesAsThePlainFunctionDoes) {
   }
 }
 
-/// The number of workers decides whether all edges of a tile have an Ω of the same kind.
-TEST_P(BetweenLanes, GiveTheSameBitsOfChi2ForAnEdgeWhicheverEdgesAreNextToIt) {
+/// A tile may hold different kinds of Ω. The number of workers determines which edges share a tile.
+TEST_P(BetweenLanes, ComputeTheSameBitsOfTheChi2OfAnEdgeWhicheverEdgesShareItsTile) {
   Graph graph;
   const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(pose(std::type_identity<SE3>()));
   std::vector<std::uint32_t> edges;

@@ -28,14 +28,14 @@ int ld(const MatrixOf<Scalar>& m) {
   return static_cast<int>(m.rows());
 }
 
-/// A matrix in memory with more rows than requested, so that the leading dimension differs from the number
-/// of rows.
+/// A random matrix with kPadding more rows than requested, so that the leading dimension differs from the
+/// number of rows.
 template <class Scalar>
 MatrixOf<Scalar> padded(int rows, int columns, std::mt19937& random) {
   return random_matrix(rows + kPadding, columns, random).cast<Scalar>();
 }
 
-/// A well-conditioned lower triangle.
+/// A well-conditioned lower triangular matrix, with padding rows.
 template <class Scalar>
 MatrixOf<Scalar> triangle(int size, std::mt19937& random) {
   MatrixOf<Scalar> l = padded<Scalar>(size, size, random) / static_cast<Scalar>(1 + size);
@@ -43,7 +43,7 @@ MatrixOf<Scalar> triangle(int size, std::mt19937& random) {
   return l;
 }
 
-/// The lower trapezoid of `rows` rows, zero elsewhere.
+/// The first `rows` rows, with zeros above the diagonal.
 template <class Scalar>
 MatrixOf<Scalar> lower(const MatrixOf<Scalar>& m, int rows) {
   MatrixOf<Scalar> result = m.topRows(rows);
@@ -60,7 +60,7 @@ void expect_equal(const MatrixOf<Scalar>& fast, const MatrixOf<Scalar>& slow) {
 
 class DenseKernels : public EveryIsa {};
 
-/// Runs a check for both scalar types.
+/// Runs `check` for both scalar types.
 template <class Check>
 void for_double_and_float(Check&& check) {
   {
@@ -71,7 +71,7 @@ void for_double_and_float(Check&& check) {
   check.template operator()<float>();
 }
 
-TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
+TEST_P(DenseKernels, FactorPanelsLikeTheReference) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(1);
     for (const int columns : kSizes) {
@@ -92,7 +92,7 @@ TEST_P(DenseKernels, FactorPanelsAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
+TEST_P(DenseKernels, ReturnTheFirstColumnWhosePivotIsNotAboveItsLimit) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(2);
     for (const int size : {1, 3, 6, 13, 64, 65, 100}) {
@@ -109,7 +109,7 @@ TEST_P(DenseKernels, NameTheFirstPivotThatIsNotAboveItsLimit) {
   });
 }
 
-TEST_P(DenseKernels, SquareAsTheReferenceDoes) {
+TEST_P(DenseKernels, SquareMatricesLikeTheReference) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(3);
     for (const int size : kSizes) {
@@ -117,7 +117,7 @@ TEST_P(DenseKernels, SquareAsTheReferenceDoes) {
         if (size == 0) continue;
         const MatrixOf<Scalar> a = padded<Scalar>(size, k, random);
         MatrixOf<Scalar> fast = padded<Scalar>(size, size, random), slow = fast;
-        const int middle = size / 3;  // in two parts
+        const int middle = size / 3;  // the columns are computed in two parts
         dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, 0, middle);
         dense::set_to_minus_square(fast.data(), ld(fast), a.data(), ld(a), size, k, middle, size);
         dense::reference::set_to_minus_square(slow.data(), ld(slow), a.data(), ld(a), size, k);
@@ -128,7 +128,7 @@ TEST_P(DenseKernels, SquareAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, MultiplyAsTheReferenceDoes) {
+TEST_P(DenseKernels, MultiplyMatricesLikeTheReference) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(4);
     for (const int rows : kSizes) {
@@ -152,7 +152,7 @@ TEST_P(DenseKernels, MultiplyAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
+TEST_P(DenseKernels, DivideByTriangularMatricesLikeTheReference) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(5);
     for (const int rows : kSizes) {
@@ -171,7 +171,7 @@ TEST_P(DenseKernels, DivideByTrianglesAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
+TEST_P(DenseKernels, SolveForwardAndBackwardLikeTheReference) {
   for_double_and_float([]<class Scalar>() {
     std::mt19937 random(6);
     for (const int columns : kSizes) {
@@ -191,7 +191,7 @@ TEST_P(DenseKernels, SubstituteAsTheReferenceDoes) {
   });
 }
 
-TEST_P(DenseKernels, WeighSmallEdgesByTheFormula) {
+TEST_P(DenseKernels, ComputeTheNormalProductsOfSmallEdgesByTheFormula) {
   using dense::EdgeNumbers;
   std::mt19937 random(7);
   for (int rows = 1; rows <= dense::kMostEdgeRows; ++rows) {
@@ -225,7 +225,7 @@ TEST_P(DenseKernels, WeighSmallEdgesByTheFormula) {
   }
 }
 
-TEST_P(DenseKernels, AddBlocksAndTouchNothingElse) {
+TEST_P(DenseKernels, AddBlocksAndChangeNothingElse) {
   std::mt19937 random(8);
   for (int rows = 1; rows <= 9; ++rows) {
     for (int cols = 1; cols <= 9; ++cols) {

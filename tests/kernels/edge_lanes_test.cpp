@@ -14,7 +14,7 @@ namespace {
 using dense::EdgeNumbers;
 using Matrix = Eigen::MatrixXd;
 
-/// Random binary edges that add to consecutive blocks.
+/// Random binary edges: their Jacobians, errors, weights and information matrices.
 struct Edges {
   Edges(int count, int rows, int dim_i, int dim_j, EdgeNumbers::Kind kind, std::mt19937& random)
       : dim{dim_i, dim_j} {
@@ -56,7 +56,7 @@ struct Edges {
 
 class EdgeLanes : public EveryIsa {};
 
-TEST_P(EdgeLanes, PutValuesIntoTheTileAndRepeatTheLastEdge) {
+TEST_P(EdgeLanes, StoreTheValuesOfEachEdgeInItsOwnLane) {
   for (int size = 1; size <= 80; ++size) {
     for (const int count : {1, 2, 7, 8, 9, 16, 21}) {
       std::vector<double> edges(static_cast<std::size_t>(size * count));
@@ -64,7 +64,7 @@ TEST_P(EdgeLanes, PutValuesIntoTheTileAndRepeatTheLastEdge) {
       const int tiles = (count + dense::kTileLanes - 1) / dense::kTileLanes;
       std::vector<double> lanes(static_cast<std::size_t>(tiles * size * dense::kTileLanes), -1);
       dense::kernels().to_lanes(edges.data(), size, count, lanes.data());
-      // If packs are narrow, those without a used lane stay unchanged.
+      // The kernel may leave unused lanes unchanged, so only used lanes are checked.
       for (int k = 0; k < count; ++k) {
         for (int m = 0; m < size; ++m) {
           const int at = ((k / dense::kTileLanes) * size + m) * dense::kTileLanes + k % dense::kTileLanes;
@@ -75,7 +75,7 @@ TEST_P(EdgeLanes, PutValuesIntoTheTileAndRepeatTheLastEdge) {
   }
 }
 
-TEST_P(EdgeLanes, AddTheValuesOfTheFormulaAtTheirTargets) {
+TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   std::mt19937 random(1);
   constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6}, {2, 3, 2}, {3, 6, 3}};
   for (const auto& [rows, dim_i, dim_j] : kSizes) {
@@ -85,8 +85,8 @@ TEST_P(EdgeLanes, AddTheValuesOfTheFormulaAtTheirTargets) {
       for (const int count : {1, 3, 8, 9, 17}) {
         for (const bool is_weighted : {false, true}) {
           const Edges edges(count, rows, dim_i, dim_j, kind, random);
-          // Edge k: vertex i in gradient entries 0…, vertex j behind it. Every third edge has its coupling
-          // stored transposed, and every fifth has a vertex that does not move.
+          // The gradient of vertex j follows the gradient of vertex i. Every third edge stores its
+          // off-diagonal block transposed. In every fifth edge, vertex j is fixed.
           const auto ii = static_cast<std::uint32_t>(dim_i * dim_i),
                      ij = static_cast<std::uint32_t>(dim_i * dim_j),
                      jj = static_cast<std::uint32_t>(dim_j * dim_j);
@@ -156,7 +156,7 @@ TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {
   EXPECT_EQ(gradient, gradient_alone);
 }
 
-TEST_P(EdgeLanes, WeighErrors) {
+TEST_P(EdgeLanes, ComputeTheSquaredNormsOfErrorsUnderTheirInformation) {
   std::mt19937 random(3);
   for (const int rows : {3, 6}) {
     for (const auto kind : {EdgeNumbers::kScalar, EdgeNumbers::kDiagonal, EdgeNumbers::kFull}) {
@@ -174,7 +174,7 @@ TEST_P(EdgeLanes, WeighErrors) {
   }
 }
 
-TEST_P(EdgeLanes, OfSizesWithoutAKernelAreLeftToThePlainFunctions) {
+TEST_P(EdgeLanes, DoNotExistForUncommonSizes) {
   for (const int rows : {1, 2, 4, 5, 7, 8, 9}) EXPECT_EQ(dense::kernels().squared_norms_for(rows), nullptr);
   EXPECT_EQ(dense::kernels().add_edges_for(4, 3, 3), nullptr);
 }

@@ -16,7 +16,7 @@ namespace {
 using dense::EliminationKernels;
 using Matrix = Eigen::MatrixXd;
 
-/// Rows of memory beyond the end of an array, which a wrong kernel would overwrite.
+/// The number of extra values behind each array. A kernel that writes too much would overwrite them.
 constexpr int kPadding = 8;
 
 void expect_equal(const Matrix& fast, const Matrix& slow) {
@@ -42,7 +42,7 @@ class EliminationKernelsTest : public EveryIsa {
   }
 };
 
-TEST_P(EliminationKernelsTest, AcceptCamerasAndPointsOfCommonSizes) {
+TEST_P(EliminationKernelsTest, ExistForCamerasAndPointsOfCommonSizes) {
   constexpr int kCommon[][2] = {{6, 3}, {7, 3}, {9, 3}, {3, 2}, {2, 2}, {3, 3}, {4, 3}, {6, 1}};
   for (const auto& [rows, dim] : kCommon) {
     EXPECT_NE(GetParam()->elimination_kernels_for(rows, dim), nullptr) << rows << " x " << dim;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fixture of tests that run with every set of kernels that this processor supports.
+// A fixture for tests that run once with the kernels of each instruction set that this processor supports.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -15,8 +15,8 @@ namespace {
 using dense::EdgeNumbers;
 using Matrix = Eigen::MatrixXd;
 
-/// Random unary edges: three at one vertex, then three at the other, and so on. Every seventh vertex does not
-/// move.
+/// Random unary edges at two vertices: three edges at the first vertex, three edges at the second vertex,
+/// three at the first again, and so on. Every seventh edge has a fixed vertex instead.
 struct Edges {
   Edges(int count, int rows_in, int dim_in, EdgeNumbers::Kind kind, std::mt19937& random)
       : rows(rows_in), dim(dim_in) {
@@ -45,7 +45,7 @@ struct Edges {
     for (const auto& t : target) targets.push_back(t.data());
   }
 
-  /// Adds `count` edges, beginning with the edge `first`.
+  /// Adds the contributions of `count` edges, from the edge `first` on, to `values` and `gradient`.
   void add(std::size_t first, int count, EdgeNumbers::Kind kind, bool is_weighted, Matrix& values,
            Matrix& gradient) const {
     dense::kernels().add_unary_edges_for(
@@ -76,7 +76,7 @@ void for_each_case(F&& f) {
 
 class UnaryKernels : public EveryIsa {};
 
-TEST_P(UnaryKernels, AddTheValuesOfTheFormulaAtTheirTargets) {
+TEST_P(UnaryKernels, AddTheValuesOfTheFormulaToTheTargets) {
   std::mt19937 random(1);
   constexpr int kCount = 17;
   for_each_case([&](int rows, int dim, EdgeNumbers::Kind kind, bool is_weighted) {
@@ -99,7 +99,7 @@ TEST_P(UnaryKernels, AddTheValuesOfTheFormulaAtTheirTargets) {
   });
 }
 
-TEST_P(UnaryKernels, AddTheSameBitsOneEdgeAtATimeAndAllAtOnce) {
+TEST_P(UnaryKernels, AddTheSameBitsForOneEdgeAtATimeAndForAllEdgesAtOnce) {
   std::mt19937 random(2);
   constexpr int kCount = 17;
   for_each_case([&](int rows, int dim, EdgeNumbers::Kind kind, bool is_weighted) {
@@ -113,7 +113,7 @@ TEST_P(UnaryKernels, AddTheSameBitsOneEdgeAtATimeAndAllAtOnce) {
   });
 }
 
-TEST_P(UnaryKernels, AreMissingForUncommonSizes) {
+TEST_P(UnaryKernels, DoNotExistForUncommonSizes) {
   EXPECT_EQ(dense::kernels().add_unary_edges_for(4, 6), nullptr);
   EXPECT_EQ(dense::kernels().add_unary_edges_for(1, 5), nullptr);
 }

@@ -18,7 +18,7 @@ TEST(BlockStructure, SortsCoordinatesAndDropsDuplicates) {
   EXPECT_THAT(s.value_start, ElementsAre(0, 4, 6, 12, 13, 22));
 }
 
-TEST(BlockStructure, FindsPresentBlocksOnly) {
+TEST(BlockStructure, FindsOnlyBlocksThatExist) {
   const auto s = make_block_structure({2, 1, 3}, {{2, 0}});
   EXPECT_EQ(s.find(0, 0), 0u);
   EXPECT_EQ(s.find(2, 0), 1u);

@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(AssembledSystem, MultipliesAsTheDenseMatrixDoes) {
+TEST(AssembledSystem, MultipliesLikeTheDenseMatrix) {
   TestSystem system = random_system(12, 10, 1);
   std::mt19937 random(2);
   const Eigen::VectorXd x = random_matrix(system.structure.scalars(), 1, random);
@@ -19,7 +19,7 @@ TEST(AssembledSystem, MultipliesAsTheDenseMatrixDoes) {
   EXPECT_LT((y - system.dense() * x).norm(), 1e-12 * y.norm());
 }
 
-TEST(AssembledSystem, GivesTheDiagonalBlocksInOrder) {
+TEST(AssembledSystem, ReturnsTheDiagonalBlocksInOrder) {
   TestSystem system({1, 2}, {{1, 0}});
   system.block(0, 0) << 5;
   system.block(1, 0) << 7, 8;

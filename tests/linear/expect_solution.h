@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Right-hand sides for a TestSystem, and the comparison of a solution with that of a dense solver.
+// Makes right-hand sides for a TestSystem, and compares a solution with the solution of a dense solver.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace {
 
 class LinearSolverAllocations : public ::testing::TestWithParam<std::tuple<LinearSolverKind, bool>> {};
 
-TEST_P(LinearSolverAllocations, StopAfterTheFirstFactorizationAndSolve) {
+TEST_P(LinearSolverAllocations, HappenOnlyInTheFirstFactorizationAndSolve) {
   if (!testing::allocations_are_counted()) GTEST_SKIP() << "a sanitizer has its own allocator";
   std::mt19937 random(1);
   TestSystem system = random_system(std::vector<std::uint32_t>(225, 6), grid_edges(15, 15), random);
@@ -41,8 +41,8 @@ std::string name_of(const std::tuple<LinearSolverKind, bool>& candidate) {
          std::string(to_string(std::get<LinearSolverKind>(candidate)));
 }
 
-/// All but kAutomatic, which stands for one of the others, and kEigenSparse: Eigen allocates temporaries in
-/// every call (see eigen_sparse_solver.h).
+/// All kinds except two: kAutomatic, because it only chooses another kind, and kEigenSparse, because Eigen
+/// allocates temporaries in every call (see eigen_sparse_solver.h).
 std::vector<LinearSolverKind> kinds() {
   std::vector<LinearSolverKind> all;
   for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {

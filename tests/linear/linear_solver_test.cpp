@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common suite of all implementations of LinearSolver.
+// Tests that every implementation of LinearSolver must pass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Candidate {
   LinearSolverKind kind;
   Precision precision = Precision::kDouble;
-  bool eliminates = false;  ///< inside a SchurSolver
+  bool eliminates = false;  ///< whether a SchurSolver contains the solver
 };
 
 std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
@@ -34,7 +34,7 @@ std::shared_ptr<LinearSolver> make(const Candidate& candidate) {
 
 /// The largest k such that no two of the first k blocks are connected.
 std::uint32_t independent_blocks(const BlockStructure& structure) {
-  std::uint32_t first_connected = structure.blocks();  // with a block before it
+  std::uint32_t first_connected = structure.blocks();  // the first block with a connection to an earlier one
   for (std::uint32_t j = 0; j < first_connected; ++j) {
     for (std::uint32_t k = structure.column_start[j] + 1; k < structure.column_start[j + 1]; ++k)
       first_connected = std::min(first_connected, structure.row[k]);
@@ -91,8 +91,8 @@ TEST_P(LinearSolverTest, SolvesSystemsOfOneBlockSize) {
   }
 }
 
-/// Points of mixed sizes, no two of which are connected, followed by cameras that each see some of the
-/// points.
+/// Points of mixed sizes, followed by cameras. No two points are connected. Each camera sees some of the
+/// points, and is connected to the camera before it.
 TestSystem points_and_cameras(std::uint32_t points, std::uint32_t cameras, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<std::uint32_t> dims;
@@ -119,7 +119,7 @@ TEST_P(LinearSolverTest, SolvesSystemsOfPointsAndCameras) {
   }
 }
 
-TEST_P(LinearSolverTest, NamesThePointOrCameraThatIsNotPositiveDefinite) {
+TEST_P(LinearSolverTest, ReportsThePointOrCameraThatIsNotPositiveDefinite) {
   for (const std::uint32_t bad : {0u, 17u, 29u, 30u, 35u}) {
     TestSystem system = points_and_cameras(30, 6, 1);
     system.block(bad, bad)(0, 0) = -1;
@@ -129,7 +129,7 @@ TEST_P(LinearSolverTest, NamesThePointOrCameraThatIsNotPositiveDefinite) {
   }
 }
 
-TEST_P(LinearSolverTest, GivesTheInverseOfPointsAndCameras) {
+TEST_P(LinearSolverTest, ComputesTheInverseOfPointsAndCameras) {
   TestSystem system = points_and_cameras(12, 4, 2);
   ASSERT_EQ(factorize(system, {.lambda = 0.5}).status, LinearStatus::kOk);
   MatrixXd a = system.dense();
@@ -171,7 +171,7 @@ TEST_P(LinearSolverTest, AddsDampingWithoutChangingTheValues) {
   EXPECT_EQ(system.values, values);
 }
 
-TEST_P(LinearSolverTest, SolvesForMoreRightHandSidesThanWereAnnounced) {
+TEST_P(LinearSolverTest, SolvesForMoreRightHandSidesThanTheHintsPromised) {
   TestSystem system = random_system(20, 20, 5);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
   for (const int columns : {0, 1, 2, 3, 4, 8}) {
@@ -190,14 +190,14 @@ TEST_P(LinearSolverTest, SolvesInPlace) {
   EXPECT_EQ(b, x);
 }
 
-TEST_P(LinearSolverTest, GivesAnyBlockOfTheInverse) {
+TEST_P(LinearSolverTest, ComputesAnyBlockOfTheInverse) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     TestSystem system = random_system(5 + 3 * seed, seed, seed);
     ASSERT_EQ(factorize(system, {.lambda = 0.1}).status, LinearStatus::kOk);
     MatrixXd a = system.dense();
     a.diagonal().array() += 0.1;
     const MatrixXd inverse = a.inverse();
-    std::vector<BlockCoordinate> blocks;  // all, so that many lie outside the pattern
+    std::vector<BlockCoordinate> blocks;  // all blocks, many of them outside of the pattern
     const BlockStructure& s = system.structure;
     for (std::uint32_t i = 0; i < s.blocks(); ++i) {
       for (std::uint32_t j = 0; j <= i; ++j) blocks.push_back({i, j});
@@ -217,7 +217,7 @@ TEST_P(LinearSolverTest, GivesAnyBlockOfTheInverse) {
   }
 }
 
-TEST_P(LinearSolverTest, GivesTheInverseOfTheLastFactorization) {
+TEST_P(LinearSolverTest, ComputesTheInverseOfTheLastFactorizedMatrix) {
   TestSystem system({2}, {});
   system.add_to_diagonal(2);
   const std::vector<BlockCoordinate> blocks{{0, 0}};
@@ -231,7 +231,7 @@ TEST_P(LinearSolverTest, GivesTheInverseOfTheLastFactorization) {
   }
 }
 
-TEST_P(LinearSolverTest, NamesTheNegativeBlockOfABlockDiagonalMatrix) {
+TEST_P(LinearSolverTest, ReportsTheNegativeBlockOfABlockDiagonalMatrix) {
   for (std::uint32_t bad = 0; bad < 5; ++bad) {
     TestSystem system({3, 1, 6, 2, 3}, {});
     system.add_to_diagonal(1);
@@ -242,7 +242,7 @@ TEST_P(LinearSolverTest, NamesTheNegativeBlockOfABlockDiagonalMatrix) {
   }
 }
 
-TEST_P(LinearSolverTest, NamesTheBadBlockOfAChain) {
+TEST_P(LinearSolverTest, ReportsTheNegativeBlockOfAChain) {
   for (std::uint32_t bad = 0; bad < 12; bad += 3) {
     std::mt19937 random(1);
     TestSystem system = random_system(std::vector<std::uint32_t>(12, 3), chain_edges(12), random);
@@ -258,7 +258,7 @@ TEST_P(LinearSolverTest, DetectsASingularLaplacian) {
   const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
   for (const auto& [i, j] : grid_edges(6, 6)) system.add_edge(i, j, identity, -identity);
   const FactorResult result = factorize(system);
-  if (is_iterative()) {  // solve() detects it, because no diagonal block shows it
+  if (is_iterative()) {  // only solve() can detect it, because each diagonal block is positive definite
     MatrixXd b = right_hand_sides(system, 1);
     EXPECT_NE(solver->solve(b.data(), 1, b.data(), control).status, LinearStatus::kOk);
   } else {
@@ -266,7 +266,7 @@ TEST_P(LinearSolverTest, DetectsASingularLaplacian) {
   }
 }
 
-TEST_P(LinearSolverTest, NamesTheColumnThatIsNotFinite) {
+TEST_P(LinearSolverTest, ReportsTheDiagonalBlockThatIsNotFinite) {
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     TestSystem system = random_system(20, 20, 7);
     system.block(13, 13)(0, 0) = bad;
@@ -276,7 +276,7 @@ TEST_P(LinearSolverTest, NamesTheColumnThatIsNotFinite) {
   }
 }
 
-TEST_P(LinearSolverTest, NamesTheColumnOfAnOffDiagonalBlockThatIsNotFinite) {
+TEST_P(LinearSolverTest, ReportsTheColumnOfAnOffDiagonalBlockThatIsNotFinite) {
   TestSystem system({2, 3, 2, 2}, chain_edges(4));
   system.add_to_diagonal(10);
   system.block(2, 1)(1, 2) = kNan;
@@ -325,7 +325,7 @@ TEST_P(LinearSolverTest, AcceptsASystemWithoutBlocks) {
   EXPECT_EQ(nothing, 7);
 }
 
-TEST_P(LinearSolverTest, SolvesForOneBlock) {
+TEST_P(LinearSolverTest, SolvesASystemOfOneBlock) {
   TestSystem system({3}, {});
   system.block(0, 0) << 4, 1, 0, 1, 5, 2, 0, 2, 6;
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
@@ -351,7 +351,7 @@ TEST_P(LinearSolverTest, FactorizesNewValuesOfTheAnalyzedStructure) {
   expect_solution(system.dense(), solve(b), b);
 }
 
-TEST_P(LinearSolverTest, AcceptsAnotherStructure) {
+TEST_P(LinearSolverTest, CanBeReusedForAnotherStructure) {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     TestSystem system = random_system(10 * seed, 10, seed);
     ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
@@ -360,9 +360,9 @@ TEST_P(LinearSolverTest, AcceptsAnotherStructure) {
   }
 }
 
-TEST_P(LinearSolverTest, ReadsOnlyTheLowerTriangleOfDiagonalBlocksForItsSolution) {
+TEST_P(LinearSolverTest, ReadsOnlyTheLowerTriangleOfDiagonalBlocks) {
   if (is_iterative() || GetParam().precision == Precision::kMixed)
-    GTEST_SKIP() << "an operator multiplies with all values";
+    GTEST_SKIP() << "iterations multiply by all values of the matrix";
   TestSystem system = random_system(10, 10, 11);
   const MatrixXd b = right_hand_sides(system, 1);
   ASSERT_EQ(factorize(system).status, LinearStatus::kOk);
@@ -409,12 +409,12 @@ TEST_P(LinearSolverTest, IsNotStoppedByADistantDeadline) {
   }
 }
 
-/// Every solver of the table, alone and behind an elimination.
+/// Every solver of the table, alone and inside a SchurSolver.
 std::vector<Candidate> candidates() {
   std::vector<Candidate> all;
   for (const bool eliminates : {false, true}) {
     for (const detail::LinearSolverEntry& entry : detail::linear_solver_table()) {
-      if (entry.kind == LinearSolverKind::kAutomatic) continue;  // stands for one of the others
+      if (entry.kind == LinearSolverKind::kAutomatic) continue;  // it only chooses another kind
       all.push_back({.kind = entry.kind, .eliminates = eliminates});
       if (entry.kind == LinearSolverKind::kBlockCholesky)
         all.push_back({entry.kind, Precision::kMixed, eliminates});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All direct solvers agree on which matrices are positive definite, by the limits of lost_pivot.h.
+// All direct solvers use the limits of lost_pivot.h, so they agree on which matrices are positive definite.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ class Pivots : public ::testing::TestWithParam<LinearSolverKind> {
   }
 };
 
-/// A 2-D pose graph (x, y, angle): a random walk of unit steps with loops, linearized at its poses.
+/// The Hessian of a 2-D pose graph (x, y, angle): a random walk of unit steps with loop closures.
 TestSystem pose_graph(std::uint32_t poses, std::uint32_t loops, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> turn(-0.5, 0.5);
@@ -81,7 +81,7 @@ TEST_P(Pivots, OfALaplacianAreNotAllPositive) {
   }
 }
 
-TEST_P(Pivots, OfOneComponentWithoutAnchorAreFoundAmongAnchoredOnes) {
+TEST_P(Pivots, OfAComponentWithoutAnchorAreNotAllPositiveEvenIfOtherComponentsHaveAnchors) {
   TestSystem system(std::vector<std::uint32_t>(9, 1), {{1, 0}, {2, 1}, {4, 3}, {5, 4}, {7, 6}, {8, 7}});
   const Eigen::MatrixXd one = Eigen::MatrixXd::Constant(1, 1, 0.7);
   for (const std::uint32_t i : {0u, 1u, 3u, 4u, 6u, 7u}) system.add_edge(i, i + 1, one, -one);
@@ -93,7 +93,7 @@ TEST_P(Pivots, OfOneComponentWithoutAnchorAreFoundAmongAnchoredOnes) {
   EXPECT_LE(result.failed_block, 5u);
 }
 
-TEST_P(Pivots, OfALongChainHeldAtOneEndAreAllPositive) {
+TEST_P(Pivots, OfALongChainAnchoredAtOneEndAreAllPositive) {
   TestSystem system(std::vector<std::uint32_t>(1000, 1), chain_edges(1000));
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(1, 1);
   for (std::uint32_t i = 0; i + 1 < 1000; ++i) system.add_edge(i, i + 1, one, -one);
@@ -127,7 +127,7 @@ TEST_P(Pivots, DoNotDependOnTheScaleOfTheUnknowns) {
   EXPECT_EQ(factorize(system).status, LinearStatus::kOk);
 }
 
-TEST_P(Pivots, OfAnEmptyRowNameItsBlock) {
+TEST_P(Pivots, OfABlockWithAZeroRowAreReportedWithThisBlock) {
   TestSystem system({2, 2, 2}, {{1, 0}});
   system.add_to_diagonal(1);
   system.block(1, 1)(1, 1) = 0;

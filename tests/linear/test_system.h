@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-/// A structure with values, as sparse blocks and as an Eigen matrix.
+/// A symmetric matrix of sparse blocks: its structure and its values.
 struct TestSystem {
   BlockStructure structure;
   std::vector<double> values;
@@ -27,7 +27,7 @@ struct TestSystem {
     return {values.data() + structure.value_start[k], structure.dim(row), structure.dim(column)};
   }
 
-  /// Adds Jᵀ J of one edge with Jacobians `a` (of block i) and `b` (of block j ≠ i).
+  /// Adds JᵀJ of one edge. Its Jacobians are `a` for block i and `b` for block j ≠ i.
   void add_edge(std::uint32_t i, std::uint32_t j, const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     block(i, i) += a.transpose() * a;
     block(j, j) += b.transpose() * b;
@@ -61,7 +61,7 @@ inline std::vector<BlockCoordinate> chain_edges(std::uint32_t blocks) {
   return edges;
 }
 
-/// A cube of side³ blocks, each connected with its six neighbors.
+/// A cube of side³ blocks. Each block is connected to its neighbors (at most six).
 inline BlockStructure cube(std::uint32_t side, std::uint32_t dim) {
   std::vector<BlockCoordinate> edges;
   const auto at = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -91,7 +91,7 @@ inline std::vector<BlockCoordinate> grid_edges(std::uint32_t height, std::uint32
   return edges;
 }
 
-/// A chain (with gaps) plus random loops.
+/// The edges of a chain with some gaps, plus random loop closures.
 inline std::vector<BlockCoordinate> random_edges(std::uint32_t blocks, std::uint32_t loops,
                                                  std::mt19937& random) {
   std::vector<BlockCoordinate> edges;
@@ -122,7 +122,7 @@ inline Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, st
   return matrix;
 }
 
-/// Σ JᵀJ over edges with random Jacobians, plus `prior` on the diagonal.
+/// The sum of JᵀJ over all edges, with random Jacobians J, plus `prior` on the diagonal.
 inline TestSystem random_system(const std::vector<std::uint32_t>& dims,
                                 const std::vector<BlockCoordinate>& edges, std::mt19937& random,
                                 double prior = 0.5) {

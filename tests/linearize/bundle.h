@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// Pixels between the projection of a point (world) into a pinhole camera (T_world_camera) and its
-/// observation.
+/// The reprojection error in pixels: a point (in the world frame) is projected into a pinhole camera (its
+/// pose is T_world_camera), and the observation (u, v) is subtracted.
 struct Reprojection {
   double u, v;
   static constexpr double kFocalLength = 500;
@@ -23,7 +23,7 @@ struct Reprojection {
   }
 };
 
-/// Relative motion between two cameras.
+/// A measured relative motion between two cameras.
 struct Odometry {
   SE3 motion;
   template <class S>
@@ -43,8 +43,9 @@ inline SE3 camera_pose(int k) {
   return SE3::from_minimal((Vector<double, 6>() << position, 0.01 * k, -0.02 * k, 0.03).finished());
 }
 
-/// Two cameras see every third point, and all cameras see the others. The first camera is fixed. Odometry
-/// between neighbors fixes the scale and connects kept vertices. Estimates and observations are noisy.
+/// Only two cameras see every third point. All cameras see all other points. The first camera is fixed.
+/// Odometry between successive cameras determines the scale. Estimates and observations are noisy. If
+/// `eliminate`, points are eliminated.
 inline Bundle make_bundle(int cameras, int points, bool eliminate) {
   Bundle bundle;
   Graph& graph = bundle.graph;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// H and the gradient by the formulas of a textbook: dense, edge by edge, without the index maps of the
-// engine.
+// Computes a dense H and gradient by the textbook formulas, edge by edge, without the index maps of the
+// linearizer.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ struct DenseSystem {
   Eigen::VectorXd gradient;
 };
 
-/// H of a plan as a full dense matrix.
+/// A symmetric matrix of sparse blocks as a dense matrix.
 inline Eigen::MatrixXd dense_matrix(const BlockStructure& structure, std::span<const double> values) {
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(structure.scalars(), structure.scalars());
   for (std::uint32_t column = 0; column < structure.blocks(); ++column) {
@@ -33,7 +33,7 @@ inline Eigen::MatrixXd dense_matrix(const BlockStructure& structure, std::span<c
   return dense;
 }
 
-/// One edge: its error, its Jacobian with the columns of all of its vertices, and its Ω.
+/// The error, the Jacobian (with the columns of all vertices) and the Ω of one edge.
 struct DenseEdge {
   Eigen::VectorXd error;
   Eigen::MatrixXd jacobian, omega;
@@ -50,8 +50,8 @@ struct DenseEdge {
   }
 };
 
-/// The weighted Ω of an edge: ρ′Ω, or with Triggs' term ρ′Ω + 2ρ″ Ωe eᵀΩ with its curvature along Ωe
-/// clamped to ≥ 0.
+/// The Ω of an edge with the weight of its kernel: ρ′Ω. With Triggs' correction, it is ρ′Ω + 2ρ″ Ωe eᵀΩ, and
+/// ρ″ is limited so that the curvature along e is not negative.
 inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustKernel* kernel, bool triggs) {
   if (kernel == nullptr) return edge.omega;
   const Eigen::VectorXd omega_e = edge.omega * edge.error;
@@ -63,7 +63,7 @@ inline Eigen::MatrixXd weighted_information(const DenseEdge& edge, const RobustK
   return weighted;
 }
 
-/// The first scalar of each block of the plan. Absent if the vertex does not move.
+/// The first scalar of each block of the plan, by the pool and slot of its vertex. Fixed vertices are absent.
 inline std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> block_offsets(const Plan& plan) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> offsets;
   for (std::uint32_t block = 0; block < plan.block_vertex.size(); ++block) {
@@ -72,7 +72,7 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> block_of
   return offsets;
 }
 
-/// Σ over the plan's active, enabled edges, in the plan's order of the scalars.
+/// The sum over all enabled edges of the plan. The scalars are in the order of the plan.
 inline DenseSystem dense_reference(const Graph& graph, const Plan& plan, bool triggs = false) {
   const auto n = static_cast<Eigen::Index>(plan.scalars());
   DenseSystem system{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};

@@ -24,7 +24,7 @@ std::vector<std::uint32_t> slots_of(const auto& pools) {
   return slots;
 }
 
-/// A chain of poses that see points, and a plan that follows it.
+/// A growing chain of poses that see points, and its plan, which can be extended.
 class Growing {
  public:
   explicit Growing(unsigned seed, bool fix_first = true) : random_(seed) {
@@ -48,7 +48,7 @@ class Growing {
   }
   void see_again() { see(points_[random_() % points_.size()]); }
   void any_addition() {
-    if (points_.empty()) {  // nothing is fixed, and all measurements are relative
+    if (points_.empty()) {  // keeps all measurements relative if nothing is fixed
       graph.add_edge(Between(SE2(number(), number(), number())), poses_[random_() % (poses_.size() - 1)],
                      poses_.back());
       return;
@@ -123,7 +123,7 @@ void expect_equal_chunks(const Plan& a, const Plan& b) {
   }
 }
 
-TEST(ExtendPlan, GivesThePlanThatMakePlanGives) {
+TEST(ExtendPlan, ReturnsTheSamePlanAsMakePlan) {
   int extended = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     Growing growing(seed, seed % 2 == 0);
@@ -141,10 +141,10 @@ TEST(ExtendPlan, GivesThePlanThatMakePlanGives) {
       }
     }
   }
-  EXPECT_GT(extended, 700) << "of 800";
+  EXPECT_GT(extended, 700) << "most of the 800 extensions must succeed";
 }
 
-TEST(ExtendPlan, GivesTheSameBitsOfHForAnyNumberOfWorkers) {
+TEST(ExtendPlan, LeadsToTheSameBitsOfHForAnyNumberOfWorkers) {
   Growing one(3), three(3);
   for (int k = 0; k < 8000; ++k) {
     one.any_addition();
@@ -170,18 +170,18 @@ TEST(ExtendPlan, GivesTheSameBitsOfHForAnyNumberOfWorkers) {
   }
 }
 
-/// These changes need a new plan.
-TEST(ExtendPlan, IsRefusedIfTheStructureChangedOtherThanAtItsEnd) {
+/// Each of these changes requires a new plan.
+TEST(ExtendPlan, IsRefusedIfTheStructureChangesAnywhereButAtItsEnd) {
   using Change = void (*)(Growing&);
   const std::vector<std::pair<const char*, Change>> changes{
-      {"a vertex of a lower id",
+      {"a vertex with a lower id",
        [](Growing& g) { g.graph.add_edge(kNear, g.poses()[2], g.graph.add_vertex(SE2(), 0)); }},
-      {"another component",
+      {"a second component",
        [](Growing& g) {
          const auto a = g.graph.add_vertex(SE2()), b = g.graph.add_vertex(SE2());
          g.graph.add_edge(Between(SE2()), a, b);
        }},
-      {"another type of edges",
+      {"a new type of edges",
        [](Growing& g) { g.graph.add_edge([](const auto& p) { return p.x(); }, g.poses()[2]); }},
       {"a new type of vertices",
        [](Growing& g) {
@@ -190,7 +190,7 @@ TEST(ExtendPlan, IsRefusedIfTheStructureChangedOtherThanAtItsEnd) {
        }},
       {"an eliminated vertex", [](Growing& g) {
          g.add_point();
-         const auto all = g.graph.all_vertices();  // the last one is the first pose
+         const auto all = g.graph.all_vertices();  // the last vertex is the first pose, which has the id 1000
          g.graph.set_eliminated(all[all.size() - 2], true);
        }}};
   for (const auto& [name, change] : changes) {
@@ -204,10 +204,10 @@ TEST(ExtendPlan, IsRefusedIfTheStructureChangedOtherThanAtItsEnd) {
   }
 }
 
-TEST(ExtendPlan, IsRefusedIfAnAdditionHoldsTheGaugeInsteadOfAVertex) {
+TEST(ExtendPlan, IsRefusedForTwoComponentsOrIfANewEdgeFixesTheGauge) {
   Growing growing(1, false);
-  growing.graph.add_edge(Prior(SE2()),
-                         growing.graph.add_vertex(SE2()));  // a pool of priors, another component
+  // A vertex with a prior is a second component.
+  growing.graph.add_edge(Prior(SE2()), growing.graph.add_vertex(SE2()));
   growing.plan({});
   EXPECT_FALSE(growing.extend({})) << "two components";
   Growing held(1, false);

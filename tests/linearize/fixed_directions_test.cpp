@@ -35,7 +35,7 @@ World make_world(int count) {
   return w;
 }
 
-TEST(FixedDirections, HaveTheHessianOfZeroJacobians) {
+TEST(FixedDirections, HaveZeroHessianEntriesOffTheDiagonal) {
   for (const bool eliminate : {false, true}) {
     World w = make_world(4);
     for (const auto& point : w.points) w.graph.set_eliminated(point, eliminate);
@@ -67,7 +67,7 @@ TEST(FixedDirections, HaveTheHessianOfZeroJacobians) {
   }
 }
 
-TEST(FixedDirections, GiveTheSameBitsForAnyNumberOfWorkers) {
+TEST(FixedDirections, GiveTheSameBitsOfHForAnyNumberOfWorkers) {
   World w = make_world(1500);
   for (const auto& pose : w.poses) w.graph.fix_directions(pose, {1});
   const Plan one = make_plan(w.graph, {.threads = 1});
@@ -86,7 +86,7 @@ TEST(FixedDirections, GiveTheSameBitsForAnyNumberOfWorkers) {
   }
 }
 
-TEST(FixedDirections, KeepAPositiveDiagonalIfNothingMeasuresThem) {
+TEST(FixedDirections, HaveAPositiveDiagonalEvenIfNoEdgeMeasuresThem) {
   Graph graph;
   const auto x = graph.add_vertex(Vector2(1, 2));
   graph.add_edge([](const auto& v) { return 3.0 * v[0]; }, x);
@@ -98,7 +98,7 @@ TEST(FixedDirections, KeepAPositiveDiagonalIfNothingMeasuresThem) {
             Eigen::Vector2d(9, 1).asDiagonal().toDenseMatrix());
 }
 
-TEST(FixedDirections, FixTheVertexIfTheyAreAllOfItsDirections) {
+TEST(FixedDirections, FixTheVertexIfAllOfItsDirectionsAreFixed) {
   World w = make_world(3);
   w.graph.fix_directions(w.poses[0], {0, 1, 2});
   const Plan plan = make_plan(w.graph, {});
@@ -107,7 +107,7 @@ TEST(FixedDirections, FixTheVertexIfTheyAreAllOfItsDirections) {
   EXPECT_TRUE(plan.fixed_scalars.empty());
 }
 
-TEST(LargeEdges, EqualTheDenseReference) {
+TEST(LargeEdges, AreLinearizedLikeTheDenseReference) {
   Graph graph;
   std::vector<VertexHandle<SE2>> poses;
   std::vector<VertexHandle<Vector2>> points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors and Jacobians that are not finite are found, and the edge is named.
+// The linearizer finds errors and Jacobians that are not finite, and reports their edge.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct Roots {
   }
 };
 
-TEST(NonFinite, AnErrorIsFoundAndItsEdgeNamed) {
+TEST(NonFinite, AnErrorIsFoundAndItsEdgeIsReported) {
   Roots r;
   const Plan plan = make_plan(r.graph, {});
   Linearizer linearizer(r.graph, plan);
@@ -66,7 +66,7 @@ TEST(NonFinite, AJacobianIsFoundEvenIfTheErrorIsFinite) {
   EXPECT_EQ(linearizer.find_non_finite_jacobian({}), r.of_zero);
 }
 
-TEST(NonFinite, NoKernelHidesAnError) {
+TEST(NonFinite, AnErrorIsFoundUnderEveryKernel) {
   Roots r;
   r.graph.set_estimate(r.one, std::numeric_limits<double>::infinity());
   r.graph.set_kernel(r.of_negative, Tukey(1));

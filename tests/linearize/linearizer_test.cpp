@@ -41,8 +41,8 @@ struct Mixed {
   std::vector<EdgeRef> edges;
 };
 
-/// Poses and points, edges of several types, orders, arities, information matrices, and kernels. No vertex is
-/// fixed.
+/// Poses, points, and edges of several types. The edges differ in the order and number of their vertices and
+/// in their information matrices. No vertex is fixed.
 Mixed mixed_graph() {
   Mixed m;
   Graph& graph = m.graph;
@@ -98,7 +98,7 @@ TEST(Linearizer, PutsEliminatedVerticesFirst) {
   expect_equals_reference(m.graph, plan);
 }
 
-TEST(Linearizer, GivesDisabledEdgesNoWeightWithoutANewPlan) {
+TEST(Linearizer, IgnoresDisabledEdgesWithoutANewPlan) {
   Mixed m = mixed_graph();
   const Plan plan = make_plan(m.graph, {});
   Linearizer linearizer(m.graph, plan);
@@ -109,7 +109,7 @@ TEST(Linearizer, GivesDisabledEdgesNoWeightWithoutANewPlan) {
   expect_equals_reference(m.graph, plan);
 }
 
-TEST(Linearizer, WeighsEdgesByTheirKernels) {
+TEST(Linearizer, WeightsEdgesByTheirKernels) {
   Mixed m = mixed_graph();
   for (std::size_t k = 0; k < m.edges.size(); k += 2) m.graph.set_kernel(m.edges[k], Huber(0.3));
   m.graph.set_kernel(m.edges[1], Cauchy(0.5));
@@ -120,7 +120,8 @@ TEST(Linearizer, WeighsEdgesByTheirKernels) {
   EXPECT_NEAR(linearizer.chi2(), m.graph.chi2(), 1e-12 * m.graph.chi2());
 }
 
-/// H and the gradient of one scalar edge x with the kernel K, at x.
+/// H and the gradient of a graph with one scalar vertex x and one edge. The error of the edge is x, and K is
+/// its kernel.
 template <class K>
 std::pair<double, double> one_edge(double x, const K& kernel, bool triggs) {
   Graph graph;
@@ -132,7 +133,7 @@ std::pair<double, double> one_edge(double x, const K& kernel, bool triggs) {
   return {linearizer.values()[0], linearizer.gradient()[0]};
 }
 
-/// A custom kernel, ρ = e² exp(−e²), which decreases beyond 1.
+/// A custom kernel, ρ = e² exp(−e²), which decreases for e² > 1.
 class Falling final : public RobustKernel {
  public:
   Rho operator()(double e2) const override {
@@ -150,15 +151,15 @@ TEST(Linearizer, ClampsANegativeWeightToZero) {
   EXPECT_EQ(one_edge(2, Falling(), true).second, 0);
 }
 
-TEST(Linearizer, AppliesTriggsCorrectionAsTheSecondDerivativeIfThatIsPositive) {
-  // ρ(x²) of Cauchy: half its second derivative is ρ′ + 2x²ρ″ = (1 − x²)/(1 + x²)².
+TEST(Linearizer, ComputesTheExactHessianOfAKernelWithTriggsCorrectionIfThisHessianIsPositive) {
+  // With the Cauchy kernel, half of the second derivative of ρ(x²) is ρ′ + 2x²ρ″ = (1 − x²)/(1 + x²)².
   const auto [hessian, gradient] = one_edge(0.5, Cauchy(1), true);
   EXPECT_NEAR(hessian, 0.75 / (1.25 * 1.25), 1e-15);
   EXPECT_NEAR(gradient, 0.5 / 1.25, 1e-15);
   EXPECT_NEAR(one_edge(0.5, Cauchy(1), false).first, 1 / 1.25, 1e-15);
 }
 
-TEST(Linearizer, KeepsTriggsCorrectionPositiveSemiDefinite) {
+TEST(Linearizer, ComputesAPositiveSemiDefiniteHessianWithTriggsCorrection) {
   EXPECT_NEAR(one_edge(3, Cauchy(1), true).first, 0, 1e-15);
   Mixed m = mixed_graph();
   for (const EdgeRef& edge : m.edges) m.graph.set_kernel(edge, Welsch(0.2));
@@ -180,7 +181,7 @@ TEST(Linearizer, BuildsTheSameSystemFromNumericJacobians) {
     EXPECT_NEAR(exact.values()[k], numeric.values()[k], 1e-7);
 }
 
-TEST(Linearizer, AcceptsAnEdgeWithoutRows) {
+TEST(Linearizer, AcceptsAnErrorWithoutRows) {
   Graph graph;
   const auto a = graph.add_vertex(Eigen::Matrix<double, 6, 1>::Zero().eval());
   const auto b = graph.add_vertex(1.0);
@@ -193,7 +194,7 @@ TEST(Linearizer, AcceptsAnEdgeWithoutRows) {
   EXPECT_THAT(std::vector(linearizer.gradient().begin(), linearizer.gradient().end()), testing::Each(0));
 }
 
-/// A long chain of poses with loops, points and kernels.
+/// A long chain of poses with loop closures, points and kernels.
 Graph large_graph() {
   Graph graph;
   std::mt19937 random(1);
@@ -209,7 +210,7 @@ Graph large_graph() {
     if (k % 3 == 0) graph.set_kernel(edge, Huber(1));
     graph.add_edge(kBehind, points[(k * 11) % points.size()], poses[k]);
     if (k % 2 == 0) graph.add_edge(kBetween, poses[(k * 17 + 1) % poses.size()], poses[k]);
-    // Runs of unary edges at one vertex. Another worker may own the vertices before and after it.
+    // Several successive unary edges at one vertex. Another worker may own the vertices before and after it.
     for (std::size_t n = 0; n < k % 4; ++n) {
       const auto unary =
           graph.add_edge(kBearing, 1.0 + 0.1 * static_cast<double>(n), poses[(k * 13) % poses.size()]);
@@ -223,7 +224,7 @@ bool same_bits(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
-TEST(Linearizer, GivesTheSameBitsForAnyNumberOfWorkers) {
+TEST(Linearizer, ComputesTheSameBitsForAnyNumberOfWorkers) {
   for (const bool eliminate : {false, true}) {
     Graph graph = large_graph();
     for (const VertexRef& vertex : graph.all_vertices()) {
@@ -263,8 +264,8 @@ TEST(Linearizer, EqualsTheDenseReferenceForManyUnaryEdgesOfOneVertex) {
   expect_equals_reference(m.graph, make_plan(m.graph, {}));
 }
 
-TEST(Linearizer, SumsChiSquaredPairwise) {
-  // A sum of 4096 times 0.1 in order loses digits, but a pairwise sum does not.
+TEST(Linearizer, SumsChi2Pairwise) {
+  // A sum of 4096 terms of 0.1, one after the other, loses digits. A pairwise sum does not.
   Graph graph;
   const double root = std::sqrt(0.1);
   double in_order = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The active set and the gauge rule.
+// Which vertices and edges a plan contains, and which vertices it holds to fix the gauge.
 #include "boxplus/linearize/plan.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ std::vector<Id> held_ids(const Plan& plan) {
   return ids;
 }
 
-/// The free motions of the only component that has any.
+/// The free motions of the graph, if exactly one component has free motions; otherwise empty.
 std::string_view free_motions(const Plan& plan) {
   return plan.freedoms.size() == 1 ? to_string(plan.freedoms[0]) : "";
 }
@@ -44,7 +44,7 @@ std::vector<Id> moving_ids(const Graph& graph, const Plan& plan) {
   return ids;
 }
 
-/// Poses 10, 11, 12 in a chain and point 5, seen from pose 11.
+/// A chain of the poses 10, 11 and 12. Pose 11 sees point 5.
 struct Chain {
   Graph graph;
   std::vector<VertexHandle<SE2>> poses;
@@ -60,7 +60,7 @@ struct Chain {
   }
 };
 
-TEST(Plan, HoldsTheLowestVertexOfLargestDimensionIfNothingElseHoldsTheGauge) {
+TEST(Plan, HoldsTheFirstVertexOfTheLargestDimensionIfNothingElseFixesTheGauge) {
   Chain c;
   const Plan plan = make_plan(c.graph, {});
   EXPECT_THAT(held_ids(plan), ElementsAre(10));
@@ -79,13 +79,13 @@ TEST(Plan, HoldsNothingIfAVertexIsFixed) {
   EXPECT_THAT(plan.freedoms, IsEmpty());
 }
 
-TEST(Plan, HoldsNothingIfAPriorHoldsTheGauge) {
+TEST(Plan, HoldsNothingIfAPriorFixesTheGauge) {
   Chain c;
   c.graph.add_edge(kPosePrior, c.poses[2]);
   EXPECT_THAT(held_ids(make_plan(c.graph, {})), IsEmpty());
 }
 
-TEST(Plan, APositionPriorLeavesTheHeadingFreeAndASecondOneHoldsIt) {
+TEST(Plan, OnePositionPriorLeavesTheRotationFreeAndTwoPositionPriorsFixIt) {
   Chain c;
   c.graph.add_edge(kPositionPrior, c.poses[2]);
   const Plan one = make_plan(c.graph, {});
@@ -98,7 +98,7 @@ TEST(Plan, APositionPriorLeavesTheHeadingFreeAndASecondOneHoldsIt) {
   EXPECT_THAT(two.held_scalars, IsEmpty());
 }
 
-TEST(Plan, AFixedPointLeavesTheHeadingFree) {
+TEST(Plan, AFixedPointLeavesTheRotationFree) {
   Chain c;
   c.graph.fix(c.point);
   const Plan plan = make_plan(c.graph, {});
@@ -106,7 +106,7 @@ TEST(Plan, AFixedPointLeavesTheHeadingFree) {
   EXPECT_EQ(free_motions(plan), "rotation");
 }
 
-TEST(Plan, TwoFixedPointsSeenFromOnePoseHoldTheChain) {
+TEST(Plan, TwoFixedPointsSeenFromOnePoseFixTheGauge) {
   Chain c;
   c.graph.fix(c.point);
   const auto other = c.graph.add_vertex(Point(12, -1), 6);
@@ -115,7 +115,7 @@ TEST(Plan, TwoFixedPointsSeenFromOnePoseHoldTheChain) {
   EXPECT_THAT(make_plan(c.graph, {}).freedoms, IsEmpty());
 }
 
-TEST(Plan, TwoFixedPointsOnALineLeaveTheRotationAboutItFree) {
+TEST(Plan, TwoFixedPointsInSpaceLeaveTheRotationAboutTheirLineFree) {
   Graph graph;
   const auto pose = graph.add_vertex(SE3(Vector3(1, 2, 3), SO3()), 0);
   for (const double x : {4.0, 9.0}) {
@@ -129,7 +129,7 @@ TEST(Plan, TwoFixedPointsOnALineLeaveTheRotationAboutItFree) {
   EXPECT_EQ(free_motions(plan), "rotation");
 }
 
-/// Cameras that map world points into their own frame, points, and one focal length for all of them.
+/// Cameras, points, and one focal length for all cameras. The estimates of the cameras are T_camera_world.
 struct SharedFocalLength {
   Graph graph;
   std::vector<VertexHandle<SE2>> cameras;
@@ -152,7 +152,7 @@ struct SharedFocalLength {
   }
 };
 
-TEST(Plan, AFixedCameraCountsEvenIfAThirdVertexOfItsEdgesMoves) {
+TEST(Plan, FixedCamerasFixTheGaugeEvenIfTheFocalLengthInTheirEdgesIsFree) {
   SharedFocalLength world;
   for (std::size_t i = 0; i < 3; ++i) world.graph.fix(world.cameras[i]);
   const Plan held = make_plan(world.graph, {});
@@ -161,7 +161,7 @@ TEST(Plan, AFixedCameraCountsEvenIfAThirdVertexOfItsEdgesMoves) {
   EXPECT_THAT(held.loose_blocks, IsEmpty());
 }
 
-TEST(Plan, NamesTheScaleThatOneFixedCameraLeavesFree) {
+TEST(Plan, ReportsThatTheScaleIsFreeIfOnlyOneCameraIsFixed) {
   SharedFocalLength world;
   world.graph.fix(world.cameras[0]);
   const Plan plan = make_plan(world.graph, {});
@@ -170,7 +170,7 @@ TEST(Plan, NamesTheScaleThatOneFixedCameraLeavesFree) {
   EXPECT_EQ(plan.held_scalars.size(), 1u);
 }
 
-TEST(Plan, HoldsACameraAndNamesTheScaleIfNothingIsFixed) {
+TEST(Plan, HoldsACameraAndReportsThatTheScaleIsFreeIfNothingIsFixed) {
   SharedFocalLength world;
   const Plan plan = make_plan(world.graph, {});
   EXPECT_THAT(held_ids(plan), ElementsAre(world.graph.id(world.cameras[0])));
@@ -211,7 +211,7 @@ TEST(Plan, HoldsOneVertexPerComponent) {
   EXPECT_THAT(held_ids(make_plan(c.graph, {})), UnorderedElementsAre(1, 3, 10));
 }
 
-TEST(Plan, EliminatesAPoseLastIfNothingAnchorsItAndItsFreedomIsNotKnown) {
+TEST(Plan, EliminatesAPoseLastIfNothingFixesItAndItsFreeMotionIsUnknown) {
   Graph graph;
   const auto bias = graph.add_vertex(Eigen::Vector3d(0, 0, 0), 1);
   const auto pose = graph.add_vertex(SE2(), 2);
@@ -222,7 +222,7 @@ TEST(Plan, EliminatesAPoseLastIfNothingAnchorsItAndItsFreedomIsNotKnown) {
   EXPECT_EQ(graph.id(plan.block_vertex[plan.loose_blocks[0]]), 2);
 }
 
-TEST(Plan, ParametersDoNotAnchorAndAreNotHeld) {
+TEST(Plan, ParametersDoNotFixTheGaugeAndAreNotHeld) {
   Graph graph;
   const auto offset = graph.add_parameter(SE2(), 0);
   const auto a = graph.add_vertex(SE2(), 1), b = graph.add_vertex(SE2(), 2);
@@ -237,7 +237,7 @@ TEST(Plan, ParametersDoNotAnchorAndAreNotHeld) {
   EXPECT_THAT(moving_ids(graph, plan), ElementsAre(0, 2));
 }
 
-TEST(Plan, PoliciesDampAndErrorHoldNothingButCountTheComponent) {
+TEST(Plan, HoldsNothingButReportsFreeMotionsUnderThePoliciesDampAndError) {
   Chain c;
   for (const GaugePolicy gauge : {GaugePolicy::kDamp, GaugePolicy::kError}) {
     const Plan plan = make_plan(c.graph, {.gauge = gauge});
@@ -247,7 +247,7 @@ TEST(Plan, PoliciesDampAndErrorHoldNothingButCountTheComponent) {
   }
 }
 
-TEST(Plan, TakesASubsetOfVerticesWithTheEdgesThatTouchIt) {
+TEST(Plan, OfASubsetOfVerticesContainsTheEdgesThatTouchThem) {
   Chain c;
   const std::array<VertexRef, 1> subset{c.poses[2]};
   const Plan plan = make_plan(c.graph, {.vertices = subset});
@@ -256,7 +256,7 @@ TEST(Plan, TakesASubsetOfVerticesWithTheEdgesThatTouchIt) {
   EXPECT_THAT(held_ids(plan), IsEmpty());
 }
 
-TEST(Plan, TakesASubsetOfEdges) {
+TEST(Plan, OfASubsetOfEdgesContainsTheirVertices) {
   Chain c;
   c.graph.fix(c.poses[0]);
   const std::array<EdgeRef, 1> subset{c.edges[0]};
@@ -265,7 +265,7 @@ TEST(Plan, TakesASubsetOfEdges) {
   EXPECT_EQ(plan.edge_count, 1u);
 }
 
-TEST(Plan, TakesTheEdgesOfItsLevel) {
+TEST(Plan, ContainsTheEdgesOfTheRequestedLevel) {
   Chain c;
   c.graph.set_level(c.edges[1], 1);
   EXPECT_EQ(make_plan(c.graph, {}).edge_count, 2u);
@@ -292,7 +292,7 @@ TEST(Plan, OfAnEmptyGraphIsEmpty) {
   EXPECT_EQ(linearizer.chi2(), 0);
 }
 
-TEST(Plan, EdgesBetweenFixedVerticesCountInChiSquaredOnly) {
+TEST(Plan, EdgesBetweenFixedVerticesContributeOnlyToChi2) {
   Chain c;
   for (const auto& pose : c.poses) c.graph.fix(pose);
   const Plan plan = make_plan(c.graph, {});
@@ -301,7 +301,7 @@ TEST(Plan, EdgesBetweenFixedVerticesCountInChiSquaredOnly) {
   EXPECT_NEAR(linearizer.chi2(), c.graph.chi2(), 1e-12);
 }
 
-TEST(Plan, NamesTwoEliminatedVerticesInOneEdge) {
+TEST(Plan, RefusesAndNamesTwoEliminatedVerticesInOneEdge) {
   Chain c;
   c.graph.set_eliminated(c.poses[1], true);
   c.graph.set_eliminated(c.point, true);
@@ -325,7 +325,7 @@ TEST(Plan, HoldsNothingIfAnEdgeMeasuresTheProductOfTwoVertices) {
   EXPECT_EQ(plan.loose_blocks.size(), 1u);
 }
 
-TEST(Plan, CountsDisabledEdgesAmongThoseThatHoldTheGauge) {
+TEST(Plan, DisabledPriorsFixTheGaugeToo) {
   Chain c;
   const auto prior = c.graph.add_edge(kPosePrior, c.poses[2]);
   c.graph.set_enabled(prior, false);

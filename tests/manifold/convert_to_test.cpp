@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// Types with the interface of Sophus, as far as the documentation of the conversions requires it.
+/// Types with the part of the interface of Sophus that the documentation of convert_to() requires.
 namespace sophus {
 template <class S>
 class SO2 {
@@ -62,7 +62,7 @@ class SE3 {
   Eigen::Matrix<S, 3, 1> translation_;
 };
 
-/// The squared norm of the quaternion is the scale.
+/// A similarity. The squared norm of its quaternion is its scale.
 template <class S>
 class Sim3 {
  public:
@@ -93,14 +93,14 @@ void expect_same_point(const A& a, const B& b) {
       << a.transpose() << " / " << b.transpose();
 }
 
-TEST(ConvertTo, IsometriesOfSpaceMoveAPointAsTheirPoseDoes) {
+TEST(ConvertTo, Isometries3dMoveAPointLikeTheirPose) {
   const auto isometry = convert_to<Eigen::Isometry3d>(kPose);
   expect_same_point((isometry * Eigen::Vector3d(kPoint)).eval(), kPose * kPoint);
   expect_same_point(convert_to<SE3>(isometry) * kPoint, kPose * kPoint);
   expect_same_point(convert_to<SE3RotationVector>(isometry) * kPoint, kPose * kPoint);
 }
 
-TEST(ConvertTo, IsometriesOfThePlaneMoveAPointAsTheirPoseDoes) {
+TEST(ConvertTo, Isometries2dMoveAPointLikeTheirPose) {
   for (const double angle : {0.0, 1.0, -2.5, kPi}) {
     const SE2 pose(1, -2, angle);
     const auto isometry = convert_to<Eigen::Isometry2d>(pose);
@@ -110,7 +110,7 @@ TEST(ConvertTo, IsometriesOfThePlaneMoveAPointAsTheirPoseDoes) {
   }
 }
 
-TEST(ConvertTo, RotationsComeFromQuaternionsAnglesAndAxes) {
+TEST(ConvertTo, RotationsConvertFromAndToQuaternionsAnglesAndAxes) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(0.5, -0.1, 0.7, 0.2).normalized();
   expect_same_point(convert_to<SO3>(q) * kPoint, (q * Eigen::Vector3d(kPoint)).eval());
   expect_same_point(convert_to<Eigen::Quaterniond>(convert_to<SO3RotationVector>(q)).coeffs(), q.coeffs());
@@ -126,14 +126,15 @@ TEST(ConvertTo, RotationsComeFromQuaternionsAnglesAndAxes) {
 TEST(ConvertTo, QuaternionsAreNormalized) {
   expect_same_point(convert_to<SO3>(Eigen::Quaterniond(2, 0, 0, 2)).rotation_vector(),
                     Vector3(0, 0, kPi / 2));
-  // A pose from a file with few digits keeps the norm of its quaternion, but no isometry shows it.
+  // The quaternion of a pose from a file with few digits is not exactly normalized, but its isometry is
+  // orthogonal.
   const SE3 rounded = SE3::from_unit(Vector3(1, 2, 3), detail::Quaternion<double>{0, 0, 0.707107, 0.707107});
   const Eigen::Matrix3d R = convert_to<Eigen::Isometry3d>(rounded).linear();
   EXPECT_LT((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), kRounding);
   EXPECT_EQ(convert_to<SE3RotationVector>(rounded).vector(), rounded.vector());
 }
 
-TEST(ConvertTo, SimilaritiesAreAffineMapsOfOneScale) {
+TEST(ConvertTo, SimilaritiesConvertFromAndToAffineMaps) {
   const Sim3 x(kRotation, Vector3(1, -2, 3), 0.25);
   const auto affine = convert_to<Eigen::Affine3d>(x);
   expect_same_point((affine * Eigen::Vector3d(kPoint)).eval(), x * kPoint);
@@ -143,7 +144,7 @@ TEST(ConvertTo, SimilaritiesAreAffineMapsOfOneScale) {
   EXPECT_EQ(convert_to<Sim3>(kPose).scale(), 1);
 }
 
-TEST(ConvertTo, TypesLikeThoseOfSophusConvertBothWays) {
+TEST(ConvertTo, TypesWithTheInterfaceOfSophusConvertBothWays) {
   EXPECT_NEAR(convert_to<SO2>(convert_to<sophus::SO2<double>>(SO2(2.5))).angle(), 2.5, kRounding);
   const SE2 pose2(1, -2, 2.5);
   const auto plane = convert_to<sophus::SE2<double>>(pose2);
@@ -180,8 +181,8 @@ TEST(ConvertTo, RefusesToDropAPartOfATransformation) {
   EXPECT_FALSE((Converts<Eigen::Isometry3d, Sim3>)) << "would drop the scale";
   EXPECT_FALSE((Converts<SE3, Eigen::Affine3d>)) << "would drop the scale";
   EXPECT_FALSE((Converts<SO2, Eigen::Isometry2d>)) << "would drop the translation";
-  EXPECT_FALSE((Converts<SE3, SE2>)) << "different spaces";
-  EXPECT_FALSE((Converts<SE3, Vector3>)) << "a vector is not a motion";
+  EXPECT_FALSE((Converts<SE3, SE2>)) << "one is a pose in space, the other is a pose in the plane";
+  EXPECT_FALSE((Converts<SE3, Vector3>)) << "a vector is not a pose";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of all manifold types. Includes all headers of manifold/ and autodiff/: that should cost little
-// more than <Eigen/Core> alone (measured: 1.1 s against 0.9 s of processor time at -O2) and must stay below
-// 3 s.
+// Properties of all manifold types. This file includes all headers of manifold/ and autodiff/. It should take
+// little more time to compile than <Eigen/Core> alone (measured at -O2: 1.1 s versus 0.9 s of processor
+// time), and must take less than 3 s.
 #include <gtest/gtest.h>
 
 #include <type_traits>

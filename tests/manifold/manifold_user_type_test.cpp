@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trait alone makes manifolds of types of another library that cannot be changed.
+// If the trait Manifold is specialized for them, types of another library become manifolds without changes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ struct Waypoint {
   double latitude, longitude, altitude;
 };
 
-/// A generic type.
+/// A template over its scalar type.
 template <class S>
 struct Interval {
   S center, log_width;
@@ -60,7 +60,7 @@ namespace {
 
 using D = detail::Dual<double, 1>;
 
-TEST(UserTypes, BecomeManifoldsByTheTraitAlone) {
+TEST(UserTypes, BecomeManifoldsThroughTheTraitAlone) {
   static_assert(detail::ManifoldType<vendor::Waypoint>);
   static_assert(!detail::LiftableManifold<vendor::Waypoint, D>);
   static_assert(!detail::ManifoldType<std::string>);
@@ -68,13 +68,13 @@ TEST(UserTypes, BecomeManifoldsByTheTraitAlone) {
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(UserTypes, AreConvertedToDualNumbersIfTheTraitSaysHow) {
+TEST(UserTypes, AreConvertedToDualNumbersIfTheTraitHasACast) {
   static_assert(detail::LiftableManifold<vendor::Interval<double>, D>);
   const ManifoldCheck check = check_manifold(vendor::Interval<double>{1, 2});
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(UserTypes, ArePartsOfProducts) {
+TEST(UserTypes, CanBePartsOfProducts) {
   const Product liftable(vendor::Interval<double>{1, 2}, 3.0);
   static_assert(detail::LiftableManifold<std::decay_t<decltype(liftable)>, D>);
   const Product plain(vendor::Waypoint{0, 48, 8, 1000}, 3.0);

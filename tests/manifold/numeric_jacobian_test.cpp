@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(NumericJacobian, DifferentiatesThroughBoxplus) {
+TEST(NumericJacobian, DifferentiatesWithRespectToTheTangentVector) {
   const SE2 x(1, 2, 0.5);
   Matrix<double, 2, 3> jacobian;
   const double error = detail::numeric_jacobian([](const SE2& p) { return p.translation(); }, x, jacobian);
@@ -27,7 +27,7 @@ TEST(NumericJacobian, AcceptsFunctionsThatReturnAScalar) {
   EXPECT_NEAR(jacobian(0, 0), 6, 1e-12);
 }
 
-TEST(NumericJacobian, AcceptsRunTimeSizes) {
+TEST(NumericJacobian, AcceptsVectorsOfRunTimeSize) {
   const Vector<double, kDynamic> x = Vector<double, kDynamic>::Constant(4, 2.0);
   Matrix<double, kDynamic, kDynamic> jacobian(4, 4);
   detail::numeric_jacobian([](const auto& v) { return v.cwiseProduct(v).eval(); }, x, jacobian);

@@ -19,13 +19,13 @@ NavigationState random_state(Samples& s) {
                          s.uniform(-1, 1));
 }
 
-TEST(Product, ObeysTheLaws) {
+TEST(Product, ObeysTheManifoldLaws) {
   Samples s;
   const ManifoldCheck check = check_manifold(Samples::many(6, [&] { return random_state(s); }));
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(Product, ObeysTheLawsWithARunTimeSize) {
+TEST(Product, ObeysTheManifoldLawsIfAPartHasRunTimeSize) {
   const Product bias(S2(), Eigen::VectorXd(Eigen::VectorXd::LinSpaced(4, 0, 1)), 2.0);
   static_assert(Manifold<std::decay_t<decltype(bias)>>::kDim == kDynamic);
   EXPECT_EQ(detail::tangent_dim(bias), 2 + 4 + 1);
@@ -33,7 +33,7 @@ TEST(Product, ObeysTheLawsWithARunTimeSize) {
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(Product, JoinsTheTangentsOfItsPartsInOrder) {
+TEST(Product, ConcatenatesTheTangentsOfItsPartsInOrder) {
   static_assert(Manifold<NavigationState>::kDim == 10);
   const double delta[10] = {0, 0, 0, 0, 0, 0, 1, 2, 3, 4};
   const NavigationState x = Manifold<NavigationState>::oplus(NavigationState(SE3(), {0, 0, 0}, 0), delta);
@@ -50,7 +50,7 @@ TEST(Product, UnpacksIntoItsParts) {
   EXPECT_EQ(pose.quaternion().w, 1);
 }
 
-TEST(Product, HasExactJacobiansThroughBoxplus) {
+TEST(Product, HasExactJacobiansFromDualNumbers) {
   Samples s;
   const NavigationState x = random_state(s);
   const auto error = [](const auto& state) {
@@ -62,7 +62,7 @@ TEST(Product, HasExactJacobiansThroughBoxplus) {
   EXPECT_LT((dual_jacobian<3>(error, x) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(Product, Nests) {
+TEST(Product, MayContainAnotherProduct) {
   const Product nested(Product(1.0, 2.0), S2());
   EXPECT_EQ(detail::tangent_dim(nested), 4);
   const ManifoldCheck check = check_manifold(nested);

@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-TEST(Rn, ObeysTheLawsForEveryKindOfEigenVector) {
+TEST(Rn, ObeysTheManifoldLawsForEveryKindOfEigenVector) {
   Samples s;
   const auto expect_laws = [](const auto& x) {
     const ManifoldCheck check = check_manifold(x);
@@ -24,14 +24,14 @@ TEST(Rn, ObeysTheLawsForEveryKindOfEigenVector) {
   expect_laws(3.5);
 }
 
-TEST(Rn, KnowsItsTangentSize) {
+TEST(Rn, HasATangentDimensionEqualToItsSize) {
   static_assert(Manifold<double>::kDim == 1);
   static_assert(Manifold<Eigen::Vector3d>::kDim == 3);
   static_assert(Manifold<Eigen::VectorXd>::kDim == kDynamic);
   EXPECT_EQ(detail::tangent_dim(Eigen::VectorXd(7)), 7);
 }
 
-TEST(Rn, KeepsItsOptionsWhenLifted) {
+TEST(Rn, KeepsItsEigenOptionsIfItIsConvertedToDualNumbers) {
   using D = detail::Dual<double, 3>;
   static_assert(std::is_same_v<detail::Rebind<Eigen::Vector3d, D>, Eigen::Matrix<D, 3, 1>>);
   static_assert(std::is_same_v<detail::Rebind<Vector<double, 3>, D>, Vector<D, 3>>);

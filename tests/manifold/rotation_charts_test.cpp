@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(QuaternionChart, NormalizesStepsBeyondHalfATurn) {
+TEST(QuaternionChart, LimitsAStepToHalfATurn) {
   const double far[3] = {0, 3, 4};
   const SO3 x = Manifold<SO3>::oplus(SO3(), far);
   EXPECT_DOUBLE_EQ(x.data()[1], 0.6);
@@ -21,7 +21,7 @@ TEST(QuaternionChart, NormalizesStepsBeyondHalfATurn) {
   EXPECT_EQ(Manifold<SO3>::oplus(SO3(), unit).data()[0], 1);
 }
 
-TEST(QuaternionChart, MinimalPicksTheSignWithNonNegativeW) {
+TEST(QuaternionChart, MinimalPicksTheSignOfTheQuaternionThatMakesWNonNegative) {
   EXPECT_EQ(SO3(detail::Quaternion<double>{0.6, 0, 0, -0.8}).minimal()[0], -0.6);
   EXPECT_EQ(SO3(detail::Quaternion<double>{0.6, 0, 0, 0.8}).minimal()[0], 0.6);
 }
@@ -35,7 +35,7 @@ TEST(RotationVectorChart, IsExactOnBothSidesOfTheSwitchToItsTaylorSeries) {
   }
 }
 
-TEST(RotationVectorChart, ReturnsAngleUpToPi) {
+TEST(RotationVectorChart, ReturnsAnglesUpToPi) {
   const Vector<double, 3> log =
       detail::RotationVectorChart::log(detail::RotationVectorChart::exp(0.0, 4.0, 0.0));
   EXPECT_NEAR(log[1], 4 - 2 * kPi, 1e-15);

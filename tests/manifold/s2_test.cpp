@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-TEST(S2, ObeysTheLaws) {
+TEST(S2, ObeysTheManifoldLaws) {
   Samples s;
   auto directions = Samples::many(12, [&] { return S2(s.vector<3>(1)); });
   for (int axis = 0; axis < 3; ++axis)
@@ -43,7 +43,7 @@ TEST(S2, WalksAlongGreatCircles) {
   EXPECT_NEAR(delta[0], kPi / 2, 1e-15);
 }
 
-TEST(S2, FindsAWayToTheOppositeDirection) {
+TEST(S2, HasATangentVectorToTheOppositeDirection) {
   const S2 up, down(Vector<double, 3>(0, 0, -1));
   double delta[2];
   Manifold<S2>::ominus(down, up, delta);

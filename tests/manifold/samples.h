@@ -10,7 +10,7 @@
 
 namespace boxplus {
 
-/// Deterministic uniform numbers.
+/// Uniformly distributed random numbers, which are the same in every run.
 class Samples {
  public:
   double uniform(double low, double high) {
@@ -24,7 +24,7 @@ class Samples {
     return v;
   }
 
-  /// `count` results of make().
+  /// The results of `count` calls of make().
   template <class Make>
   static auto many(int count, const Make& make) {
     std::vector<decltype(make())> points;
@@ -36,7 +36,8 @@ class Samples {
   std::mt19937_64 engine_{42};
 };
 
-/// The Jacobian of f(x ⊞ δ) at δ = 0 by dual numbers; f takes a lifted point and returns a vector of `Rows`.
+/// The Jacobian of f(x ⊞ δ) at δ = 0, computed with dual numbers. f takes a point that consists of dual
+/// numbers, and returns a vector of `Rows` entries.
 template <int Rows, class T, class F>
 Matrix<double, Rows, Manifold<T>::kDim> dual_jacobian(const F& f, const T& x) {
   constexpr int n = Manifold<T>::kDim;

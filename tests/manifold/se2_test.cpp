@@ -13,7 +13,7 @@ SE2 random_pose(Samples& s) {
   return {s.uniform(-10, 10), s.uniform(-10, 10), s.uniform(-kPi, kPi)};
 }
 
-TEST(SE2, ObeysTheLaws) {
+TEST(SE2, ObeysTheManifoldLaws) {
   Samples s;
   auto poses = Samples::many(10, [&] { return random_pose(s); });
   poses.push_back(SE2(1, 2, kPi));
@@ -21,7 +21,7 @@ TEST(SE2, ObeysTheLaws) {
   EXPECT_TRUE(check) << check.message;
 }
 
-TEST(SE2, KeepsAHeadingInRangeBitForBit) {
+TEST(SE2, KeepsAHeadingInRangeBitForBitAndNormalizesOthers) {
   EXPECT_EQ(SE2(0, 0, kPi).theta(), kPi);
   EXPECT_EQ(SE2(0, 0, -3.1).theta(), -3.1);
   EXPECT_EQ(SE2(0, 0, -kPi).theta(), kPi);
@@ -36,7 +36,7 @@ TEST(SE2, MovesInItsOwnFrame) {
   EXPECT_DOUBLE_EQ(moved.theta(), kPi / 2 + 0.1);
 }
 
-TEST(SE2, StaysBitForBitUnderAZeroStep) {
+TEST(SE2, IsUnchangedBitForBitByAZeroStep) {
   Samples s;
   const double zero[3] = {0, 0, 0};
   for (int i = 0; i < 100; ++i) {
@@ -57,7 +57,7 @@ TEST(SE2, ComposesLikeItsMatrices) {
   EXPECT_EQ(SE2::from_vector(a.vector()).vector(), a.vector());
 }
 
-TEST(SE2, HasExactJacobiansThroughBoxplus) {
+TEST(SE2, HasExactJacobiansFromDualNumbers) {
   Samples s;
   const SE2 measurement = random_pose(s), a = random_pose(s), b = random_pose(s);
   const auto error = [&](const auto& x) {

@@ -20,7 +20,7 @@ class PoseTest : public testing::Test {
 using Charts = testing::Types<SE3, SE3RotationVector>;
 TYPED_TEST_SUITE(PoseTest, Charts);
 
-TYPED_TEST(PoseTest, ObeysTheLaws) {
+TYPED_TEST(PoseTest, ObeysTheManifoldLaws) {
   auto poses = Samples::many(10, [&] { return this->random(); });
   poses.push_back(TypeParam());
   for (const double step : {0.4, 0.1, 0.005}) {
@@ -31,7 +31,7 @@ TYPED_TEST(PoseTest, ObeysTheLaws) {
   }
 }
 
-TYPED_TEST(PoseTest, HasExactJacobiansOfItsEdgeError) {
+TYPED_TEST(PoseTest, HasExactJacobiansOfTheErrorOfARelativePose) {
   const TypeParam a = this->random(), b = this->random(), measurement = this->random();
   const auto error_of_a = [&](const auto& x) {
     return (measurement.inverse() * x.inverse_times(b)).minimal();
@@ -46,7 +46,7 @@ TYPED_TEST(PoseTest, HasExactJacobiansOfItsEdgeError) {
   EXPECT_LT((dual_jacobian<6>(error_of_b, b) - numeric).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TYPED_TEST(PoseTest, HasTheSameDerivativesLiftedByCastAndDirectly) {
+TYPED_TEST(PoseTest, HasTheSameDerivativesWhetherOrNotItIsFirstConvertedToDualNumbers) {
   using D = detail::Dual<double, 6>;
   const TypeParam x = this->random();
   D delta[6];
@@ -70,7 +70,7 @@ TYPED_TEST(PoseTest, ComposesLikeItsMatrices) {
   EXPECT_LT((a.inverse_times(b).vector() - (a.inverse() * b).vector()).norm(), 1e-13);
 }
 
-TEST(SE3, IsSevenScalarsInTheOrderOfFiles) {
+TEST(SE3, StoresSevenScalarsInTheOrderOfG2oFiles) {
   static_assert(sizeof(SE3) == 7 * sizeof(double) && alignof(SE3) == alignof(double));
   static_assert(std::is_trivially_copyable_v<SE3>);
   Vector<double, 7> v;

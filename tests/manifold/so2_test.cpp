@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-TEST(SO2, ObeysTheLaws) {
+TEST(SO2, ObeysTheManifoldLaws) {
   Samples s;
   auto rotations = Samples::many(10, [&] { return SO2(s.uniform(-kPi, kPi)); });
   rotations.push_back(SO2(kPi));

@@ -19,7 +19,7 @@ class RotationTest : public testing::Test {
 using Charts = testing::Types<SO3, SO3RotationVector>;
 TYPED_TEST_SUITE(RotationTest, Charts);
 
-TYPED_TEST(RotationTest, ObeysTheLaws) {
+TYPED_TEST(RotationTest, ObeysTheManifoldLaws) {
   auto rotations = Samples::many(12, [&] { return this->random(); });
   rotations.push_back(TypeParam());
   rotations.push_back(TypeParam::from_rotation_vector(Vector<double, 3>(3.1, 0, 0)));
@@ -28,7 +28,7 @@ TYPED_TEST(RotationTest, ObeysTheLaws) {
   EXPECT_TRUE(check) << check.message;
 }
 
-TYPED_TEST(RotationTest, ObeysTheLawsForLargeAndTinySteps) {
+TYPED_TEST(RotationTest, ObeysTheManifoldLawsForLargeAndTinySteps) {
   const auto rotations = Samples::many(6, [&] { return this->random(); });
   for (const double step : {0.5, 0.02, 0.005, 1e-4}) {
     ManifoldCheckOptions options;
@@ -38,7 +38,7 @@ TYPED_TEST(RotationTest, ObeysTheLawsForLargeAndTinySteps) {
   }
 }
 
-TYPED_TEST(RotationTest, StaysBitForBitUnderAZeroStep) {
+TYPED_TEST(RotationTest, IsUnchangedBitForBitByAZeroStep) {
   const double zero[3] = {0, 0, 0};
   for (int i = 0; i < 1000; ++i) {
     const TypeParam x = this->random() * this->random();
@@ -54,7 +54,7 @@ TYPED_TEST(RotationTest, StaysAUnitQuaternionOverManySteps) {
   EXPECT_NEAR(x.quaternion().squared_norm(), 1, 2e-15);
 }
 
-TYPED_TEST(RotationTest, HasExactJacobiansThroughBoxplus) {
+TYPED_TEST(RotationTest, HasExactJacobiansFromDualNumbers) {
   const TypeParam x = this->random(), y = this->random();
   const auto error = [&](const auto& z) { return (y.inverse() * z).rotation_vector(); };
   Matrix<double, 3, 3> numeric;
@@ -67,7 +67,7 @@ TYPED_TEST(RotationTest, HasExactJacobiansThroughBoxplus) {
       << "at zero error";
 }
 
-TYPED_TEST(RotationTest, HasSecondDerivativesAtZero) {
+TYPED_TEST(RotationTest, HasExactSecondDerivativesAtZero) {
   using D = detail::Dual<double, 3>;
   using H = detail::Dual<D, 3>;
   H delta[3];
@@ -76,7 +76,7 @@ TYPED_TEST(RotationTest, HasSecondDerivativesAtZero) {
     delta[i].derivative[i] = D(1);
   }
   const Vector<H, 3> p = Manifold<TypeParam>::oplus(TypeParam(), delta) * Vector<double, 3>(1, 0, 0);
-  // R(ω) = I + [ω]× + ½[ω]×² + …, and a quaternion vector part is half of ω up to third order.
+  // R(ω) = I + [ω]× + ½[ω]×² + …, and the vector part of a quaternion is ω/2 up to third order.
   const double unit = std::is_same_v<TypeParam, SO3> ? 4 : 1;
   EXPECT_NEAR(p[0].derivative[1].derivative[1], -unit, 1e-14);
   EXPECT_NEAR(p[0].derivative[0].derivative[0], 0, 1e-14);

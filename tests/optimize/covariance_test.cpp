@@ -26,8 +26,8 @@ using testing::HasSubstr;
 
 constexpr auto kDifference = [](const auto& x, const auto& y) { return y - x; };
 
-/// The inverse of H = Σ w JᵀΩJ, summed edge by edge from the Jacobians and weights of the graph. It does not
-/// use the engine.
+/// The dense inverse of H = Σ w JᵀΩJ. H is summed edge by edge from Graph::jacobian() and Graph::weight(),
+/// without the linearizer and the linear solvers.
 class DenseInverse {
  public:
   DenseInverse(const Graph& graph, const std::vector<VertexRef>& moving, int level = 0) {
@@ -98,8 +98,8 @@ void expect_equal_to_dense(const Graph& graph, const std::vector<VertexRef>& ask
   }
 }
 
-/// Poses and landmarks in the plane and in space, a calibrated offset, vectors of run-time size, hyper-edges,
-/// edges with kernels, and one fixed pose of each kind.
+/// Poses and landmarks in the plane and in space, a sensor offset that is calibrated, vectors of run-time
+/// size, hyper-edges, and edges with kernels. One pose in the plane and one pose in space are fixed.
 struct RandomGraph {
   Graph graph;
   std::vector<VertexRef> moving, all;
@@ -164,7 +164,7 @@ struct RandomGraph {
     graph.fix(vertex);
     std::erase(moving, vertex);
   }
-  /// With a random Ω, and every third time with a kernel.
+  /// Adds an edge with a random Ω. About every third edge has a kernel.
   template <class E, class... H>
   void join(E error, const H&... vertices) {
     const auto edge = graph.add_edge(std::move(error), vertices...);
@@ -250,7 +250,7 @@ TEST(Covariance, OfAVertexThatDoesNotMoveIsZero) {
   EXPECT_TRUE(result.joint().isApprox(expected, 1e-14)) << result.joint();
 }
 
-TEST(Covariance, IsRelativeToTheVertexThatIsHeldForTheGauge) {
+TEST(Covariance, IsRelativeToTheVertexThatIsHeldToFixTheGauge) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 12);
   const std::vector<VertexRef> all = graph.all_vertices();
@@ -265,10 +265,10 @@ TEST(Covariance, IsRelativeToTheVertexThatIsHeldForTheGauge) {
   expect_equal_to_dense(graph, all, std::vector<VertexRef>(poses.begin() + 1, poses.end()));
 }
 
-TEST(Covariance, IsRefusedIfOnlyAPartOfTheGaugeIsHeld) {
+TEST(Covariance, IsRefusedIfAPriorFixesOnlyAPartOfTheGauge) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 6);
-  graph.add_edge(PositionPrior(Vector2(1, 2)), 4.0, poses[0]);  // the circle may still rotate around it
+  graph.add_edge(PositionPrior(Vector2(1, 2)), 4.0, poses[0]);  // the circle can still rotate about this pose
   const Covariance open = covariance(graph, poses);
   EXPECT_EQ(open.status(), Covariance::Status::kSingular);
   EXPECT_THAT(open.message(), HasSubstr("rotation"));
@@ -277,8 +277,8 @@ TEST(Covariance, IsRefusedIfOnlyAPartOfTheGaugeIsHeld) {
   expect_equal_to_dense(graph, graph.all_vertices(), graph.all_vertices());
 }
 
-/// The pinhole cameras of a bundle without odometry and without an anchor: seven motions are gauge.
-TEST(Covariance, OfFreeBundleAdjustmentIsRelativeToACameraAndAScale) {
+/// Pinhole cameras without odometry and without a fixed camera. The gauge has seven free directions.
+TEST(Covariance, OfABundleWithoutFixedCamerasIsRelativeToACameraAndAScale) {
   Bundle bundle = make_bundle(4, 30, true);
   Graph& graph = bundle.graph;
   for (const EdgeRef& edge : graph.all_edges()) {
@@ -295,7 +295,7 @@ TEST(Covariance, OfFreeBundleAdjustmentIsRelativeToACameraAndAScale) {
   EXPECT_TRUE(free.of(free.held()[0]).isZero(0));
 }
 
-TEST(Covariance, HoldsNothingThatTheEdgesMeasure) {
+TEST(Covariance, HoldsNothingIfTheEdgesDetermineAllVertices) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), c = graph.add_vertex(2.0);
   graph.add_edge(kDifference, 4.0, a, b);
@@ -305,7 +305,7 @@ TEST(Covariance, HoldsNothingThatTheEdgesMeasure) {
   expect_equal_to_dense(graph, {a, b, c}, {a, b, c});
 }
 
-TEST(Covariance, OfVerticesOfUnknownTypeIsRelativeToOneIfNothingElseHoldsThem) {
+TEST(Covariance, OfVerticesOfUnknownTypeIsRelativeToOneOfThemIfNothingElseFixesThem) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), b = graph.add_vertex(1.0), c = graph.add_vertex(2.0);
   graph.add_edge(kDifference, 4.0, a, b);
@@ -333,12 +333,12 @@ TEST(Covariance, UsesTheEdgesOfTheRequestedLevel) {
   EXPECT_DOUBLE_EQ(covariance(graph, {b}, options).of(b)(0, 0), 1.0 / 20);
 }
 
-TEST(Covariance, NamesAVertexThatTheEdgesLeaveUndetermined) {
+TEST(Covariance, ReportsAVertexThatTheEdgesDoNotDetermine) {
   Graph graph;
   const auto pose = graph.add_vertex(SE2(0, 0, 0));
   graph.fix(pose);
-  const auto seen =
-      graph.add_vertex(Vector2(3, 4), 17);  // from one direction only: its distance is not measured
+  // The edge of this point measures only one coordinate.
+  const auto seen = graph.add_vertex(Vector2(3, 4), 17);
   graph.add_edge([](const auto& x, const auto& p) { return (x.inverse_times(p))[1] / 4.0 - 1.0; }, pose,
                  seen);
   const auto good = graph.add_vertex(Vector2(1, 2));
@@ -353,7 +353,7 @@ TEST(Covariance, NamesAVertexThatTheEdgesLeaveUndetermined) {
   EXPECT_TRUE(covariance(graph, {good}).ok());
 }
 
-TEST(Covariance, NamesAVertexThatNoEdgeTouches) {
+TEST(Covariance, ReportsAVertexThatNoEdgeTouches) {
   Graph graph;
   const auto a = graph.add_vertex(0.0), lonely = graph.add_vertex(1.0, 8);
   graph.add_edge(kDifference, a, graph.add_vertex(1.0));
@@ -363,7 +363,7 @@ TEST(Covariance, NamesAVertexThatNoEdgeTouches) {
   EXPECT_TRUE(covariance(graph, {a}).ok());
 }
 
-TEST(Covariance, OfAFreeGraphIsRefusedIfTheGaugeIsNotHeld) {
+TEST(Covariance, OfAGraphWithoutFixedVerticesIsRefusedUnderThePoliciesDampAndError) {
   for (const GaugePolicy gauge : {GaugePolicy::kDamp, GaugePolicy::kError}) {
     Graph graph;
     const auto poses = add_noisy_grid(graph, 3);
@@ -397,7 +397,7 @@ TEST(Covariance, RefusesBlocksThatWereNotRequested) {
   EXPECT_EQ(covariance(graph, {}).joint().size(), 0);
 }
 
-TEST(Covariance, AcceptsHandlesOfOneType) {
+TEST(Covariance, AcceptsAVectorOfTypedHandles) {
   Graph graph;
   const std::vector<VertexHandle<SE2>> poses = add_noisy_circle(graph, 6);
   EXPECT_EQ(covariance(graph, poses).joint(), covariance(graph, graph.all_vertices()).joint());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An independent, dense and slow least-squares solver. It shares only ⊞ and the kernels' ρ with the engine.
+// An independent, dense and slow least-squares solver. Of boxplus, it uses only ⊞ and the robust kernels.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -31,7 +31,7 @@ class DenseProblem {
     edges_.push_back({std::move(error), std::move(information), std::move(kernel)});
   }
 
-  /// Σ ρ(eᵀΩe).
+  /// The sum of ρ(eᵀΩe) over all edges.
   double cost() const {
     double sum = 0;
     for (const Edge& edge : edges_) {

@@ -18,7 +18,7 @@ template <class World>
 class InitialGuess : public ::testing::Test {};
 TYPED_TEST_SUITE(InitialGuess, Worlds);
 
-TYPED_TEST(InitialGuess, RecoversANoiseFreeGraphFromGarbageAroundAFixedPoseAwayFromTheOrigin) {
+TYPED_TEST(InitialGuess, RecoversANoiseFreeGraphFromArbitraryEstimatesIfOnePoseIsFixed) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     scene.fix(add_loop(scene, 0.4)[2]);
@@ -26,7 +26,7 @@ TYPED_TEST(InitialGuess, RecoversANoiseFreeGraphFromGarbageAroundAFixedPoseAwayF
   });
 }
 
-TYPED_TEST(InitialGuess, StartsFromPosePriors) {
+TYPED_TEST(InitialGuess, RecoversANoiseFreeGraphFromArbitraryEstimatesIfOnePoseHasAPrior) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
@@ -35,7 +35,7 @@ TYPED_TEST(InitialGuess, StartsFromPosePriors) {
   });
 }
 
-TYPED_TEST(InitialGuess, DoesNotMoveTheHeldPoseOfEachComponent) {
+TYPED_TEST(InitialGuess, DoesNotMoveThePoseThatIsHeldInEachComponent) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     for (double seed : {0.0, 0.7}) {
@@ -46,7 +46,7 @@ TYPED_TEST(InitialGuess, DoesNotMoveTheHeldPoseOfEachComponent) {
   });
 }
 
-TYPED_TEST(InitialGuess, DoesNotMoveThePoseOfLowestIdIfNothingIsHeld) {
+TYPED_TEST(InitialGuess, DoesNotMoveThePoseWithTheLowestIdIfNoPoseIsHeld) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto first = add_loop(scene)[0];
@@ -57,7 +57,7 @@ TYPED_TEST(InitialGuess, DoesNotMoveThePoseOfLowestIdIfNothingIsHeld) {
   });
 }
 
-TYPED_TEST(InitialGuess, AppliesSensorOffsetsByTheRelativeFrameOfTheEdge) {
+TYPED_TEST(InitialGuess, AppliesSensorOffsetsThroughTheRelativeFrameOfTheEdge) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto mount = TypeParam::motion(9);
@@ -71,7 +71,7 @@ TYPED_TEST(InitialGuess, AppliesSensorOffsetsByTheRelativeFrameOfTheEdge) {
   });
 }
 
-TYPED_TEST(InitialGuess, NeverMovesAParameterThatIsCalibrated) {
+TYPED_TEST(InitialGuess, NeverMovesAParameterThatIsBeingCalibrated) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto mount = TypeParam::motion(9);
@@ -144,7 +144,7 @@ TYPED_TEST(InitialGuess, IsNotMadeWithoutRelativeMeasurements) {
   });
 }
 
-TYPED_TEST(InitialGuess, IgnoresDisabledAndWeightlessEdges) {
+TYPED_TEST(InitialGuess, IgnoresDisabledEdgesAndEdgesWithZeroInformation) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
@@ -157,7 +157,7 @@ TYPED_TEST(InitialGuess, IgnoresDisabledAndWeightlessEdges) {
   });
 }
 
-TYPED_TEST(InitialGuess, MovesAComponentOntoMeasuredPositions) {
+TYPED_TEST(InitialGuess, AlignsAComponentWithMeasuredPositions) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     for (const auto& pose : add_loop(scene)) {
@@ -167,7 +167,7 @@ TYPED_TEST(InitialGuess, MovesAComponentOntoMeasuredPositions) {
   });
 }
 
-TYPED_TEST(InitialGuess, MovesAComponentOntoPointsOfKnownPosition) {
+TYPED_TEST(InitialGuess, AlignsAComponentWithPointsOfKnownPosition) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto poses = add_loop(scene);
@@ -184,7 +184,7 @@ TYPED_TEST(InitialGuess, MovesAComponentOntoPointsOfKnownPosition) {
   });
 }
 
-TYPED_TEST(InitialGuess, FollowsPointsThatAreMeasuredFromPoints) {
+TYPED_TEST(InitialGuess, PropagatesThroughMeasurementsBetweenPoints) {
   for_each_guess([](std::size_t k) {
     Scene<TypeParam> scene;
     const auto a = scene.add_pose(0), b = scene.add_pose(1);
@@ -198,7 +198,7 @@ TYPED_TEST(InitialGuess, FollowsPointsThatAreMeasuredFromPoints) {
   });
 }
 
-TYPED_TEST(InitialGuess, GivesTheSameBitsEveryTime) {
+TYPED_TEST(InitialGuess, ComputesTheSameBitsEveryTime) {
   for_each_guess([](std::size_t k) {
     const auto run = [&] {
       Scene<TypeParam> scene;
@@ -222,7 +222,7 @@ TYPED_TEST(InitialGuess, DoesNotDependOnTheEstimatesOfActiveVerticesEvenIfTheyAr
   });
 }
 
-TEST(InitialGuessOfMixedGraphs, HandlesThePlaneAndSpaceSideBySide) {
+TEST(InitialGuessOfMixedGraphs, SupportsPosesInThePlaneAndInSpaceAtOnce) {
   for_each_guess([](std::size_t k) {
     Graph graph;
     const auto a = graph.add_vertex(Pose<Plane>{Plane::motion(1)}),

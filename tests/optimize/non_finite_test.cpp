@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Optimize, NamesAnEdgeIfOnlyTheSumOverAllEdgesOverflows) {
+TEST(Optimize, NamesTheLargestEdgeIfOnlyTheSumOverAllEdgesOverflows) {
   Graph graph;
   const auto x = graph.add_vertex(1e308, 7), y = graph.add_vertex(0.0, 8);
   graph.add_edge([](const auto& value) { return value - 1e308 - 3; }, x);
@@ -22,7 +22,7 @@ TEST(Optimize, NamesAnEdgeIfOnlyTheSumOverAllEdgesOverflows) {
   graph.add_edge([](const auto& a, const auto& b) { return 1.2e-154 * a + b; }, x, y);
   const Report report = optimize(graph);
   EXPECT_EQ(report.reason, Report::Reason::kNotFinite);
-  EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part is that of the edge"));
+  EXPECT_THAT(report.message, HasSubstr("chi2 overflows; the largest part comes from the edge"));
   EXPECT_THAT(report.message, testing::EndsWith("between vertices 7 8"));
 }
 
@@ -58,7 +58,7 @@ TEST(Optimize, NamesAnEdgeWhoseKernelReturnsNan) {
   EXPECT_THAT(report.message, HasSubstr("between vertices 0"));
 }
 
-TEST(Optimize, DoesNotReportConvergenceIfWeightsExceedThePrecisionOfDoubles) {
+TEST(Optimize, DoesNotReportFalseConvergenceIfWeightsSpanMoreDigitsThanADoubleHas) {
   for (const auto algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     for (const int digits : {6, 10, 14, 16, 18, 20, 60, 100, 300}) {
       Graph graph;

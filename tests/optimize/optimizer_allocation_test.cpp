@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The second run of an Optimizer on an unchanged structure.
+// The second run of an Optimizer on a graph whose structure did not change.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -46,7 +46,7 @@ TEST_P(SecondRun, AllocatesNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Threads, SecondRun, ::testing::Values(1, 2));
 
-/// A circle of poses. A sensor that observes one of them may stop the run.
+/// A circle of poses. The error function of one edge can raise the stop flag.
 struct StoppableCircle {
   Graph graph;
   std::atomic<bool> stop = false;
@@ -55,7 +55,7 @@ struct StoppableCircle {
   StoppableCircle() {
     const auto poses = add_noisy_circle(graph, 50);
     const auto looks = [this]<class Pose>(const Pose& pose) {
-      if constexpr (!std::is_same_v<Pose, SE2>) stop = stops;  // derivatives are computed
+      if constexpr (!std::is_same_v<Pose, SE2>) stop = stops;  // called with dual numbers
       return pose.x() - 1.0;
     };
     graph.add_edge(looks, poses[7]);
@@ -78,7 +78,7 @@ TEST(SecondRunWithNumericJacobians, AllocatesNothing) {
   EXPECT_TRUE(report.converged());
 }
 
-TEST(SecondRunAfterOneThatWasStopped, AllocatesNothing) {
+TEST(SecondRunAfterAStoppedRun, AllocatesNothing) {
   if (!boxplus::testing::allocations_are_counted())
     GTEST_SKIP() << "the sanitizer has an allocator of its own";
   for (const AlgorithmKind algorithm : every_algorithm()) {
@@ -87,7 +87,7 @@ TEST(SecondRunAfterOneThatWasStopped, AllocatesNothing) {
     Optimizer optimizer(circle.graph, options);
     Report report;
     circle.stops = false;
-    optimizer.run(report);  // plans
+    optimizer.run(report);  // makes the plan
     circle.stops = true;
     options.max_iterations = 100;
     optimizer.set_options(options);
@@ -124,7 +124,7 @@ TEST(SecondRunThatIsStopped, AllocatesNothing) {
   }
 }
 
-TEST(SecondRunAfterAChange, PlansAgain) {
+TEST(SecondRunAfterAChange, MakesANewPlan) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
   Optimizer optimizer(graph);

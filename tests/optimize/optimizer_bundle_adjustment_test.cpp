@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundle adjustment of public problems with a custom camera edge, in every form that users write.
+// Bundle adjustment of public problems with custom edges. A camera is one vertex or two: pose and intrinsics.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// A problem of "Bundle adjustment in the large" (Agarwal, Snavely, Seitz & Szeliski, 2010), in its format.
+/// A problem of the data set "Bundle adjustment in the large" (Agarwal, Snavely, Seitz & Szeliski, 2010).
 struct BundleProblem {
   struct Observation {
     std::size_t camera, point;
@@ -40,7 +40,7 @@ BundleProblem read_problem(std::istream& in) {
   return problem;
 }
 
-/// The camera model of that paper: it looks along −z; radial distortion 1 + k1 r² + k2 r⁴.
+/// The camera model of that data set. The camera looks along −z. Its radial distortion is 1 + k1 r² + k2 r⁴.
 template <class Pose, class Intrinsics, class Point>
 auto reprojection_error(const Pose& T_camera_world, const Intrinsics& k, const Point& x, double u, double v) {
   const auto y = T_camera_world * x;
@@ -76,7 +76,7 @@ SE3 pose_of(const std::array<double, 9>& camera) {
 enum class Form { kCamera, kPoseAndIntrinsics };
 enum class Fixed { kNothing, kFirstPose, kFirstCamera };
 
-/// The graph, with the points eliminated.
+/// The graph of a problem. Its points are eliminated.
 Graph make_graph(const BundleProblem& problem, Form form, Fixed fixed,
                  const std::shared_ptr<const RobustKernel>& kernel = nullptr) {
   Graph graph;
@@ -117,7 +117,7 @@ Graph make_graph(const BundleProblem& problem, Form form, Fixed fixed,
   return graph;
 }
 
-/// The number of iterations until ½ chi2 is within 1e-6 of `cost`, or a very large number.
+/// The number of iterations until ½ chi2 ≤ (1 + 1e-6) cost, or a very large number if this is never reached.
 int iterations_to(const Report& report, double cost) {
   for (const IterationRecord& record : report.records) {
     if (record.chi2 / 2 <= cost * (1 + 1e-6)) return record.iteration + 1;
@@ -127,9 +127,9 @@ int iterations_to(const Report& report, double cost) {
 
 struct PublicProblem {
   const char* file;
-  double best_cost;               // if the whole problem may move freely
-  double best_with_fixed_camera;  // if the first camera is fixed, including its intrinsics
-  int iterations;                 // 1.3 times those of Ceres's dense Schur
+  double best_cost;               ///< the best known ½ chi2 if no intrinsics are fixed
+  double best_with_fixed_camera;  ///< the best known ½ chi2 if the first camera is fixed with its intrinsics
+  int iterations;                 ///< the limit: 1.3 times the iterations of Ceres with DENSE_SCHUR
 };
 
 class PublicBundle : public testing::TestWithParam<PublicProblem> {
@@ -158,7 +158,7 @@ TEST_P(PublicBundle, ReachesItsOptimumInEveryFormWithFewIterations) {
   }
 }
 
-TEST_P(PublicBundle, NamesTheScaleThatAFixedPoseLeavesFree) {
+TEST_P(PublicBundle, ReportsThatTheScaleIsFreeIfOnlyOnePoseIsFixed) {
   Graph graph = make_graph(problem_, Form::kPoseAndIntrinsics, Fixed::kFirstPose);
   const Report report = optimize(graph, {.max_iterations = 0});
   ASSERT_EQ(report.gauge.free.size(), 1u);

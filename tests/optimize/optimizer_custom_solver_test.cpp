@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A linear solver that the library does not know.
+// Linear solvers that a user implements.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -64,11 +64,11 @@ TEST(CustomLinearSolver, SolvesForSeveralGraphsInTurn) {
   EXPECT_TRUE(again.converged()) << again;
   EXPECT_NEAR(again.chi2_final, chi2, 1e-8 * chi2);
   EXPECT_EQ(solver->analyses, 3);
-  EXPECT_NE(optimize(small).linear_solver, "counting") << "only if it is asked for";
+  EXPECT_NE(optimize(small).linear_solver, "counting") << "the solver is used only if the options contain it";
 }
 
-/// Solves densely, then scales the solution so that its relative residual is as large as the control allows.
-/// Leaves all fields of the result at their defaults, even the number of iterations.
+/// Solves densely, then scales the solution so that its relative residual is as large as the tolerance
+/// allows. Returns a default SolveResult, which does not even count iterations.
 class RoughSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "rough"; }
@@ -96,7 +96,7 @@ class RoughSolver final : public LinearSolver {
   std::unique_ptr<LinearSolver> dense_ = make_linear_solver(LinearSolverKind::kDense);
 };
 
-/// The linear model is exact, so chi2 decreases as predicted, up to rounding.
+/// A graph of linear errors. Its linear model is exact, so chi2 decreases as predicted, except for rounding.
 Graph line_of_numbers() {
   Graph graph;
   auto last = graph.add_vertex(0.0);
@@ -112,7 +112,7 @@ Graph line_of_numbers() {
 
 class InexactCustomSolver : public ::testing::TestWithParam<AlgorithmKind> {};
 
-TEST_P(InexactCustomSolver, HasThePredictedDecreaseOfItsInexactSteps) {
+TEST_P(InexactCustomSolver, DecreasesChi2AsPredictedForItsInexactSteps) {
   Graph graph = line_of_numbers();
   const auto solver = std::make_shared<RoughSolver>();
   Options options;
@@ -130,7 +130,7 @@ TEST_P(InexactCustomSolver, HasThePredictedDecreaseOfItsInexactSteps) {
   }
 }
 
-TEST_P(InexactCustomSolver, ReceivesTheToleranceInBothCalls) {
+TEST_P(InexactCustomSolver, ReceivesTheToleranceInFactorizeAndInSolve) {
   Graph graph = line_of_numbers();
   const auto solver = std::make_shared<RoughSolver>();
   Options options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// optimize() with elimination finds the same optimum as without it, with the same bits for any number of
-// threads.
+// With elimination, optimize() finds the same optimum as without elimination. The result has the same bits
+// for any number of threads.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ constexpr Way kWays[] = {{SchurMode::kExplicit, LinearSolverKind::kBlockCholesky
 class Elimination : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16));
 
-TEST_P(Elimination, EndsAtTheSameChiSquaredAsTheFullSystem) {
+TEST_P(Elimination, EndsAtTheSameChi2AsWithoutElimination) {
   Bundle plain = make_bundle(GetParam(), 200, false);
   const Report expected = optimize(plain.graph, {.cost_tolerance = 1e-13});
   EXPECT_EQ(expected.status, Report::Status::kConverged) << expected.message;
@@ -56,7 +56,7 @@ std::vector<double> all_estimates(const Bundle& bundle) {
   return values;
 }
 
-TEST(Elimination, GivesTheSameBitsForAnyNumberOfThreads) {
+TEST(Elimination, ComputesTheSameBitsForAnyNumberOfThreads) {
   for (const Way& way : kWays) {
     std::vector<double> reference;
     for (const int threads : {1, 2, 3}) {
@@ -74,7 +74,7 @@ TEST(Elimination, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(Elimination, OfEverythingIsTheFullSolve) {
+TEST(Elimination, OfAllVerticesConverges) {
   Bundle bundle = make_bundle(3, 30, true);
   for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
   const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
@@ -82,7 +82,7 @@ TEST(Elimination, OfEverythingIsTheFullSolve) {
   EXPECT_EQ(report.eliminated, 30u);
 }
 
-TEST(Elimination, NamesThePointWithoutEnoughRays) {
+TEST(Elimination, NamesThePointThatOnlyOneCameraSees) {
   Bundle bundle = make_bundle(3, 30, true);
   const auto lonely = bundle.graph.add_vertex(Eigen::Vector3d(1, 0.5, 8), 777);
   bundle.graph.set_eliminated(lonely, true);
@@ -90,10 +90,10 @@ TEST(Elimination, NamesThePointWithoutEnoughRays) {
   const Report report = optimize(bundle.graph, {.algorithm = AlgorithmKind::kGaussNewton});
   EXPECT_EQ(report.reason, Report::Reason::kNotPositiveDefinite);
   EXPECT_THAT(report.message, testing::HasSubstr("777"));
-  EXPECT_EQ(optimize(bundle.graph).status, Report::Status::kConverged);  // damping steps over it
+  EXPECT_EQ(optimize(bundle.graph).status, Report::Status::kConverged);  // the default algorithm damps H
 }
 
-TEST(Elimination, OfTwoVerticesInOneEdgeIsRefused) {
+TEST(Elimination, OfTwoVerticesOfTheSameEdgeIsRefused) {
   Bundle bundle = make_bundle(3, 30, true);
   bundle.graph.set_eliminated(bundle.cameras[2], true);
   EXPECT_THROW((void)optimize(bundle.graph), InvalidArgument);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices with fixed directions of their tangent, with every solver and every kind of problem.
+// optimize() with vertices of which some tangent directions are fixed, with every solver and kind of problem.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace boxplus {
 namespace {
 
-constexpr int kInPlane[] = {2, 3, 4};  // z, roll, pitch
+constexpr int kOutOfPlane[] = {2, 3, 4};  // the directions that leave the plane: z, roll, pitch
 
 SE3 planar(double x, double y, double angle, double z = 0.7) {
   return SE3(Vector3(x, y, z), detail::Quaternion<double>{0, 0, std::sin(angle / 2), std::cos(angle / 2)});
@@ -61,7 +61,7 @@ Drive make_drive(int count = 12) {
           drive.poses[k], drive.points[p]);
     }
   }
-  for (const auto& pose : drive.poses) drive.graph.fix_directions(pose, kInPlane);
+  for (const auto& pose : drive.poses) drive.graph.fix_directions(pose, kOutOfPlane);
   return drive;
 }
 
@@ -74,7 +74,7 @@ void expect_in_plane(const Drive& drive) {
   }
 }
 
-/// The norm of the gradient in the directions that may move.
+/// The norm of the gradient in all directions that are not fixed.
 double free_gradient(const Graph& graph) {
   std::map<VertexRef, Eigen::VectorXd> gradient;
   for (const EdgeRef& edge : graph.all_edges()) {
@@ -176,12 +176,12 @@ TEST(FixedDirections, HaveZeroCovariance) {
   const Covariance all = covariance(drive.graph, {drive.poses[3], drive.points[1]});
   ASSERT_TRUE(all.ok()) << all.message();
   const Eigen::MatrixXd joint = all.joint();
-  for (const int direction : kInPlane) {
+  for (const int direction : kOutOfPlane) {
     EXPECT_EQ(joint.row(direction).norm(), 0);
     EXPECT_EQ(joint.col(direction).norm(), 0);
   }
   for (const int direction : {0, 1, 5}) EXPECT_GT(joint(direction, direction), 0);
-  // The result equals that of the free columns of a dense H.
+  // Stiff priors instead of fixed directions lead to the same covariance.
   Drive stiff = make_drive();
   stiff.graph.fix(stiff.poses[0]);
   for (std::size_t k = 0; k < stiff.poses.size(); ++k) {
@@ -220,7 +220,7 @@ TEST(FixedDirections, KeepTheFocalLengthWhileTheDistortionMoves) {
   EXPECT_NEAR(graph.estimate(intrinsics)[1], 0.03, 1e-8);
 }
 
-TEST(FixedDirections, MayBeReadReplacedAndRemoved) {
+TEST(FixedDirections, CanBeReadReplacedAndRemoved) {
   Graph graph;
   const auto x = graph.add_vertex(Vector3(1, 2, 3));
   EXPECT_TRUE(graph.fixed_directions(x).empty());
@@ -238,7 +238,7 @@ TEST(FixedDirections, MayBeReadReplacedAndRemoved) {
   EXPECT_TRUE(graph.fixed_directions(graph.add_vertex(Vector3(0, 0, 0))).empty());
 }
 
-TEST(FixedDirections, OfAllComponentsFixTheVertex) {
+TEST(FixedDirections, OfAWholeTangentHaveTheEffectOfAFixedVertex) {
   Drive drive = make_drive(), fixed = make_drive();
   drive.graph.fix_directions(drive.poses[0], {0, 1, 2, 3, 4, 5});
   fixed.graph.fix(fixed.poses[0]);
@@ -246,7 +246,7 @@ TEST(FixedDirections, OfAllComponentsFixTheVertex) {
   EXPECT_EQ(covariance(drive.graph, {drive.poses[0]}).of(drive.poses[0]), Eigen::MatrixXd::Zero(6, 6));
 }
 
-TEST(FixedDirections, OfAnOldVertexApplyInTheNextRun) {
+TEST(FixedDirections, ChangedAfterARunApplyInTheNextRun) {
   Graph graph;
   std::vector<VertexHandle<SE3>> poses;
   for (int k = 0; k < 5; ++k) poses.push_back(graph.add_vertex(planar(k, 0, 0)));
@@ -258,12 +258,12 @@ TEST(FixedDirections, OfAnOldVertexApplyInTheNextRun) {
   ASSERT_EQ(optimizer.run().status, Report::Status::kConverged);
   EXPECT_NE(graph.estimate(poses[4]).vector()[2], 0.7);
   graph.pop();
-  for (const auto& pose : poses) graph.fix_directions(pose, kInPlane);
+  for (const auto& pose : poses) graph.fix_directions(pose, kOutOfPlane);
   EXPECT_FALSE(optimizer.run().plan_reused);
   for (const auto& pose : poses) EXPECT_EQ(graph.estimate(pose).vector()[2], 0.7);
 }
 
-TEST(FixedDirections, AreNotMovedByInitialGuesses) {
+TEST(FixedDirections, DisableInitialGuesses) {
   Drive drive = make_drive();
   drive.graph.fix(drive.poses[0]);
   Options options;

@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(Gauge, HoldsTheLowestIdAndLeavesItsEstimateAndFlagAlone) {
+TEST(Gauge, HoldsTheVertexWithTheLowestIdWithoutChangingItsEstimateOrFlag) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
   const SE2 before = graph.estimate(poses[0]);
@@ -32,7 +32,7 @@ TEST(Gauge, HoldsOneVertexPerComponent) {
   EXPECT_THAT(report.gauge.held, ElementsAre(0, 12));
 }
 
-TEST(Gauge, IsNotHeldIfAVertexIsFixedOrAnAbsolutePriorExists) {
+TEST(Gauge, HoldsNothingIfAVertexIsFixedOrHasAPrior) {
   Graph fixed;
   fixed.fix(add_noisy_circle(fixed, 12)[5]);
   EXPECT_THAT(optimize(fixed).gauge.held, IsEmpty());
@@ -43,7 +43,7 @@ TEST(Gauge, IsNotHeldIfAVertexIsFixedOrAnAbsolutePriorExists) {
   EXPECT_THAT(report.gauge.held, IsEmpty());
 }
 
-TEST(Gauge, PrefersTheLargestDimension) {
+TEST(Gauge, HoldsAVertexOfTheLargestDimension) {
   Graph graph;
   const auto landmark = graph.add_vertex(Vector2(1, 1));
   const auto pose = graph.add_vertex(SE2());
@@ -52,7 +52,7 @@ TEST(Gauge, PrefersTheLargestDimension) {
 }
 
 TEST(Gauge, HoldsOnlyTheMotionThatAPositionPriorLeavesFree) {
-  // One measured position leaves the heading free. If a whole pose were held, the circle would bend towards
+  // One measured position leaves the rotation free. If a whole pose were held, the circle would bend towards
   // the measurement.
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
@@ -68,7 +68,7 @@ TEST(Gauge, HoldsOnlyTheMotionThatAPositionPriorLeavesFree) {
   EXPECT_NEAR(graph.estimate(poses[7]).x(), 10, 1e-5);
 }
 
-TEST(Gauge, IsReplacedByDampingWithTheSameFinalChi2) {
+TEST(Gauge, IsDampedUnderThePolicyDampWithTheSameFinalChi2) {
   Graph held, damped;
   add_noisy_circle(held, 20);
   add_noisy_circle(damped, 20);
@@ -80,7 +80,7 @@ TEST(Gauge, IsReplacedByDampingWithTheSameFinalChi2) {
   EXPECT_NEAR(report.chi2_final, optimize(held).chi2_final, 1e-9);
 }
 
-TEST(Gauge, IsAnErrorIfThePolicySaysSo) {
+TEST(Gauge, FreedomIsAnErrorUnderThePolicyError) {
   Graph graph;
   add_noisy_circle(graph, 20);
   Options options;
@@ -92,7 +92,7 @@ TEST(Gauge, IsAnErrorIfThePolicySaysSo) {
   EXPECT_EQ(graph.chi2(), before);
 }
 
-/// y = a exp(b t) with a and b as two vertices: no prior, no fixed vertex, and yet nothing is free.
+/// y = a exp(b t) with the vertices a and b. Without any prior or fixed vertex, the edges determine both.
 std::pair<VertexHandle<Vector<double, 1>>, VertexHandle<Vector<double, 1>>> add_exponential(Graph& graph) {
   const auto a = graph.add_vertex(Vector<double, 1>(1.0));
   const auto b = graph.add_vertex(Vector<double, 1>(0.0));
@@ -103,7 +103,7 @@ std::pair<VertexHandle<Vector<double, 1>>, VertexHandle<Vector<double, 1>>> add_
   return {a, b};
 }
 
-TEST(Gauge, HoldsNothingOfAProblemThatIsObservableWithoutPriorOrFixedVertex) {
+TEST(Gauge, HoldsNothingIfTheEdgesDetermineAllVerticesWithoutPriorsOrFixedVertices) {
   Graph graph;
   const auto [a, b] = add_exponential(graph);
   const Report report = optimize(graph);
@@ -117,8 +117,8 @@ TEST(Gauge, HoldsNothingOfAProblemThatIsObservableWithoutPriorOrFixedVertex) {
   EXPECT_NE(error.reason, Report::Reason::kGaugeFreedom);
 }
 
-/// Rotations that are measured relative to each other. All of them may rotate together, but the search for
-/// free similarities of poses and points does not know their type.
+/// Rotations that are measured relative to each other. All of them may rotate together. The search for free
+/// motions does not find this freedom, because it knows only poses and points.
 std::vector<VertexHandle<SO3>> add_rotations(Graph& graph, int count) {
   std::vector<VertexHandle<SO3>> rotations;
   for (int i = 0; i < count; ++i)
@@ -131,7 +131,7 @@ std::vector<VertexHandle<SO3>> add_rotations(Graph& graph, int count) {
   return rotations;
 }
 
-TEST(Gauge, OfVerticesOfUnknownTypeIsHeldAtTheFirstOne) {
+TEST(Gauge, HoldsTheFirstVertexIfItsTypeIsNeitherAPoseNorAPoint) {
   for (const auto algorithm : {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg}) {
     for (const auto solver :
          {LinearSolverKind::kBlockCholesky, LinearSolverKind::kDense, LinearSolverKind::kEigenSparse}) {
@@ -147,13 +147,13 @@ TEST(Gauge, OfVerticesOfUnknownTypeIsHeldAtTheFirstOne) {
   }
 }
 
-TEST(Gauge, OfVerticesOfUnknownTypeIsAnErrorIfThePolicySaysSo) {
+TEST(Gauge, FreedomOfTypesThatAreNeitherPosesNorPointsIsAnErrorUnderThePolicyError) {
   Graph graph;
   add_rotations(graph, 12);
   EXPECT_EQ(optimize(graph, {.gauge = GaugePolicy::kError}).reason, Report::Reason::kGaugeFreedom);
 }
 
-TEST(Gauge, IsFoundForTypesThatAreNeitherPosesNorPointsEvenIfItIsPartlyMeasured) {
+TEST(Gauge, FreedomOfTypesThatAreNeitherPosesNorPointsIsFoundEvenIfOneDirectionIsMeasured) {
   // Similarities in a loop. Only one scale is measured, so six directions are free.
   const auto loop = [] {
     Graph graph;
@@ -181,7 +181,7 @@ TEST(Gauge, IsFoundForTypesThatAreNeitherPosesNorPointsEvenIfItIsPartlyMeasured)
   EXPECT_TRUE(optimize(anchored, {.gauge = GaugePolicy::kError}).converged());
 }
 
-TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
+TEST(Gauge, DampingOfEachDirectionIsRelativeToItsOwnDiagonalEntry) {
   // The weights differ by seven digits, and nothing measures the third direction.
   for (const auto gauge : {GaugePolicy::kFixFirst, GaugePolicy::kDamp}) {
     Graph graph;
@@ -195,8 +195,8 @@ TEST(Gauge, DampsEachDirectionRelativeToItsOwnDiagonal) {
   }
 }
 
-TEST(Gauge, IsReleasedOnceAMotionThatWasFreeAtTheStartIsMeasured) {
-  // Both poses coincide at first, so that nothing measures their heading.
+TEST(Gauge, IsNoLongerHeldWhenAMotionThatWasFreeAtTheStartIsMeasured) {
+  // At the start, both poses have the same position, so nothing measures their heading.
   for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2());
@@ -211,7 +211,7 @@ TEST(Gauge, IsReleasedOnceAMotionThatWasFreeAtTheStartIsMeasured) {
   }
 }
 
-TEST(Gauge, OfAStraightTrajectoryWithPositionsIsReleasedOnceItBends) {
+TEST(Gauge, OfAStraightTrajectoryWithPositionPriorsIsNoLongerHeldWhenTheTrajectoryBends) {
   for (const auto algorithm : {AlgorithmKind::kGaussNewton, AlgorithmKind::kDogleg}) {
     Graph graph;
     std::vector<VertexHandle<SE3>> poses;
@@ -227,7 +227,7 @@ TEST(Gauge, OfAStraightTrajectoryWithPositionsIsReleasedOnceItBends) {
   }
 }
 
-TEST(Gauge, HoldsAPoseAndNotTheMountOfASensorThatIsAVertex) {
+TEST(Gauge, HoldsAPoseAndNotTheSensorMountEvenIfTheMountHasALowerId) {
   Graph graph;
   const auto mount = graph.add_vertex(SE2(0.4, 0.1, 0.2), 0);
   const SE2 motion(1, 0, 1.5707963), seen = SE2(0.3, 0.2, 0.1).inverse() * motion * SE2(0.3, 0.2, 0.1);
@@ -247,7 +247,7 @@ TEST(Gauge, HoldsAPoseAndNotTheMountOfASensorThatIsAVertex) {
   EXPECT_LT(report.chi2_final, 1e-9) << report;
 }
 
-TEST(Gauge, IsNamedInTheReport) {
+TEST(Gauge, FreedomIsShownInTheReport) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
   graph.add_edge(PositionPrior(Vector2(10, -3)), 1e4, poses[7]);
@@ -255,7 +255,7 @@ TEST(Gauge, IsNamedInTheReport) {
               testing::HasSubstr("gauge           rotation free in the component of vertex 0"));
 }
 
-TEST(Gauge, StaysHeldIfDampingOrRadiusCutEveryStepShort) {
+TEST(Gauge, StaysHeldIfDampingOrTheTrustRegionShortensEveryStep) {
   for (const Options& options :
        {Options{.algorithm = AlgorithmKind::kLevenbergMarquardt, .max_iterations = 3, .initial_lambda = 1e15},
         Options{.algorithm = AlgorithmKind::kDogleg, .max_iterations = 3, .initial_radius = 1e-15}}) {
@@ -268,7 +268,7 @@ TEST(Gauge, StaysHeldIfDampingOrRadiusCutEveryStepShort) {
 }
 
 TEST(Gauge, StaysHeldIfTheDataFitPerfectly) {
-  // chi2 is then rounding noise, and so is the gradient of the held vertex.
+  // In this case, chi2 and the gradient of the held vertex consist of rounding errors.
   for (const AlgorithmKind algorithm : every_algorithm()) {
     Graph graph;
     std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(100, -50, 1))};

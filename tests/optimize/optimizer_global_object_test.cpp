@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// optimize() works at the end of the program, after main() and after the destruction of thread-local memory.
+// optimize() works at exit, when main() has ended and thread-local objects are destroyed.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Poses, and an edge over a range of points that is differentiated automatically.
+/// Its edges include an edge over a range of points and an edge that is differentiated automatically.
 void optimize_a_small_graph() {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 20);
@@ -25,7 +25,7 @@ struct OptimizesAtTheEnd {
   ~OptimizesAtTheEnd() { optimize_a_small_graph(); }
 };
 
-TEST(OptimizeInTheDestructorOfAGlobalObject, WorksAfterMainUsedIt) {
+TEST(OptimizeInTheDestructorOfAGlobalObject, WorksIfMainCalledItToo) {
   ::testing::FLAGS_gtest_death_test_style = "threadsafe";
   EXPECT_EXIT(
       {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A graph that grows, shrinks and changes has the same optimum as a new graph.
+// When a graph grows, shrinks or changes, its Optimizer finds the same optimum as for an equal new graph.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,8 +12,8 @@
 namespace boxplus {
 namespace {
 
-/// A random drive of poses that see each other and points. Vertices and edges are added, removed and fixed at
-/// random.
+/// The poses of a random drive, which see each other and points. Each step adds, removes or fixes vertices
+/// and edges at random.
 class World {
  public:
   World(unsigned seed, bool fix_first) : random_(seed) {
@@ -73,7 +73,8 @@ class World {
     const SE2 motion(1, 0, std::uniform_real_distribution<>(-0.3, 0.3)(random_));
     poses_.push_back(graph.add_vertex(graph.estimate(last) * noisy(motion), next_id_++));
     graph.add_edge(Between(motion), 100.0, last, poses_.back());
-    if (poses_.size() > 3) measure(poses_[poses_.size() - 3], poses_.back());  // no removal cuts the chain
+    // With these edges, the removal of a pose does not cut the chain.
+    if (poses_.size() > 3) measure(poses_[poses_.size() - 3], poses_.back());
   }
   EdgeRef measure(VertexHandle<SE2> a, VertexHandle<SE2> b) {
     return graph.add_edge(Between(noisy(graph.estimate(a).inverse_times(graph.estimate(b)))), 50.0, a, b);
@@ -118,7 +119,7 @@ class World {
   std::vector<EdgeRef> closures_;
 };
 
-TEST(GrowingGraph, HasTheOptimumOfANewGraphAfterVerticesWereAddedRemovedOrFixed) {
+TEST(GrowingGraph, HasTheSameOptimumAsANewGraphAfterVerticesWereAddedRemovedOrFixed) {
   int extended = 0, steps = 0;
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges over three vertices, over any number of vertices, and vertices whose size is chosen at run time.
+// Edges over three vertices, edges over any number of vertices, and vertices of run-time size.
 #include <gtest/gtest.h>
 
 #include "optimize/small_graphs.h"
@@ -54,7 +54,7 @@ struct MeanOf {
   }
 };
 
-TEST(HyperEdge, OfRunTimeArityConnectsAnyNumberOfVertices) {
+TEST(HyperEdge, OverARangeConnectsAnyNumberOfVertices) {
   Graph graph;
   std::vector<VertexHandle<Vector<double, 1>>> all;
   for (int i = 0; i < 50; ++i) {
@@ -71,7 +71,7 @@ TEST(HyperEdge, OfRunTimeArityConnectsAnyNumberOfVertices) {
   EXPECT_NEAR(graph.estimate(all[3])[0] + graph.estimate(all[4])[0], 14, 1e-4);
 }
 
-/// y = a polynomial in t, whose coefficients are one vertex of run-time size.
+/// A sample y of a polynomial at t. The coefficients of the polynomial are one vertex of run-time size.
 struct PolynomialSample {
   double t, y;
   template <class S>
@@ -82,7 +82,7 @@ struct PolynomialSample {
   }
 };
 
-TEST(RunTimeSizeVertex, HoldsThePolynomialThatFitsTheSamples) {
+TEST(RunTimeSizeVertex, FindsThePolynomialThatFitsTheSamples) {
   for (int degree = 1; degree < 7; ++degree) {
     Graph graph;
     const auto polynomial = graph.add_vertex(Vector<double, kDynamic>(Eigen::VectorXd::Zero(degree + 1)));

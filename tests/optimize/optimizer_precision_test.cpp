@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The algorithms that work with a factor in float.
+// Which algorithms use a Cholesky factor in single precision.
 #include <gtest/gtest.h>
 
 #include "boxplus/optimize/optimizer.h"
@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// A sphere that is large enough for float to be faster, and its optimizer.
+/// A graph that is so large that single precision is faster, and its Optimizer.
 struct LargeSphere {
   Graph graph = simulate(World::kSphere, {.poses = 2500}).graph;
   Optimizer optimizer{graph};
@@ -22,7 +22,7 @@ struct LargeSphere {
   }
 };
 
-TEST(AutomaticPrecision, IsDoubleForGaussNewtonAndFloatForAlgorithmsThatJudgeTheirSteps) {
+TEST(AutomaticPrecision, IsDoubleForGaussNewtonAndMixedForDoglegAndLevenbergMarquardt) {
   LargeSphere sphere;
   for (const AlgorithmKind algorithm : {AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt}) {
     const Report report = sphere.two_iterations(algorithm);

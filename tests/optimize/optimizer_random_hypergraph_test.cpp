@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares random small hyper-graphs of mixed sizes, kernels and fixed vertices with the dense solver.
+// Optimizes small random hyper-graphs with many types of vertices, kernels and fixed vertices, and compares
+// the results with a dense solver.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +18,8 @@ namespace {
 
 using Dynamic = Vector<double, kDynamic>;
 
-/// The smooth functions of an estimate that an edge measures. They determine the estimate.
+/// Writes smooth functions of an estimate to `out`, and returns their number. Edges measure these functions.
+/// They determine the estimate.
 template <class S, int N>
 int features(const Vector<S, N>& x, S* out) {
   for (int i = 0; i < x.size(); ++i) out[i] = x[i];
@@ -49,8 +51,8 @@ int features(std::span<const T> tail, auto* out) {
   return n;
 }
 
-/// e = A f(x) + bend (A f(x))² − z: mildly nonlinear in all of its vertices. Rows may be fixed or chosen at
-/// run time.
+/// A mildly nonlinear error: e = A f(x) + bend (A f(x))² − z, with the features f(x) of all vertices. The
+/// number of rows is a constant, or it is chosen at run time.
 template <int Rows>
 struct Mix {
   Eigen::MatrixXd A;
@@ -120,8 +122,8 @@ class RandomProblem {
 
   Graph graph;
   DenseProblem dense;
-  std::vector<std::function<double()>>
-      distance;  ///< largest difference of each vertex between graph and dense
+  /// For each vertex, the largest difference between its estimates in `graph` and in `dense`.
+  std::vector<std::function<double()>> distance;
 
  private:
   double normal() { return normal_(random_); }
@@ -166,7 +168,7 @@ class RandomProblem {
     return from[random_() % from.size()];
   }
 
-  /// A weak prior on every vertex, so that the optimum is unique.
+  /// Adds a prior to every vertex, so that the optimum is unique.
   void determine(const auto&... groups) {
     const auto all = [&](const auto& group) {
       for (const auto& twin : group) add<kDynamic>(detail::tangent_dim(twin.truth) + 4, twin);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs whose truth is known: chi2 at the optimum is below that of the truth, and as large as the noise
-// predicts.
+// Simulated graphs, whose true poses are known. At the optimum, chi2 is not above the chi2 of the truth, and
+// it is as large as the noise predicts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,21 +14,21 @@ namespace {
 
 class SimulatedGraphs : public ::testing::TestWithParam<World> {};
 
-/// The number of rows of all errors.
+/// The total number of rows of all errors.
 double measurement_rows(const Graph& graph) {
   double rows = 0;
   for (const EdgeRef& edge : graph.all_edges()) rows += graph.information(edge).rows;
   return rows;
 }
 
-TEST_P(SimulatedGraphs, EndAtTheChi2OfTheirNoiseAndNotAboveThatOfTheTruth) {
+TEST_P(SimulatedGraphs, EndAtTheChi2ThatTheNoisePredictsAndNotAboveTheChi2OfTheTruth) {
   for (std::uint64_t seed = 1; seed <= (kSanitized ? 3 : 20); ++seed) {
     Simulation simulation = simulate(GetParam(), {.poses = 500, .seed = seed});
     const double rows = measurement_rows(simulation.graph);
     const Report report = optimize(simulation.graph, {.start = Start::kAutomatic});
     ASSERT_TRUE(report.converged()) << "seed " << seed << "\n" << report;
     EXPECT_LE(report.chi2_final, simulation.truth.chi2()) << "seed " << seed << "\n" << report;
-    // chi2 of a linear problem has the chi-square distribution: mean dof, variance 2 dof.
+    // With d degrees of freedom, the chi2 of a linear problem has mean d and variance 2 d.
     const double degrees_of_freedom = rows - report.scalars;
     ASSERT_GT(degrees_of_freedom, 100);
     const double sigma = std::sqrt(2 / degrees_of_freedom);

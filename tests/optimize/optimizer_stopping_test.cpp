@@ -126,7 +126,7 @@ TEST_P(EveryAlgorithm, CanBeStoppedBetweenTheLinearizationAndTheStep) {
     std::atomic<bool> stop = false;
     graph.add_edge(
         [&stop]<class Pose>(const Pose& pose) {
-          if constexpr (!std::is_same_v<Pose, SE2>) stop = true;  // derivatives are computed
+          if constexpr (!std::is_same_v<Pose, SE2>) stop = true;  // called with dual numbers
           return pose.x();
         },
         poses[4]);
@@ -141,7 +141,7 @@ TEST_P(EveryAlgorithm, CanBeStoppedBetweenTheLinearizationAndTheStep) {
   }
 }
 
-TEST_P(EveryAlgorithm, CallsBackAfterTheLastIterationTooWithoutChangingTheReason) {
+TEST_P(EveryAlgorithm, CallsTheCallbackAfterTheLastIterationTooButThenIgnoresItsResult) {
   Graph graph;
   add_noisy_grid(graph, 3);
   int calls = 0;
@@ -168,11 +168,11 @@ TEST_P(EveryAlgorithm, UsesPcgIfTheFactorDoesNotFitIntoMemory) {
     EXPECT_TRUE(report.converged()) << report;
     EXPECT_NEAR(report.chi2_final, expected.chi2_final, 1e-6 * expected.chi2_final);
     EXPECT_EQ(report.start.used, start);
-    EXPECT_THAT(to_string(report), HasSubstr("pcg (because the factor would take "));
+    EXPECT_THAT(to_string(report), HasSubstr("pcg (because each factorization would take "));
   }
 }
 
-TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
+TEST_P(EveryAlgorithm, StopsAtTheToleranceOfTheCostTheStepOrTheGradient) {
   const auto reason_with = [&](double Options::*tolerance, double value) {
     Graph graph;
     add_noisy_grid(graph, 3);
@@ -185,7 +185,7 @@ TEST_P(EveryAlgorithm, StopsByGradientStepAndCost) {
   EXPECT_EQ(reason_with(&Options::gradient_tolerance, 1e-1), Report::Reason::kGradientTolerance);
 }
 
-TEST_P(EveryAlgorithm, EndsAtRoundingErrorsIfAskedForManyIterationsWithoutTolerances) {
+TEST_P(EveryAlgorithm, EndsWhenOnlyRoundingErrorsRemainEvenIfTolerancesAreZero) {
   Graph graph;
   add_noisy_grid(graph, 6);
   options_.cost_tolerance = options_.noise_tolerance = options_.step_tolerance = 0;
@@ -216,7 +216,7 @@ TEST_P(EveryAlgorithm, NamesTheEdgeWhoseJacobianIsNotANumber) {
   EXPECT_THAT(report.message, HasSubstr("between vertices 4 is NaN"));
 }
 
-TEST_P(EveryAlgorithm, LeavesTheEstimatesAloneWhenAnErrorFunctionThrows) {
+TEST_P(EveryAlgorithm, RestoresTheEstimatesIfAnErrorFunctionThrows) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 10);
   const SE2 before = graph.estimate(poses[5]);
@@ -233,7 +233,7 @@ TEST_P(EveryAlgorithm, LeavesTheEstimatesAloneWhenAnErrorFunctionThrows) {
 
 INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm, testing::ValuesIn(every_algorithm()));
 
-/// x − z with a Jacobian of the wrong sign.
+/// The error x − z with a Jacobian of the wrong sign.
 struct WrongJacobian {
   double measurement;
   double error(const double& x) const { return x - measurement; }
@@ -255,7 +255,7 @@ TEST(Optimize, DoesNotReportConvergenceIfNoStepReachesItsPredictedDecrease) {
   }
 }
 
-TEST(Optimize, DoesNotReportConvergenceIfDampingOrRadiusCutEveryStepShort) {
+TEST(Optimize, DoesNotReportConvergenceIfDampingOrTheTrustRegionShortensEveryStep) {
   for (const double tightness : {1e6, 1e10, 1e14, 1e30, 1e300}) {
     const Options damped{.algorithm = AlgorithmKind::kLevenbergMarquardt,
                          .max_iterations = 3,
@@ -275,7 +275,7 @@ TEST(Optimize, DoesNotReportConvergenceIfDampingOrRadiusCutEveryStepShort) {
   }
 }
 
-TEST(Optimize, RecoversFromADampingOrARadiusThatPermitsNoStep) {
+TEST(Optimize, RecoversFromDampingOrATrustRegionThatAllowsNoStep) {
   Graph reference;
   add_noisy_grid(reference, 3);
   const double chi2 = optimize(reference).chi2_final;
@@ -294,7 +294,7 @@ TEST(Optimize, RecoversFromADampingOrARadiusThatPermitsNoStep) {
   }
 }
 
-TEST(Optimize, ReportsConvergenceAtAMinimumForAnyDampingAndRadius) {
+TEST(Optimize, ReportsConvergenceAtAMinimumForAnyDampingAndTrustRegion) {
   for (const Options& options :
        {Options{.algorithm = AlgorithmKind::kLevenbergMarquardt, .initial_lambda = 1e300},
         Options{.algorithm = AlgorithmKind::kDogleg, .initial_radius = 1e-300}}) {
@@ -333,7 +333,7 @@ TEST(Optimize, LeavesTheGraphUsableIfAnErrorFunctionThrows) {
       },
       x);
   EXPECT_THROW((void)optimize(graph), std::runtime_error);
-  EXPECT_THROW((void)optimize(graph), std::runtime_error) << "not InvalidArgument";
+  EXPECT_THROW((void)optimize(graph), std::runtime_error) << "the graph must not be in use any more";
   throws = false;
   EXPECT_TRUE(optimize(graph).converged());
 }

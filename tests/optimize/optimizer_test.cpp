@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr, ::testing::ThrowsMessage;
 
-TEST(Optimizer, EndsAtTheSameBitsAsOptimize) {
+TEST(Optimizer, ComputesTheSameBitsAsOptimize) {
   Graph graph;
   const auto poses = add_noisy_circle(graph, 30);
   Graph copy = graph;
@@ -28,7 +28,7 @@ TEST(Optimizer, EndsAtTheSameBitsAsOptimize) {
   EXPECT_EQ(graph.estimate(poses[7]).vector(), copy.estimate(poses[7]).vector());
 }
 
-TEST(Optimizer, IsRefusedAfterItsGraphWasMovedAssignedToOrDestroyed) {
+TEST(Optimizer, RefusesToRunAfterItsGraphWasMovedAssignedToOrDestroyed) {
   const auto refused = HasSubstr("its graph was moved, assigned to or destroyed");
   Graph graph;
   add_noisy_circle(graph, 10);
@@ -51,7 +51,7 @@ TEST(Optimizer, IsRefusedAfterItsGraphWasMovedAssignedToOrDestroyed) {
               ThrowsMessage<InvalidArgument>(refused));
 }
 
-TEST(Optimizer, CanBeMoved) {
+TEST(Optimizer, KeepsItsOptionsAndPlanIfItIsMoved) {
   Graph graph;
   add_noisy_circle(graph, 10);
   Optimizer first(graph, {.max_iterations = 7});
@@ -69,7 +69,7 @@ TEST(Optimizer, MayBeConstructedBeforeTheGraphIsFilled) {
   EXPECT_GT(optimizer.run().iterations, 0);
 }
 
-TEST(Optimizer, IsRefusedInsideARunOnTheSameGraph) {
+TEST(Optimizer, RefusesToRunInsideARunOnTheSameGraph) {
   Graph graph;
   add_noisy_circle(graph, 10);
   Optimizer other(graph);
@@ -87,7 +87,7 @@ TEST(Optimizer, IsRefusedInsideARunOnTheSameGraph) {
   EXPECT_TRUE(other.run().converged());
 }
 
-TEST(Optimizer, RunsAgainAfterAnExceptionOfAnErrorFunction) {
+TEST(Optimizer, RunsAgainAfterAnErrorFunctionThrew) {
   Graph graph;
   const auto x = graph.add_vertex(3.0);
   bool throws = true;
@@ -114,7 +114,7 @@ TEST(Optimizer, ChecksItsOptionsInEachRun) {
   EXPECT_TRUE(optimizer.run().converged());
 }
 
-/// Steps along the negative gradient of a problem whose Hessian is the identity.
+/// Steepest descent for a problem whose Hessian is the identity: each step is the negative gradient.
 class SteepestDescent final : public Algorithm {
  public:
   std::string_view name() const override { return "steepest descent"; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options::time_limit_s and Options::stop apply in every phase. The clock is a fake.
+// Every phase of optimize() obeys Options::time_limit_s. These tests replace the clock by a fake.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ Graph noisy_circle() {
   return graph;
 }
 
-/// Checks that the report describes the estimates at the time limit correctly.
+/// Checks the report of a run that the time limit ended against the estimates in the graph.
 void expect_correct_report(const Report& report, const Graph& graph,
                            const std::vector<std::vector<double>>& before) {
   ASSERT_EQ(report.status, Report::Status::kNotConverged) << report;
@@ -73,21 +73,21 @@ TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {
   Graph whole = noisy_circle();
   const long begin = testing::clock_readings();
   const Report reference = optimize(whole, options);
-  const long questions = testing::clock_readings() - begin;
+  const long readings = testing::clock_readings() - begin;
   ASSERT_TRUE(reference.converged()) << reference;
   bool before_chi2 = false, after_a_step = false;
-  for (long k = 2; k < questions; k += 1 + questions / 60) {  // the first reading is that of the stopwatch
-    SCOPED_TRACE("question " + std::to_string(k));
+  for (long k = 2; k < readings; k += 1 + readings / 60) {  // the stopwatch makes the first reading
+    SCOPED_TRACE("reading " + std::to_string(k));
     Graph graph = noisy_circle();
     const auto before = estimates(graph);
     testing::jump_at_reading(k);
-    const long asked = testing::clock_readings();
+    const long first = testing::clock_readings();
     const Report report = optimize(graph, options);
-    constexpr long kMoreQuestions =
-        30;  // readings of stopwatches, and of each function that notices the limit
-    EXPECT_LE(testing::clock_readings() - asked, k + kMoreQuestions);
+    // After the jump, stopwatches and each function that notices the limit read the clock.
+    constexpr long kReadingsAfterTheJump = 30;
+    EXPECT_LE(testing::clock_readings() - first, k + kReadingsAfterTheJump);
     testing::stop_clock();
-    if (report.converged()) continue;  // no function checked the limit afterwards
+    if (report.converged()) continue;  // the run ended before a function checked the limit again
     expect_correct_report(report, graph, before);
     before_chi2 |= std::isnan(report.chi2_final);
     after_a_step |= report.iterations > 0;
@@ -112,7 +112,7 @@ TEST(TimeLimit, OfZeroStopsBeforeAnyWork) {
   EXPECT_THAT(to_string(report), HasSubstr("time limit"));
 }
 
-/// Runs a phase on a problem of about the given number of poses, with a stop token.
+/// A function that runs a phase with a stop token, on a problem of about the given number of poses.
 using Phase = std::function<void(int, const StopToken&)>;
 
 BlockStructure structure_of(int poses) {
@@ -142,9 +142,9 @@ const std::vector<std::pair<std::string, Phase>>& phases() {
          for (std::uint32_t j = 0; j + 1 < s.blocks(); ++j) lower.push_back({j + 1, j});
          make_block_structure(std::vector<std::uint32_t>(s.blocks(), 3), lower, stop);
        })},
-      {"input of AMD",
+      {"AMD ordering",
        on_structure([](const BlockStructure& s, const StopToken& stop) { amd_ordering(s, {}, stop); })},
-      {"dissection", on_structure([](const BlockStructure& s, const StopToken& stop) {
+      {"nested dissection", on_structure([](const BlockStructure& s, const StopToken& stop) {
          nested_dissection(s, {}, 1, stop);
        })},
       {"supernodes", on_structure([](const BlockStructure& s, const StopToken& stop) {
@@ -164,10 +164,10 @@ const std::vector<std::pair<std::string, Phase>>& phases() {
          linearizer.set_stop(stop);
          linearizer.chi2();
        })},
-      {"odometry", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+      {"odometry guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
          EXPECT_TRUE(guess_odometry(g, plan, {.stop = stop}).made);
        })},
-      {"spanning tree", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
+      {"spanning tree guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
          EXPECT_TRUE(guess_spanning_tree(g, plan, {.stop = stop}).made);
        })},
       {"chordal guess", on_graph([](Graph& g, const Plan& plan, const StopToken& stop) {
@@ -176,17 +176,17 @@ const std::vector<std::pair<std::string, Phase>>& phases() {
   return all;
 }
 
-/// Therefore the work between two readings of the clock does not grow with the problem.
-TEST(TimeLimit, IsCheckedMoreOftenInEachPhaseOfALargerProblem) {
+/// If a larger problem reads the clock more often, the work between two readings does not grow.
+TEST(TimeLimit, IsCheckedMoreOftenInEachPhaseIfTheProblemIsLarger) {
   for (const auto& [name, phase] : phases()) {
     SCOPED_TRACE(name);
-    const auto questions = [run = phase](int poses) {
+    const auto readings = [run = phase](int poses) {
       const StopToken stop(nullptr, StopToken::Clock::now(), kHour);
       const long before = testing::clock_readings();
       run(poses, stop);
       return testing::clock_readings() - before;
     };
-    const long small = questions(2197), large = questions(4 * 2197);
+    const long small = readings(2197), large = readings(4 * 2197);
     EXPECT_GE(small, 2);
     EXPECT_GE(large, 3 * small);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The report as text.
+// The text of a Report.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(Report, ShowsNanWithoutASign) {
   EXPECT_THAT(text, testing::Not(HasSubstr("-nan")));
 }
 
-TEST(Report, ShowsThePredictedCostOfTheFactorWithTwoDigits) {
+TEST(Report, ShowsThePredictedMemoryAndTimeOfAFactorThatWasNotComputed) {
   const auto text_for = [](std::uint64_t bytes) {
     Report report;
     report.linear.refused_factor_bytes = bytes;
@@ -34,7 +34,7 @@ TEST(Report, ShowsThePredictedCostOfTheFactorWithTwoDigits) {
   EXPECT_THAT(text_for(40), HasSubstr("take 0.0 kB and"));
   EXPECT_THAT(text_for(999'600), HasSubstr("take 1.0 MB and"));
   EXPECT_THAT(text_for(61'400'000'000),
-              HasSubstr("take 61 GB and 254 s each time, a rough solution 0.31 s)"));
+              HasSubstr("take 61 GB and 254 s; a rough solution by pcg takes 0.31 s)"));
   EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB and"));
 }
 

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// The record of an iteration whose gain is the given fraction of chi2 = 1000.
+/// The record of an iteration that decreases chi2 = 1000 by the given fraction.
 IterationRecord gain_of(double fraction) {
   IterationRecord record;
   record.chi2 = 1000;
@@ -16,7 +16,8 @@ IterationRecord gain_of(double fraction) {
   return record;
 }
 
-/// The number of gains q, q², q³ … of chi2 until they are no longer significant.
+/// The number of iterations until significance is lost, or `most` + 1. The decreases of chi2 are the
+/// fractions first, first · q, first · q² …
 int iterations_until_lost(double first, double q, double tolerance, double degrees_of_freedom, int most) {
   Significance significance(tolerance, degrees_of_freedom);
   for (int k = 0; k < most; ++k) {
@@ -25,22 +26,22 @@ int iterations_until_lost(double first, double q, double tolerance, double degre
   return most + 1;
 }
 
-TEST(Significance, IsLostAfterTwoGainsBelowTheNoise) {
-  // 0.02 of s² = 1000 / 1e6 is 2e-8 of chi2.
+TEST(Significance, IsLostAfterTwoDecreasesBelowTheNoise) {
+  // The limit is 0.02 s² = 0.02 · 1000 / 1e6, which is 2e-8 of chi2.
   Significance significance(0.02, 1e6);
   EXPECT_FALSE(significance.is_lost(gain_of(1e-3)));
   EXPECT_FALSE(significance.is_lost(gain_of(1.9e-8)));
   EXPECT_TRUE(significance.is_lost(gain_of(1e-9)));
 }
 
-TEST(Significance, NeedsMoreThanAFewPartsInTenMillion) {
-  Significance significance(0.02, 10);  // few measurements: s² is large
+TEST(Significance, IsNotLostByDecreasesAboveAFixedFractionOfChi2) {
+  Significance significance(0.02, 10);  // few measurements, so s² is large
   EXPECT_FALSE(significance.is_lost(gain_of(1e-3)));
   EXPECT_FALSE(significance.is_lost(gain_of(1e-4)));
   EXPECT_FALSE(significance.is_lost(gain_of(1e-5)));
 }
 
-TEST(Significance, OfAPredictedGainKeepsTheRunGoing) {
+TEST(Significance, IsNotLostIfThePredictedDecreaseIsSignificant) {
   Significance significance(0.02, 1e6);
   for (int k = 0; k < 30; ++k) {
     IterationRecord record = gain_of(1e-12);
@@ -49,16 +50,16 @@ TEST(Significance, OfAPredictedGainKeepsTheRunGoing) {
   }
 }
 
-TEST(Significance, IsLostInALongTailThatGainsLessThanTheNoiseInTenIterations) {
+TEST(Significance, IsLostIfTenIterationsTogetherDecreaseChi2ByLessThanTheNoise) {
   EXPECT_LE(iterations_until_lost(1e-7, 0.995, 0.02, 5e4, 100), 10);
   EXPECT_GT(iterations_until_lost(1e-5, 0.995, 0.02, 5e4, 100), 100);
 }
 
-TEST(Significance, OfGainsThatGrowOutOfASmallTrustRegionIsNotLost) {
+TEST(Significance, IsNotLostWhileDecreasesGrowFromASmallTrustRegion) {
   EXPECT_GT(iterations_until_lost(1e-20, 3, 0.02, 1e3, 25), 25);
 }
 
-TEST(Significance, IsNeverLostWithoutTolerance) {
+TEST(Significance, IsNeverLostIfTheToleranceIsZero) {
   EXPECT_GT(iterations_until_lost(1e-6, 0.5, 0, 1e3, 60), 60);
 }
 

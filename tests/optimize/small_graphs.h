@@ -14,7 +14,7 @@
 
 namespace boxplus {
 
-/// `count` poses around a closed circle, with noisy measurements and estimates that drift. No vertex is
+/// Adds `count` poses around a closed circle, with noisy measurements and estimates that drift. No vertex is
 /// fixed.
 inline std::vector<VertexHandle<SE2>> add_noisy_circle(Graph& graph, int count, unsigned seed = 1) {
   std::mt19937 random(seed);
@@ -32,7 +32,7 @@ inline std::vector<VertexHandle<SE2>> add_noisy_circle(Graph& graph, int count, 
   return poses;
 }
 
-/// A noisy grid of `side` × `side` × `side` 3-D poses with edges to the neighbors in all directions.
+/// Adds a noisy grid of `side` × `side` × `side` 3-D poses. Edges connect neighbors in all three directions.
 inline std::vector<VertexHandle<SE3>> add_noisy_grid(Graph& graph, int side, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::normal_distribution<> normal(0, 1);

@@ -25,20 +25,20 @@ void expect_numbered_records(const Report& report) {
     EXPECT_EQ(report.records[k].iteration, static_cast<int>(k));
 }
 
-TEST(AutomaticStart, KeepsEstimatesWhoseFirstStepReachesItsPredictedDecrease) {
+TEST(AutomaticStart, KeepsTheEstimatesIfTheFirstStepDecreasesChi2AsPredicted) {
   Graph graph;
   add_noisy_grid(graph, 4);
   const Report report = optimize(graph, kAutomaticStart);
   EXPECT_TRUE(report.converged()) << report;
   EXPECT_EQ(report.start.used, Start::kCurrent);
   EXPECT_GT(report.start.first_step_kept, 0.75);
-  EXPECT_LT(report.start.chi2_guess, 0) << "a guess was made in vain";
+  EXPECT_LT(report.start.chi2_guess, 0) << "no guess was needed";
   EXPECT_FALSE(report.start.ran_both);
   EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
   expect_numbered_records(report);
 }
 
-TEST(AutomaticStart, IsTheChordalGuessIfTheFirstStepMissesItsPredictedDecrease) {
+TEST(AutomaticStart, UsesTheChordalGuessIfTheFirstStepDecreasesChi2LessThanPredicted) {
   Graph graph, other;
   for (Graph* each : {&graph, &other}) {
     int turn = 0;
@@ -53,7 +53,7 @@ TEST(AutomaticStart, IsTheChordalGuessIfTheFirstStepMissesItsPredictedDecrease) 
   expect_numbered_records(report);
 }
 
-TEST(AutomaticStart, TriesTheOtherStartTooIfTheResultIsFarAboveTheNoise) {
+TEST(AutomaticStart, TriesTheOtherStartTooIfTheFinalChi2IsFarAboveTheNoise) {
   Graph graph;
   add_noisy_grid(graph, 4);
   for (const EdgeRef& edge : graph.all_edges()) graph.set_information(edge, 2500 * 100.0);
@@ -65,8 +65,8 @@ TEST(AutomaticStart, TriesTheOtherStartTooIfTheResultIsFarAboveTheNoise) {
   expect_numbered_records(report);
 }
 
-TEST(AutomaticStart, ContinuesFromItsFirstStepIfThereIsNoGuess) {
-  Graph graph;  // Rosenbrock's function: the first Gauss-Newton step leaves its valley
+TEST(AutomaticStart, ContinuesFromItsFirstStepIfNoGuessCanBeMade) {
+  Graph graph;  // Rosenbrock's function, whose valley the first Gauss-Newton step leaves
   const auto point = graph.add_vertex(Eigen::Vector2d(-1.2, 1));
   graph.add_edge(
       []<class S>(const Eigen::Matrix<S, 2, 1>& p) {
@@ -83,7 +83,7 @@ TEST(AutomaticStart, ContinuesFromItsFirstStepIfThereIsNoGuess) {
   expect_numbered_records(report);
 }
 
-TEST(AutomaticStart, TriesNothingElseIfOnlyOneIterationIsAllowed) {
+TEST(AutomaticStart, MakesNoGuessIfOnlyOneIterationIsAllowed) {
   Graph graph;
   add_noisy_circle(graph, 30);
   const Report report = optimize(graph, {.start = Start::kAutomatic, .max_iterations = 1});
@@ -91,7 +91,7 @@ TEST(AutomaticStart, TriesNothingElseIfOnlyOneIterationIsAllowed) {
   EXPECT_TRUE(std::isnan(report.start.first_step_kept));
 }
 
-TEST(AutomaticStart, CallsBackForEveryIterationAndStopsIfTheCallbackSaysSo) {
+TEST(AutomaticStart, CallsTheCallbackInItsFirstIterationAndStopsIfItReturnsFalse) {
   Graph graph;
   add_noisy_grid(graph, 3);
   int calls = 0;
@@ -120,7 +120,7 @@ TEST(AutomaticStart, LeavesIterationsForTheOtherStartUnderRobustKernels) {
   };
   const Report current = result_of(Start::kCurrent), automatic = result_of(Start::kAutomatic);
   EXPECT_TRUE(automatic.start.ran_both);
-  // The bound was measured for this world alone. It does not follow from the method.
+  // This bound was measured for this graph only. The method does not guarantee it.
   EXPECT_LT(automatic.chi2_final, 1.0001 * current.chi2_final) << automatic;
   EXPECT_LE(automatic.iterations, Options().max_iterations);
 }
@@ -130,7 +130,7 @@ TEST(AutomaticStart, ContinuesIfTheGuessIsNotFinite) {
   const auto poses = add_noisy_circle(graph, 60);
   int turn = 0;
   for (const auto pose : poses) graph.set_estimate(pose, SE2(10, 0, 2.0 * turn++));
-  // Finite at the estimates only.
+  // The error of this edge is finite at the estimates, but not at the guess.
   graph.add_edge([]<class S>(const BasicSE2<S>& pose) { return S(0.1) * sqrt(pose.x() - S(9)); }, poses[30]);
   const Report report =
       optimize(graph, {.algorithm = AlgorithmKind::kLevenbergMarquardt, .start = Start::kAutomatic});
@@ -138,7 +138,7 @@ TEST(AutomaticStart, ContinuesIfTheGuessIsNotFinite) {
   EXPECT_LT(report.chi2_final, report.chi2_initial);
 }
 
-TEST(AutomaticStart, IsAsGoodAsEitherStartOnSimulatedGraphs) {
+TEST(AutomaticStart, IsAsGoodAsTheBetterOfTheTwoStartsOnSimulatedGraphs) {
   std::set<Start> used;
   for (const World world : {World::kManhattan, World::kTorus, World::kSphere, World::kCity}) {
     for (const double noise : {0.3, 1.0, 3.0}) {
@@ -154,7 +154,7 @@ TEST(AutomaticStart, IsAsGoodAsEitherStartOnSimulatedGraphs) {
       }
     }
   }
-  EXPECT_EQ(used.size(), 2u) << "one of the two starts was never taken: the test shows nothing";
+  EXPECT_EQ(used.size(), 2u) << "both starts must be used, or this test checks nothing";
 }
 
 }  // namespace

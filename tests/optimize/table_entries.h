@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All entries of the library's tables, so that a test of all of them also runs on a new one.
+// Lists the entries of the library's tables, so that tests of all entries also run on a new entry.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace boxplus {
 
-/// Without kAutomatic, which stands for one of the others.
+/// All algorithms except kAutomatic, which only chooses another algorithm.
 inline std::vector<AlgorithmKind> every_algorithm() {
   std::vector<AlgorithmKind> kinds;
   for (const detail::AlgorithmEntry& entry : detail::algorithm_table()) {
@@ -18,7 +18,7 @@ inline std::vector<AlgorithmKind> every_algorithm() {
   return kinds;
 }
 
-/// Also those that make no guess.
+/// All starts, with or without a guess.
 inline std::vector<Start> every_start() {
   std::vector<Start> starts;
   for (const detail::StartEntry& entry : detail::start_table()) starts.push_back(entry.start);

@@ -22,7 +22,7 @@ void expect_near(const RobustKernel::Rho& a, const RobustKernel::Rho& b, double 
   EXPECT_NEAR(a.second, b.second, tolerance);
 }
 
-TEST(Barron, ObeysTheContractForEveryShape) {
+TEST(Barron, ObeysTheContractOfRobustKernelsForEveryShape) {
   for (const double shape : {-kInfinity, -100.0, -2.0, -1e-9, 0.0, 1e-9, 1.0, 1.5, 2 - 1e-9, 2.0, 2.5, 4.0}) {
     KernelCheckOptions options;
     options.largest = shape > 2 ? 10 : 1e4;
@@ -31,7 +31,7 @@ TEST(Barron, ObeysTheContractForEveryShape) {
   }
 }
 
-TEST(Barron, ContainsTheClassicKernels) {
+TEST(Barron, EqualsAClassicKernelForSomeShapes) {
   const double c = 1.5;
   for (const double e2 : {0.0, 0.1, 1.0, 20.0}) {
     expect_near(Barron(2, c)(e2), {e2, 1, 0}, 0);

@@ -23,17 +23,17 @@ TEST(Chi2Quantile, EqualsPublishedTables) {
   EXPECT_NEAR(chi2_quantile(2, 1 - 1e-9), -2 * std::log(1e-9), 1e-5);
 }
 
-TEST(Chi2Quantile, ApproachesThatOfTheNormalDistributionForManyRows) {
+TEST(Chi2Quantile, ApproachesTheQuantileOfTheNormalDistributionForManyRows) {
   const double z = 1.6448536269514722;
   for (const int rows : {1'000, 1'000'000, std::numeric_limits<int>::max()}) {
     const double n = rows;
-    // The first terms of the expansion of Cornish and Fisher. The remainder decreases like 1 / √n.
+    // The first terms of the Cornish-Fisher expansion. The remainder decreases like 1 / √n.
     const double expected = n + z * std::sqrt(2 * n) + 2.0 / 3 * (z * z - 1);
     EXPECT_NEAR(chi2_quantile(rows, 0.95), expected, 1 / std::sqrt(n) + 1e-9 * std::sqrt(n)) << rows;
   }
 }
 
-TEST(Chi2Quantile, LiesAboveItsShareOfGoodErrors) {
+TEST(Chi2Quantile, IsAboveTheRequestedFractionOfRandomErrors) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   for (const int rows : {1, 2, 3, 6, 40, 41, 80}) {

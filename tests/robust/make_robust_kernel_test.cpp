@@ -27,26 +27,26 @@ std::string message_of(const std::string& name, double delta) {
   return "no error";
 }
 
-TEST(MakeRobustKernel, ListsItsNames) {
+TEST(MakeRobustKernel, KnowsAllKernelsInAlphabeticalOrder) {
   std::vector<std::string_view> names;
   for (const detail::KernelEntry& kernel : detail::kernel_table()) names.push_back(kernel.name);
   EXPECT_THAT(names, ElementsAre("Barron:ALPHA", "Cauchy", "DCS", "Fair", "GemanMcClure", "Huber",
                                  "PseudoHuber", "Saturated", "Tukey", "Welsch"));
 }
 
-TEST(MakeRobustKernel, MakesTheKernelOfThatNameAndWidth) {
+TEST(MakeRobustKernel, MakesTheKernelWithTheGivenNameAndWidth) {
   const auto kernel = make_robust_kernel("Tukey", 4.5);
   EXPECT_EQ(kernel->name(), "Tukey");
   EXPECT_EQ(kernel->delta(), 4.5);
   EXPECT_EQ(make_robust_kernel("Barron:-inf", 2)->name(), "Barron");
 }
 
-TEST(MakeRobustKernel, NamesTheKnownKernelsWhenOneIsUnknown) {
+TEST(MakeRobustKernel, ListsTheKnownKernelsIfTheNameIsUnknown) {
   EXPECT_THAT(message_of("huber", 1),
               HasSubstr("unknown robust kernel 'huber'; known kernels: Barron:ALPHA, Cauchy"));
 }
 
-TEST(MakeRobustKernel, TakesAParameterOnlyForKernelsThatHaveOne) {
+TEST(MakeRobustKernel, AcceptsAParameterOnlyForKernelsThatHaveOne) {
   EXPECT_THAT(message_of("Barron", 1), HasSubstr("unknown robust kernel 'Barron'"));
   EXPECT_THAT(message_of("Huber:1", 1), HasSubstr("unknown robust kernel 'Huber:1'"));
 }
@@ -59,14 +59,14 @@ TEST(MakeRobustKernel, RefusesBadWidthsAndShapes) {
   EXPECT_THAT(message_of("Barron:1x", 1), HasSubstr("got '1x'"));
 }
 
-TEST(MakeDefaultKernel, HasAWidthThatNinetyFivePercentOfGoodErrorsStayWithin) {
+TEST(MakeDefaultKernel, HasAWidthThatIsAboveNinetyFivePercentOfTheInliers) {
   EXPECT_NEAR(make_default_kernel("Huber", 1)->delta(), 1.959964, 1e-6);
   EXPECT_NEAR(make_default_kernel("Cauchy", 6)->delta(), std::sqrt(12.591587), 1e-6);
   EXPECT_NEAR(make_default_kernel("Barron:-2", 3)->delta(), std::sqrt(7.814728), 1e-6);
 }
 
-TEST(MakeDefaultKernel, SquaresTheWidthOfKernelsThatMeasureTheSquaredError) {
-  // DCS begins to act at the 95 % quantile of good errors, like Huber.
+TEST(MakeDefaultKernel, SquaresTheWidthOfKernelsWhoseWidthIsASquaredError) {
+  // Like Huber, DCS begins to reduce weights at the 95 % quantile of chi2.
   for (const int rows : {1, 3, 6}) {
     const double e2 = chi2_quantile(rows, 0.95);
     for (const char* name : {"Huber", "DCS"}) {
@@ -78,7 +78,7 @@ TEST(MakeDefaultKernel, SquaresTheWidthOfKernelsThatMeasureTheSquaredError) {
   }
 }
 
-TEST(MakeDefaultKernel, RefusesUnknownNamesAndNoRows) {
+TEST(MakeDefaultKernel, RefusesUnknownNamesAndErrorsWithoutRows) {
   EXPECT_THROW(make_default_kernel("Hubert", 3), InvalidArgument);
   EXPECT_THROW(make_default_kernel("Huber", 0), InvalidArgument);
 }

@@ -16,7 +16,8 @@
 namespace boxplus {
 namespace {
 
-/// The name that makes the kernel of this row. Fails if the kernel takes a parameter and has no example here.
+/// The argument of make_robust_kernel() for a kernel of the table. Fails if the kernel has a parameter and
+/// there is no example of it here.
 std::string name_of(const detail::KernelEntry& kernel) {
   if (!kernel.takes_parameter()) return std::string(kernel.name);
   static const std::map<std::string_view, std::string> kExamples = {{"Barron:ALPHA", "Barron:-1.5"}};
@@ -70,7 +71,7 @@ TEST(RobustKernels, HaveTheValuesOfTheirFormulas) {
   expect_rho(DCS(d), far, 6 - 16.0 / 11, 16.0 / 121);
 }
 
-TEST(RobustKernels, DynamicCovarianceScalingHasTheWeightOfThePaper) {
+TEST(RobustKernels, DynamicCovarianceScalingHasThePublishedWeight) {
   for (const double phi : {0.5, 1.0, 5.0}) {
     for (const double e2 : {0.1, 0.9, 5.0, 100.0, 1e6}) {
       const double s = std::min(1.0, 2 * phi / (phi + e2));

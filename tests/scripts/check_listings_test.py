@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/check_listings.py compares outputs in documents with what programs print now."""
+"""scripts/check_listings.py checks that the outputs shown in documents equal the current outputs of the programs."""
 
 import importlib.util
 import pathlib
@@ -27,7 +27,7 @@ class CheckListings(unittest.TestCase):
         path.chmod(0o755)
 
     def complaints(self, block):
-        """The messages of the checker for one block, and the corrected block."""
+        """Checks one block. Returns the messages of the script and the corrected block."""
         found = []
         match = check_listings.BLOCK.search(block)
         corrected = check_listings.check_block(match, self.programs, lambda what, _: found.append(what))
@@ -42,22 +42,22 @@ class CheckListings(unittest.TestCase):
         self.assertEqual(found, ["differs from: output of hello"])
         self.assertIn("chi2 2.5 in 0.1234 s", corrected)
 
-    def test_the_command_and_its_messages_are_checked(self):
+    def test_the_error_output_and_the_exit_code_of_a_command_are_checked(self):
         self.assertEqual(self.complaints("<!-- complaint of boxplus a 2 -->\n```text\nx of a\n```")[0], [])
         found, _ = self.complaints("<!-- output of boxplus a 2 -->\n```text\nx of a\n```")
         self.assertIn("exit code 2, expected 0", found[0])
 
-    def test_text_without_a_source_is_refused_unless_it_is_a_drawing(self):
+    def test_a_text_block_without_a_command_is_refused_unless_it_is_a_drawing(self):
         self.assertEqual(self.complaints("```text\nchi2 3\n```")[0], ["text that does not say which command prints it"])
         self.assertEqual(self.complaints("<!-- drawing -->\n```text\na -- b\n```")[0], [])
 
-    def test_numbers_may_differ_by_rounding_times_and_threads_by_anything(self):
+    def test_numbers_may_differ_by_rounding_errors_but_times_and_thread_counts_by_any_amount(self):
         self.assertTrue(check_listings.alike("1.25e-09 of 2.0", "1.31e-09 of 2.0000001"))
         self.assertTrue(check_listings.alike("1 of 2 threads, 0.0007 s", "3 of 16 threads, 12.3456 s"))
         self.assertFalse(check_listings.alike("4 iterations", "5 iterations"))
         self.assertFalse(check_listings.alike("start chordal 1", "start current 1"))
 
-    def test_a_registered_tag_that_the_page_on_formats_does_not_explain_is_named(self):
+    def test_a_registered_tag_that_formats_md_does_not_explain_is_reported(self):
         root = self.programs.parent
         for file, text in (("docs/formats.md", "`VERTEX_A` is a number."),
                            ("src/io/format/register_domain.cpp", 'r.vertex<A>("VERTEX_A");\nr.edge<E, A>("EDGE_B");')):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""boxplus.h brings at most 60 names, and scripts/public_names.py finds each kind of name."""
+"""boxplus.h declares at most 60 names, and scripts/public_names.py finds each kind of name."""
 
 import pathlib
 import subprocess
@@ -26,18 +26,18 @@ def names(text):
 
 
 class PublicNames(unittest.TestCase):
-    def test_boxplus_h_brings_at_most_60_names(self):
+    def test_boxplus_h_declares_at_most_60_names(self):
         done = run("--at-most", "60")
         self.assertEqual(done.returncode, 0, done.stdout)
 
-    def test_more_names_than_allowed_fail(self):
+    def test_the_script_fails_if_there_are_more_names_than_allowed(self):
         self.assertEqual(run("--at-most", "3").returncode, 1)
 
-    def test_the_umbrella_brings_the_graph_and_the_optimizer(self):
+    def test_the_names_in_boxplus_h_include_the_graph_and_the_optimizer(self):
         found = {line.split()[0] for line in run().stdout.splitlines()}
         self.assertLessEqual({"Graph", "Optimizer", "SE3", "optimize", "read_graph", "kPi"}, found)
 
-    def test_types_aliases_concepts_functions_and_constants_are_names(self):
+    def test_types_aliases_concepts_functions_and_constants_are_listed(self):
         self.assertEqual(names("""
             namespace boxplus {
             class Forward;
@@ -53,7 +53,7 @@ class PublicNames(unittest.TestCase):
             }
         """), {"Forward", "Plain", "Choice", "Alias", "Sized", "pick", "kSize", "kFlag", "list", "checked"})
 
-    def test_inner_namespaces_members_operators_and_specializations_are_no_names(self):
+    def test_names_in_inner_namespaces_members_operators_and_specializations_are_not_listed(self):
         self.assertEqual(names("""
             namespace boxplus::detail { class Hidden {}; }
             namespace other { class Foreign {}; }

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A point observation. Its Jacobian with respect to the point lacks the rotation in one entry.
+/// A point observation. One entry of its Jacobian with respect to the point is wrong.
 struct WrongPointObservation : PointObservation2 {
   using PointObservation2::PointObservation2;
   template <class A, class B>
@@ -21,7 +21,7 @@ struct WrongPointObservation : PointObservation2 {
   }
 };
 
-/// The same without a generic error, so that only numeric derivatives can detect the wrong entry.
+/// A point observation with a plain error function. Only numeric derivatives can detect its wrong entry.
 struct WrongPlainObservation {
   Vector2 error(const SE2& pose, const Vector2& point) const { return pose.inverse_times(point); }
   template <class A, class B>
@@ -40,7 +40,7 @@ TEST(CheckJacobians, CorrectAnalyticJacobiansPass) {
   EXPECT_EQ(check.message, "");
 }
 
-TEST(CheckJacobians, AWrongEntryIsCaughtAndNamed) {
+TEST(CheckJacobians, AWrongEntryIsFoundAndReported) {
   const JacobianCheck check = check_jacobians(WrongPointObservation(Vector2(1, 2)), kPose, kPoint);
   EXPECT_FALSE(check.ok);
   EXPECT_THAT(check.message, HasSubstr("∂e/∂x_2 (Vector2), row 1, column 2: expected 0.644217687"));
@@ -48,7 +48,7 @@ TEST(CheckJacobians, AWrongEntryIsCaughtAndNamed) {
   EXPECT_THAT(check.message, Not(HasSubstr("x_1")));
 }
 
-TEST(CheckJacobians, AWrongEntryIsCaughtWithoutDualNumbers) {
+TEST(CheckJacobians, AWrongEntryIsFoundWithoutDualNumbers) {
   const JacobianCheck check = check_jacobians(WrongPlainObservation{}, kPose, kPoint);
   EXPECT_FALSE(check.ok);
   EXPECT_THAT(check.message, HasSubstr("∂e/∂x_1 (SE2), row 2, column 3"));
@@ -61,7 +61,7 @@ TEST(CheckJacobians, ALambdaIsCheckedAgainstNumericDerivatives) {
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(CheckJacobians, AVectorOfEstimatesStandsForARange) {
+TEST(CheckJacobians, ARangeIsGivenAsAVectorOfEstimates) {
   const PointsObservation2 seen(Eigen::Vector4d(1, 2, 3, 4));
   const JacobianCheck check = check_jacobians(seen, kPose, std::vector<Vector2>{kPoint, -kPoint});
   EXPECT_TRUE(check.ok) << check.message;
@@ -76,7 +76,7 @@ TEST(CheckJacobians, ReportsWhichJacobiansOptimizeUses) {
   EXPECT_EQ(source([](const Vector2& x) { return x[0] * x[1]; }, kPoint), "numeric");
 }
 
-TEST(CheckJacobians, AcceptsEigenVectorsAsAGraphDoes) {
+TEST(CheckJacobians, AcceptsEigenVectorsLikeAGraph) {
   struct Plain {
     Eigen::Vector2d error(const SE2& pose, const Eigen::Vector2d& point) const {
       return pose.inverse_times(point);

@@ -25,7 +25,7 @@ TEST(CheckKernel, NamesTheViolatedLaw) {
   EXPECT_NE(check.message.find("Broken: ρ″ is the derivative of ρ′"), std::string::npos) << check.message;
 }
 
-/// ρ = e² exp(−e²), which decreases beyond 1.
+/// ρ = e² exp(−e²), which decreases for e² > 1.
 class Falling final : public RobustKernel {
  public:
   Rho operator()(double e2) const override {

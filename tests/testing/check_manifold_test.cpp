@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The law checker finds each violation and names it.
+// check_manifold() finds each violation of a law, and its message names the law.
 #include "boxplus/testing/check_manifold.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +56,7 @@ std::string complaint() {
   return check_manifold(std::vector<Line<kDefect>>{{1.0}, {2.5}}).message;
 }
 
-TEST(CheckManifold, AcceptsATypeThatObeysTheLaws) {
+TEST(CheckManifold, AcceptsATypeThatObeysAllLaws) {
   EXPECT_EQ(complaint<Defect::kNone>(), "");
 }
 
@@ -68,7 +68,7 @@ TEST(CheckManifold, NamesTheLawThatFailsAndByHowMuch) {
   EXPECT_THAT(complaint<Defect::kNotSmooth>(), HasSubstr("law 4"));
 }
 
-TEST(CheckManifold, ComparesTheLiftedTypeWithThePlainOne) {
+TEST(CheckManifold, ComparesTheTypeOfDualNumbersWithTheTypeOfDoubles) {
   EXPECT_THAT(complaint<Defect::kLiftedValue>(), HasSubstr("has the value of"));
   EXPECT_THAT(complaint<Defect::kLiftedDerivative>(), HasSubstr("has the derivative of"));
 }

@@ -34,7 +34,7 @@ TEST(Simulate, WithoutNoiseStartsAtTheTruth) {
   }
 }
 
-TEST(Simulate, IsSolvedBelowTheChi2OfTheTruth) {
+TEST(Simulate, MakesGraphsWhoseOptimumIsBelowTheChi2OfTheTruth) {
   for (World world : kWorlds) {
     Simulation simulation = simulate(world, {.poses = 225, .seed = 5});
     Options options;
@@ -45,7 +45,7 @@ TEST(Simulate, IsSolvedBelowTheChi2OfTheTruth) {
   }
 }
 
-TEST(Simulate, GivesTheSameGraphForTheSameSeed) {
+TEST(Simulate, MakesTheSameGraphForTheSameSeed) {
   const SimulationOptions options{.poses = 50, .seed = 9};
   EXPECT_EQ(simulate(World::kManhattan, options).graph.chi2(),
             simulate(World::kManhattan, options).graph.chi2());
@@ -53,7 +53,7 @@ TEST(Simulate, GivesTheSameGraphForTheSameSeed) {
             simulate(World::kManhattan, {.poses = 50, .seed = 10}).graph.chi2());
 }
 
-TEST(Simulate, RevisitsStreetsWithFourEdgesPerPose) {
+TEST(Simulate, RevisitsStreetsAndAddsAboutFourEdgesPerPose) {
   const Simulation streets = simulate(World::kStreets, {.poses = 50'000, .seed = 2});
   EXPECT_EQ(streets.graph.vertex_count(), 50'000u);
   EXPECT_THAT(static_cast<double>(streets.edges.size()) / 50'000, AllOf(Ge(3.7), Le(4.5)));
@@ -82,7 +82,7 @@ TEST(Simulate, SeesAFewLandmarksAheadInTheCity) {
   EXPECT_THAT(observations / 5000.0, AllOf(Ge(2), Le(8))) << "observations per pose";
 }
 
-TEST(Simulate, ReplacesTheRequestedShareOfRecognitionsAndNothingElse) {
+TEST(Simulate, TurnsTheRequestedFractionOfRecognitionsAndNothingElseIntoOutliers) {
   for (World world : kWorlds) {
     const int poses = world == World::kStreets ? 5000 : 1500;
     const Simulation clean = simulate(world, {.poses = poses, .seed = 6});
@@ -97,7 +97,7 @@ TEST(Simulate, ReplacesTheRequestedShareOfRecognitionsAndNothingElse) {
       if (spoilt.kinds[i] == EdgeKind::kOutlier) {
         ++outliers;
         EXPECT_EQ(clean.kinds[i], EdgeKind::kRecognition);
-        EXPECT_GT(chi2, 100) << to_string(world) << ": edge " << i << " is hardly wrong";
+        EXPECT_GT(chi2, 100) << to_string(world) << ": edge " << i << " is an outlier, but almost correct";
       } else {
         EXPECT_EQ(chi2, clean.truth.chi2(clean.truth_edges[i])) << to_string(world);
       }
@@ -107,13 +107,13 @@ TEST(Simulate, ReplacesTheRequestedShareOfRecognitionsAndNothingElse) {
   }
 }
 
-TEST(Simulate, MakesEveryRecognitionAnOutlierIfAskedToButNoOdometry) {
+TEST(Simulate, TurnsAllRecognitionsButNoOdometryIntoOutliersIfTheFractionIsOne) {
   const Simulation simulation = simulate(World::kSphere, {.poses = 100, .outliers = 1});
   EXPECT_THAT(simulation.kinds, ::testing::Not(::testing::Contains(EdgeKind::kRecognition)));
   EXPECT_THAT(simulation.kinds, ::testing::Contains(EdgeKind::kOdometry).Times(99));
 }
 
-/// Root mean square distance of the positions from the truth; the first pose is the same in both.
+/// The root mean square distance of the positions from the truth. The first pose is the same in both graphs.
 template <class Pose>
 double error_of_positions(const Simulation& simulation) {
   double squared = 0;

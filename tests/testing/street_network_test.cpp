@@ -19,7 +19,7 @@ int end(const StreetNetwork& network, const Leg& leg) {
   return leg.forward ? network.street(leg).to : network.street(leg).from;
 }
 
-TEST(StreetNetwork, HasStreetsOfAtLeastHundredStepsOfAboutAMeter) {
+TEST(StreetNetwork, HasStreetsOfAtLeastOneHundredStepsOfAboutOneMeter) {
   for (int size : kSizes) {
     RandomNumbers random(4);
     const StreetNetwork network(size, 140, random);

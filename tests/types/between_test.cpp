@@ -21,20 +21,20 @@ TEST(Between, IsZeroIfTheMotionEqualsTheMeasurement) {
   EXPECT_LT(Between(Vector2(1, -1)).error(Vector2(2, 2), Vector2(3, 1)).norm(), 1e-14);
 }
 
-TEST(Between, IsTheMotionInTheFrameOfTheMeasurementForPosesInThePlane) {
+TEST(Between, IsExpressedInTheFrameOfTheMeasurementForPosesInThePlane) {
   const Vector3 e = Between(SE2(1, 0, kPi / 2)).error(SE2(0, 0, 0), SE2(1, 2, kPi / 2 + 0.25));
   EXPECT_NEAR(e[0], 2, 1e-15);
   EXPECT_NEAR(e[1], 0, 1e-15);
   EXPECT_NEAR(e[2], 0.25, 1e-15);
 }
 
-TEST(Between, MeasuresHalfAnglesBetweenPosesInSpace) {
+TEST(Between, ContainsTheVectorPartOfAQuaternionForPosesInSpace) {
   const auto e = Between(SE3()).error(SE3(), pose(1, 2, 3, 0, 0, 0.2));
   EXPECT_NEAR(e[5], std::sin(0.1), 1e-15);
   EXPECT_DOUBLE_EQ(e[2], 3);
 }
 
-TEST(Between, TakesTheQuaternionWithPositiveWForPosesInSpace) {
+TEST(Between, UsesTheQuaternionWithPositiveWForPosesInSpace) {
   const SE3 turned = pose(0, 0, 0, 0, 0, 3.5);  // w = cos 1.75 < 0
   ASSERT_LT(turned.quaternion().w, 0);
   EXPECT_NEAR(Between(SE3()).error(SE3(), turned)[5], -std::sin(1.75), 1e-15);
@@ -64,7 +64,7 @@ TEST(Between, IsNamedAfterItsType) {
   EXPECT_EQ(detail::type_name<Between<Vector2>>(), "Between<Vector2>");
 }
 
-TEST(OffsetBetween, MeasuresFromSensorToSensor) {
+TEST(OffsetBetween, MeasuresTheMotionFromOneSensorToTheOther) {
   const SE2 p(0.5, 0, 0.1), q(0, -1, 2);
   const OffsetBetween<SE2> edge((kA * p).inverse() * (kB * q));
   EXPECT_LT(edge.error(kA, kB, p, q).norm(), 1e-14);
@@ -74,7 +74,7 @@ TEST(OffsetBetween, MeasuresFromSensorToSensor) {
                            pose(0, 1, 0, 0.3, 0, 0));
 }
 
-TEST(OffsetBetween, AcceptsOneSensorAtBothEnds) {
+TEST(OffsetBetween, AcceptsTheSameSensorAtBothEnds) {
   const SE2 p(0.5, 0, 0.1);
   EXPECT_EQ(OffsetBetween<SE2>(kZ).error(kA, kB, p), OffsetBetween<SE2>(kZ).error(kA, kB, p, p));
 }
@@ -87,7 +87,7 @@ TEST(Between, CanBeAddedToAGraph) {
   EXPECT_EQ(graph.edge_pools()[0]->jacobian_source(), detail::JacobianSource::kAnalytic);
 }
 
-TEST(Between, AcceptsEigenVectorsAndVectorsOfTheLibrary) {
+TEST(Between, AcceptsEigenVectorsAndBoxplusVectors) {
   static_assert(std::is_same_v<decltype(Between(Eigen::Vector2d(1, 2))), Between<Vector2>>);
   static_assert(std::is_same_v<decltype(Prior(Eigen::Vector3d(1, 2, 3))), Prior<Vector3>>);
   static_assert(std::is_same_v<decltype(PositionPrior(Eigen::Vector2d(1, 2))), PositionPrior<Vector2>>);

@@ -34,7 +34,7 @@ T moved(const T& x, double size, unsigned seed) {
   return Manifold<T>::oplus(x, delta.data());
 }
 
-TEST(DensePrior, HasTheJacobiansThatNumericDifferentiationFinds) {
+TEST(DensePrior, HasJacobiansThatAgreeWithNumericDerivatives) {
   const std::vector<SE3> poses{random_pose(1), random_pose(2)};
   const std::vector<Vector3> points{Vector3(1, 2, 3)};
   const DensePrior<SE3, Vector3> prior({poses, points}, random_matrix(4, 15, 3), random_matrix(4, 1, 4));
@@ -43,7 +43,7 @@ TEST(DensePrior, HasTheJacobiansThatNumericDifferentiationFinds) {
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(DensePrior, FromInformationHasTheCostOfItsQuadraticForm) {
+TEST(DensePrior, FromInformationHasTheChi2OfTheQuadraticForm) {
   const MatrixXd root = random_matrix(3, 5, 1), H = root.transpose() * root;  // of rank 3
   const VectorXd b = H * random_matrix(5, 1, 2);
   const auto prior =
@@ -115,7 +115,7 @@ TEST(DensePrior, ReplacesTheVerticesThatWereMarginalized) {
   EXPECT_LE((reduced.estimate(x2) - whole.estimate(a2)).norm(), 1e-9);
 }
 
-TEST(DensePrior, OnHundredsOfUnknownsOptimizesInSeconds) {
+TEST(DensePrior, OverHundredsOfUnknownsIsOptimizedWithinSeconds) {
   Graph graph;
   std::vector<VertexHandle<SE3>> poses;
   std::vector<VertexHandle<Vector3>> points;

@@ -11,14 +11,14 @@ namespace {
 const SE2 kX(1, 2, 0.5);
 const SE3 kX3 = pose(1, 2, 3, 0.3, -0.4, 0.9), kP3 = pose(0, 0.1, 0.2, 1, 1, 1);
 
-TEST(Prior, OfAPoseIsThePoseInTheFrameOfTheMeasurement) {
+TEST(Prior, OfAPoseHasAnErrorInTheFrameOfTheMeasurement) {
   const Vector3 e = Prior(SE2(1, 0, kPi / 2)).error(SE2(1, 2, kPi));
   EXPECT_NEAR(e[0], 2, 1e-15);
   EXPECT_NEAR(e[1], 0, 1e-15);
   EXPECT_NEAR(e[2], kPi / 2, 1e-15);
 }
 
-TEST(Prior, OfAPointIsTheDifference) {
+TEST(Prior, OfAPointHasTheDifferenceAsItsError) {
   EXPECT_EQ(Prior(Vector2(1, 2)).error(Vector2(3, 5)), Vector2(2, 3));
 }
 
@@ -32,7 +32,7 @@ TEST(Prior, HasCorrectJacobians) {
   expect_correct_jacobians(PositionPrior(Vector3(3, 4, 5)), kX3, kP3);
 }
 
-TEST(OffsetPrior, MeasuresTheSensor) {
+TEST(OffsetPrior, MeasuresThePoseOfTheSensor) {
   EXPECT_LT(OffsetPrior<SE3>(kX3 * kP3).error(kX3, kP3).norm(), 1e-14);
 }
 

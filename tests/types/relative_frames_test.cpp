@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The relative frames of edges agree with their errors: the error is zero if `to` is moved to from · motion.
+// The relative frames of edges agree with their errors: an error is zero if `to` = `from` · motion.
 #include <gmock/gmock.h>
 
 #include "boxplus/types/slam2d.h"
@@ -23,7 +23,7 @@ detail::Frame compose(const detail::Frame& a, const detail::Frame& b) {
   return c;
 }
 
-/// The largest error that is left in the measured rows after `to` moved as relative_frame() says.
+/// The norm of the error after `to` was set to the frame that relative_frame() predicts.
 template <class E, class From, class To, class... Rest>
 double error_at_guess(const E& edge, const From& from, To to, const Rest&... rest) {
   const detail::RelativeFrame relative = edge.relative_frame(from, to, rest...);
@@ -71,7 +71,7 @@ TEST(RelativeFrames, InSpaceMakeTheErrorZero) {
   EXPECT_LT(error_at_absolute_guess(PositionPrior(Vector3(1, 2, 3)), kX3, kP3), kTiny);
 }
 
-TEST(RelativeFrames, GiveTheUnitOfTheRotation) {
+TEST(RelativeFrames, ContainTheUnitAndTheRowsOfTheRotation) {
   EXPECT_EQ(Between(SE3()).relative_frame(SE3(), SE3()).rotation_unit, 0.5);
   EXPECT_EQ(Between(SE3()).relative_frame(SE3(), SE3()).rotation_row, 3);
   EXPECT_EQ(Between(SE2()).relative_frame(SE2(), SE2()).rotation_unit, 1);

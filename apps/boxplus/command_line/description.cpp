@@ -10,7 +10,8 @@
 namespace boxplus::app {
 namespace {
 
-/// The values in "TEXT:{a,b,c}", the form in which validators describe their choices; empty without a brace.
+/// Returns the values in a text such as "TEXT:{a,b,c}", the form in which validators describe their choices.
+/// Returns nothing if the text has no braces.
 std::vector<std::string> choices_in(const std::string& type) {
   const std::size_t begin = type.find('{'), end = type.rfind('}');
   if (begin == std::string::npos || end == std::string::npos) return {};
@@ -44,7 +45,7 @@ OptionDescription describe(const CLI::Option& option) {
   return result;
 }
 
-/// "boxplus optimize [OPTIONS] FILE".
+/// Returns the usage line, such as "boxplus optimize [OPTIONS] FILE".
 std::string usage_of(const CLI::App& app, const CommandDescription& command) {
   std::string usage = command.name;
   for (const CLI::App* parent = app.get_parent(); parent; parent = parent->get_parent())
@@ -67,7 +68,7 @@ CommandDescription describe(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_group().empty()) result.options.push_back(describe(*option));
   }
-  // CLI11's list begins with --help; users look for it at the end.
+  // CLI11 lists --help first, but users look for it at the end.
   std::stable_partition(result.options.begin(), result.options.end(),
                         [](const OptionDescription& option) { return option.names.back() != "--help"; });
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))

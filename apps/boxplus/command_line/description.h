@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line described as data; help texts, docs/cli.md and shell completions are made from it.
+// A description of the command line as data. Help texts, docs/cli.md and shell completions are generated from
+// it.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ class App;
 namespace boxplus::app {
 
 struct OptionDescription {
-  std::vector<std::string> names;    ///< "-o", "--output"; a positional has one name
-  std::string value;                 ///< the placeholder for its value, such as FILE; empty for a flag
+  std::vector<std::string> names;  ///< such as "-o" and "--output"; a positional argument has one name
+  std::string value;  ///< the placeholder for the value, such as FILE; empty for flags and arguments
   std::vector<std::string> choices;  ///< the allowed values, if they can be listed
   std::string text, default_text, group;
   bool positional = false, required = false;
@@ -21,16 +22,16 @@ struct OptionDescription {
 
 struct CommandDescription {
   std::string name, text, usage;
-  std::string footer;  ///< examples, exit codes
+  std::string footer;  ///< the text at the end of the help, such as examples and exit codes
   std::vector<OptionDescription> options;
   std::vector<CommandDescription> commands;
 };
 
 CommandDescription describe(const CLI::App& app);
 
-/// "-o, --output FILE".
+/// Returns the names and the placeholder of an option, such as "-o, --output FILE".
 std::string signature(const OptionDescription& option);
-/// The text, followed by the choices and the default if there are any.
+/// Returns the text of an option, followed by its choices and its default if there are any.
 std::string explanation(const OptionDescription& option);
 
 /// Calls f(title, options) for the arguments and for each group of options, in order.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWidth = 100, kIndent = 31;
 
-/// `text` wrapped at words; all lines but the first begin with kIndent blanks.
+/// Breaks `text` into lines between words. All lines after the first one begin with kIndent blanks.
 std::string wrapped(const std::string& text) {
   std::string result;
   std::size_t column = kIndent;
@@ -30,7 +30,7 @@ std::string wrapped(const std::string& text) {
   return result;
 }
 
-/// "  left       right"; the right side starts on a new line if the left side is long.
+/// Returns "  left       right". If the left side is too long, the right side starts on a new line.
 std::string entry(const std::string& left, const std::string& right) {
   const std::size_t used = 2 + shown_width(left);
   const std::string gap =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The look of --help: 100 columns, one group of options after the other.
+// Formats the output of --help: 100 columns wide, with one section for each group of options.
 #pragma once
 
 #include <CLI/CLI.hpp>

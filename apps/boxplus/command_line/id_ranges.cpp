@@ -44,7 +44,7 @@ std::vector<IdRange> parse_id_ranges(const std::string& text) {
 std::vector<VertexRef> find_vertices(const Graph& graph, const std::vector<IdRange>& ranges,
                                      const std::string& option) {
   if (ranges.empty()) return {};
-  const std::vector<VertexRef> all = graph.all_vertices();  // by id
+  const std::vector<VertexRef> all = graph.all_vertices();  // sorted by id
   const auto position = [&](Id id) {
     return std::partition_point(all.begin(), all.end(), [&](VertexRef v) { return graph.id(v) < id; });
   };
@@ -55,9 +55,9 @@ std::vector<VertexRef> find_vertices(const Graph& graph, const std::vector<IdRan
   for (const auto& [first, last] : ranges) {
     const auto begin = position(first), end = position_after(last);
     if (begin == end) {
-      throw InvalidArgument(first == last
-                                ? fmt::format("{}: expected the id of a vertex, got {}", option, first)
-                                : fmt::format("{}: there is no vertex from {} to {}", option, first, last));
+      throw InvalidArgument(first == last ? fmt::format("{}: there is no vertex with id {}", option, first)
+                                          : fmt::format("{}: there is no vertex with an id from {} to {}",
+                                                        option, first, last));
     }
     found.insert(found.end(), begin, end);
   }

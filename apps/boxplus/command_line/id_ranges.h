@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices named on the command line: "0-99,120".
+// Finds the vertices that the user lists on the command line, for example as "0-99,120".
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace boxplus::app {
 
-/// First and last id, both included.
+/// The first and the last id of a range; both belong to the range.
 using IdRange = std::pair<Id, Id>;
 
-/// Throws InvalidArgument unless the text is a comma-separated list of ids and ranges.
+/// Parses a comma-separated list of ids and ranges. Throws InvalidArgument if the text is anything else.
 std::vector<IdRange> parse_id_ranges(const std::string& text);
 
-/// The vertices in the ranges, sorted by id, each once. Throws InvalidArgument, naming `option`, if an id or
-/// a range has no vertex.
+/// Returns the vertices whose ids are in the ranges, sorted by id and without duplicates. Throws
+/// InvalidArgument if the graph has no vertex for one of the ids or ranges. The message begins with `option`.
 std::vector<VertexRef> find_vertices(const Graph& graph, const std::vector<IdRange>& ranges,
                                      const std::string& option);
 

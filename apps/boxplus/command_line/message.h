@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages of the command to the user, as opposed to its results.
+// Prints messages of the command to stderr. (Its results go to stdout.)
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace boxplus::app {
 
-/// `text` as one line that cannot harm a terminal: control characters and bytes that are not UTF-8 become \n,
-/// \t or \xNN.
+/// Returns `text` as one line that is safe to print on a terminal. Control characters and bytes that are not
+/// valid UTF-8 become \n, \t or \xNN.
 std::string escaped(std::string_view text);
 
-/// Writes text to stderr unchanged. If that fails (a closed stderr, a full disk), the text is lost and the
-/// command continues, because there is no place left to report the failure.
+/// Writes `text` to stderr unchanged. If this fails (because stderr is closed or the disk is full), the text
+/// is lost and the command continues, because there is no place left to report the failure.
 void write_to_stderr(std::string_view text) noexcept;
 
-/// Writes "boxplus: TEXT" to stderr, escaped, on a line of its own.
+/// Escapes `text` and writes the line "boxplus: TEXT" to stderr.
 void print_message(std::string_view text);
 
 }  // namespace boxplus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Options whose values are checked; error messages name the expected and the given value.
+// Checks the values of options. Error messages name the expected and the given value.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,24 +11,28 @@
 
 namespace boxplus::app {
 
-/// Names and their values, in the order of the help texts.
+/// The names that an option accepts and the value for each name, in the order of the help texts.
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;
 
-/// Accepts only these words. The description is "{a,b,…}", which help texts and completions read.
+/// Accepts only the given words. The description of the validator is "{a,b,…}". Help texts and shell
+/// completions get the words from this description.
 CLI::Validator one_of(std::vector<std::string> words);
-/// Accepts any text that is not empty: an empty name is a mistake, such as an unset shell variable.
+/// Accepts any text that is not empty. An empty file name usually comes from a shell variable that is not
+/// set.
 CLI::Validator file_name();
-/// Accepts whole numbers ≥ `low`.
+/// Accepts whole numbers from `low` to the largest int.
 CLI::Validator whole_number_from(long low);
-/// The first accepts whole numbers in [low, high], the second any finite numbers in [low, high].
+/// Accepts whole numbers from `low` to `high`.
 CLI::Validator whole_number_within(long low, long high);
+/// Accepts finite numbers from `low` to `high`.
 CLI::Validator number_within(double low, double high);
-/// The first accepts finite numbers ≥ `low`, the second those > `low`.
+/// Accepts finite numbers ≥ `low`.
 CLI::Validator number_from(double low);
+/// Accepts finite numbers > `low`.
 CLI::Validator number_above(double low);
 
-/// An option that chooses one of `choices`; the default is the current value.
+/// Adds an option that accepts the names of `choices` and sets `value`. Its default is the current `value`.
 template <class T>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, T& value, const Choices<T>& choices,
                         const std::string& text) {

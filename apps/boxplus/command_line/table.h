@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Aligned columns of text.
+// A table of text with aligned columns.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@ namespace boxplus::app {
 
 class Table {
  public:
-  /// A title that begins with '<' aligns its column to the left.
+  /// If a title begins with '<', its column is aligned to the left, and the '<' is not printed. All other
+  /// columns are aligned to the right.
   explicit Table(std::vector<std::string> titles);
   void add(std::vector<std::string> row);
-  /// The titles, then the rows. Every line begins with two blanks.
+  /// Returns the titles, followed by the rows. Every line begins with two blanks.
   std::string text() const;
 
  private:
@@ -20,7 +21,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The number of columns that a terminal needs for UTF-8 text without wide characters.
+/// Returns the number of terminal columns that UTF-8 text takes. Wide characters are not supported.
 std::size_t shown_width(const std::string& text);
 
 }  // namespace boxplus::app

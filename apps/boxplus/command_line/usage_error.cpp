@@ -13,7 +13,8 @@
 namespace boxplus::app {
 namespace {
 
-/// Levenshtein distance: the number of letters to insert, delete or replace.
+/// Returns the Levenshtein distance: the smallest number of letters to insert, delete or replace in `a` to
+/// get `b`.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -28,7 +29,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// "; did you mean X?" if one of the names is close, otherwise empty.
+/// Returns "; did you mean X?" if the most similar name, X, is close enough to `word`. Otherwise, returns an
+/// empty string.
 std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
   const auto distance = [&](const std::string& name) { return edit_distance(word, name); };
   const auto best = std::min_element(names.begin(), names.end(),
@@ -52,12 +54,12 @@ std::string unexpected(const CommandDescription& command, const std::vector<std:
   return fmt::format("unknown command '{}'{}", word, suggestion(word, names));
 }
 
-/// CLI11 says "NAME is required".
+/// Rephrases the message "NAME is required" of CLI11.
 std::string missing(const std::string& text) {
   return fmt::format("expected {}, got none", text.substr(0, text.find(" is required")));
 }
 
-/// CLI11 reports a missing or surplus value as "NAME: …".
+/// Rephrases the message "NAME: …", by which CLI11 reports that an option has too few or too many values.
 std::string mismatch(const std::string& text) {
   const std::string name = text.substr(0, text.find(':'));
   return text.ends_with("missing") ? name + ": expected a value, got none"

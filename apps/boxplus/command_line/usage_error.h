@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error messages about the command line, in boxplus' own words.
+// Replaces the error messages of CLI11 about the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace boxplus::app {
 
-/// One sentence that says why `app` could not read its arguments, and where to find help.
+/// Returns a message that says why `app` could not parse its arguments, and how to get help.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace boxplus::app

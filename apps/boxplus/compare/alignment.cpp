@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/alignment.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/align_points.h"
 #include "boxplus/base/error.h"
 
 namespace boxplus::app {
@@ -21,7 +21,8 @@ std::vector<PosePair> matched_by_id(const Poses& result, const Poses& truth) {
   return pairs;
 }
 
-/// The pose nearest in time, searched from index `from`; the earlier one of a tie. `poses` must not be empty.
+/// Returns the index of the pose that is nearest to `time`; the earlier one if two poses are equally near.
+/// The search begins at index `from`. `poses` must not be empty.
 std::size_t nearest(const Poses& poses, double time, std::size_t from) {
   while (from + 1 < poses.size() && std::abs(poses[from + 1].time - time) < std::abs(poses[from].time - time))
     ++from;
@@ -48,14 +49,13 @@ Alignment umeyama(const std::vector<PosePair>& pairs, int dimension, bool with_s
     truth.col(static_cast<Eigen::Index>(k)) = pairs[k].truth.position.head(dimension);
   }
   if (with_scale && (result.colwise() - result.col(0)).isZero(0))
-    throw InvalidArgument("--scale: expected poses at different places, got all at one");
-  const Eigen::MatrixXd motion = Eigen::umeyama(result, truth, with_scale);
+    throw InvalidArgument("--scale: expected poses at different positions, got all poses at one position");
+  const PointAlignment aligned = align_points(result, truth, with_scale);
   Alignment alignment;
-  if (with_scale) alignment.scale = motion.block(0, 0, dimension, 1).norm();
-  if (!(alignment.scale > 0)) throw InvalidArgument("--scale: the truth does not determine a scale above 0");
-  alignment.rotation.topLeftCorner(dimension, dimension) =
-      motion.topLeftCorner(dimension, dimension) / alignment.scale;
-  alignment.translation.head(dimension) = motion.col(dimension).head(dimension);
+  alignment.scale = aligned.scale;
+  if (!(alignment.scale > 0)) throw InvalidArgument("--scale: no scale above 0 fits the truth");
+  alignment.rotation.topLeftCorner(dimension, dimension) = aligned.rotation;
+  alignment.translation.head(dimension) = aligned.translation;
   return alignment;
 }
 
@@ -77,7 +77,8 @@ TrajectoryPose Alignment::operator()(TrajectoryPose pose) const {
 std::vector<PosePair> matched(const Trajectory& result, const Trajectory& truth, double most_seconds) {
   if (result.is_timed != truth.is_timed)
     throw InvalidArgument(
-        "expected two graphs or two TUM files, got one of each: ids and times do not match");
+        "expected two graphs or two TUM files, got one of each; poses with ids cannot be matched with poses "
+        "with times");
   if (result.dimension != truth.dimension)
     throw InvalidArgument("expected two graphs in the plane or two in space, got one of each");
   return truth.is_timed ? matched_by_time(result.poses, truth.poses, most_seconds)

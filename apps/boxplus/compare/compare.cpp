@@ -17,11 +17,12 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Graphs are matched by id. TUM files, whose lines are \"time x y z qx qy qz qw\", are matched by time:\n"
-    "two poses match if they are each other's nearest and at most --max-difference apart. Landmarks are\n"
-    "ignored. ATE, the absolute trajectory error, is the distance of each position from its truth, after\n"
-    "the whole result was aligned with the truth. RPE, the relative pose error, is the error of the\n"
-    "motion from one pose to a later one.\n"
+    "The poses of two graphs are matched by id. The poses of two TUM files (lines of the form\n"
+    "\"time x y z qx qy qz qw\") are matched by time: two poses match if each is the nearest in time to\n"
+    "the other one and they are at most --max-difference apart. Landmarks are ignored.\n"
+    "ATE, the absolute trajectory error, is the distance of each position from the true position, after\n"
+    "the whole result has been aligned with the truth. RPE, the relative pose error, is the error of\n"
+    "the motion from one pose to a later pose.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
@@ -29,7 +30,7 @@ constexpr const char* kFooter =
     "  boxplus compare after.g2o truth.g2o\n"
     "  boxplus compare estimate.txt groundtruth.txt --scale --distance 10 --json - | jq .ate_m.rmse\n"
     "\n"
-    "Exit codes: 0 compared, 2 bad input or usage, or no pose of the result matches one of the truth.";
+    "Exit codes: 0 compared; 2 bad input or usage, or no poses match.";
 
 struct CompareArguments {
   std::string result, truth, json;
@@ -45,9 +46,9 @@ Comparison compare(const CompareArguments& arguments) {
   const Trajectory truth = read_trajectory(arguments.truth, arguments.reading);
   const std::vector<PosePair> pairs = matched(result, truth, arguments.most_seconds);
   if (pairs.empty()) {
-    throw FileError(fmt::format("{}: expected poses with the {} of {}, found none",
-                                input_name(arguments.result), truth.is_timed ? "times" : "ids",
-                                input_name(arguments.truth)));
+    throw FileError(fmt::format("{}: expected poses that match {} by {}, found none",
+                                input_name(arguments.result), input_name(arguments.truth),
+                                truth.is_timed ? "time" : "id"));
   }
   Comparison comparison;
   comparison.result = input_name(arguments.result);
@@ -84,27 +85,31 @@ void add_options(CLI::App& command, CompareArguments& arguments) {
   add_choice(
       command, "--align", arguments.alignment,
       {{"rigid", AlignmentKind::kRigid}, {"first", AlignmentKind::kFirst}, {"none", AlignmentKind::kNone}},
-      "How the result is aligned with the truth: with the least squared distances (Umeyama), so that the "
-      "first poses agree, or not at all");
-  command.add_flag("--scale", arguments.scale, "Let --align rigid also choose the scale");
+      "How to align the result with the truth; rigid: minimize the sum of squared distances (Umeyama); "
+      "first: let the first poses agree; none: do not align");
+  command.add_flag("--scale", arguments.scale, "Let --align rigid also estimate the scale");
   command
       .add_option("--max-difference", arguments.most_seconds,
                   "TUM files: match poses that are at most this many seconds apart")
       ->type_name("SECONDS")
       ->check(number_from(0))
       ->capture_default_str();
-  CLI::Option* steps =
-      command.add_option("--steps", arguments.span.steps, "RPE over this many of the matched poses")
-          ->type_name("N")
-          ->check(whole_number_from(1))
-          ->capture_default_str();
-  command.add_option("--distance", arguments.span.distance, "RPE over this many meters of the truth instead")
+  CLI::Option* steps = command
+                           .add_option("--steps", arguments.span.steps,
+                                       "Compute the RPE between matched poses that are this many poses apart")
+                           ->type_name("N")
+                           ->check(whole_number_from(1))
+                           ->capture_default_str();
+  command
+      .add_option("--distance", arguments.span.distance,
+                  "Instead of --steps: compute the RPE between poses that are this many meters apart along "
+                  "the true path")
       ->type_name("METERS")
       ->check(number_above(0))
       ->excludes(steps);
   command
       .add_option("--json", arguments.json,
-                  "Where to write the result as JSON; - is stdout, and replaces the text")
+                  "Where to write the result as JSON; - is stdout, and then no text is printed")
       ->type_name("FILE")
       ->check(file_name())
       ->group("Output");

@@ -23,9 +23,10 @@ std::string how_aligned(const Comparison& comparison) {
     case AlignmentKind::kRigid:
       return comparison.alignment.scale == 1
                  ? "after the best rigid alignment"
-                 : fmt::format("after the best alignment with the scale {:.6g}", comparison.alignment.scale);
+                 : fmt::format("after the best rigid alignment and scaling by {:.6g}",
+                               comparison.alignment.scale);
     case AlignmentKind::kFirst:
-      return "after aligning the first pose with its truth";
+      return "after aligning the first pose with the first true pose";
     default:
       return "without alignment";
   }
@@ -65,8 +66,8 @@ std::string comparison_text(const Comparison& comparison) {
   table.add(row("RPE [m]", comparison.relative.translation, 1));
   table.add(row("RPE [deg]", comparison.relative.rotation, kDegree));
   return fmt::format(
-      "{} against {}: {} of {} poses, {} of {} of the truth\n\n{}\n"
-      "ATE: positions {}. RPE: motions {}.\n",
+      "{} against {}: {} of {} poses match {} of {} true poses\n\n{}\n"
+      "ATE: errors of positions {}. RPE: errors of motions {}.\n",
       escaped(comparison.result), escaped(comparison.truth), comparison.matched, comparison.result_poses,
       comparison.matched, comparison.truth_poses, table.text(), how_aligned(comparison),
       how_far_apart(comparison.span));

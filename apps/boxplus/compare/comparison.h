@@ -9,7 +9,7 @@
 namespace boxplus::app {
 
 struct Comparison {
-  std::string result, truth;  ///< names of the files
+  std::string result, truth;  ///< the names of the files
   std::size_t result_poses = 0, truth_poses = 0, matched = 0;
   AlignmentKind kind = AlignmentKind::kRigid;
   Alignment alignment;

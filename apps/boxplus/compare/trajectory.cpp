@@ -12,7 +12,8 @@
 namespace boxplus::app {
 namespace {
 
-/// Graph files begin their lines with tags, TUM files with times.
+/// Returns true if the text is a TUM file. Lines of TUM files begin with times, lines of graph files with
+/// tags.
 bool is_tum(std::string_view text) {
   while (!text.empty()) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -32,7 +33,7 @@ TrajectoryPose pose_of(const detail::Frame& frame, Id id) {
     for (int column = 0; column < frame.dimension; ++column)
       pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
   }
-  // The length of a quaternion from a file has rounding errors, so it must be normalized.
+  // Files contain quaternions with rounding errors, so the rotation must be normalized.
   pose.rotation = detail::rotation_matrix(detail::normalized(detail::quaternion_of(pose.rotation)));
   return pose;
 }
@@ -50,13 +51,14 @@ Trajectory poses_of(const Graph& graph, const std::string& name) {
   return trajectory;
 }
 
-/// Throws if a position is so far away that the square of a length could overflow.
+/// Throws FileError if a position is so far from the origin that its squared length could overflow.
 void require_bounded(const Trajectory& trajectory, const std::string& name) {
   constexpr double kFarthest = 1e100;
   for (const TrajectoryPose& pose : trajectory.poses) {
     if (pose.position.cwiseAbs().maxCoeff() < kFarthest && pose.rotation.allFinite()) continue;
-    throw FileError(fmt::format("{}: expected poses within {:g} m of the origin; {} {} is farther away", name,
-                                kFarthest, trajectory.is_timed ? "line" : "vertex", pose.id));
+    throw FileError(
+        fmt::format("{}: expected poses within {:g} m of the origin; the pose of {} {} is farther away", name,
+                    kFarthest, trajectory.is_timed ? "line" : "vertex", pose.id));
   }
 }
 
@@ -71,13 +73,14 @@ Trajectory read_trajectory(const std::string& path, const ReadOptions& reading) 
   }
   const GraphFile file = parse_input(text, path, reading);
   print_notes(file, path);
-  if (file.vertices_created) throw FileError(name + ": expected poses, got edges only: optimize it first");
+  if (file.vertices_created)
+    throw FileError(name + ": expected poses, got a file with edges only; optimize it first");
   return trajectory_of(file.graph, name);
 }
 
 Trajectory trajectory_of(const Graph& graph, const std::string& name) {
   Trajectory trajectory = poses_of(graph, name);
-  if (trajectory.poses.empty()) throw FileError(name + ": expected poses, got a graph without any");
+  if (trajectory.poses.empty()) throw FileError(name + ": expected poses, got a graph without poses");
   require_bounded(trajectory, name);
   return trajectory;
 }

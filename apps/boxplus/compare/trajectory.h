@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The poses of a path, as `boxplus compare` reads them.
+// The poses of a trajectory, which `boxplus compare` reads from a graph or a TUM file.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,29 @@ namespace boxplus::app {
 
 /// A pose T_world_body. In the plane, z is 0 and the rotation is about z.
 struct TrajectoryPose {
-  double time = 0;  ///< seconds; 0 in a graph
-  Id id = 0;        ///< of the vertex; in a TUM file, the number of the line
+  double time = 0;  ///< the time in seconds; 0 if the pose is from a graph
+  Id id = 0;        ///< the id of the vertex; if the pose is from a TUM file, the line number
   Matrix<double, 3, 3> rotation = Matrix<double, 3, 3>::Identity();
-  Vector3 position = Vector3::Zero();  ///< meters
+  Vector3 position = Vector3::Zero();  ///< the position in meters
 };
 
 struct Trajectory {
   bool is_timed = false;                   ///< true for a TUM file: its poses have times instead of ids
-  int dimension = 3;                       ///< 2 or 3
-  std::vector<TrajectoryPose> poses = {};  ///< sorted by time, or by id; no two are equal
+  int dimension = 3;                       ///< the dimension of the world: 2 or 3
+  std::vector<TrajectoryPose> poses = {};  ///< sorted by time or by id; no two have equal times or ids
 };
 
-/// Reads the poses of a graph (without its landmarks), or of a TUM file: "time x y z qx qy qz qw" per line. A
-/// file is a TUM file if its first line that is neither blank nor a comment begins with a number. Throws
-/// FileError, and InputError with the position of the error.
+/// Reads the poses of a graph (without its landmarks) or of a TUM file, whose lines have the form "time x y z
+/// qx qy qz qw". A file is a TUM file if its first line that is neither blank nor a comment begins with a
+/// number. Throws FileError if the file cannot be read or has no valid trajectory. Throws InputError, with
+/// the position of the error, if a line is malformed.
 Trajectory read_trajectory(const std::string& path, const ReadOptions& reading);
 
-/// The poses of a graph; messages call it `name`. Throws FileError if it has no poses, if it has poses in the
-/// plane and in space, or if a pose is farther than 1e100 m away.
+/// Returns the poses of a graph. Messages call the graph `name`. Throws FileError if the graph has no poses,
+/// if it has poses both in the plane and in space, or if a pose is more than 1e100 m away from the origin.
 Trajectory trajectory_of(const Graph& graph, const std::string& name);
 
-/// Parses a TUM file; messages call it `name`.
+/// Parses a TUM file. Messages call the file `name`.
 Trajectory parse_tum(std::string_view text, const std::string& name);
 
 }  // namespace boxplus::app

@@ -7,7 +7,8 @@
 namespace boxplus::app {
 namespace {
 
-/// The distance (meters) that the truth has traveled up to each pair.
+/// Returns, for each pair, the distance in meters that the truth has traveled from the first pair to this
+/// pair.
 std::vector<double> traveled(const std::vector<PosePair>& pairs) {
   std::vector<double> lengths(pairs.size(), 0);
   for (std::size_t k = 1; k < pairs.size(); ++k)
@@ -15,7 +16,7 @@ std::vector<double> traveled(const std::vector<PosePair>& pairs) {
   return lengths;
 }
 
-/// Calls f(begin, end) for each two pairs that the span compares.
+/// Calls f(begin, end) for all combinations of two pairs that `span` selects.
 template <class F>
 void for_each_span(const std::vector<PosePair>& pairs, const RelativeSpan& span, F&& f) {
   if (span.distance > 0) {
@@ -31,7 +32,7 @@ void for_each_span(const std::vector<PosePair>& pairs, const RelativeSpan& span,
   }
 }
 
-/// P₁⁻¹ P₂, its translation times `scale`.
+/// Returns P₁⁻¹ P₂, with its translation multiplied by `scale`.
 TrajectoryPose motion(const TrajectoryPose& first, const TrajectoryPose& second, double scale) {
   TrajectoryPose result;
   result.rotation = first.rotation.transpose() * second.rotation;
@@ -39,7 +40,8 @@ TrajectoryPose motion(const TrajectoryPose& first, const TrajectoryPose& second,
   return result;
 }
 
-/// ‖R − I‖² = 8 sin²(θ/2), which unlike the trace keeps the digits of small angles.
+/// Computes the angle from ‖R − I‖² = 8 sin²(θ/2). Unlike the trace of R, this norm is accurate for small
+/// angles.
 double angle_of(const Matrix<double, 3, 3>& rotation) {
   const double half_sine = (rotation - Matrix<double, 3, 3>::Identity()).norm() / std::sqrt(8.0);
   return 2 * std::asin(std::min(1.0, half_sine));

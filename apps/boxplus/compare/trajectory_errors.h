@@ -10,30 +10,32 @@
 
 namespace boxplus::app {
 
-/// Statistics of a list of lengths or angles; all 0 if it is empty.
+/// Statistics of a list of lengths or angles. If the list is empty, all of them are 0.
 struct ErrorStatistics {
   std::size_t count = 0;
   double rmse = 0, mean = 0, median = 0, max = 0;
 };
 ErrorStatistics statistics(std::vector<double> errors);
 
-/// The distances of the aligned positions from the true ones, in meters.
+/// Returns the statistics of the distances, in meters, between the aligned positions and the true positions.
 ErrorStatistics absolute_error(const std::vector<PosePair>& pairs, const Alignment& alignment);
 
-/// The poses that the relative error compares. Two poses are `steps` pairs apart. If `distance` is above 0,
-/// the second is instead the first pose that the truth reaches after this many meters.
+/// Selects the poses between which the relative error is computed. If `distance` is 0, the second pose is
+/// `steps` pairs after the first pose. If `distance` is above 0, the second pose is the first one that the
+/// truth reaches after this many meters.
 struct RelativeSpan {
   int steps = 1;
   double distance = 0;
 };
 
 struct RelativeError {
-  ErrorStatistics translation;  ///< meters
-  ErrorStatistics rotation;     ///< radians, in [0, π]
+  ErrorStatistics translation;  ///< lengths in meters
+  ErrorStatistics rotation;     ///< angles in radians, from 0 to π
 };
 
-/// E = (Q₁⁻¹ Q₂)⁻¹ (P₁⁻¹ P₂), with true poses Q and poses P of the result: its translation and angle. The
-/// alignment matters only through its scale. O(n).
+/// Returns the statistics of the translation and the angle of E = (Q₁⁻¹ Q₂)⁻¹ (P₁⁻¹ P₂). The poses Q are from
+/// the truth and the poses P are from the result. `scale` is the scale of the alignment; its rotation and
+/// translation have no effect. Takes O(n) time.
 RelativeError relative_error(const std::vector<PosePair>& pairs, double scale, const RelativeSpan& span);
 
 }  // namespace boxplus::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trajectories in the form of the TUM RGB-D benchmark: one pose per line, "time x y z qx qy qz qw" (Sturm et
-// al., A benchmark for the evaluation of RGB-D SLAM systems, IROS 2012).
+// Reads trajectories in the format of the TUM RGB-D benchmark: each line is a pose, "time x y z qx qy qz qw"
+// (Sturm et al., A benchmark for the evaluation of RGB-D SLAM systems, IROS 2012).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace boxplus::app {
 namespace {
 
-/// A quaternion shorter (or longer) than this is an error of the file, not of rounding.
+/// The limits for the length of a quaternion. Outside of these limits, the file is wrong, because rounding
+/// errors are much smaller.
 constexpr double kShortest = 0.5, kLongest = 2;
 
 detail::Quaternion<double> read_quaternion(FieldReader& in) {
@@ -56,7 +57,7 @@ void sort_by_time(std::vector<TrajectoryPose>& poses, const std::string& name) {
   if (twice == poses.end()) return;
   throw InputError(
       name, (twice + 1)->id, 1,
-      fmt::format("expected a time different from that of line {}, got {}", twice->id, twice->time));
+      fmt::format("expected a time that differs from the time of line {}, got {}", twice->id, twice->time));
 }
 
 }  // namespace

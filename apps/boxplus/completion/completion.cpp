@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus completion SHELL: prints a script that completes the command line in that shell.
+// boxplus completion SHELL: prints a script that lets the shell complete command lines of boxplus.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,12 +18,13 @@ using Script = std::string (*)(const CommandDescription&);
 
 void add_completion(CLI::App& app, Action& action) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Prints a script that completes boxplus in a shell");
+  CLI::App* command =
+      app.add_subcommand("completion", "Prints a script that lets a shell complete boxplus command lines");
   command->add_option("SHELL", *shell, "The shell")->required()->check(one_of({"bash", "zsh", "fish"}));
   command->footer(
       "Examples:\n"
-      "  source <(boxplus completion bash)        # this shell; in ~/.bashrc: every shell\n"
-      "  source <(boxplus completion zsh)         # after compinit\n"
+      "  source <(boxplus completion bash)        # for this shell; in ~/.bashrc, for every shell\n"
+      "  source <(boxplus completion zsh)         # for this shell; must come after compinit\n"
       "  boxplus completion fish | source");
   command->callback([&app, &action, shell] {
     action = [&app, shell] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scripts that complete the command line, one per shell.
+// Generates one script per shell. Each script completes command lines of boxplus.
 #pragma once
 
 #include <string>

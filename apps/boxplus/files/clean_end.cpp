@@ -13,7 +13,7 @@ void end_cleanly_on_signals() {
   }
 }
 
-/// Must contain async-signal-safe calls only.
+/// May call only async-signal-safe functions.
 extern "C" void end_cleanly(int signal) {
   remove_temporary_files();
   std::signal(signal, SIG_DFL);

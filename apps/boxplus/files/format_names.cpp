@@ -32,8 +32,8 @@ std::string writable_formats() {
 void require_writable_format(const std::string& path) {
   const FileFormat* format = default_formats().of_path(path);
   if (!format || format->write) return;
-  throw InvalidArgument(fmt::format("{}: expected a {} file to write; {} is read-only", path,
-                                    writable_formats(), format->label()));
+  throw InvalidArgument(fmt::format("{}: expected a {} file as output, because boxplus can only read {}",
+                                    path, writable_formats(), format->label()));
 }
 
 }  // namespace boxplus::app

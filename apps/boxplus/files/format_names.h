@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File formats, as help texts and messages list them.
+// Lists of file formats for help texts and messages.
 #pragma once
 
 #include <string>
 
 namespace boxplus::app {
 
-/// ".g2o, TORO's .graph": the formats that can be read.
+/// Returns the formats that boxplus can read: ".g2o, TORO's .graph".
 std::string readable_formats();
 
-/// The help text of an argument that names a graph.
+/// Returns the help text of an argument that is the file name of a graph.
 std::string graph_to_read();
 
-/// ".g2o": the formats that can be written.
+/// Returns the formats that boxplus can write: ".g2o".
 std::string writable_formats();
 
-/// Throws InvalidArgument if a path has the extension of a read-only format.
+/// Throws InvalidArgument if `path` has the extension of a format that boxplus can read but not write.
 void require_writable_format(const std::string& path);
 
 }  // namespace boxplus::app

@@ -40,8 +40,8 @@ std::string read_all(std::FILE* file, const std::string& path) {
   }
 }
 
-/// Throws if there are neither vertices nor edges. Such a file is most likely not a graph, and notes on each
-/// of its lines would not help anybody.
+/// Throws InputError if the file has neither vertices nor edges. Such a file is most likely not a graph, so
+/// notes about each of its lines would not help anybody.
 void require_graph(const GraphFile& file, const std::string& path) {
   if (file.graph.vertex_count() > 0 || file.graph.edge_count() > 0) return;
   std::string message = "expected a vertex or an edge, got the end of the file";
@@ -59,7 +59,7 @@ void require_graph(const GraphFile& file, const std::string& path) {
   throw InputError(input_name(path), file.lines + 1, 1, message);
 }
 
-/// Computes the chordal guess for vertices without an estimate in the file.
+/// Computes initial estimates (the chordal guess) for the vertices of a file that contains only edges.
 void place_vertices(Graph& graph, const std::string& path) {
   Options guess_only;
   guess_only.start = Start::kChordal;
@@ -67,19 +67,21 @@ void place_vertices(Graph& graph, const std::string& path) {
   const Report report = optimize(graph, guess_only);
   print_message(
       report.start.note.empty()
-          ? fmt::format("{}: the created vertices start at an initial guess from the edges", input_name(path))
-          : fmt::format("{}: the created vertices stay at the origin: {}", input_name(path),
-                        report.start.note));
+          ? fmt::format("{}: the file has no estimates; initial estimates were computed from the edges",
+                        input_name(path))
+          : fmt::format("{}: the file has no estimates; all vertices start at the origin: {}",
+                        input_name(path), report.start.note));
 }
 
-/// Checks "OLD=NEW"; NEW must be a tag that boxplus reads.
+/// Checks that the text has the form "OLD=NEW" and that boxplus can read the tag NEW. Returns an error
+/// message, or an empty string if the text is valid.
 std::string complaint_about_rename(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     return fmt::format("expected OLD=NEW[,OLD=NEW…], got '{}'", text);
   const std::string known = text.substr(equals + 1);
   if (default_registry().find(known)) return {};
-  return fmt::format("expected a tag that boxplus reads after '{}=', got '{}'", text.substr(0, equals),
+  return fmt::format("expected a tag that boxplus can read after '{}=', got '{}'", text.substr(0, equals),
                      known);
 }
 
@@ -104,7 +106,9 @@ std::string read_text(const std::string& path) {
 }
 
 void add_reading_options(CLI::App& command, ReadOptions& options) {
-  command.add_flag("--lenient", options.lenient, "Skip, name and count lines that cannot be read")
+  command
+      .add_flag("--lenient", options.lenient,
+                "Skip lines that cannot be read, and report their number and the first errors")
       ->group("Reading");
   const auto add_renames = [&options](const std::string& text) {
     for (const std::string& rename : CLI::detail::split(text, ',')) {
@@ -114,7 +118,7 @@ void add_reading_options(CLI::App& command, ReadOptions& options) {
   };
   command
       .add_option_function<std::string>("--rename", add_renames,
-                                        "Read the tag OLD of the file as the tag NEW")
+                                        "Treat the tag OLD in the file as the tag NEW")
       ->type_name("OLD=NEW,...")
       ->check(CLI::Validator(complaint_about_renames, ""))
       ->join(',')
@@ -153,7 +157,7 @@ void print_notes(const GraphFile& file, const std::string& path) {
     print_message(fmt::format("{}: {}{}", place, note.skipped ? "skipped: " : "", note.text));
   }
   if (file.notes.size() > kShown)
-    print_message(fmt::format("{}: … and {} more such notes", name, file.notes.size() - kShown));
+    print_message(fmt::format("{}: … and {} more notes", name, file.notes.size() - kShown));
 }
 
 void save_graph(const std::string& path, const GraphFile& file) {

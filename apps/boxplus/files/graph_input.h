@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads and writes the graphs of the sub-commands: files, or standard input and output.
+// Reads and writes graphs for the sub-commands, from and to files or standard input and output.
 #pragma once
 
 #include <string>
@@ -12,29 +12,32 @@ class App;
 
 namespace boxplus::app {
 
-/// The path that means standard input or output.
+/// The path that stands for standard input or standard output.
 inline constexpr const char* kStandardStream = "-";
 
-/// "<stdin>" for "-", else the path.
+/// Returns "<stdin>" for "-", and otherwise the path.
 std::string input_name(const std::string& path);
 
-/// All bytes of a file or of standard input. Throws FileError.
+/// Reads a whole file or standard input. Throws FileError if this fails.
 std::string read_text(const std::string& path);
 
-/// Adds --lenient and --rename, which fill `options`.
+/// Adds the options --lenient and --rename, which set `options`.
 void add_reading_options(CLI::App& command, ReadOptions& options);
 
-/// Reads a graph. Throws FileError, and InputError if the file has neither a vertex nor an edge.
+/// Reads a graph. Throws FileError if the file cannot be read. Throws InputError if the file is malformed, or
+/// if it has neither a vertex nor an edge.
 GraphFile read_input(const std::string& path, const ReadOptions& options = {});
-/// The same from the text of the file.
+/// Like read_input(), but parses `text`, which is the content of the file. Messages contain `path`.
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);
 
-/// Reads a graph, prints the notes about its file, and computes estimates if the file has edges only.
+/// Reads a graph and prints the notes about the file. If the file has edges only, also computes initial
+/// estimates.
 GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
-/// Prints one message per note, up to a limit.
+/// Prints one message per note. If there are many notes, prints only the first ones and the number of all
+/// others.
 void print_notes(const GraphFile& file, const std::string& path);
 
-/// Writes a .g2o file, or to standard output. Throws FileError.
+/// Writes a graph to a file or, as .g2o, to standard output. Throws FileError if this fails.
 void save_graph(const std::string& path, const GraphFile& file);
 
 }  // namespace boxplus::app

@@ -20,7 +20,7 @@ bool is_stdout(const Output& output) {
   return output.path == kStandardStream || output.path == "/dev/stdout";
 }
 
-/// The absolute path with symlinks resolved; empty if it cannot be determined.
+/// Returns the absolute path with all symlinks resolved, or an empty path if it cannot be determined.
 std::filesystem::path place_of(const std::string& path) {
   std::error_code none;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
@@ -30,8 +30,8 @@ bool are_same(const Output& a, const Output& b) {
   if (a.path.empty() || b.path.empty()) return false;
   if (is_stdout(a) || is_stdout(b)) return is_stdout(a) && is_stdout(b);
   std::error_code none;
-  if (std::filesystem::is_character_file(a.path, none)) return false;  // /dev/null accepts many outputs
-  if (std::filesystem::equivalent(a.path, b.path, none)) return true;  // hard links too
+  if (std::filesystem::is_character_file(a.path, none)) return false;  // several outputs may go to /dev/null
+  if (std::filesystem::equivalent(a.path, b.path, none)) return true;  // also true for hard links
   const std::filesystem::path place = place_of(a.path);
   return !place.empty() && place == place_of(b.path);
 }
@@ -61,7 +61,7 @@ void refuse_to_replace(const Output& output, const std::vector<std::string>& inp
   for (const std::string& input : inputs) {
     if (input != kStandardStream && are_same(output, {"", input})) {
       throw InvalidArgument(
-          fmt::format("{}: expected a file different from the input '{}'", output.option, input));
+          fmt::format("{}: expected a file other than the input '{}'", output.option, input));
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The outputs of a sub-command: files, or standard output.
+// The outputs of a sub-command: files or standard output.
 #pragma once
 
 #include <string>
@@ -9,29 +9,30 @@
 namespace boxplus::app {
 
 struct Output {
-  const char* option;  ///< the option that names it, for messages
-  std::string path;    ///< "-": standard output; empty: none
+  const char* option;  ///< the option that names the output, for messages
+  std::string path;    ///< "-" means standard output; an empty path means no output
 };
 
-/// Call before any work: throws InvalidArgument if two outputs are the same, and FileError if an output
-/// cannot be written.
+/// Must be called before any other work. Throws InvalidArgument if two outputs are the same file, and
+/// FileError if an output cannot be written.
 void check_outputs(const std::vector<Output>& outputs);
 
-/// Call before any work: throws InvalidArgument if the output would replace one of the inputs, because an
-/// output is never the same kind of file as an input.
+/// Must be called before any other work. Throws InvalidArgument if the output would replace one of the
+/// inputs. This is always a mistake, because the output is a different kind of file than the inputs.
 void refuse_to_replace(const Output& output, const std::vector<std::string>& inputs);
 
-/// "<stdout>" for "-", else the path.
+/// Returns "<stdout>" for "-", and otherwise the path.
 std::string output_name(const std::string& path);
 
-/// True if one of the outputs is standard output, which then must contain nothing else.
+/// Returns true if one of the outputs is standard output. If so, nothing else may be written to it.
 bool takes_stdout(const std::vector<Output>& outputs);
 
-/// Writes a summary for the user: to stdout, or to stderr if stdout holds one of the outputs. Throws
-/// FileError if stdout cannot be written.
+/// Writes a summary for the user to stdout, or to stderr if stdout is one of the outputs. Throws FileError if
+/// stdout cannot be written.
 void print_summary(const std::vector<Output>& outputs, std::string_view text);
 
-/// Replaces a file completely or not at all, or writes to standard output. Throws FileError.
+/// Writes `text` to standard output or a file. A file is replaced either completely or not at all. Throws
+/// FileError if writing fails.
 void write_output(const std::string& path, std::string_view text);
 
 }  // namespace boxplus::app

@@ -29,7 +29,7 @@ class Sets {
   }
 
  private:
-  std::unordered_map<Id, std::size_t> index_;  // in the order of the ids
+  std::unordered_map<Id, std::size_t> index_;  // the index of each vertex if vertices are sorted by id
   std::vector<std::size_t> parent_;
 };
 
@@ -50,7 +50,7 @@ void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFac
     const std::vector<Id> ids = ids_of(graph, edge);
     for (const Id id : ids) sets.join(ids.front(), id);
   }
-  std::unordered_map<std::size_t, ComponentFacts> components;  // by the root of their set
+  std::unordered_map<std::size_t, ComponentFacts> components;  // the key is the root of the set
   for (const VertexRef& vertex : graph.all_vertices()) {
     const Id id = graph.id(vertex);
     ComponentFacts& component = components[sets.find(id)];

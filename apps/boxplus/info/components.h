@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The connected components of a graph, and the vertices and edges that hold each in place.
+// Finds the connected components of a graph, and the vertices and edges that hold each component in place.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace boxplus::app {
 
-/// Fills components and isolated. O(n log n).
+/// Sets `facts.components` and `facts.isolated`. Takes O(n log n) time.
 void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFacts& facts);
 
 }  // namespace boxplus::app

@@ -18,7 +18,7 @@ bool begins_edge(std::string_view line, const ReadOptions& reading) {
   return tag && tag->kind == Tag::Kind::kEdge;
 }
 
-/// The lines that a lenient reader skipped.
+/// Returns the numbers of the lines that the reader skipped because it was lenient.
 std::set<std::int64_t> skipped_lines(const GraphFile& file) {
   std::set<std::int64_t> lines;
   for (const GraphFile::Note& note : file.notes) {

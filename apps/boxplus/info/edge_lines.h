@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of the edges in a graph file.
+// Finds the line numbers of the edges in a graph file.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace boxplus::app {
 
-/// The line of each edge of file.edges in the text from which `file` was read. Empty if skipped lines with
-/// edges make the lines uncertain.
+/// Returns the line number of each edge in `file.edges`. `text` is the text from which `file` was read.
+/// Returns an empty list if the number of lines with edges differs from the number of edges, because the line
+/// numbers are uncertain then.
 std::vector<std::int64_t> find_edge_lines(std::string_view text, const GraphFile& file,
                                           const ReadOptions& reading);
 

@@ -22,7 +22,7 @@ std::string tag_or_type(const Graph& graph, EdgeRef edge) {
   return tag ? tag->name : std::string(graph.edge_pools()[edge.pool]->type_name());
 }
 
-/// The sort key for the worst edges: chi2, or infinity if chi2 is NaN.
+/// Returns the sort key for the worst edges: chi2, or infinity if chi2 is NaN.
 double badness(double chi2) {
   return std::isnan(chi2) ? std::numeric_limits<double>::infinity() : chi2;
 }
@@ -47,7 +47,7 @@ std::map<VertexRef, std::size_t> count_degrees(const Graph& graph) {
 void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, VertexTypeFacts& type) {
   type.degrees.min = type.count == 0 ? degree : std::min(type.degrees.min, degree);
   type.degrees.max = std::max(type.degrees.max, degree);
-  type.degrees.mean += static_cast<double>(degree);  // a sum until all degrees are known
+  type.degrees.mean += static_cast<double>(degree);  // the sum; find_vertex_types() divides it by the count
   ++type.count;
   if (graph.is_fixed(vertex)) {
     ++type.fixed;

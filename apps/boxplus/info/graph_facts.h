@@ -22,47 +22,49 @@ struct VertexTypeFacts {
   VertexRole role = VertexRole::kOther;
   bool parameter = false;
   std::size_t count = 0, fixed = 0, unknowns = 0;
-  Degrees degrees;  ///< edges per vertex
+  Degrees degrees;  ///< the number of edges per vertex
 };
 
 struct EdgeFacts {
   EdgeRef edge;
   std::string tag;
-  std::vector<Id> vertices;  ///< without parameters
+  std::vector<Id> vertices;  ///< the ids of the vertices, without parameters
   double chi2 = 0;
-  std::int64_t line = 0;  ///< of the file; 0: unknown
+  std::int64_t line = 0;  ///< the line in the file; 0 if it is not known
 };
 
 struct EdgeTypeFacts {
   std::string tag;
-  std::size_t count = 0, rows = 0;  ///< rows of error, summed over all edges
+  std::size_t count = 0, rows = 0;  ///< `rows` is the sum of the rows (dimensions) of the errors of all edges
   double chi2 = 0;
   EdgeFacts worst;
 };
 
-/// A set of vertices connected by edges; parameters do not connect.
+/// A set of vertices that edges connect. Parameters do not connect vertices.
 struct ComponentFacts {
-  Id first = 0;  ///< lowest id
+  Id first = 0;  ///< the lowest id of its vertices
   std::size_t vertices = 0, edges = 0;
-  std::vector<Id> fixed, held;  ///< fixed by the file; held by optimize, because nothing else holds them
+  std::vector<Id> fixed;  ///< the vertices that the file fixes
+  std::vector<Id> held;   ///< the vertices that optimize holds, because nothing else holds the component
   std::size_t priors = 0;
-  std::string_view free;  ///< motions that change no error, beyond those that optimize holds; may be empty
+  /// The motions that change no error even if `held` is held; empty if there are none.
+  std::string_view free;
 };
 
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
-  std::array<std::size_t, kEdgeRoles> roles{};  ///< edges by EdgeRole
-  std::vector<ComponentFacts> components;       ///< largest first; without single vertices that have no edges
-  std::vector<Id> isolated;                     ///< vertices without edges
-  std::vector<EdgeFacts> worst;                 ///< largest chi2 first
+  std::array<std::size_t, kEdgeRoles> roles{};  ///< the number of edges with each EdgeRole
+  std::vector<ComponentFacts> components;       ///< all components but isolated vertices, the largest first
+  std::vector<Id> isolated;                     ///< the ids of the vertices without edges
+  std::vector<EdgeFacts> worst;                 ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   double chi2 = 0;
-  int dimension = 0;               ///< of the world; 0: no vertex has a position
-  std::array<double, 3> extent{};  ///< of all positions, meters
+  int dimension = 0;               ///< the dimension of the world; 0 if no vertex has a position
+  std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
 };
 
-/// `edge_lines` is the result of find_edge_lines(); `worst` is the number of edges to list.
+/// Finds all facts. `edge_lines` is the result of find_edge_lines(); `worst` is the number of edges to list.
 GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& edge_lines, std::size_t worst);
 
 }  // namespace boxplus::app

@@ -51,7 +51,7 @@ void add_info(CLI::App& app, Action& action) {
       ->group("Output");
   command
       ->add_option("--json", arguments->json,
-                   "Where to write the result as JSON; - is stdout, and replaces the text")
+                   "Where to write the result as JSON; - is stdout, and then no text is printed")
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");

@@ -114,7 +114,7 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"kept_lines", file.kept.size()},
                      {"skipped_lines", file.skipped},
                      {"notes", notes_json(file)}};
-  // Tags and notes may contain text of the file: bytes that are not UTF-8 are replaced.
+  // Tags and notes may contain text from the file, so bytes that are not valid UTF-8 are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

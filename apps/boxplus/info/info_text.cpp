@@ -34,7 +34,7 @@ std::size_t count_of(const GraphFacts& facts, VertexRole role) {
   return count;
 }
 
-/// "1250  (1200 poses, 50 landmarks)", without kinds whose count is 0.
+/// Returns a text such as "1250  (1200 poses, 50 landmarks)". Kinds whose count is 0 are left out.
 std::string with_kinds(std::size_t total, const std::vector<std::pair<std::size_t, std::string>>& kinds) {
   std::vector<std::string> parts;
   for (const auto& [count, name] : kinds) {
@@ -67,7 +67,7 @@ std::string extent_text(const GraphFacts& facts) {
   return text + " m";
 }
 
-/// chi2 or a ratio of two values of it, with `digits` digits; NaN is printed without its sign.
+/// Returns chi2, or a ratio of two chi2 values, with `digits` digits. NaN is printed without a sign.
 std::string number(double value, int digits) {
   return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, digits);
 }
@@ -131,8 +131,8 @@ std::string anchor_text(const ComponentFacts& component) {
   if (component.priors > 0)
     anchors.push_back(fmt::format("{} prior{}", component.priors, component.priors == 1 ? "" : "s"));
   if (!component.held.empty()) {
-    anchors.push_back(
-        fmt::format("{}optimize holds vertex {}", anchors.empty() ? "nothing: " : "", list(component.held)));
+    anchors.push_back(fmt::format("{}optimize will hold vertex {}", anchors.empty() ? "nothing; " : "",
+                                  list(component.held)));
   }
   if (!component.free.empty()) anchors.push_back(fmt::format("free: {}", component.free));
   return anchors.empty() ? "nothing" : fmt::format("{}", fmt::join(anchors, "; "));
@@ -149,7 +149,7 @@ std::string components_text(const GraphFacts& facts) {
     }
     text = "\n" + table.text();
     if (facts.components.size() > kShownComponents)
-      text += fmt::format("  … and {} smaller ones\n", facts.components.size() - kShownComponents);
+      text += fmt::format("  … and {} smaller components\n", facts.components.size() - kShownComponents);
   }
   if (!facts.isolated.empty()) {
     text += fmt::format("\n  without edges: vert{} {}\n", facts.isolated.size() == 1 ? "ex" : "ices",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The role of an edge in a trajectory: odometry, loop closure, observation …
+// The roles of edges in a trajectory: odometry, loop closure, observation …
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,19 @@ enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
 
 enum class EdgeRole : std::uint8_t {
-  kOdometry,     ///< between consecutive poses by id (landmarks in between are ignored)
-  kLoopClosure,  ///< between other poses
-  kObservation,  ///< of a landmark
-  kPrior,        ///< of one vertex
+  kOdometry,     ///< an edge between poses with consecutive ids, apart from ids of landmarks
+  kLoopClosure,  ///< an edge between other poses
+  kObservation,  ///< an edge with a landmark
+  kPrior,        ///< an edge with only one vertex
   kOther
 };
 inline constexpr std::size_t kEdgeRoles = 5;
 
-/// "loop closure", "loop closures" …
+/// Returns the name of a role for `count` edges, such as "loop closure" or "loop closures".
 std::string_view name_of(EdgeRole role, std::size_t count);
 
-/// Finds the roles of edges. The structure of the graph must not change meanwhile. O(n log n).
+/// Finds the roles of edges. While an EdgeRoles exists, the structure of its graph must not change. The
+/// constructor takes O(n log n) time.
 class EdgeRoles {
  public:
   explicit EdgeRoles(const Graph& graph);
@@ -33,7 +34,7 @@ class EdgeRoles {
 
  private:
   const Graph* graph_;
-  std::unordered_map<Id, std::size_t> rank_;  ///< the rank of each pose when poses are sorted by id
+  std::unordered_map<Id, std::size_t> rank_;  ///< the index of each pose if poses are sorted by id
 };
 
 }  // namespace boxplus::app

@@ -9,7 +9,7 @@ namespace {
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-/// Must contain async-signal-safe calls only.
+/// May call only async-signal-safe functions.
 extern "C" void raise_flag(int /*signal*/) {
   interrupted.store(true);
   std::signal(SIGINT, end_cleanly);

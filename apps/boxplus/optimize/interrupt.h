@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ctrl-C (and SIGTERM) as a request to stop soon and keep the result so far.
+// Makes Ctrl-C (SIGINT) and SIGTERM requests to stop soon and keep the result so far.
 #pragma once
 
 #include <atomic>
@@ -7,9 +7,9 @@
 
 namespace boxplus::app {
 
-/// While an Interrupt exists, the first SIGINT or SIGTERM raises flag(), and the second ends the process
-/// (end_cleanly). If the process was started with a signal ignored (nohup, background jobs), the signal stays
-/// ignored. Only one Interrupt may exist at a time.
+/// While an Interrupt exists, the first SIGINT or SIGTERM sets flag(), and the second one calls
+/// end_cleanly(), which ends the process. A signal that the process ignored at its start (because of nohup or
+/// as a background job) stays ignored. Only one Interrupt may exist at a time.
 class Interrupt {
  public:
   Interrupt();

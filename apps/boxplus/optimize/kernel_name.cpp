@@ -21,7 +21,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Returns "Huber" for "huber" and "Barron:1" for "barron:1"; leaves unknown names unchanged.
+/// Returns the usual spelling of a name: "Huber" for "huber" and "Barron:1" for "barron:1". Returns unknown
+/// names unchanged.
 std::string spelt_out(const std::string& text) {
   const std::size_t end = std::min(text.find(':'), text.size());
   for (const detail::KernelEntry& kernel : detail::kernel_table()) {

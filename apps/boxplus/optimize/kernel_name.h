@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of robust kernels on the command line.
+// Checks names of robust kernels on the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,11 +7,11 @@
 
 namespace boxplus::app {
 
-/// Accepts the names that make_robust_kernel() knows, and "Barron:1.5", in upper or lower case, and
-/// normalizes them.
+/// Accepts the names that make_robust_kernel() knows, including names with a shape such as "Barron:1.5", in
+/// upper or lower case. Replaces each name by its usual spelling.
 CLI::Validator kernel_name();
 
-/// "DCS and GemanMcClure": the kernels whose width is in units of e².
+/// Returns "DCS and GemanMcClure", the kernels whose width is in units of e².
 std::string kernels_with_squared_width();
 
 }  // namespace boxplus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus optimize FILE: reads a graph, optimizes it, reports, writes.
+// boxplus optimize FILE: reads a graph, optimizes it, prints a report and writes the optimized graph.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -85,16 +85,16 @@ int optimize_file(const OptimizeArguments& arguments) {
 void add_optimize(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<OptimizeArguments>();
   CLI::App* command =
-      app.add_subcommand("optimize", "Moves the vertices of a graph so that they explain its edges best");
+      app.add_subcommand("optimize", "Moves the vertices of a graph to minimize the errors of its edges");
   add_optimize_options(*command, *arguments);
   command->footer(
       "Examples:\n"
       "  boxplus optimize graph.g2o -o optimized.g2o\n"
       "  boxplus optimize graph.g2o -o robust.g2o --kernel Cauchy --kernel-on loop-closures\n"
       "\n"
-      "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 the numerics failed.\n"
+      "Exit codes: 0 converged, 1 not converged, 2 bad input or usage, 3 numerical failure.\n"
       "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"
-      "A second Ctrl-C ends at once.");
+      "A second Ctrl-C ends the command at once.");
   command->callback([&action, command, arguments] {
     require_levenberg_marquardt(*command, *arguments);
     action = [arguments] { return optimize_file(*arguments); };

@@ -57,9 +57,9 @@ void add_output_options(CLI::App& command, OptimizeArguments& arguments) {
       ->type_name("FILE")
       ->group("Output");
   CLI::Option* quiet =
-      command.add_flag("-q,--quiet", arguments.quiet, "No report and no progress; messages only")
+      command.add_flag("-q,--quiet", arguments.quiet, "Print no report and no progress, only messages")
           ->group("Output");
-  command.add_flag("-v,--verbose", arguments.verbose, "One line per iteration, on stderr")
+  command.add_flag("-v,--verbose", arguments.verbose, "Print one line per iteration to stderr")
       ->group("Output")
       ->excludes(quiet);
 }
@@ -68,28 +68,33 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   Options& options = arguments.options;
   add_choice(
       command, "--start", options.start, start_choices(),
-      "The initial estimates; automatic keeps the file's estimates if their first step reduces chi2 as the "
-      "linear model predicts, and otherwise takes the better of them and the chordal guess")
+      "The initial estimates; automatic: keep the estimates of the file if the first step reduces chi2 as "
+      "the "
+      "linear model predicts, and otherwise use either these estimates or the chordal guess, whichever is "
+      "better")
       ->group("Method");
-  add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "The algorithm")
+  add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "The optimization algorithm")
       ->group("Method");
-  add_choice(command, "--solver", options.linear_solver, solver_choices(), "The solver of the linear systems")
+  add_choice(command, "--solver", options.linear_solver, solver_choices(), "The linear solver")
       ->group("Method");
   add_choice(
       command, "--precision", options.precision, kPrecisions,
-      "The precision of the factorization by cholesky; mixed: in float, with solutions refined in double; "
-      "automatic: the one that is predicted to be faster, but double for gauss-newton")
+      "The precision of the cholesky solver; mixed: factorize in float and refine the solutions in double; "
+      "automatic: whichever is predicted to be faster, but always double for gauss-newton")
       ->group("Method");
   command
-      .add_option("--threads", options.threads,
-                  "Use at most this many threads; 0: all. The result does not depend on their number")
+      .add_option(
+          "--threads", options.threads,
+          "Use at most this many threads; 0: one per hardware thread. Results do not depend on this number")
       ->check(whole_number_from(0))
       ->type_name("N")
       ->group("Method");
-  auto* damping = add_choice(command, "--damping", options.damping, kDampings,
-                             "The matrix that lambda multiplies in Levenberg-Marquardt");
-  auto* lambda = command.add_option("--lambda", options.initial_lambda,
-                                    "The first lambda of Levenberg-Marquardt; by default, H determines it");
+  auto* damping = add_choice(
+      command, "--damping", options.damping, kDampings,
+      "The matrix that Levenberg-Marquardt multiplies by lambda and adds to H: identity or diagonal of H");
+  auto* lambda =
+      command.add_option("--lambda", options.initial_lambda,
+                         "The initial lambda of Levenberg-Marquardt; by default, it is computed from H");
   damping->group("Method");
   lambda->check(number_above(0))->type_name("X")->group("Method");
 }
@@ -115,10 +120,11 @@ void add_id_option(CLI::App& command, const std::string& name, std::vector<IdRan
 
 void add_problem_options(CLI::App& command, OptimizeArguments& arguments) {
   add_choice(command, "--gauge", arguments.options.gauge, kGauges,
-             "The treatment of a part of the graph that nothing holds in place: fix its first pose, damp "
-             "it minimally, or stop with exit code 3")
+             "How to treat a part of the graph that nothing holds in place; fix-first: fix its first pose; "
+             "damp: add minimal damping; error: stop with exit code 3")
       ->group("Problem");
-  add_id_option(command, "--fix", arguments.fixed, "Keep the estimates of these vertices, in this run");
+  add_id_option(command, "--fix", arguments.fixed,
+                "Hold these vertices fixed in this run; the output file does not mark them as fixed");
   add_id_option(command, "--only-vertices", arguments.moving,
                 "Move only these vertices; all others keep their estimates");
 }
@@ -135,21 +141,21 @@ void add_stop_options(CLI::App& command, Options& options) {
       ->group("Stop");
   command
       .add_option("--cost-tolerance", options.cost_tolerance,
-                  "Converged when chi2 falls by less than this fraction of itself")
+                  "Converged if a step reduces chi2 by less than this fraction")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()
       ->group("Stop");
   command
       .add_option("--step-tolerance", options.step_tolerance,
-                  "Converged when a step is smaller than this fraction of the run's largest step")
+                  "Converged if a step is smaller than this fraction of the largest step of the run")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()
       ->group("Stop");
   command
       .add_option("--gradient-tolerance", options.gradient_tolerance,
-                  "Converged when no entry of the gradient is larger than this")
+                  "Converged if no entry of the gradient is larger than this")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()
@@ -163,23 +169,24 @@ void add_robust_options(CLI::App& command, KernelArguments& arguments) {
       command
           .add_option(
               "--kernel", arguments.kernel,
-              "Robust kernel for the errors: outliers get less weight. The shape of Barron follows the name: "
+              "Robust kernel, which gives less weight to outliers. For Barron, the name contains the shape: "
               "Barron:-2")
           ->transform(kernel_name())
           ->group("Outliers");
   command
       .add_option("--kernel-width", arguments.kernel_width,
-                  "The error beyond which weights fall, in standard deviations; for " +
+                  "The error, in standard deviations, above which the kernel reduces weights; for " +
                       kernels_with_squared_width() +
-                      " squared. The default depends on the rows of each edge, so that 95 % of good errors "
-                      "are below it: 1.96 for one row, 2.45 for two, 2.80 for three, 3.55 for six (squared "
-                      "for those two)")
+                      ", the square of this error. The default is above 95 % of the errors of inliers: 1.96 "
+                      "for errors with one row, 2.45 for two rows, 2.80 for three, 3.55 for six (or the "
+                      "squares of these numbers)")
       ->check(number_above(0))
       ->type_name("X")
       ->needs(kernel)
       ->group("Outliers");
-  add_choice(command, "--kernel-on", arguments.kernel_scope, kScopes,
-             "The edges with the kernel; loop closures connect poses that are not consecutive by id")
+  add_choice(
+      command, "--kernel-on", arguments.kernel_scope, kScopes,
+      "The edges that get the kernel; loop closures are edges between poses whose ids are not consecutive")
       ->needs(kernel)
       ->group("Outliers");
 }

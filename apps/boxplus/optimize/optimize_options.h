@@ -20,13 +20,13 @@ namespace boxplus::app {
 
 enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
 
-/// The robust kernel that edges get, if any.
+/// The options for robust kernels.
 struct KernelArguments {
-  std::string kernel;                  ///< empty: none
-  std::optional<double> kernel_width;  ///< if absent: the default for the rows of each edge
+  std::string kernel;                  ///< the name of the kernel; empty if edges get no kernel
+  std::optional<double> kernel_width;  ///< the width; if absent, the default for the rows of each edge
   KernelScope kernel_scope = KernelScope::kAll;
 };
-/// Adds --kernel and the options that belong to it.
+/// Adds --kernel and the options that belong to it. They set `arguments`.
 void add_robust_options(CLI::App& command, KernelArguments& arguments);
 
 struct OptimizeArguments : KernelArguments {
@@ -40,7 +40,7 @@ struct OptimizeArguments : KernelArguments {
   OptimizeArguments() { options.start = Start::kAutomatic; }
 };
 
-/// Adds all options; they fill `arguments`, which must outlive the command.
+/// Adds all options of the command. They set `arguments`, which must outlive the command.
 void add_optimize_options(CLI::App& command, OptimizeArguments& arguments);
 
 }  // namespace boxplus::app

@@ -12,12 +12,12 @@ namespace boxplus::app {
 namespace {
 
 std::string where_written(const OptimizeArguments& arguments) {
-  return arguments.output.empty()              ? "not written (-o FILE writes it)"
+  return arguments.output.empty()              ? "not written (use -o FILE)"
          : arguments.output == kStandardStream ? "written to standard output"
                                                : "written to " + arguments.output;
 }
 
-/// " of width 2", or " of width 1.96 (1 row), 2.795 (3 rows)".
+/// Returns " of width 2", or " of width 1.96 (1 row), 2.795 (3 rows)".
 std::string widths_text(const KernelFacts& kernel) {
   if (kernel.width) return fmt::format(" of width {:g}", *kernel.width);
   std::string text;
@@ -37,7 +37,7 @@ std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   std::string text = to_string(report);
   if (!facts.kernel.name.empty()) {
-    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is the sum of the costs after the kernels.\n",
+    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is computed with the kernel.\n",
                         facts.kernel.name, widths_text(facts.kernel), facts.kernel.edges, facts.edges);
   }
   if (facts.skipped_lines > 0)

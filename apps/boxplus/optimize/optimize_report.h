@@ -13,10 +13,10 @@ namespace boxplus::app {
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments);
 
-/// Prints the report for the user on stdout, or on stderr if stdout holds an output.
+/// Prints the report for the user to stdout, or to stderr if stdout is one of the outputs.
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments);
 
-/// Prints a message if the run did not converge.
+/// If the run did not converge, prints a message with the reason.
 void print_why_stopped(const Report& report, const OptimizeArguments& arguments);
 
 }  // namespace boxplus::app

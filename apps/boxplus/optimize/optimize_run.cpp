@@ -14,7 +14,8 @@
 namespace boxplus::app {
 namespace {
 
-/// Fixes vertices for one run; a FIX line of the file stays in effect.
+/// Fixes vertices for one run, and releases them afterwards. Vertices that were fixed before, by FIX lines of
+/// the file, stay fixed.
 class FixForRun {
  public:
   FixForRun(Graph& graph, const std::vector<VertexRef>& vertices) : graph_(graph) {
@@ -47,7 +48,7 @@ KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
   if (arguments.kernel.empty()) return facts;
   facts.name = arguments.kernel;
   facts.width = arguments.kernel_width;
-  std::map<int, std::shared_ptr<const RobustKernel>> kernels;  // by the rows of the edge
+  std::map<int, std::shared_ptr<const RobustKernel>> kernels;  // the key is the number of rows of the edge
   const EdgeRoles role(graph);
   for (const EdgeRef& edge : graph.all_edges()) {
     if (arguments.kernel_scope == KernelScope::kAll || role(edge) == EdgeRole::kLoopClosure) {
@@ -60,7 +61,7 @@ KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
     }
   }
   if (facts.edges == 0 && arguments.kernel_scope == KernelScope::kLoopClosures)
-    print_message("the graph has no loop closures: no edge gets the kernel");
+    print_message("the graph has no loop closures, so no edge gets the kernel");
   return facts;
 }
 

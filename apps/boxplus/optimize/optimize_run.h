@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The work of `boxplus optimize` between reading and writing.
+// The work of `boxplus optimize` after reading the graph and before writing the result.
 #pragma once
 
 #include "boxplus/optimize/report.h"
@@ -9,10 +9,10 @@
 
 namespace boxplus::app {
 
-/// Gives the chosen edges the requested robust kernel; returns their number.
+/// Sets the requested robust kernel on the chosen edges. Returns the facts about the kernel for the report.
 KernelFacts robustify(Graph& graph, const KernelArguments& arguments);
 
-/// Optimizes and shows progress, until the run ends or an Interrupt is raised.
+/// Optimizes the graph and shows progress, until the run ends or a signal raises the flag of Interrupt.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress);
 
 }  // namespace boxplus::app

@@ -13,14 +13,14 @@
 namespace boxplus::app {
 namespace {
 
-/// The width of the terminal: a line that wraps cannot be overwritten.
+/// Returns the number of columns of the terminal. A longer line would wrap, and could not be overwritten.
 std::size_t terminal_columns() {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   return known ? size.ws_col : 80;
 }
 
-/// At most `size` bytes of the text, without an incomplete character at the end.
+/// Returns the first `size` bytes of the text, or fewer if the last character would be incomplete.
 std::string cut(const std::string& text, std::size_t size) {
   while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80) --size;
   return text.substr(0, size);

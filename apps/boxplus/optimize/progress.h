@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of a run, on stderr.
+// Shows the progress of a run on stderr.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace boxplus::app {
 
 enum class ProgressKind : std::uint8_t {
   kNone,
-  kLive,  ///< one line on a terminal, overwritten again and again, and erased at the end
-  kLines  ///< a line per iteration, for logs
+  kLive,  ///< one line on a terminal, which is overwritten again and again and erased at the end
+  kLines  ///< one line per iteration, for logs
 };
 
-/// Live on a terminal, unless the user chose lines or quiet.
+/// Returns kLines if `verbose` is true. Otherwise returns kLive if stderr is a terminal and `quiet` is false.
 ProgressKind choose_progress(bool quiet, bool verbose);
 
 class Progress {
@@ -24,7 +24,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Names the work in progress; on live lines only.
+  /// Shows what the command is doing. Has an effect only with kLive.
   void stage(const std::string& text);
   void iteration(const IterationRecord& record);
   void erase();

@@ -11,17 +11,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Null if the value is negative, which stands for "absent".
+/// Returns null for negative values, which mean "absent".
 Json unless_negative(double value) {
   return value < 0 ? Json(nullptr) : Json(value);
 }
 
-/// Null if the value is NaN, which stands for "absent".
+/// Returns null for NaN, which means "absent".
 Json unless_nan(double value) {
   return std::isnan(value) ? Json(nullptr) : Json(value);
 }
 
-/// Null if the value is zero, which stands for "absent".
+/// Returns null for zero, which means "absent".
 Json unless_zero(std::uint64_t value) {
   return value == 0 ? Json(nullptr) : Json(value);
 }
@@ -119,7 +119,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"regularized_steps", report.regularized_steps},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};
-  // Ids and messages may contain text of the file: bytes that are not UTF-8 are replaced.
+  // Messages may contain text from the file, so bytes that are not valid UTF-8 are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

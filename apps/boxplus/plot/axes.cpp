@@ -12,12 +12,12 @@ namespace {
 
 constexpr Rgb kFrameColor{0x9c, 0xa3, 0xaf};
 
-/// The largest of 1, 2 and 5 times a power of ten that is at most `most`.
+/// Returns the largest number ≤ `most` that is 1, 2 or 5 times a power of ten.
 double round_length(double most) {
   const double power = std::pow(10, std::floor(std::log10(most)));
   return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
 }
-/// The smallest of 1, 2 and 5 times a power of ten that is at least `least`.
+/// Returns the smallest number ≥ `least` that is 1, 2 or 5 times a power of ten.
 double round_length_above(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   return least <= power       ? power
@@ -26,7 +26,7 @@ double round_length_above(double least) {
                               : 10 * power;
 }
 
-/// `value` with the digits that the step needs, and with a minus sign as wide as a digit.
+/// Returns `value` with as many decimals as the step needs. The minus sign is as wide as a digit.
 std::string value_text(double value, double step) {
   constexpr double kLong = 1e7;
   constexpr int kMostDecimals = 6;
@@ -38,7 +38,8 @@ std::string value_text(double value, double step) {
   return (value < 0 && magnitude > 0 ? "−" : "") + digits;
 }
 
-/// Calls f(value) for the multiples of the step within [low, high]; none if rounding hides the step.
+/// Calls f(value) for each multiple of the step in [low, high]. If the values are so large that rounding
+/// hides the step, does not call f.
 template <class F>
 void for_each_multiple(double low, double high, double step, F&& f) {
   constexpr double kMost = 1e15;

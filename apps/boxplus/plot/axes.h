@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths in a picture: ticks with their values, arrows along x, y and z, and the scale bar.
+// Draws the lengths in a picture: ticks with their values, arrows along x, y and z, and the scale bar.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace boxplus::app {
 /// Maps meters of the picture plane to points on the canvas.
 struct PlaneMap {
   Box plot;
-  double scale = 1;  ///< pixels per meter
+  double scale = 1;  ///< the number of pixels per meter
   double center_x = 0, center_y = 0;
 
   Point operator()(double x, double y) const {
@@ -23,7 +23,8 @@ struct PlaneMap {
   }
 };
 
-/// The names of the axes of the picture plane, if they are axes of the world.
+/// The names of the horizontal and the vertical axis of the picture. axis_names() returns nothing if these
+/// are not axes of the world.
 struct AxisNames {
   const char *across, *up;
 };
@@ -31,7 +32,8 @@ std::optional<AxisNames> axis_names(bool is_spatial, const View& view);
 
 void draw_ticks(const PlaneMap& map, const AxisNames& names, const Layout& layout, Canvas& canvas);
 void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas& canvas);
-/// Draws in the lower right corner of a panel whose sides end at `right` and `bottom`.
+/// Draws the scale bar in the lower right corner of a panel whose right and bottom edges are at `right` and
+/// `bottom`.
 void draw_scale_bar(double right, double bottom, double scale, const Layout& layout, Canvas& canvas);
 
 }  // namespace boxplus::app

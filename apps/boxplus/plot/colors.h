@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colors of pictures, distinguishable for color-blind eyes: time is cold; errors are warm, and the
-// larger, the darker.
+// The colors of pictures. Color-blind people can distinguish them. The time along the trajectory has cold
+// colors. Errors have warm colors, and larger errors are darker.
 #pragma once
 
 #include <span>
@@ -12,21 +12,22 @@ namespace boxplus::app {
 
 inline constexpr Rgb kLandmarkColor{0x1e, 0x29, 0x3b}, kTruthColor{0xf2, 0xd0, 0x6b};
 
-/// The color at a time between the beginning (0) and the end (1) of the trajectory.
+/// Returns the color at a time between the beginning (0) and the end (1) of the trajectory.
 Rgb trajectory_color(double time);
 
-/// One color scale for all scenes. It is gray up to chi2 = 1 per row, which noise explains. From there it is
-/// logarithmic, up to the smallest power of ten that is above 99 % of the scenes' errors.
+/// One color scale for all scenes. It is gray up to chi2 = 1 per row, because noise explains such errors.
+/// Above 1, it is logarithmic. It ends at the smallest power of ten that is at least as large as 99 % of the
+/// errors.
 class ErrorColors {
  public:
   static constexpr int kBins = 16;
 
   explicit ErrorColors(std::span<const Scene> scenes);
 
-  /// 0 … kBins − 1; NaN gives the last bin.
+  /// Returns the index of the color, from 0 to kBins − 1. NaN has the last color.
   int bin(double chi2_per_row) const;
   static Rgb color(int bin);
-  /// log₁₀ of the smallest chi2 per row with the darkest color.
+  /// Returns log₁₀ of the chi2 per row at which the scale ends. Larger values have the darkest color.
   int decades() const { return decades_; }
 
  private:

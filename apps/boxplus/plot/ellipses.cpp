@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/ellipses.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "base/symmetric_eigen.h"
 #include "boxplus/optimize/covariance.h"
 #include "plot/colors.h"
 
 namespace boxplus::app {
 namespace {
 
-/// The 95 % quantile of chi2 with two degrees of freedom: −2 ln 0.05.
+/// The 95 % quantile of the chi-squared distribution with two degrees of freedom: −2 ln 0.05.
 constexpr double kChi2 = 5.991464547107979;
 
-/// Maps the frame of a pose, or the world for a point, to the picture plane.
+/// Returns the matrix that maps vectors to the picture plane: from the frame of a pose or, for a point, from
+/// the world.
 Eigen::MatrixXd to_picture(const detail::Frame& frame, const View& view) {
   const int d = frame.dimension;
   Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
@@ -35,14 +36,15 @@ double length(const std::array<double, 2>& v) {
   return std::hypot(v[0], v[1]);
 }
 
-/// The extent of an ellipse from its center in the direction of a unit vector.
+/// Returns how far an ellipse extends from its center in the direction of the unit vector (x, y).
 double reach(const Ellipse& ellipse, double x, double y) {
   return std::hypot(ellipse.long_axis[0] * x + ellipse.long_axis[1] * y,
                     ellipse.short_axis[0] * x + ellipse.short_axis[1] * y);
 }
 
 bool lies_over(const Ellipse& a, const Ellipse& b, double gap) {
-  constexpr double kPart = 0.9;  // of the distance at which they touch: a small overlap is still legible
+  // The fraction of the distance at which two ellipses touch. A small overlap is legible.
+  constexpr double kPart = 0.9;
   if (a.is_pose != b.is_pose) return false;
   const double dx = b.center[0] - a.center[0], dy = b.center[1] - a.center[1], distance = std::hypot(dx, dy);
   if (distance <= gap) return true;
@@ -59,13 +61,12 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
   for (const VertexRef& vertex : vertices) {
     detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame)) continue;
-    // The first entries of the tangents of poses and points are translations.
+    // The first entries of the tangent vector of a pose or a point are its translation.
     const Eigen::MatrixXd P = to_picture(frame, view);
     const Eigen::MatrixXd of_position = covariance.of(vertex).topLeftCorner(frame.dimension, frame.dimension);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(P * of_position * P.transpose());
+    const SymmetricEigen axes = symmetric_eigen(P * of_position * P.transpose());
     const auto half_axis = [&](int k) {
-      const Eigen::Vector2d v =
-          std::sqrt(kChi2 * std::max(0.0, axes.eigenvalues()[k])) * axes.eigenvectors().col(k);
+      const Eigen::Vector2d v = std::sqrt(kChi2 * std::max(0.0, axes.values[k])) * axes.vectors.col(k);
       return std::array{v[0], v[1]};
     };
     ellipses.push_back({project(frame.translation, frame.dimension, view), half_axis(1), half_axis(0),
@@ -79,7 +80,7 @@ std::vector<Ellipse> ellipses_of(const Graph& graph, const View& view, const std
 }  // namespace
 
 std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel) {
-  constexpr double kLeast = 1.5, kGap = 10;  // pixels
+  constexpr double kLeast = 1.5, kGap = 10;  // in pixels
   constexpr std::size_t kMost = 300;
   std::vector<Ellipse> kept;
   for (auto ellipse = ellipses.rbegin(); ellipse != ellipses.rend() && kept.size() < kMost; ++ellipse) {
@@ -91,7 +92,8 @@ std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel)
 }
 
 void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name) {
-  constexpr double kMost = 0.25;  // of the size of the scene, on each side
+  // The space for ellipses on each side, as a fraction of the size of the scene.
+  constexpr double kMost = 0.25;
   scene.has_ellipses = true;
   scene.ellipses = ellipses_of(graph, view, name);
   const double room = kMost * std::max(scene.high[0] - scene.low[0], scene.high[1] - scene.low[1]);

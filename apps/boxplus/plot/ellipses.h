@@ -12,17 +12,18 @@
 
 namespace boxplus::app {
 
-/// Adds the 95 % ellipses of all poses and points of the scene's graph, and makes some room for them. They
-/// are computed at the estimates, relative to the vertices that hold the graph in place. Throws
-/// InvalidArgument, with the name of the graph and the vertex, if a vertex is undetermined.
+/// Adds the 95 % ellipses of all poses and points of `graph` to its scene, and enlarges the scene to make
+/// some room for them. The covariances are computed at the estimates, relative to the vertices that hold the
+/// graph in place. Throws InvalidArgument if a vertex is undetermined. The message names the graph and the
+/// vertex.
 void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name);
 
-/// The ellipses that can be told apart, the last pose first. Leaves out those smaller than a few pixels (of
-/// `pixel` meters), and those that lie over another, unless one is of a pose and one of a point. At most a
-/// few hundred.
+/// Returns the ellipses that can be told apart, beginning with the vertex with the highest id. Leaves out
+/// ellipses that are smaller than a few pixels, and ellipses that lie over another ellipse of the same kind
+/// (poses or points). `pixel` is the size of a pixel in meters. Returns at most a few hundred ellipses.
 std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel);
 
-/// Draws the parts of the ellipses inside a box; lines are `width` pixels wide.
+/// Draws the parts of the ellipses inside a box. The lines are `width` pixels wide.
 void draw_ellipses(const std::vector<Ellipse>& ellipses, const PlaneMap& map, const Box& box, double width,
                    Canvas& canvas);
 

@@ -10,7 +10,7 @@
 namespace boxplus::app {
 namespace {
 
-/// The power as text: 1, 10, 100, 1000, 10⁴, …, 10¹².
+/// Returns 10 to the power of `exponent` as text: 1, 10, 100, 1000, 10⁴, …, 10¹².
 std::string power_of_ten(int exponent) {
   if (exponent < 4) return std::string("1000", static_cast<std::size_t>(exponent) + 1);
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -37,7 +37,7 @@ class Legend {
     if (any([](const Scene& scene) { return scene.has_ellipses; })) ellipses();
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
-      errors(closes && observes ? "all but odometry" : closes ? "loop closures" : "observations");
+      errors(closes && observes ? "all edges but odometry" : closes ? "loop closures" : "observations");
     }
   }
 
@@ -53,7 +53,7 @@ class Legend {
   void swatch(double at, double width, const Stroke& stroke) {
     canvas_.line({at, row_}, {at + width, row_}, stroke);
   }
-  /// Begins an entry of this width: at left_, or in the second row if the first one is full.
+  /// Begins an entry of this width at left_. If the first row is full, moves to the second row.
   void begin(double width_of_sign, double width_of_name) {
     const double end_of_row = right_ - 250 * text_;
     if (left_ + (width_of_sign + 10 + width_of_name) * text_ <= end_of_row || row_ > middle_) return;
@@ -110,7 +110,7 @@ class Legend {
     const double bin_width = width / ErrorColors::kBins;
     for (int bin = 0; bin < ErrorColors::kBins; ++bin)
       canvas_.fill({left + bin_width * bin, top, bin_width + 0.5 * text_, bar}, 0, ErrorColors::color(bin));
-    // The first color ends at 1, the last begins at the end of the scale.
+    // The first color ends at 1, and the last color begins at the end of the scale.
     const double first = left + bin_width, range = width - 2 * bin_width;
     const int stride = (colors_.decades() + 3) / 4;
     for (int decade = 0; decade <= colors_.decades(); decade += stride) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Explains the colors, in one strip below all panels.
+// Draws the legend: one strip below all panels that explains the colors.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace boxplus::app {
 
-/// Lists only the kinds of things that the scenes contain.
+/// Draws the legend. It explains only the kinds of things that the scenes contain.
 void draw_legend(const std::vector<Scene>& scenes, const ErrorColors& colors, const Layout& layout,
                  Canvas& canvas);
 

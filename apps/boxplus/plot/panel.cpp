@@ -25,7 +25,7 @@ std::string chi2_text(const Scene& scene) {
   return fmt::format("chi2 = {:.6g}{}", scene.chi2, scene.kernel.empty() ? "" : " (" + scene.kernel + ")");
 }
 
-/// The stroke for a kind of segment.
+/// Returns the stroke for a kind of segment.
 Stroke stroke_for(SegmentKind kind, int color, bool is_crowded) {
   const double badness = static_cast<double>(color) / (ErrorColors::kBins - 1);
   switch (kind) {
@@ -58,7 +58,7 @@ class ScenePainter {
     if (!(range > 0)) return kDepthLayers - 1;
     return std::clamp(static_cast<int>((depth - scene_.low[2]) / range * kDepthLayers), 0, kDepthLayers - 1);
   }
-  /// The opacity by depth: farther things are fainter.
+  /// Returns the opacity of a layer. Distant layers are fainter.
   static double nearness(int layer) { return 0.3 + 0.7 * (layer + 1) / kDepthLayers; }
 
   int color_of(const Segment& segment) const {
@@ -72,8 +72,8 @@ class ScenePainter {
     }
   }
 
-  /// Draws the paths of each layer, kind and color: far ones first; errors below the trajectory, small ones
-  /// first.
+  /// Draws the segments, grouped by layer, kind and color. Distant layers come first. Within a layer, errors
+  /// come before the trajectory, and small errors come before large errors.
   void segments() {
     std::map<std::tuple<int, SegmentKind, int>, std::vector<const Segment*>> groups;
     for (const Segment& segment : scene_.segments) {
@@ -89,7 +89,7 @@ class ScenePainter {
     }
   }
 
-  /// Draws in pieces, because viewers take quadratic time for the crossings within a path.
+  /// Draws the segments in pieces, because viewers take quadratic time for the crossings within a path.
   void draw(std::span<const Segment* const> segments, const Stroke& stroke) {
     constexpr std::size_t kPiece = 256;
     for (; !segments.empty(); segments = segments.subspan(std::min(kPiece, segments.size()))) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One scene in its panel.
+// Draws one scene in its panel.
 #pragma once
 
 #include "plot/axes.h"
@@ -9,9 +9,9 @@
 
 namespace boxplus::app {
 
-/// The pixels per meter at which the scene fills a box.
+/// Returns the pixels per meter at which the scene fills a box.
 double fitting_scale(const Scene& scene, const Box& box);
-/// True if the scene shows things at more than one position.
+/// Returns true if the scene shows things at more than one position.
 bool has_extent(const Scene& scene);
 
 struct PanelStyle {
@@ -20,7 +20,8 @@ struct PanelStyle {
   const ErrorColors& colors;
   const View& view;
 };
-/// Draws the scene with `scale` pixels per meter, and the parts around it that the options ask for.
+/// Draws the scene with `scale` pixels per meter. Also draws the parts around the scene that the options ask
+/// for.
 void draw_panel(const Scene& scene, const PanelLayout& place, double scale, const PanelStyle& style,
                 Canvas& canvas);
 

@@ -37,9 +37,10 @@ std::unique_ptr<Canvas> make_canvas(const Layout& layout, const std::string& tit
   }
 }
 
-/// The pixels per meter of each panel.
+/// Returns the pixels per meter of each panel.
 std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& layout, bool has_one_scale) {
-  constexpr double kTiny = 2.5;  // panels that differ by more have their own scales
+  // If the scales differ by more than this factor, each panel has its own scale.
+  constexpr double kTiny = 2.5;
   double least = std::numeric_limits<double>::infinity(), most = 0;
   std::vector<double> scales;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -58,8 +59,8 @@ std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& la
 
 std::string draw_picture(std::vector<Scene> scenes, const View& view, const PictureOptions& options,
                          PictureFormat format, double resolution) {
-  constexpr double kVisible = 0.4;        // pixels
-  constexpr std::size_t kMost = 120'000;  // elements to draw
+  constexpr double kVisible = 0.4;        // in pixels
+  constexpr std::size_t kMost = 120'000;  // the largest number of elements to draw
   constexpr Rgb kBackground{0xf8, 0xfa, 0xfc};
   const bool has_ticks =
       options.has_axes && std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {

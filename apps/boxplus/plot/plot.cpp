@@ -20,13 +20,14 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "Poses in the order of their ids form the trajectory. Loop closures and observations are colored by\n"
-    "their chi2 per row: gray up to 1, which noise explains; beyond that, the darker, the worse. Both\n"
-    "panels have the same color scale. Files do not contain robust kernels: after a robust run, repeat\n"
-    "the --kernel and --kernel-width of optimize, and the colors show chi2 after the kernel.\n"
+    "The trajectory connects the poses in the order of their ids. The colors of loop closures and\n"
+    "observations show their chi2 per row: gray up to 1, because noise explains such values, and darker\n"
+    "for larger values. Both panels have the same color scale.\n"
+    "Graph files do not contain robust kernels. After a robust run, repeat the options --kernel and\n"
+    "--kernel-width of optimize, so that the colors show chi2 after the kernel.\n"
     "Graphs in space are drawn in parallel projection.\n"
-    "Ellipses show the covariances at the estimates, relative to the fixed vertex (or the first one).\n"
-    "Ellipses that overlap others or are too small to see are left out.\n"
+    "Ellipses show the covariances at the estimates, relative to the fixed vertex or, if no vertex is\n"
+    "fixed, to the first pose. Ellipses that overlap others or are too small to see are left out.\n"
     "\n"
     "Examples:\n"
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
@@ -35,7 +36,7 @@ constexpr const char* kFooter =
     "  boxplus plot after.g2o -o figure.pdf --bare --axes --size 252x200 --font-size 7";
 
 struct Input {
-  std::string name;  ///< for messages
+  std::string name;  ///< the name of the file, for messages
   Graph graph;
 };
 
@@ -98,8 +99,8 @@ int plot_files(const PlotArguments& arguments) {
 
 void add_plot(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command =
-      app.add_subcommand("plot", "Draws a graph, or two side by side, as an SVG, PDF or PNG picture");
+  CLI::App* command = app.add_subcommand(
+      "plot", "Draws one graph, or two graphs side by side, as an SVG, PDF or PNG picture");
   add_plot_options(*command, *arguments);
   command->footer(kFooter);
   command->callback([&action, arguments] { action = [arguments] { return plot_files(*arguments); }; });

@@ -20,7 +20,7 @@ const Choices<PictureFormat> kFormats{
     {"svg", PictureFormat::kSvg}, {"pdf", PictureFormat::kPdf}, {"png", PictureFormat::kPng}};
 const Choices<View> kViews{{"top", {0, 90}}, {"side", {0, 0}}, {"iso", {-45, 35.264389682754654}}};
 
-/// "A<separator>B" as two finite numbers.
+/// Parses "A<separator>B" as two finite numbers.
 std::optional<std::pair<double, double>> two_numbers(const std::string& text, char separator) {
   std::pair<double, double> values;
   const char *begin = text.data(), *end = begin + text.size(), *middle = std::find(begin, end, separator);
@@ -64,10 +64,10 @@ std::string extension_of(const std::string& path) {
 }
 
 void add_input_options(CLI::App& command, PlotArguments& arguments) {
-  command.add_option("BEFORE", arguments.before, "A graph; - reads standard input")
+  command.add_option("BEFORE", arguments.before, "The graph to draw; - is standard input")
       ->check(file_name())
       ->required();
-  command.add_option("AFTER", arguments.after, "The same graph, optimized")->check(file_name());
+  command.add_option("AFTER", arguments.after, "The same graph after optimization")->check(file_name());
   command
       .add_option("-o,--output", arguments.output,
                   "Where to write the picture (.svg, .pdf or .png); - is standard output")
@@ -82,13 +82,13 @@ void add_input_options(CLI::App& command, PlotArguments& arguments) {
               if (word == chosen) arguments.format = format;
             }
           },
-          "The format, if the file name has no extension")
+          "The format of the picture, if the file name has no extension")
       ->check(one_of({"svg", "pdf", "png"}));
   command
       .add_option(
           "--truth", arguments.truth,
-          "A graph of the true poses, drawn as a band behind the trajectory after it was aligned with the "
-          "last graph")
+          "A graph with the true poses; they are aligned with the last graph and drawn as a band behind the "
+          "trajectory")
       ->type_name("FILE")
       ->check(file_name());
 }
@@ -104,7 +104,7 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
             picture.width = size->first;
             picture.height = size->second;
           },
-          "The size of the picture in pixels, in PDF points (1/72 inch); the default is 620x666 per panel")
+          "The size of the picture in pixels (in PDF, points of 1/72 inch); the default is 620x666 per panel")
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(complaint_about_size, ""))
       ->group("Look");
@@ -115,28 +115,30 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
       ->check(number_within(1, 200))
       ->group("Look");
   command
-      .add_option("--resolution", arguments.resolution, "PNG: pixels of the file per pixel of the picture")
+      .add_option("--resolution", arguments.resolution,
+                  "PNG: the number of pixels in the file per pixel of the picture")
       ->type_name("X")
       ->check(number_within(0.1, 10))
       ->capture_default_str()
       ->group("Look");
   command
       .add_flag("--bare", picture.is_bare,
-                "Only the graphs, without frame, header, legend, scale bar and background: for papers")
+                "For papers: draw only the graphs, without frame, header, legend, scale bar and background")
       ->group("Look");
   command
       .add_flag("--axes", picture.has_axes,
-                "Axes with their values in meters; arrows if the view is not along an axis")
+                "Draw axes with values in meters, or arrows if the view is not along an axis")
       ->group("Look");
   command
       .add_flag(
           "--ellipses", arguments.has_ellipses,
-          "Ellipses that contain poses and points of the last graph with 95 % probability; this graph should "
-          "be optimized")
+          "Draw ellipses that contain the poses and points of the last graph with 95 % probability; optimize "
+          "this graph first")
       ->group("Look");
   command
       .add_flag("--equal-scale", picture.has_one_scale,
-                "Always use one scale for both panels; by default, only if neither becomes tiny")
+                "Always use one scale for both panels; by default, each panel has its own if one graph would "
+                "be tiny")
       ->group("Look");
   command
       .add_option_function<std::string>(

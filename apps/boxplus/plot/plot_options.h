@@ -22,11 +22,12 @@ struct PlotArguments {
   ReadOptions reading;
 };
 
-/// Adds all options; they fill `arguments`, which must outlive the command.
+/// Adds all options of the command. They set `arguments`, which must outlive the command.
 void add_plot_options(CLI::App& command, PlotArguments& arguments);
 
-/// The format that --format names. Without --format, the output's extension selects the format; without an
-/// extension, it is SVG. Throws InvalidArgument if the extension is unknown or contradicts --format.
+/// Returns the format that --format names. Without --format, the extension of the output selects the format;
+/// if there is no extension, the format is SVG. Throws InvalidArgument if the extension is unknown or
+/// contradicts --format.
 PictureFormat format_of(const PlotArguments& arguments);
 
 }  // namespace boxplus::app

@@ -9,16 +9,16 @@
 namespace boxplus::app {
 namespace {
 
-/// The position of a vertex, if it has one, and if the vertex is a pose.
+/// The position of a vertex (if it is known), and whether the vertex is a pose.
 struct Place {
   Spot spot{};
   bool is_known = false, is_pose = false;
-  std::size_t order = 0;  ///< among the poses
+  std::size_t order = 0;  ///< the index of a pose in the order of ids
   Id id = 0;
 };
 
 bool is_near(const Spot& spot) {
-  constexpr double kFarthest = 1e100;  // so that no sum or square of lengths overflows
+  constexpr double kFarthest = 1e100;  // small enough that no sum or square of lengths overflows
   return std::abs(spot[0]) + std::abs(spot[1]) + std::abs(spot[2]) < kFarthest;
 }
 
@@ -135,8 +135,8 @@ class SceneMaker {
   const View& view_;
   const TruePlaces& truth_;
   Scene scene_;
-  std::vector<std::vector<Place>> places_;  // by pool and slot
-  std::vector<Pose> poses_;                 // by id
+  std::vector<std::vector<Place>> places_;  // indexed by pool and slot
+  std::vector<Pose> poses_;                 // in the order of ids
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The visible parts of a graph: segments and dots on a plane, with depth.
+// The visible parts of a graph: segments and dots on a plane, each with a depth.
 #pragma once
 
 #include <array>
@@ -12,63 +12,68 @@
 
 namespace boxplus::app {
 
-/// A point of the picture plane (meters, y upwards) and its depth: larger is nearer.
+/// A point of the picture plane (in meters, y points up) and its depth. A larger depth is nearer to the
+/// viewer.
 using Spot = std::array<double, 3>;
 
-/// In drawing order.
+/// The kinds of segments, in the order in which they are drawn.
 enum class SegmentKind : std::uint8_t { kTruth, kObservation, kLoopClosure, kTrajectory };
 
 struct Segment {
   SegmentKind kind;
   Spot from, to;
-  double time;          ///< of the trajectory, in [0, 1]
-  double chi2_per_row;  ///< of the edge, after its kernel
+  double time;          ///< the time along the trajectory, in [0, 1]
+  double chi2_per_row;  ///< chi2 per row of the edge, after its kernel
 };
 
 struct Dot {
   Spot spot;
-  double time;  ///< of a pose, as above
+  double time;  ///< the time of the pose, in [0, 1]
 };
 
 /// The region of the picture plane that contains a pose or a point with 95 % probability.
 struct Ellipse {
   Spot center;
-  std::array<double, 2> long_axis, short_axis;  ///< half axes, meters
+  std::array<double, 2> long_axis, short_axis;  ///< the semi-axes, in meters
   bool is_pose;
-  double time;  ///< of a pose, as above
+  double time;  ///< the time of the pose, in [0, 1]
 };
 
 struct Scene {
-  std::vector<Segment> segments;  ///< those of the trajectory in the order of time
+  std::vector<Segment> segments;  ///< all segments, in the order of time
   std::vector<Spot> landmarks;
-  std::vector<Dot> dots;  ///< poses that are not on the trajectory; all poses if there are few
+  std::vector<Dot> dots;  ///< the poses that are not on the trajectory, or all poses if there are few
   std::vector<Ellipse> ellipses;
-  bool has_ellipses = false;  ///< the user asked for ellipses; there are none if all are too small to see
-  Spot low{}, high{};         ///< the box around everything
+  bool has_ellipses =
+      false;           ///< true if the user asked for ellipses, even if all of them are too small to see
+  Spot low{}, high{};  ///< two corners of the box around everything
   std::size_t poses = 0, landmark_count = 0, edges = 0;
-  std::size_t hidden = 0;   ///< vertices that are too far away to draw, or have no position
-  bool is_spatial = false;  ///< drawn by a parallel projection
-  double chi2 = 0;          ///< after kernels
-  std::string kernel;       ///< the name of a kernel of the edges; empty if no edge has one
+  /// The number of vertices that are not drawn, because they are too far away or not finite.
+  std::size_t hidden = 0;
+  bool is_spatial = false;  ///< true if the graph is in space, and drawn in parallel projection
+  double chi2 = 0;          ///< chi2 of the graph, after its kernels
+  std::string kernel;       ///< the name of the first kernel of an edge; empty if no edge has a kernel
   std::string title;
 
   bool has(SegmentKind kind) const;
 };
 
-/// The direction from which graphs in space are seen, in a parallel projection, so that lengths stay
-/// comparable. At azimuth 0 and elevation 0, x points to the right and z up; at elevation 90, y points up.
+/// The direction from which graphs in space are seen. The projection is parallel, so that lengths can be
+/// compared. At azimuth 0 and elevation 0, x points to the right and z points up. At azimuth 0 and elevation
+/// 90, x points to the right and y points up.
 struct View {
   double azimuth_deg = -31.5, elevation_deg = 24;
   bool operator==(const View&) const = default;
 };
-/// The point (x, y, z) as seen. Points in the plane are seen from above, for any view.
+/// Returns the point (x, y, z) as it is seen. Points in the plane are seen from above, for any view.
 Spot project(const std::array<double, 3>& point, int dimension, const View& view);
 
 /// The true positions of vertices by id, in the frame of the graph.
 using TruePlaces = std::unordered_map<Id, std::array<double, 3>>;
 
-/// Poses in the order of their ids form the trajectory. Other edges between poses are loop closures; edges
-/// between a pose and a point are observations. The truth is drawn along the trajectory.
+/// Makes the scene of a graph. Edges between poses with consecutive ids form the trajectory. All other edges
+/// between poses are loop closures; edges between a pose and a point are observations. The truth is drawn
+/// along the trajectory.
 Scene make_scene(const Graph& graph, std::string title, const View& view = {}, const TruePlaces& truth = {});
 
 }  // namespace boxplus::app

@@ -16,11 +16,13 @@ Cell cell_of(const Spot& spot, const Spot& origin, double pixel) {
   return {std::llround((spot[0] - origin[0]) / pixel), std::llround((spot[1] - origin[1]) / pixel)};
 }
 
-/// Segments are in the order of time. A piece of the trajectory that ends below a pixel ends a pixel early.
+/// Joins steps of the trajectory that are shorter than a pixel. The segments must be in the order of time. If
+/// the last steps before a gap or the end are shorter than a pixel even when they are joined, they are left
+/// out.
 std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, const Spot& origin,
                                        double pixel) {
   std::vector<Segment> result;
-  std::optional<Spot> begin, end;  // the pending piece of the trajectory, still too short
+  std::optional<Spot> begin, end;  // the pending piece of the trajectory, which is still too short
   for (Segment segment : segments) {
     if (segment.kind == SegmentKind::kTrajectory) {
       const bool goes_on = end == segment.from;
@@ -35,7 +37,8 @@ std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, con
   return result;
 }
 
-/// Keeps the first of the items with equal keys; the keys are (identity, order, …, index).
+/// Keeps one item of each group of items with equal identities: the first in order. The keys are (identity,
+/// order, …, index).
 template <class T, class Keys>
 std::vector<T> without_copies(const std::vector<T>& items, Keys keys) {
   std::sort(keys.begin(), keys.end());

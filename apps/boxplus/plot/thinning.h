@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keeps only the visible elements of a scene, so that pictures of large graphs stay small.
+// Keeps only the visible elements of a scene, so that the picture files of large graphs stay small.
 #pragma once
 
 #include "plot/scene.h"
 
 namespace boxplus::app {
 
-/// Joins steps of the trajectory that are shorter than `pixel` meters, and leaves out segments and spots that
-/// cover each other: the one with the largest chi2 stays. If more than `most` segments remain, it uses larger
+/// Joins steps of the trajectory that are shorter than `pixel` meters. If segments or spots cover each other,
+/// keeps only the one with the largest chi2. If more than `most` elements remain, repeats this with larger
 /// pixels. Every error above noise stays visible at its position.
 Scene thinned(Scene scene, double pixel, std::size_t most);
 

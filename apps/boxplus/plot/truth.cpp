@@ -12,11 +12,11 @@ TruePlaces true_places(const Graph& graph, const std::string& name, const std::s
   const Trajectory places = read_trajectory(truth, reading);
   if (places.is_timed) {
     throw FileError(input_name(truth) +
-                    ": expected a graph, whose poses have ids, got a TUM file, whose poses have times");
+                    ": expected a graph (poses with ids), got a TUM file (poses with timestamps)");
   }
   const std::vector<PosePair> pairs = matched(places, trajectory_of(graph, name), 0);
   if (pairs.empty())
-    throw FileError(input_name(truth) + ": expected poses with the ids of " + name + ", found none");
+    throw FileError(input_name(truth) + ": expected poses with the same ids as in " + name + ", found none");
   const Alignment onto_graph = align(pairs, places.dimension, AlignmentKind::kRigid, false);
   TruePlaces result;
   for (const TrajectoryPose& pose : places.poses) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The true positions of a graph's poses, for drawing.
+// Reads the true positions of a graph's poses, for drawing.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace boxplus::app {
 
-/// The positions of the poses in the graph file `truth`, aligned with the poses of `graph` with the same ids,
-/// as `boxplus compare` does; messages call the graph `name`. Throws the exceptions of read_trajectory(), and
-/// FileError if the two have no id in common.
+/// Returns the positions of the poses in the graph file `truth`. Aligns them with the poses of `graph` that
+/// have the same ids, like `boxplus compare`. Messages call the graph `name`. Throws the same exceptions as
+/// read_trajectory(), and FileError if the two graphs have no id in common.
 TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
                        const ReadOptions& reading);
 

@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Notes the time when the cost is reached, and ends the run there.
+/// Records the time when the cost is reached, and ends the run at that point.
 class ArrivalCallback final : public ceres::IterationCallback {
  public:
   explicit ArrivalCallback(double chi2) : cost_(chi2 / 2) {}

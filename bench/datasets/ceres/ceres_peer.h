@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ceres on the same graph: with the same errors, the same weights and the same poses held.
+// Runs Ceres on the same graph as boxplus: with the same errors, the same weights and the same fixed poses.
 //
 // The peer is a separate library, compiled for this processor and with hidden symbols, so that neither side
 // runs code that was compiled for the other.
@@ -18,33 +18,35 @@
 
 namespace boxplus::bench {
 
-/// The configurations of Ceres that are tried on every graph, all with SPARSE_NORMAL_CHOLESKY over
-/// SuiteSparse.
+/// One configuration of Ceres. All configurations are tried on every graph. They all use
+/// SPARSE_NORMAL_CHOLESKY with SuiteSparse.
 struct CeresSettings {
   enum class Strategy { kLevenbergMarquardt, kDogleg, kSubspaceDogleg };
   std::string_view name;
   Strategy strategy = Strategy::kLevenbergMarquardt;
-  double initial_radius = 1e4;  ///< Ceres's default
-  bool post_ordering = false;   ///< let CHOLMOD order the matrix, instead of ordering the parameter blocks
+  double initial_radius = 1e4;  ///< the initial radius of the trust region; this is the default of Ceres
+  bool post_ordering = false;   ///< true: CHOLMOD orders the matrix; false: Ceres orders the parameter blocks
   bool non_monotonic = false;
 };
 BOXPLUS_PEER std::span<const CeresSettings> all_ceres_settings();
 
 struct CeresStop {
-  double chi2 = 0;  ///< arrived when chi2 is at most this
+  double chi2 = 0;  ///< the target: the run has arrived if chi2 is at most this
   int iterations = 100;
   double seconds = 120;
-  double cost_tolerance = 1e-12;  ///< the relative decrease of the cost that ends a run
+  double cost_tolerance = 1e-12;  ///< the run ends if the relative decrease of the cost is below this
 };
 
 struct CeresRun {
-  double chi2_initial = 0, chi2_final = 0;  ///< twice the cost
+  double chi2_initial = 0, chi2_final = 0;  ///< twice the initial and the final cost of Ceres
   int iterations = 0;
-  double arrival_s = std::numeric_limits<double>::infinity();  ///< from the call until chi2 was reached
+  double arrival_s =
+      std::numeric_limits<double>::infinity();  ///< the time from the call until the target was reached
   double total_s = 0;
-  double jacobian_s = 0;    ///< for one evaluation of errors, Jacobians and gradient
-  double iteration_s = 0;   ///< the median iteration without the first, which includes the analysis
-  double gradient_max = 0;  ///< largest entry of the gradient of the cost at the start
+  double jacobian_s = 0;  ///< the time of one evaluation of errors, Jacobians and gradient
+  /// The median time of an iteration. The first one, which includes the analysis, is left out.
+  double iteration_s = 0;
+  double gradient_max = 0;  ///< the largest entry of the gradient of the cost at the start
   bool arrived() const { return arrival_s < std::numeric_limits<double>::infinity(); }
 };
 
@@ -55,7 +57,7 @@ class BOXPLUS_PEER CeresPeer {
   CeresPeer(const PlainGraph& graph, Jacobians jacobians);
   ~CeresPeer();
 
-  /// Solves from the estimates of the graph, with one thread.
+  /// Solves the problem from the estimates of the graph, with one thread.
   CeresRun solve(const CeresSettings& settings, const CeresStop& stop);
   /// The result of the last run, in the layout of PlainGraph.
   const std::vector<double>& poses() const;
@@ -66,7 +68,7 @@ class BOXPLUS_PEER CeresPeer {
   std::unique_ptr<Model> model_;
 };
 
-/// The versions of Ceres, and of the Eigen with which its cost functions are compiled.
+/// Returns the version of Ceres.
 BOXPLUS_PEER std::string_view ceres_version();
 
 }  // namespace boxplus::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errors in the plane for Ceres: for autodiff, and with Jacobians. A pose is one block (x, y, θ).
+// The errors in the plane for Ceres: for automatic differentiation, and with analytic Jacobians. A pose is
+// one parameter block (x, y, θ).
 #pragma once
 
 #include <ceres/sized_cost_function.h>
@@ -11,7 +12,7 @@
 
 namespace boxplus::bench {
 
-/// Wraps θ to [−π, π).
+/// Wraps an angle to [−π, π).
 template <class T>
 T wrapped(const T& angle) {
   using std::floor;
@@ -19,7 +20,7 @@ T wrapped(const T& angle) {
   return angle - kTurn * floor((angle + kTurn / 2) / kTurn);
 }
 
-/// S vec(z⁻¹ xi⁻¹ xj).
+/// The error S vec(z⁻¹ xi⁻¹ xj), with the information matrix SᵀS.
 struct SE2MotionError {
   explicit SE2MotionError(const PlainGraph::Motion& motion)
       : z(motion.z.data()),
@@ -28,7 +29,7 @@ struct SE2MotionError {
         sin_z(std::sin(z[2])),
         z_body(cos_z * z[0] + sin_z * z[1], cos_z * z[1] - sin_z * z[0]) {}
 
-  /// With Rᵀ = R(θi + θz)ᵀ: (Rᵀ (tj − ti) − Rzᵀ tz, θj − θi − θz).
+  /// Computes S (Rᵀ (tj − ti) − Rzᵀ tz, θj − θi − θz), with R = R(θi + θz).
   template <class T>
   bool operator()(const T* xi, const T* xj, T* out) const {
     using std::cos;
@@ -75,7 +76,7 @@ class SE2MotionCost final : public ceres::SizedCostFunction<3, 3, 3> {
   SE2MotionError error_;
 };
 
-/// S (x⁻¹ l − z).
+/// The error S (x⁻¹ l − z), with the information matrix SᵀS.
 struct PointError {
   explicit PointError(const PlainGraph::Observation& observation)
       : z(observation.z.data()), root(observation.root_information.data()) {}

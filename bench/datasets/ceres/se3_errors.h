@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The relative pose in space for Ceres: for autodiff, and with Jacobians. A pose is two blocks, the position
-// and the quaternion (x, y, z, w), as in Ceres's own example.
+// The error of a relative pose in space for Ceres: for automatic differentiation, and with analytic
+// Jacobians. A pose has two parameter blocks, the position and the quaternion (x, y, z, w), as in Ceres's own
+// example.
 #pragma once
 
 #include <ceres/sized_cost_function.h>
@@ -11,7 +12,8 @@
 
 namespace boxplus::bench {
 
-/// S (t, s·q_v) of z⁻¹ xi⁻¹ xj, with s = ±1 so that s·q_w ≥ 0.
+/// The error S (t, s·q_v), with the translation t and the quaternion q of z⁻¹ xi⁻¹ xj, and the information
+/// matrix SᵀS. The sign s = ±1 is chosen so that s·q_w ≥ 0.
 struct SE3MotionError {
   explicit SE3MotionError(const PlainGraph::Motion& motion)
       : t_z(motion.z.data()), q_z(motion.z.data() + 3), root(motion.root_information.data()) {}
@@ -19,11 +21,11 @@ struct SE3MotionError {
   template <class T>
   bool operator()(const T* ti, const T* qi, const T* tj, const T* qj, T* out) const {
     using Vector = Eigen::Matrix<T, 3, 1>;
-    using detail::Quaternion = Eigen::Quaternion<T>;
-    const detail::Quaternion from_i = Eigen::Map<const Quaternion>(qi).conjugate();
-    const detail::Quaternion from_z = q_z.conjugate().template cast<T>();
+    using Quaternion = Eigen::Quaternion<T>;
+    const Quaternion from_i = Eigen::Map<const Quaternion>(qi).conjugate();
+    const Quaternion from_z = q_z.conjugate().template cast<T>();
     const Vector t = from_i * Vector(Eigen::Map<const Vector>(tj) - Eigen::Map<const Vector>(ti));
-    const detail::Quaternion q = from_z * (from_i * Eigen::Map<const Quaternion>(qj));
+    const Quaternion q = from_z * (from_i * Eigen::Map<const Quaternion>(qj));
     Eigen::Matrix<T, 6, 1> e;
     e << from_z * Vector(t - t_z.template cast<T>()), (q.w() < T(0) ? Vector(-q.vec()) : Vector(q.vec()));
     Eigen::Map<Eigen::Matrix<T, 6, 1>>{out} = root.template cast<T>() * e;
@@ -41,7 +43,8 @@ inline Eigen::Matrix3d cross_with(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// The Jacobians are with respect to the four scalars of each quaternion, as autodiff computes them:
+/// The same error with analytic Jacobians. They are derivatives with respect to the four scalars of each
+/// quaternion, like the Jacobians of automatic differentiation:
 ///   rotate(q*, d) = d − 2w (v × d) + 2 v × (v × d)
 ///     ⇒ ∂/∂v = 2 (w [d]× − [v × d]× − [v]× [d]×),  ∂/∂w = −2 v × d
 ///   vec(p q) = (p_w I + [p_v]×) q_v + p_v q_w
@@ -85,12 +88,12 @@ class SE3MotionCost final : public ceres::SizedCostFunction<6, 3, 4, 3, 4> {
   using RotationBlock = Eigen::Matrix<double, 6, 4, Eigen::RowMajor>;
   using ThreeByFour = Eigen::Matrix<double, 3, 4>;
 
-  /// The matrix of d ↦ rotate(q*, d), for a q whose norm need not be one.
+  /// Returns the matrix of d ↦ rotate(q*, d), for a q whose norm need not be one.
   static Eigen::Matrix3d rotation_of_conjugate(const Eigen::Quaterniond& q) {
     return q.conjugate().toRotationMatrix();
   }
 
-  /// ∂ rotate(q*, d) / ∂ (v, w).
+  /// Returns ∂ rotate(q*, d) / ∂ (v, w).
   static ThreeByFour derivative_of_rotation(const Eigen::Quaterniond& q, const Eigen::Vector3d& d) {
     const Eigen::Vector3d v = q.vec(), v_cross_d = v.cross(d);
     ThreeByFour J;
@@ -99,14 +102,14 @@ class SE3MotionCost final : public ceres::SizedCostFunction<6, 3, 4, 3, 4> {
     return J;
   }
 
-  /// The matrix of (v, w) ↦ vec(p q).
+  /// Returns the matrix of (v, w) ↦ vec(p q).
   static ThreeByFour left_product(const Eigen::Quaterniond& p) {
     ThreeByFour J;
     J << p.w() * Eigen::Matrix3d::Identity() + cross_with(p.vec()), p.vec();
     return J;
   }
 
-  /// The matrix of (v, w) ↦ vec(p q* r).
+  /// Returns the matrix of (v, w) ↦ vec(p q* r).
   static ThreeByFour derivative_of_middle(const Eigen::Quaterniond& p, const Eigen::Quaterniond& r) {
     Eigen::Matrix4d conjugate_times_r;
     conjugate_times_r << cross_with(r.vec()) - r.w() * Eigen::Matrix3d::Identity(), r.vec(),

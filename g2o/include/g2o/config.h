@@ -2,11 +2,11 @@
 // Every header of the g2o API includes this one first.
 //
 // Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit. The classes
-// from which clients derive could therefore have two layouts in one program. Other macros of Eigen and the
-// debug mode of the standard library have the same effect. Every header therefore references the symbol
-// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. A mismatch is a link error.
-// If a setting differs from the library's, the name of the symbol also says which flag to add or remove. The
-// CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
+// from which clients derive could therefore have two layouts in one program. Other Eigen macros and the debug
+// mode of the standard library cause the same problem. Every header therefore references the symbol
+// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. If settings differ, the
+// program does not link. The name of the missing symbol also says which flag to add or remove. The CMake
+// targets set EIGEN_MAX_ALIGN_BYTES=16.
 #pragma once
 #ifndef G2O_CONFIG_H
 #define G2O_CONFIG_H
@@ -32,7 +32,7 @@
 #endif
 #if EIGEN_MAX_STATIC_ALIGN_BYTES == EIGEN_MAX_ALIGN_BYTES
 #define G2O_ABI_STATIC
-#else  // fixed-size types have another alignment than Eigen's allocations
+#else  // Eigen aligns fixed-size types and heap memory differently
 #define G2O_ABI_STATIC _remove_EIGEN_MAX_STATIC_ALIGN_BYTES
 #endif
 #if defined(EIGEN_DEFAULT_TO_ROW_MAJOR)

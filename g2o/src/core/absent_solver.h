@@ -7,11 +7,11 @@
 namespace g2o {
 namespace internal {
 
-/// Stands in for a solver that was not given. It cannot be initialized.
+/// A placeholder for a missing solver. Its init() always fails.
 class AbsentSolver : public BlockSolverBase {
  public:
   bool init(SparseOptimizer*, bool) override {
-    G2O_ERROR("the algorithm was made without a solver");
+    G2O_ERROR("the algorithm was created without a solver");
     return false;
   }
   bool buildStructure(bool) override { return false; }

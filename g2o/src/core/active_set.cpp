@@ -41,7 +41,8 @@ void SparseOptimizer::clearIndexMapping() {
   _ivMap.clear();
 }
 
-/// Unmaps the active vertices, because the next structure may place H elsewhere and leave some of them out.
+/// Unmaps the Hessian blocks of the active vertices, because the next structure may store H elsewhere, and
+/// may not contain all of these vertices.
 void SparseOptimizer::forgetInitialization() {
   clearIndexMapping();
   for (OptimizableGraph::Vertex* v : _activeVertices) v->mapHessianMemory(nullptr);
@@ -54,7 +55,7 @@ void SparseOptimizer::dropIncompleteEdges() {
   const auto is_incomplete = [](const Edge* e) { return e->numUndefinedVertices() > 0; };
   const auto incomplete = std::find_if(_activeEdges.begin(), _activeEdges.end(), is_incomplete);
   if (incomplete == _activeEdges.end()) return;
-  G2O_WARN("edges that lost a vertex no longer take part: {}",
+  G2O_WARN("number of edges that lost a vertex and are no longer active: {}",
            std::count_if(incomplete, _activeEdges.end(), is_incomplete));
   _activeEdges.erase(std::remove_if(incomplete, _activeEdges.end(), is_incomplete), _activeEdges.end());
   ++structure_revision_;
@@ -65,14 +66,14 @@ void SparseOptimizer::sortVectorContainers() {
   std::sort(_activeEdges.begin(), _activeEdges.end(), EdgeIDCompare());
 }
 
-/// setVertex() may have given an edge larger vertices after the edge was added.
+/// Makes the workspace large enough for all active edges. After an edge was added, setVertex() may have
+/// replaced its vertices by vertices of larger dimension.
 void SparseOptimizer::sizeWorkspace() {
   for (const OptimizableGraph::Edge* e : _activeEdges) _jacobianWorkspace.updateSize(e);
   _jacobianWorkspace.allocate();
 }
 
-/// The last part of every initializeOptimization() overload, called when the active vertices and edges are
-/// known.
+/// The last step of each initializeOptimization(). It runs when the active vertices and edges are known.
 bool SparseOptimizer::startOptimization() {
   sortVectorContainers();
   sizeWorkspace();
@@ -113,7 +114,8 @@ bool SparseOptimizer::initializeOptimization(HyperGraph::VertexSet& vset, int le
   return startOptimization();
 }
 
-/// Has the same effect as passing the set of all vertices, but does not look up each of them.
+/// Has the same effect as initializeOptimization() with the set of all vertices, but is faster, because it
+/// looks up no vertices in a set.
 bool SparseOptimizer::initializeOptimization(int level) {
   if (edges().empty()) {
     G2O_WARN("initializeOptimization: the graph has no edges");
@@ -154,7 +156,7 @@ bool SparseOptimizer::updateInitialization(HyperGraph::VertexSet& vset, HyperGra
   _activeEdges.erase(std::unique(_activeEdges.begin(), _activeEdges.end()), _activeEdges.end());
   std::sort(added.begin(), added.end(),
             [](HyperGraph::Vertex* a, HyperGraph::Vertex* b) { return a->id() < b->id(); });
-  const bool renumber = !_ivMap.empty() && _ivMap.back()->marginalized();  // keeps marginalized ones last
+  const bool renumber = !_ivMap.empty() && _ivMap.back()->marginalized();  // marginalized vertices come last
   for (HyperGraph::Vertex* u : added) {
     OptimizableGraph::Vertex* v = as_vertex(u);
     _activeVertices.push_back(v);
@@ -192,7 +194,8 @@ bool SparseOptimizer::changeId(HyperGraph::Vertex* v, int newId) {
   return true;
 }
 
-// Deactivates an active edge that lost a vertex. An edge that got another vertex adds to another block of H.
+// Deactivates an active edge that loses a vertex. An edge that gets another vertex contributes to another
+// block of H, so the structure changes.
 bool SparseOptimizer::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
   if (!OptimizableGraph::setEdgeVertex(e, pos, v)) return false;
   const auto active = findActiveEdge(static_cast<OptimizableGraph::Edge*>(e));

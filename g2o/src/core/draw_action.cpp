@@ -19,7 +19,8 @@ DrawAction::DrawAction(const std::string& typeName_) : HyperGraphElementAction(t
 }
 DrawAction::~DrawAction() = default;
 
-// Always looks up the properties, because new parameters may lie at the address of the previous ones.
+// Looks up the properties in every call. It is not enough to compare addresses, because a new Parameters
+// object may have the same address as the previous object.
 bool DrawAction::refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_) {
   _previousParams = dynamic_cast<Parameters*>(params_);
   if (_previousParams == nullptr || _previousParams->drawing == nullptr) return false;

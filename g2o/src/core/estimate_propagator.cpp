@@ -44,7 +44,7 @@ void EstimatePropagator::propagate(OptimizableGraph::Vertex* v, const PropagateC
 void EstimatePropagator::propagate(OptimizableGraph::VertexSet& vset, const PropagateCost& cost,
                                    const PropagateAction& action, double maxDistance, double maxEdgeCost) {
   using Entry =
-      std::tuple<double, int, OptimizableGraph::Vertex*>;  // distance, then id, so that every run is the same
+      std::tuple<double, int, OptimizableGraph::Vertex*>;  // ordered by distance; the id breaks ties
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
   _adjacencyMap.clear();
   _visited.clear();

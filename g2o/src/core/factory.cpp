@@ -11,7 +11,7 @@ AbstractHyperGraphElementCreator::~AbstractHyperGraphElementCreator() = default;
 
 namespace {
 
-// Never destroyed before exit, because static objects of plug-ins unregister themselves late.
+// Not destroyed at exit, because static objects in plug-ins may still unregister themselves at that time.
 Factory*& factory_slot() {
   static Factory* slot = nullptr;
   return slot;

@@ -43,8 +43,7 @@ void HyperDijkstra::shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunc
 void HyperDijkstra::shortestPaths(HyperGraph::VertexSet& vset, HyperDijkstra::CostFunction* cost,
                                   double maxDistance, double comparisonConditioner, bool directed,
                                   double maxEdgeCost) {
-  using Entry =
-      std::tuple<double, int, HyperGraph::Vertex*>;  // distance, then id, so that every run is the same
+  using Entry = std::tuple<double, int, HyperGraph::Vertex*>;  // ordered by distance; the id breaks ties
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> frontier;
   reset();
   HyperGraph::VertexSet done;

@@ -78,7 +78,7 @@ bool HyperGraph::addEdge(Edge* e) {
     return false;
   }
   if (has_repetition(e->vertices())) {
-    G2O_ERROR("addEdge: expected distinct vertices, but one appears twice");
+    G2O_ERROR("addEdge: expected distinct vertices, but one vertex appears twice");
     return false;
   }
   if (!_edges.insert(e).second) {
@@ -127,11 +127,12 @@ bool HyperGraph::setEdgeVertex(Edge* e, int pos, Vertex* v) {
   return true;
 }
 
-// Checks all edges before it removes any, so that a refusal changes nothing.
+// Moves the edges of `small` to `big` first, and removes edges only after that. If an edge cannot be moved,
+// moves all edges back, so that a failed call changes nothing.
 bool HyperGraph::mergeVertices(Vertex* big, Vertex* small, bool erase) {
   if (!has(big, "mergeVertices") || !has(small, "mergeVertices")) return false;
   if (big == small) {
-    G2O_ERROR("mergeVertices: expected two vertices, got {} twice", big->id());
+    G2O_ERROR("mergeVertices: expected two different vertices, got vertex {} twice", big->id());
     return false;
   }
   std::vector<Edge*> between;
@@ -188,8 +189,9 @@ bool HyperGraph::removeEdge(Edge* e) {
   return true;
 }
 
-// Deletes edges first, so that their destructors still find their vertices. Accesses only vertices that are
-// still listed, because a client that owns its vertices may have emptied vertices() before.
+// Deletes the edges first, because their destructors may access their vertices. After that, accesses only
+// vertices that are still in vertices(). A client that owns its vertices may have emptied vertices() and
+// deleted them before.
 void HyperGraph::clear() {
   for (Edge* e : _edges) release(e);
   _edges.clear();

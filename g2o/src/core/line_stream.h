@@ -9,8 +9,8 @@
 namespace g2o {
 namespace internal {
 
-/// A line of a file that load() reads. read() of a type stores its complaint here, because load() knows the
-/// line number and read() does not.
+/// A line of a file that load() reads. A type's read() stores its error message here, because load() knows
+/// the line number and read() does not.
 class G2O_CORE_API LineStream : public std::istringstream {
  public:
   explicit LineStream(const std::string& line);
@@ -19,7 +19,7 @@ class G2O_CORE_API LineStream : public std::istringstream {
   std::string problem;
 };
 
-/// Stores a complaint about a field if `is` is a LineStream; otherwise logs it.
+/// If `is` is a LineStream, stores the error message in it. Otherwise logs the message.
 G2O_CORE_API void complain(std::istream& is, const std::string& problem);
 
 }  // namespace internal

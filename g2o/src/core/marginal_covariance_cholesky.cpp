@@ -20,12 +20,12 @@ void MarginalCovarianceCholesky::setCholeskyFactor(int n, int* Lp, int* Li, doub
   columns_.clear();
 }
 
-/// Z = L⁻ᵀ L⁻¹ on the pattern of L, from the last column to the first. With the strictly lower entries k of
-/// column j, Z_ij = −Σ_k Z_ik L_kj / L_jj and Z_jj = (1 / L_jj − Σ_k L_kj Z_kj) / L_jj. For all i and k of
-/// the column, (i, k) is also on the pattern.
+/// Computes the entries of Z = L⁻ᵀ L⁻¹ on the pattern of L, from the last column to the first: Z_ij = −Σ_k
+/// Z_ik L_kj / L_jj and Z_jj = (1 / L_jj − Σ_k L_kj Z_kj) / L_jj. Here i and k are the rows of the entries of
+/// column j below the diagonal. For each such pair, the entry (i, k) is also on the pattern.
 void MarginalCovarianceCholesky::sweep() {
   inverse_.assign(static_cast<size_t>(_Ap[_n]), 0.0);
-  std::vector<int> place(static_cast<size_t>(_n), -1);  // of each row in column j
+  std::vector<int> place(static_cast<size_t>(_n), -1);  // the position of each row in column j, or -1
   std::vector<double> sums;
   for (int j = _n - 1; j >= 0; --j) {
     const int first = _Ap[j] + 1, count = _Ap[j + 1] - first;
@@ -53,7 +53,7 @@ void MarginalCovarianceCholesky::sweep() {
   }
 }
 
-/// Solves L Lᵀ z = e_c.
+/// Returns column c of the inverse: the solution z of L Lᵀ z = e_c.
 const VectorX& MarginalCovarianceCholesky::column(int c) {
   const auto [found, is_new] = columns_.try_emplace(c);
   VectorX& z = found->second;
@@ -70,7 +70,7 @@ const VectorX& MarginalCovarianceCholesky::column(int c) {
   return z;
 }
 
-/// The entry of the inverse at a row and column of A.
+/// Returns the entry of the inverse of A at a row and a column of A.
 double MarginalCovarianceCholesky::entry(int row, int column_of_A) {
   const int a = _perm != nullptr ? _perm[row] : row;
   const int b = _perm != nullptr ? _perm[column_of_A] : column_of_A;

@@ -87,8 +87,10 @@ const OptimizableGraph* OptimizableGraph::Edge::graph() const {
 
 bool OptimizableGraph::Edge::setParameterId(int argNum, int paramId) {
   if (argNum < 0 || static_cast<size_t>(argNum) >= _parameters.size() || paramId < 0) {
-    G2O_ERROR("setParameterId: expected the index of one of {} parameters and an id, got {} and {}",
-              _parameters.size(), argNum, paramId);
+    G2O_ERROR(
+        "setParameterId: expected an index below {} (the number of parameters) and an id of at least 0, got "
+        "{} and {}",
+        _parameters.size(), argNum, paramId);
     return false;
   }
   _parameterIds[static_cast<size_t>(argNum)] = paramId;
@@ -147,7 +149,7 @@ OptimizableGraph::OptimizableGraph() {
   _graphActions.resize(AT_NUM_ELEMENTS);
 }
 
-// Deletes the vertices and edges before the parameters that they use.
+// Deletes the vertices and edges first, and then the parameters that they use.
 OptimizableGraph::~OptimizableGraph() {
   HyperGraph::clear();
   _parameters.clear();
@@ -230,7 +232,10 @@ bool OptimizableGraph::addUnassignedEdge(OptimizableGraph::Edge* e) {
   }
   for (const OptimizableGraph::Vertex* v : assigned) {
     if (vertex(v->id()) == v && std::count(assigned.begin(), assigned.end(), v) == 1) continue;
-    G2O_ERROR("addUnassignedEdge: expected distinct vertices of the graph, but {} is not one", v->id());
+    G2O_ERROR(
+        "addUnassignedEdge: expected distinct vertices of the graph, but vertex {} is not in the graph or "
+        "appears twice",
+        v->id());
     return false;
   }
   if (!e->verticesFit()) {
@@ -252,7 +257,7 @@ bool OptimizableGraph::changeId(HyperGraph::Vertex* v, int newId) {
 
 bool OptimizableGraph::setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) {
   if (e == nullptr || pos < 0 || static_cast<size_t>(pos) >= e->vertices().size()) {
-    G2O_ERROR("setEdgeVertex: expected an edge and one of its positions, got {}", pos);
+    G2O_ERROR("setEdgeVertex: expected an edge and a position in it, got position {}", pos);
     return false;
   }
   if (v != nullptr && vertex(v->id()) != v) {
@@ -391,7 +396,9 @@ bool OptimizableGraph::initMultiThreading() {
   return true;
 }
 
-// An algorithm with two dimensions is for poses and landmarks, and one with one dimension for poses.
+// An algorithm that requires marginalization is for graphs with poses and landmarks, which have different
+// dimensions. All other algorithms are for vertices of one dimension or, if the dimension is −1, for vertices
+// of any dimensions.
 bool OptimizableGraph::isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
                                         const std::set<int>& vertDims_) const {
   const std::set<int> dims = vertDims_.empty() ? dimensions() : vertDims_;

@@ -22,8 +22,8 @@
 namespace g2o {
 namespace {
 
-/// Reads one file into a graph, line by line. Lines that refer to a vertex that has not been read yet wait
-/// until the end.
+/// Reads one file into a graph, line by line. If a line refers to a vertex or a parameter that has not been
+/// read yet, the line is read again at the end.
 class Loader {
  public:
   Loader(OptimizableGraph& graph, const std::map<std::string, std::string>& renames)
@@ -37,7 +37,7 @@ class Loader {
     }
     if (is.bad()) {
       ++number_;
-      complain("it cannot be read");
+      complain("this line cannot be read");
     }
     last_ = nullptr;
     for (auto& [number, line] : std::exchange(pending_, {})) {
@@ -87,8 +87,8 @@ class Loader {
     }
   }
 
-  /// Reports the first unknown tags and only counts the others, because a file in another format has very
-  /// many.
+  /// Reports the first few unknown tags, and only counts the other unknown tags, because a file in another
+  /// format has very many of them.
   void report_unknown_tags() const {
     constexpr size_t kShown = 5;
     std::vector<std::pair<std::string, Unknown>> tags(unknown_.begin(), unknown_.end());
@@ -100,18 +100,20 @@ class Loader {
       if (i >= kShown) {
         others += unknown.count;
       } else if (unknown.count == 1) {
-        G2O_WARN("line {}: unknown tag {}, skipped", unknown.first_line, boxplus::quoted(tag));
+        G2O_WARN("line {}: skipped this line with the unknown tag {}", unknown.first_line,
+                 boxplus::quoted(tag));
       } else {
-        G2O_WARN("line {}: unknown tag {}, skipped with {} more of its lines", unknown.first_line,
-                 boxplus::quoted(tag), unknown.count - 1);
+        G2O_WARN("line {}: skipped this line and {} more lines with the unknown tag {}", unknown.first_line,
+                 unknown.count - 1, boxplus::quoted(tag));
       }
     }
     if (others > 0)
-      G2O_WARN("{} more lines with {} other unknown tags, skipped", others, tags.size() - kShown);
+      G2O_WARN("skipped {} more lines with {} other unknown tags", others, tags.size() - kShown);
   }
 
-  /// Whether read() accepts the fields. A read() that ends in `return is.good()` returns false if its last
-  /// field ends the line. If read() fails, it is therefore called again with a blank after the fields.
+  /// Whether the read() of an element accepts the fields. Some types end their read() with `return
+  /// is.good()`, which is false if the last field is at the end of the line. So if read() returns false at
+  /// the end of the line, this function calls it again with a blank after the fields.
   template <class Element>
   static bool accepts(Element& element, internal::LineStream& fields) {
     const std::istream::pos_type begin = fields.tellg();
@@ -123,10 +125,10 @@ class Loader {
     return element.read(fields) && !fields.fail();
   }
 
-  /// Describes the problem of a line whose fields could not be read.
+  /// Describes why the fields of a line could not be read.
   static std::string problem_of(internal::LineStream& fields) {
     if (!fields.problem.empty()) return fields.problem;
-    if (!fields.fail()) return "its fields are not accepted";
+    if (!fields.fail()) return "the read() of this type does not accept the fields";
     fields.clear();
     std::string next;
     if (!(fields >> next)) return "expected more fields, got the end of the line";
@@ -196,8 +198,8 @@ class Loader {
     return false;
   }
 
-  /// Reads the ids of the edge's vertices: as many as its type has, or up to "||". Returns false if there are
-  /// too few.
+  /// Reads the ids of an edge's vertices: `count` ids or, if `count` is 0, all ids before "||". If an id is
+  /// wrong or missing, reports that and returns false.
   bool read_ids(const std::string& tag, internal::LineStream& fields, size_t count, std::vector<int>& ids) {
     constexpr const char* kWhat = "the id of a vertex";
     ids.resize(count);
@@ -249,7 +251,7 @@ class Loader {
                  internal::LineStream& fields) {
     auto* d = static_cast<HyperGraph::Data*>(element.get());
     if (!d->read(fields)) return complain("{}: {}", tag, problem_of(fields));
-    if (last_ == nullptr) return complain("{}: there is no vertex or edge before it", tag);
+    if (last_ == nullptr) return complain("{}: there is no vertex or edge before this line", tag);
     static_cast<void>(element.release());
     if (last_data_ == nullptr) {
       last_->addUserData(d);
@@ -274,14 +276,15 @@ class Loader {
   int complaints_ = 0;
 };
 
-/// The tag of an element. Returns an empty string, with a message, if its type is not registered.
+/// Returns the tag of an element. If the type of the element is not registered, prints a message and returns
+/// an empty string.
 const std::string& tag_of(const HyperGraph::HyperGraphElement* element) {
   const std::string& tag = Factory::instance()->tag(element);
   if (tag.empty()) G2O_ERROR("save: no tag is registered for the type {}", typeid(*element).name());
   return tag;
 }
 
-/// Saves elements until the stream fails. Returns false if any of them was not written.
+/// Saves the elements until the stream fails. Returns false if an element was not written.
 template <class Elements, class Save>
 bool save_all(const std::ostream& os, const Elements& elements, Save save) {
   bool ok = true;
@@ -292,7 +295,7 @@ bool save_all(const std::ostream& os, const Elements& elements, Save save) {
   return ok;
 }
 
-/// Returns the result of an element's write(). Prints a message if it is false.
+/// Returns `ok`, the result of an element's write(). If `ok` is false, prints a message.
 bool written(bool ok, const std::string& tag) {
   if (!ok) G2O_ERROR("save: write() of {} returned false", tag);
   return ok;

@@ -37,7 +37,8 @@ bool OptimizationAlgorithmDogleg::init(bool online) {
   return false;
 }
 
-/// Computes the Gauss-Newton step. If H is not positive definite, uses H + λI with a λ that makes it so.
+/// Computes the Gauss-Newton step. If H is not positive definite, uses H + λI instead, with a λ for which H +
+/// λI is positive definite.
 bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   constexpr double kLargestLambda = 1e3;
   bool solved = false;
@@ -53,7 +54,7 @@ bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   return solved;
 }
 
-/// Computes the minimum of the model along b.
+/// Computes the minimum of the quadratic model along b, the direction of steepest descent.
 void OptimizationAlgorithmDogleg::findSteepestDescent() {
   const auto n = static_cast<Eigen::Index>(_solver.vectorSize());
   const Eigen::Map<const VectorX> b(_solver.b(), n);
@@ -64,7 +65,8 @@ void OptimizationAlgorithmDogleg::findSteepestDescent() {
   _hsd = alpha * b;
 }
 
-/// Computes the point on the dogleg path at distance delta.
+/// Computes the point on the dogleg path at distance delta. If the path is shorter, computes its end, the
+/// Gauss-Newton step.
 void OptimizationAlgorithmDogleg::blend(const VectorX& gaussNewton) {
   const double steepest = _hsd.norm();
   if (gaussNewton.norm() < _delta) {

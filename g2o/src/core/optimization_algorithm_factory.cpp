@@ -10,14 +10,14 @@
 namespace g2o {
 namespace {
 
-// Never destroyed before exit, because static objects of plug-ins unregister themselves late.
+// Not destroyed at exit, because static objects in plug-ins may still unregister themselves at that time.
 OptimizationAlgorithmFactory*& factory_slot() {
   static OptimizationAlgorithmFactory* slot = nullptr;
   return slot;
 }
 
-/// The name of a CHOLMOD or CSparse algorithm without the name of that library: "lm_var" for
-/// "lm_var_cholmod". Returns an empty string for other names.
+/// Removes "_cholmod" or "_csparse" from the end of the name of an algorithm: returns "lm_var" for
+/// "lm_var_cholmod". Returns an empty string for all other names.
 std::string without_foreign_library(const std::string& tag) {
   for (const char* library : {"_cholmod", "_csparse"}) {
     const std::string suffix = library;
@@ -77,7 +77,7 @@ OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
   if (found == _creator.end()) {
     found = findSolver(without_foreign_library(tag));
     if (found != _creator.end())
-      G2O_WARN("{} falls back to {}: no library that provides it is linked or loaded", tag,
+      G2O_WARN("{} is replaced by {}, because no library that provides it is linked or loaded", tag,
                (*found)->property().name);
   }
   if (found == _creator.end()) {

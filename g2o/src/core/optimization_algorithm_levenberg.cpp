@@ -13,8 +13,8 @@
 namespace g2o {
 namespace {
 
-/// The largest decrease of chi2 that the model of H and b predicts along the direction of a step x that
-/// solves (H + λI) x = b. It is the maximum of 2αbᵀx − α²xᵀHx over α.
+/// Let x be the step that solves (H + λI) x = b. Returns the largest decrease of chi2 that the quadratic
+/// model predicts for any multiple of x: the maximum of 2αbᵀx − α²xᵀHx over α.
 double largest_decrease_along(const Solver& solver, double lambda) {
   const auto n = static_cast<Eigen::Index>(solver.vectorSize());
   const Eigen::Map<const VectorX> x(solver.x(), n), b(solver.b(), n);
@@ -22,9 +22,9 @@ double largest_decrease_along(const Solver& solver, double lambda) {
   return curvature > 0 ? slope * slope / curvature : std::numeric_limits<double>::infinity();
 }
 
-/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest possible
-/// decrease along the step must also be that small. A step that is short only because λ is large therefore
-/// does not count.
+/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest decrease
+/// that the model predicts along the step must also be small. Otherwise, the step may be short only because λ
+/// is large.
 bool is_below_rounding(double chi2, double predicted, double largest_predicted, double decrease) {
   constexpr double kRounding = 1e-13, kMostShortening = 1000;
   return predicted <= kRounding * chi2 && std::abs(decrease) <= kRounding * chi2 &&
@@ -46,8 +46,9 @@ OptimizationAlgorithmLevenberg::OptimizationAlgorithmLevenberg(Solver* solver)
 
 OptimizationAlgorithmLevenberg::~OptimizationAlgorithmLevenberg() = default;
 
-/// Nielsen, "Damping parameter in Marquardt's method", 1999: λ shrinks if the model predicted chi2 well. It
-/// grows by ν if the step failed, and ν doubles with each failure.
+/// Changes λ as in Nielsen, "Damping parameter in Marquardt's method", 1999. If a step decreases chi2, λ
+/// shrinks. The larger the decrease is relative to the predicted decrease, the more λ shrinks. If a step
+/// fails, λ is multiplied by ν, and ν doubles.
 OptimizationAlgorithm::SolverResult OptimizationAlgorithmLevenberg::solve(int iteration, bool online) {
   if (!linearize(iteration, online)) return Fail;
   const double chi2 = _optimizer->activeRobustChi2();

@@ -2,25 +2,28 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "g2o/core/optimizable_graph.h"
 
 namespace g2o {
 namespace internal {
 
-/// Prefetches the first `bytes` of an object.
+/// Prefetches the first `bytes` of an object. The object may be smaller, and the pointer may be null.
 inline void prefetch(const void* object, std::size_t bytes) {
 #if defined(__GNUC__)
   constexpr std::size_t kLine = 64;
-  for (std::size_t at = 0; at < bytes; at += kLine) __builtin_prefetch(static_cast<const char*>(object) + at);
+  const auto begin = reinterpret_cast<std::uintptr_t>(object);  // an integer may leave the object
+  for (std::size_t at = 0; at < bytes; at += kLine)
+    __builtin_prefetch(reinterpret_cast<const void*>(begin + at));
 #else
   static_cast<void>(object);
   static_cast<void>(bytes);
 #endif
 }
 
-/// Calls f for each edge. Prefetches the next edges and their vertices, because each is a separate heap
-/// object.
+/// Calls f for each edge. Prefetches the next edges and their vertices, because all of them are separate heap
+/// objects.
 template <class F>
 void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
   constexpr std::size_t kEdgesAhead = 6, kVerticesAhead = 3;

@@ -5,8 +5,8 @@ namespace g2o {
 namespace internal {
 
 /// Saves the estimates of a vertex, or of the active vertices of an optimizer, before a step that may be
-/// rejected. The destructor restores them unless keep() was called. So they are also restored if client code
-/// throws.
+/// rejected. The destructor restores them unless keep() was called. So the estimates are also restored if
+/// client code throws.
 template <class Stack>
 class PushedEstimates {
  public:
@@ -17,7 +17,7 @@ class PushedEstimates {
     if (stack_ == nullptr) return;
     try {
       stack_->pop();
-    } catch (...) {  // client code threw again; the first exception is the one to report
+    } catch (...) {  // thrown by client code; the first exception is reported
     }
   }
   /// Keeps the current estimates.

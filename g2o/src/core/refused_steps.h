@@ -6,7 +6,8 @@
 namespace g2o {
 namespace internal {
 
-/// Moves the vertices by ⊞. Returns false if a vertex refused its step.
+/// Calls optimizer.update(step). Returns false if a vertex refused its part of the step, because the new
+/// estimate would not be finite.
 bool update(SparseOptimizer& optimizer, const double* step);
 
 }  // namespace internal

@@ -14,7 +14,8 @@
 namespace g2o {
 namespace {
 
-/// ρ, ρ′, ρ″ of a kernel of the engine. A kernel without a width ignores every error.
+/// Sets rho to (ρ, ρ′, ρ″) of a kernel of the engine. A kernel with a width of 0 or less ignores every error:
+/// rho is zero.
 template <class Kernel>
 void robustify_by(double delta, double e2, Vector3& rho) {
   if (!(delta > 0)) {
@@ -111,7 +112,8 @@ AbstractRobustKernelCreator::Ptr creator_of() {
 
 }  // namespace
 
-// Registers the kernels of the library even if nothing else links them.
+// Registers the kernels of the library in the constructor, so that programs can find them by name even if
+// they use no kernel class.
 RobustKernelFactory::RobustKernelFactory()
     : _creator{{"Huber", creator_of<RobustKernelHuber>()},
                {"PseudoHuber", creator_of<RobustKernelPseudoHuber>()},

@@ -20,8 +20,8 @@ class Facet final : public std::num_put<char> {
 
 }  // namespace
 
-// Set the locale before attaching the buffer: imbue() passes the locale on to an attached buffer, the buffer
-// then flushes, and if that fails, the stream becomes unusable.
+// Sets the locale before it attaches the buffer. If a buffer is attached, imbue() passes the locale on to the
+// buffer, and the buffer flushes. If that fails, the stream becomes unusable.
 ShortestNumbers::ShortestNumbers(std::ostream& os) : to_(os), stream_(nullptr) {
   stream_.imbue(std::locale(std::locale::classic(), new Facet));
   stream_.rdbuf(os.rdbuf());

@@ -21,7 +21,8 @@ OptimizableGraph::Vertex* as_vertex(HyperGraph::Vertex* v) {
   return static_cast<OptimizableGraph::Vertex*>(v);
 }
 
-/// Restores the thread's statistics pointer, however optimize() ends.
+/// Clears the thread's statistics pointer. The destructor restores the pointer, even if optimize() ends with
+/// an exception.
 class StatisticsScope {
  public:
   StatisticsScope() : before_(G2OBatchStatistics::globalStats()) {
@@ -35,7 +36,7 @@ class StatisticsScope {
   G2OBatchStatistics* before_;
 };
 
-/// Saves estimates and restores them at the end.
+/// Saves the estimates of vertices. The destructor restores them.
 class Restored {
  public:
   Restored() = default;
@@ -45,7 +46,7 @@ class Restored {
     for (OptimizableGraph::Vertex* v : vertices_) {
       try {
         v->pop();
-      } catch (...) {  // client code; the other vertices are restored anyway
+      } catch (...) {  // thrown by client code; the other vertices are still restored
       }
     }
   }
@@ -109,7 +110,7 @@ void SparseOptimizer::setToOrigin() {
   for (const auto& [id, v] : vertices()) as_vertex(v)->setToOrigin();
 }
 
-/// Keeps replaced algorithms alive while an optimize() runs.
+/// Keeps replaced algorithms alive until the outermost call of optimize() returns.
 class SparseOptimizer::OptimizeScope {
  public:
   explicit OptimizeScope(SparseOptimizer& optimizer) : optimizer_(optimizer) { ++optimizer_.optimize_depth_; }
@@ -151,12 +152,13 @@ int SparseOptimizer::optimize(int iterations, bool online) {
   int done = 0, first_of_algorithm = 0;
   for (; done < iterations && !terminate() && result == OptimizationAlgorithm::OK; ++done) {
     preIteration(done);
-    if (_algorithm == nullptr) break;  // an action removed it
+    if (_algorithm == nullptr) break;  // an action removed the algorithm
     if (_algorithm != algorithm) {
       algorithm = _algorithm;
       first_of_algorithm = done;
       if (!algorithm->init(online)) {
-        G2O_ERROR("optimize: the algorithm that an action set could not be initialized");
+        G2O_ERROR(
+            "optimize: an action replaced the algorithm, but the new algorithm could not be initialized");
         return 0;
       }
     }
@@ -281,7 +283,7 @@ void SparseOptimizer::setAlgorithm(OptimizationAlgorithm* algorithm) {
   if (algorithm != _algorithm) {
     std::unique_ptr<OptimizationAlgorithm> before(_algorithm);
     for (auto& replaced : replaced_algorithms_) {
-      if (replaced.get() == algorithm) static_cast<void>(replaced.release());  // it is in use again
+      if (replaced.get() == algorithm) static_cast<void>(replaced.release());  // now the current algorithm
     }
     _algorithm = algorithm;
     if (optimize_depth_ > 0 && before != nullptr) replaced_algorithms_.push_back(std::move(before));

@@ -36,7 +36,8 @@ void SparseOptimizerTerminateAction::setMaxIterations(int maxit) {
   _maxIterations = maxit;
 }
 
-/// Raises the client's stop flag, or the optimizer's internal one if the client set none.
+/// Sets the value of the client's stop flag. If the client set no flag, sets the value of the optimizer's
+/// internal flag.
 void SparseOptimizerTerminateAction::setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop) {
   auto* stopped = const_cast<SparseOptimizer*>(optimizer);
   if (stopped->forceStopFlag() == nullptr) stopped->setForceStopFlag(&stopped->own_stop_flag_);

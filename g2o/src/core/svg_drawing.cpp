@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMargin = 12;  // pixels
 
-/// A parallel projection from the south-east and above.
+/// A parallel projection of the scene, seen from the south-east and from above.
 Matrix3 oblique_view() {
   const AngleAxis turn(-0.6, Vector3::UnitZ()), tilt(-1.0, Vector3::UnitX());
   return (tilt * turn).toRotationMatrix();
@@ -46,7 +46,7 @@ std::string escaped(const std::string& words) {
   return result;
 }
 
-/// The approximate width of text, in units of its height.
+/// The approximate width of a text, in units of the height of its characters.
 double width_of(const std::string& words) {
   return 0.6 * static_cast<double>(words.size());
 }
@@ -92,8 +92,8 @@ class SvgDrawing::Page {
     return d;
   }
 
-  /// The paint attributes at the end of an element. Consecutive shapes that differ only in their corners
-  /// share one element.
+  /// The color and width attributes at the end of an SVG element. Consecutive shapes that differ only in
+  /// their corners share one element.
   std::string style(const Shape& shape) const {
     const std::string color = hex(shape.color);
     if (shape.kind == Kind::kFilled) return fmt::format("fill=\"{}\"{}", color, opacity("fill", shape.color));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types currently declared thread-safe (by a live ThreadSafe<T> object).
+// The types that are declared thread-safe at the moment. A type T is declared as long as a ThreadSafe<T>
+// object exists.
 #pragma once
 
 #include <cstdint>

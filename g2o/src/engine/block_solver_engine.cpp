@@ -23,21 +23,20 @@ using boxplus::BlockStructure;
 using boxplus::LinearStatus;
 
 struct BlockSolverEngine::State {
-  std::vector<OptimizableGraph::Vertex*>
-      vertices;                            // by Hessian index; may be deleted if `revision` is not current
-  std::vector<int> ids;                    // of the vertices
-  std::uint64_t revision = 0;              // of the optimizer's active vertices and edges
-  std::uint32_t kept = 0, eliminated = 0;  // blocks
-  BlockStructure structure;                // of H, the eliminated blocks first
-  std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // H
+  std::vector<OptimizableGraph::Vertex*> vertices;  // by Hessian index; dangling if `revision` is not current
+  std::vector<int> ids;                             // the ids of `vertices`
+  std::uint64_t revision = 0;                       // the optimizer's revision for which H was laid out
+  std::uint32_t kept = 0, eliminated = 0;           // numbers of blocks
+  BlockStructure structure;                         // the structure of H; the eliminated blocks come first
+  std::shared_ptr<std::vector<double>> memory = std::make_shared<std::vector<double>>();  // the values of H
   std::unique_ptr<boxplus::BlockSystem> full;
-  std::shared_ptr<boxplus::LinearSolver> solver;  // eliminates, then calls `measured`
-  std::shared_ptr<MeasuredSolver> measured;       // solves for the other blocks
-  ClientSolver* client = nullptr;                 // called by `measured` if the linear solver is the client's
+  std::shared_ptr<boxplus::LinearSolver> solver;  // eliminates blocks, then calls `measured`
+  std::shared_ptr<MeasuredSolver> measured;       // solves for the kept blocks
+  ClientSolver* client = nullptr;                 // the client's solver inside `measured`, or nullptr
   EngineSettings settings;
   std::vector<double> engine_b, engine_x;
-  bool ready = false;   // the solvers are made for the structure
-  bool filled = false;  // H is a linearization
+  bool ready = false;   // true if the solvers are analyzed for the structure
+  bool filled = false;  // true if H contains a linearization
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -53,7 +52,9 @@ struct BlockSolverEngine::State {
   }
   std::uint32_t eliminated_scalars() const { return structure.offset[eliminated]; }
 
-  /// Convert from the order of Hessian indices to that of the engine, and back. Two ranges change places.
+  /// to_engine() converts a vector from the order of Hessian indices to the order of the engine, and
+  /// from_engine() converts it back. In the order of Hessian indices, the kept blocks come first. In the
+  /// order of the engine, the eliminated blocks come first.
   void to_engine(const double* in, double* out) const {
     const std::uint32_t first = structure.scalars() - eliminated_scalars();
     std::copy_n(in, first, out + eliminated_scalars());
@@ -85,7 +86,7 @@ const OptimizableGraph::Vertex* vertex_at(const OptimizableGraph::Edge& edge, si
 
 }  // namespace
 
-/// Numbers the blocks and finds the pattern of H. Returns false if an edge joins two eliminated vertices.
+/// Numbers the blocks and finds the pattern of H. Returns false if an edge connects two eliminated vertices.
 bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool use_schur) {
   vertices = optimizer.indexMapping();
   ids.clear();
@@ -127,7 +128,7 @@ bool BlockSolverEngine::State::lay_out(const SparseOptimizer& optimizer, bool us
   return true;
 }
 
-/// Maps the vertices to the diagonal blocks of H. Vertices without a block get no memory.
+/// Maps the vertices to the diagonal blocks of H. Vertices without a Hessian index get no memory.
 void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
   for (OptimizableGraph::Vertex* v : optimizer.activeVertices()) {
     if (v->hessianIndex() < 0) v->mapHessianMemory(nullptr);
@@ -141,8 +142,8 @@ void BlockSolverEngine::State::map_vertices(const SparseOptimizer& optimizer) {
   }
 }
 
-/// Maps positions i and j of an edge to their block of H. The block is stored for (i, j) if the block number
-/// of i is the larger one, otherwise for (j, i).
+/// Maps the vertices at positions i and j of an edge to their block of H. H stores the block (i, j) if vertex
+/// i has the larger block number. Otherwise, H stores the block (j, i).
 void BlockSolverEngine::State::map_pair(OptimizableGraph::Edge& edge, int i, int j) {
   const int index_i = vertex_at(edge, static_cast<size_t>(i))->hessianIndex();
   const int index_j = vertex_at(edge, static_cast<size_t>(j))->hessianIndex();
@@ -233,7 +234,7 @@ bool BlockSolverEngine::isLinearized(const SparseOptimizer& optimizer) const {
   return isCurrent(optimizer) && state_->filled;
 }
 
-/// Names the vertex for which H is not positive definite. Returns false.
+/// Prints why the factorization failed, with the vertex if it is known. Returns false.
 bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result) const {
   const char* what =
       result.status == LinearStatus::kNotPositiveDefinite ? "is not positive definite" : "is not finite";

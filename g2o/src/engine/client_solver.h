@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adapts a client's g2o::LinearSolver to the LinearSolver of the engine.
+// Adapts a client's g2o::LinearSolver to the interface boxplus::LinearSolver.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ class ClientSolver final : public boxplus::LinearSolver {
                const boxplus::StopToken& stop) override;
   boxplus::FactorResult factorize(const boxplus::BlockSystem& system, const boxplus::Damping& damping,
                                   const boxplus::SolveControl& control) override;
-  /// Solves for one column. Returns kNotPositiveDefinite if the client's solver fails.
+  /// Solves for one right-hand side. Returns kNotPositiveDefinite if the client's solver fails.
   boxplus::SolveResult solve(const double* b, int columns, double* x,
                              const boxplus::SolveControl& control) override;
 
@@ -31,7 +31,7 @@ class ClientSolver final : public boxplus::LinearSolver {
   const ClientLinearSolver* client_ = nullptr;
   const boxplus::BlockStructure* structure_ = nullptr;
   std::vector<int> dims_;
-  std::vector<EngineBlock> blocks_;  // the lower triangle
+  std::vector<EngineBlock> blocks_;  // the blocks of the lower triangle
   std::vector<double> damped_diagonal_;
   std::vector<double> right_hand_side_, solution_;
 };

@@ -14,7 +14,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-/// With fewer edges, threads cost more time than they save.
+/// The smallest number of edges for which threads save more time than they cost.
 constexpr size_t kFewestEdges = 1000;
 
 /// Remembers is_thread_safe() of the last type, because most edges have the same type.
@@ -33,8 +33,9 @@ class LastType {
   bool allowed_ = false;
 };
 
-/// Assigns vertices to parts, in the order in which edges first use them, because vertices that are measured
-/// in sequence are mostly near each other.
+/// Assigns vertices to parts. Vertices are numbered in the order in which edges first use them, and each part
+/// gets a range of numbers. Vertices with similar numbers are mostly neighbors, so most edges lie in one
+/// part.
 class VertexParts {
  public:
   explicit VertexParts(const OptimizableGraph::EdgeContainer& edges, int vertices)
@@ -47,7 +48,8 @@ class VertexParts {
     }
   }
 
-  /// The part, of `count` parts, that contains all vertices of an edge; −1 if there is none.
+  /// Returns the number of the part that contains all movable vertices of an edge, or −1 if there is none.
+  /// There are `count` parts.
   int of(const OptimizableGraph::Edge& edge, int count) const {
     int part = -1;
     for (const HyperGraph::Vertex* v : edge.vertices()) {
@@ -69,7 +71,7 @@ class VertexParts {
     return h < 0 ? kFixed : static_cast<size_t>(h);
   }
 
-  std::vector<int> number_;  // by Hessian index
+  std::vector<int> number_;  // the number of each vertex, by Hessian index
   int seen_ = 0;
 };
 

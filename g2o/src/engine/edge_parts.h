@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The active edges, divided into parts that different threads may process.
+// The active edges, divided into parts that different threads can process at the same time.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 namespace g2o {
 namespace internal {
 
-/// Whether an edge has all of its vertices. Clients may remove them with setVertex() or vertices() at any
-/// time.
+/// Whether an edge has all of its vertices. Clients may remove vertices from an edge with setVertex() or
+/// vertices() at any time.
 inline bool is_complete(const OptimizableGraph::Edge& edge) {
   for (const HyperGraph::Vertex* v : edge.vertices()) {
     if (v == nullptr) return false;
@@ -22,9 +22,10 @@ inline bool is_complete(const OptimizableGraph::Edge& edge) {
   return true;
 }
 
-/// Edges of different parts share no vertex that may move, and so no block of H or b. Edges between parts,
-/// and edges of types that are not known to be thread-safe, are left for one thread. The number of parts, and
-/// so the order of additions, does not depend on the number of threads.
+/// Edges in different parts have no movable vertex in common, so they add to different blocks of H and b. One
+/// thread processes the remaining edges: edges with vertices in different parts, and edges of types that are
+/// not known to be thread-safe. The number of parts does not depend on the number of threads, so the order of
+/// additions does not depend on it, either.
 class EdgeParts {
  public:
   using Edge = OptimizableGraph::Edge;
@@ -38,7 +39,7 @@ class EdgeParts {
   /// Calls f(edge) once for each edge, in any order.
   void for_each(boxplus::detail::FunctionRef<void(Edge&)> f) const;
   /// Calls f(edge, workspace) for the edges of each part in order, and for the remaining edges after all
-  /// parts. Edges with a robust kernel of the client also come after all parts.
+  /// parts. Edges with a robust kernel that is not known to be thread-safe also come after all parts.
   void for_each_by_parts(JacobianWorkspace& workspace,
                          boxplus::detail::FunctionRef<void(Edge&, JacobianWorkspace&)> f);
 

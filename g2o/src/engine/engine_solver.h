@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions of the g2o API's solver settings to those of the engine.
+// Converts solver settings of the g2o API to solver settings of the engine.
 #pragma once
 
 #include "boxplus/base/parallel.h"
@@ -32,7 +32,7 @@ inline boxplus::AnalyzeHints analyze_hints(std::uint32_t eliminated_blocks = 0) 
   return {.threads = boxplus::detail::hardware_threads(), .eliminated_blocks = eliminated_blocks};
 }
 
-/// The accuracy for the right-hand side b of n values.
+/// The tolerance and the maximum number of iterations for a right-hand side b with n values.
 inline boxplus::SolveControl solve_control(const EngineSettings& settings, const double* b, std::size_t n) {
   double tolerance = settings.tolerance;
   if (settings.absoluteTolerance) {

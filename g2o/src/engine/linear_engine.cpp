@@ -13,8 +13,9 @@ struct LinearEngine::State {
   EngineSettings settings;
   boxplus::BlockStructure structure;
   std::vector<double> values;
-  std::unique_ptr<boxplus::AssembledSystem> system;  // refers to `values`; iterative solvers read it
-  std::unique_ptr<boxplus::LinearSolver> solver;     // analyzed for the structure
+  std::unique_ptr<boxplus::AssembledSystem>
+      system;                                     // refers to `values`; solve() of iterative solvers reads it
+  std::unique_ptr<boxplus::LinearSolver> solver;  // nullptr, or a solver that is analyzed for the structure
   int iterations = 0;
 };
 

@@ -9,7 +9,7 @@ namespace g2o {
 namespace internal {
 namespace {
 
-/// A field of the current statistics, or nullptr if there are none.
+/// Returns a pointer to a field of the current statistics, or nullptr if no statistics are collected.
 double* counted(double G2OBatchStatistics::*field) {
   G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats();
   return statistics == nullptr ? nullptr : &(statistics->*field);

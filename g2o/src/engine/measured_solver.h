@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A linear solver of the engine with the tolerance of the g2o API. It adds its times to the statistics of the
-// g2o API.
+// A wrapper for a linear solver of the engine. It converts the tolerance of the g2o API, and adds the times
+// of the solver to the statistics of the g2o API.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registers the algorithms with one linear solver under the names of the factory.
+// Macros that register the algorithms with one linear solver in the factory.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,8 @@ class SolverCreator : public AbstractOptimizationAlgorithmCreator {
   Make make_;
 };
 
-/// Creates Algorithm over blocks of p × p and l × l; −1 means any size.
+/// Returns a creator of Algorithm with pose blocks of size p × p and landmark blocks of size l × l. A size of
+/// −1 means any size.
 template <class Algorithm, template <class> class LinearSolver, int p, int l>
 AbstractOptimizationAlgorithmCreator* solver_creator(const std::string& name, const std::string& method,
                                                      const std::string& type) {
@@ -45,8 +46,8 @@ AbstractOptimizationAlgorithmCreator* solver_creator(const std::string& name, co
 }  // namespace internal
 }  // namespace g2o
 
-/// Registers eight algorithms: gn_ and lm_, each with four suffixes for block sizes (any size, 3 2, 6 3, and
-/// 7 3).
+/// G2O_REGISTER_GN_AND_LM registers eight algorithms: Gauss-Newton (prefix gn_) and Levenberg-Marquardt
+/// (prefix lm_), each for four block sizes (any size, 3 and 2, 6 and 3, 7 and 3).
 #define G2O_REGISTER_ALGORITHMS_(prefix, Algorithm, method, Linear, type, any, s32, s63, s73)         \
   G2O_REGISTER_OPTIMIZATION_ALGORITHM(                                                                \
       prefix##any, (internal::solver_creator<Algorithm, Linear, -1, -1>(#prefix #any, method, type))) \

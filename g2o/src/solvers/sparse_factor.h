@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A LinearSolver over the sparse Cholesky of another library.
+// A LinearSolver that uses the sparse Cholesky factorization of another library.
 #pragma once
 
 #include <amd.h>
@@ -16,22 +16,23 @@
 namespace g2o {
 namespace internal {
 
-/// The upper triangle of a symmetric matrix in compressed columns, with ascending rows.
+/// The upper triangle of a symmetric matrix in compressed columns. The rows of each column are in ascending
+/// order.
 struct UpperTriangle {
   int n = 0;
   std::vector<int> p, i;
   std::vector<double> x;
 };
 
-/// L in compressed columns, each with the diagonal first. `place` is the row of each scalar of the matrix in
-/// L, or null for the same order.
+/// The factor L in compressed columns. Each column begins with its diagonal entry. `place[k]` is the row of L
+/// for row k of the matrix. If `place` is null, both have the same order.
 struct LowerFactor {
   int *p = nullptr, *i = nullptr;
   double* x = nullptr;
   int* place = nullptr;
 };
 
-/// Factor has:
+/// The class Factor must have these members:
 ///   bool analyze(UpperTriangle&, const std::vector<int>& order)   chooses an order if `order` is empty
 ///   bool factorize(UpperTriangle&)                                false if not positive definite
 ///   bool solve(const double* b, double* x)
@@ -97,7 +98,8 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return changed;
   }
 
-  /// The boundaries of the block columns, then for each column the number of its blocks and their rows.
+  /// Returns the boundaries of the block columns, and then, for each block column, the number of its blocks
+  /// and their block rows.
   static std::vector<int> pattern_of(const SparseBlockMatrix<MatrixType>& A) {
     std::vector<int> pattern = A.colBlockIndices();
     for (const auto& column : A.blockCols()) {
@@ -107,8 +109,8 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return pattern;
   }
 
-  /// Loads the values of a matrix whose pattern is loaded. A block follows the blocks above it in its
-  /// columns.
+  /// Loads the values of a matrix whose pattern is already loaded. In each column, the entries of a block
+  /// follow the entries of the blocks above it.
   void load_values(const SparseBlockMatrix<MatrixType>& A) {
     const int* begin = upper_.p.data();
     for (size_t c = 0; c < A.blockCols().size(); ++c) {
@@ -125,7 +127,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     }
   }
 
-  /// A minimum-degree order of the blocks, expanded to scalars.
+  /// Returns a minimum-degree order of the blocks, expanded to scalars.
   std::vector<int> blockOrder(const SparseBlockMatrix<MatrixType>& A) const {
     const auto blocks = static_cast<int>(A.colBlockIndices().size());
     std::vector<int> p(static_cast<size_t>(blocks) + 1), i(A.nonZeroBlocks());
@@ -143,7 +145,7 @@ class SparseFactorSolver : public LinearSolverCCS<MatrixType> {
     return true;
   }
 
-  std::vector<int> pattern_;  // of the blocks of upper_
+  std::vector<int> pattern_;  // the block pattern of upper_
   UpperTriangle upper_;
   Factor factor_;
   bool analyzed_ = false;

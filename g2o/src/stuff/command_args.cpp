@@ -62,7 +62,7 @@ std::string to_text(const std::vector<T>& values) {
   return text;
 }
 
-/// Calls `visit` with the variable of a parameter.
+/// Calls `visit` with the variable that stores the value of a parameter.
 template <class Argument, class Visit>
 auto visit_value(const Argument& argument, Visit visit) {
   switch (argument.type) {

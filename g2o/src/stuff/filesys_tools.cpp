@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The position of the extension's dot, or npos if the last part of the path has none.
+/// The position of the dot before the file extension, or npos if the last part of the path has no extension.
 size_t dot_of(const std::string& filename) {
   const size_t dot = filename.rfind('.'), slash = filename.rfind('/');
   return dot != std::string::npos && slash != std::string::npos && dot < slash ? std::string::npos : dot;

@@ -13,8 +13,8 @@ std::mt19937& shared_generator() {
 
 }  // namespace
 
-// Uses a new distribution for each value. A distribution that is kept would cache every second value, and
-// seeding would then not restart the sequence.
+// Uses a new distribution for each value, because a distribution may compute two values at once and store one
+// of them. With such a stored value, a new seed would not restart the sequence.
 double sampleGaussian(std::mt19937* generator) {
   std::normal_distribution<double> gaussian;
   return gaussian(generator != nullptr ? *generator : shared_generator());

@@ -9,7 +9,7 @@
 namespace g2o {
 namespace {
 
-/// The stem of a path. It is the name of the variable in Octave.
+/// Returns the name of the variable in Octave: the file name without its folder and its extension.
 std::string variable_name(const std::string& filename) {
   const std::string name = filename.substr(filename.rfind('/') + 1);
   return name.substr(0, name.rfind('.'));

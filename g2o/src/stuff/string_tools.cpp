@@ -116,7 +116,7 @@ std::string strExpandFilename(const std::string& filename) {
     size_t end = begin;
     while (end < filename.size() && is_name(filename[end])) ++end;
     const bool closed = !braces || (end < filename.size() && filename[end] == '}');
-    if (end == begin || !closed) {  // not a name: keep the text
+    if (end == begin || !closed) {  // not a variable name: keep the text
       result += filename[i++];
       continue;
     }

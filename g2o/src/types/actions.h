@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The actions "writeGnuplot" and "draw" of the ready-made types. A library of types describes how they look:
+// The actions "writeGnuplot" and "draw" of the ready-made types. Each library of types has a struct that
+// describes what its elements look like:
 //
 //     struct Library {
-//       static constexpr int kDimension = 2;                // of the coordinates in gnuplot files
-//       static Sketch sketch(const Element&);               // for each type of element
+//       static constexpr int kDimension = 2;                // coordinates per point in gnuplot files
+//       static Sketch sketch(const Element&);               // one overload per type of element
 //       static bool write(const Element&, std::ostream&);   // returns true if it wrote the element
 //     };
 //     G2O_REGISTER_TYPE_GROUP(…_actions)
@@ -33,8 +34,9 @@ void write_line(std::ostream& os, const Vector& numbers) {
   os << '\n';
 }
 
-/// Writes the lines of an element's sketch for gnuplot, each as two lines of coordinates and an empty line,
-/// unless Library::write() writes the element. Skips an edge that lacks a vertex.
+/// Writes an element for gnuplot. If Library::write() does not write the element, this action writes the
+/// lines of its sketch. Each of them becomes two lines of coordinates and an empty line. Skips edges that
+/// lack a vertex.
 template <class Library, class T>
 class GnuplotAction : public WriteGnuplotAction {
  public:
@@ -131,7 +133,7 @@ class DrawElementAction : public DrawAction {
   }
 };
 
-/// Registers both actions for each of the types, as long as this object lives.
+/// Registers both actions for each of the types, as long as this object exists.
 template <class Library, class... T>
 class RegisterActions {
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adapters from the ready-made types of the g2o API to those of the engine: errors, Jacobians, and file
-// fields.
+// Adapters from the ready-made types of the g2o API to the types of the engine. They cover errors, Jacobians,
+// and fields of files.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 namespace g2o {
 namespace adapters {
 
-/// The message of an error of the engine, without its position.
+/// The message of an InputError, without the position in the file.
 inline std::string without_place(const std::string& file, const boxplus::InputError& error) {
   const std::string place =
       file + ":" + std::to_string(error.line()) + ":" + std::to_string(error.column()) + ": ";
@@ -28,8 +28,8 @@ inline std::string without_place(const std::string& file, const boxplus::InputEr
   return text.compare(0, place.size(), place) == 0 ? text.substr(place.size()) : text;
 }
 
-/// Takes the next `count` fields of a stream and lets `read` read them. Returns false if there are too few,
-/// or, with a complaint, if they are invalid.
+/// Passes the next `count` fields of a stream to `read`. Returns false if there are too few fields. If the
+/// fields are invalid, reports an error message and returns false.
 template <class Read>
 bool read_fields(std::istream& is, int count, Read&& read) {
   std::string text, word;
@@ -50,7 +50,7 @@ bool read_fields(std::istream& is, int count, Read&& read) {
   return false;
 }
 
-/// Lets `write` write fields.
+/// Calls `write` with a FieldWriter, and writes the resulting text to the stream.
 template <class Write>
 bool write_fields(std::ostream& os, Write&& write) {
   std::string text;
@@ -78,7 +78,7 @@ inline bool are_zeros(boxplus::FieldReader in, int count) {
   return true;
 }
 
-/// Reads Ω. The engine refuses an Ω of zeros; here, the edge then has no weight.
+/// Reads Ω. Unlike the engine, this function accepts an Ω of zeros, which gives the edge no weight.
 template <class Omega>
 void read_omega(boxplus::FieldReader& in, Omega& information) {
   const auto rows = static_cast<int>(information.rows());
@@ -100,7 +100,7 @@ void write_omega(const Omega& information, boxplus::FieldWriter& out) {
   }
 }
 
-/// Reads the measurement of an engine edge, which has `count` fields, and then Ω.
+/// Reads the measurement of an edge of the engine, and then Ω. The measurement has `count` fields.
 template <class E, class Omega, class Take>
 bool read_edge(std::istream& is, int count, Omega& information, Take&& take) {
   return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
@@ -118,8 +118,8 @@ bool write_edge(std::ostream& os, const E& edge, const Omega& information) {
   });
 }
 
-/// The same for an edge type that the engine does not have. Files store its measurement in the same way as a
-/// T.
+/// Does the same as read_edge() for an edge type that the engine does not have. In files, the measurement has
+/// the same fields as a value of type T.
 template <class T, class Omega, class Take>
 bool read_measurement(std::istream& is, int count, Omega& information, Take&& take) {
   return read_fields(is, count + omega_fields(information), [&](boxplus::FieldReader& in) {
@@ -138,7 +138,7 @@ bool write_measurement(std::ostream& os, const T& measurement, const Omega& info
 }
 
 /// Reads optional values at the end of a line. If the line has none, the values stay unchanged. Returns false
-/// if the line has only some of them, or other fields.
+/// if the line has only some of the values, or other fields.
 inline bool read_rest(std::istream& is, std::initializer_list<double*> numbers) {
   const std::istream::int_type next = is.eof() ? std::istream::traits_type::eof() : (is >> std::ws).peek();
   if (next == std::istream::traits_type::eof()) {
@@ -159,15 +159,17 @@ inline bool write_rest(std::ostream& os, std::initializer_list<double> numbers) 
   });
 }
 
-/// An argument of an engine edge, and the memory of its Jacobian, which is nullptr for parameters.
+/// An argument of an edge of the engine, and the memory for the Jacobian with respect to this argument. The
+/// memory is nullptr for parameters.
 template <class V>
 struct Argument {
   V value;
   double* jacobian = nullptr;
 };
 
-/// Converts a Jacobian from the engine's tangent space to g2o's. They differ for poses in the plane, whose
-/// translation g2o adds in the world frame: δ_body = R(θ)ᵀ δ_world.
+/// Converts a Jacobian from the tangent space of the engine to the tangent space of g2o. The spaces differ
+/// only for poses in the plane, because g2o adds their translations in the world frame: δ_body = R(θ)ᵀ
+/// δ_world.
 template <int Rows>
 void to_g2o_tangent(const boxplus::SE2& x, double* jacobian) {
   Eigen::Map<Eigen::Matrix<double, Rows, 2>> J(jacobian);
@@ -176,7 +178,8 @@ void to_g2o_tangent(const boxplus::SE2& x, double* jacobian) {
 template <int Rows, class V>
 void to_g2o_tangent(const V&, double*) {}
 
-/// Fills the Jacobians of an engine edge: analytic ones if it has them, else by dual numbers.
+/// Computes the Jacobians of an edge of the engine: with jacobians() if the edge has this function, otherwise
+/// with dual numbers.
 template <class E, class... V>
 void linearize(const E& edge, const Argument<V>&... arguments) {
   constexpr int kRows = boxplus::detail::kRows<boxplus::detail::Result<E, V...>>;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of points in cameras, and their derivatives with respect to the point p. An image is the first two
-// rows of K p divided by the third.
+// Images of points in cameras, and the derivatives of the images with respect to the point p. An image is the
+// first two rows of K p divided by the third row.
 //
-// Cameras without skew have closed forms, also with respect to a motion of p, because visual SLAM projects
-// and differentiates its points in every iteration.
+// For cameras without skew, there are faster functions in closed form, and also derivatives with respect to a
+// motion of p, because visual SLAM projects and differentiates its points in every iteration.
 #pragma once
 
 #include "g2o/core/eigen_types.h"
@@ -26,7 +26,7 @@ inline Eigen::Matrix<double, 2, 3> image_jacobian(const Matrix3& K, const Vector
   return (K.topRows<2>() - image(K, p) * K.row(2)) / K.row(2).dot(p);
 }
 
-/// u, v, and u − bf/depth, which is u in a second camera on the right.
+/// Returns (u, v, u − bf/depth). The third value is the u of the point in a second camera on the right.
 inline Vector3 stereo_image(const Matrix3& K, double bf, const Vector3& p) {
   const Vector2 left = image(K, p);
   return {left[0], left[1], left[0] - bf / p[2]};
@@ -39,9 +39,9 @@ inline Matrix3 stereo_image_jacobian(const Matrix3& K, double bf, const Vector3&
   return J;
 }
 
-/// Derivatives of the rotation R from the world to a camera with respect to q_v, the vector part of a
-/// quaternion that turns the pose of the camera. (q_v, 1) turns by 2 q_v, and R is the rotation of the
-/// inverse pose.
+/// Computes the derivatives of R, the rotation from the world to a camera, with respect to q_v, the vector
+/// part of a quaternion that rotates the pose of the camera. The factor is −2, because (q_v, 1) rotates by 2
+/// q_v, and R is the rotation of the inverse pose.
 inline void rotation_derivatives(const Matrix3& R, Matrix3& dRdx, Matrix3& dRdy, Matrix3& dRdz) {
   dRdx = -2 * skew(Vector3::UnitX()) * R;
   dRdy = -2 * skew(Vector3::UnitY()) * R;

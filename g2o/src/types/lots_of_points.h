@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The edges from one pose to any number of points. Their Jacobian blocks are those of an edge to one point.
+// Edges from one pose to any number of points. The Jacobian blocks for each point are the same as for an edge
+// to one point.
 #pragma once
 
 #include <vector>
@@ -10,8 +11,9 @@
 namespace g2o {
 namespace adapters {
 
-/// `Types` has the engine's edges to One point and to Many points and its Pose. It also has PoseVertex and
-/// PointVertex of the g2o API, and pose() and point(), which convert their estimates.
+/// `Types` names three types of the engine: One and Many, the edges to one and to many points, and Pose. It
+/// also names the vertices of the g2o API, PoseVertex and PointVertex. Its functions pose() and point()
+/// convert the estimates of these vertices.
 template <class Types>
 struct LotsOfPoints {
   using One = typename Types::One;
@@ -50,7 +52,8 @@ struct LotsOfPoints {
     }
   }
 
-  /// Reads the fields after the ids and "||". Returns false if the line has another number of points.
+  /// Reads the fields after the ids and "||". Returns false if the number of points in the line differs from
+  /// the number of point vertices.
   template <class Omega>
   static bool read(std::istream& is, Omega& information, VectorX& z) {
     const int fields = 1 + static_cast<int>(z.size());

@@ -20,14 +20,14 @@ constexpr Color kPriorColor{0.16, 0.60, 0.30, 0.9}, kSensorColor{0.90, 0.58, 0.1
 /// The shapes of an element in world coordinates. Planar elements have z = 0.
 struct Sketch {
   std::vector<Isometry3> poses;
-  /// Poses that the measurement predicts for a vertex that the edge lacks.
+  /// Poses that the measurement of an edge predicts for missing vertices.
   std::vector<Isometry3> ghosts;
   std::vector<Isometry3> sensors;
-  /// Cameras look along their z-axis.
+  /// The poses of cameras. Cameras look along their z-axis.
   std::vector<Isometry3> cameras;
   /// Pieces of planes. The z-axis of each frame is the normal.
   std::vector<Isometry3> planes;
-  /// The default side length of these pieces (meters). A property can change it.
+  /// The default side length of the pieces of planes (meters). A property can change it.
   float plane_side = 3;
   std::vector<Vector3> points;
   std::vector<std::array<Vector3, 2>> lines;
@@ -65,8 +65,8 @@ struct Sketch {
   }
 };
 
-/// An edge as lines from its first vertex to each of the others. `Library::place()` returns the position of a
-/// vertex. A vertex that is missing or has no position gets no line.
+/// Returns an edge as lines from its first vertex to each other vertex. `Library::place()` returns the
+/// position of a vertex. A vertex that is missing or has no position gets no line.
 template <class Library>
 Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
   Sketch sketch;
@@ -78,14 +78,15 @@ Sketch sketch_of_edge(const HyperGraph::Edge& e, const Color& color) {
   return sketch;
 }
 
-/// An edge over one vertex as a line from the vertex to its measured position.
+/// Returns an edge over one vertex as a line from the vertex to the measured position.
 template <class Library>
 Sketch sketch_of_prior(const HyperGraph::Edge& e, const Vector3& measured) {
   const std::optional<Vector3> from = Library::place(e.vertex(0));
   return from ? Sketch::of_line(*from, measured, kPriorColor) : Sketch();
 }
 
-/// A point that is observed from a pose. If the edge lacks the point, `see(pose)` predicts it.
+/// Returns an edge that observes a point from a pose. If the point vertex is missing, `see(pose)` predicts
+/// the point.
 template <class Library, class Edge, class See>
 Sketch sketch_of_observation(const Edge& e, See&& see) {
   const auto* pose = e.template vertexXn<0>();
@@ -96,7 +97,8 @@ Sketch sketch_of_observation(const Edge& e, See&& see) {
   return sketch;
 }
 
-/// A motion between two poses. If the edge lacks one of them, the measurement predicts it.
+/// Returns an edge that measures the motion between two poses. If one of the poses is missing, the
+/// measurement predicts it.
 template <class Edge, class Lift>
 Sketch sketch_of_motion(const Edge& e, Lift&& lift) {
   const auto *from = e.template vertexXn<0>(), *to = e.template vertexXn<1>();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dual numbers as Eigen scalars: Vector<Dual<double, 3>, 2>, also mixed with matrices of double.
+// Lets Eigen use dual numbers as scalars, as in Vector<Dual<double, 3>, 2>. They mix with matrices of double.
 //
-// Eigen's blocked product does not support mixed products of two run-time-size matrices (vectors work): write
-// A.lazyProduct(B), or cast one side.
+// Eigen's blocked product cannot multiply duals by doubles if both matrices have a run-time size (a matrix
+// times a vector works). Write A.lazyProduct(B) instead, or cast one of them.
 #pragma once
 
 #include "boxplus/autodiff/dual_number.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of <cmath> on dual numbers. They are found by argument-dependent lookup: write `using
-// std::sin; sin(x)` in any namespace. boxplus::sin(x) takes both duals and plain scalars.
+// The functions of <cmath> on dual numbers. They are found by argument-dependent lookup: if you write `using
+// std::sin; sin(x)`, in any namespace, x may be a dual number or a plain scalar.
 //
-// If the derivative is infinite (sqrt at 0, asin at 1, log at 0), directions in which the argument does not
-// change keep derivative zero: the norm of a constant zero vector has derivative 0, not NaN. At a kink, a
-// function has one of its one-sided derivatives: abs at 0 has the right one; fmin and fmax have the
-// derivative of their first argument.
+// Some functions have an infinite slope at some point (sqrt at 0, asin at 1, log at 0). There, the derivative
+// is zero in each direction in which the argument does not change. So the norm of a constant zero vector has
+// derivative 0, not NaN. At a kink, a function returns one of its one-sided derivatives: abs at 0, the right
+// one; fmin and fmax of equal arguments, the derivative of the first argument.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace boxplus::detail {
 
-// With these, unqualified calls in generic code of this namespace work for double and for duals.
+// These declarations let unqualified calls in this namespace work for double and for duals.
 using std::abs;
 using std::cbrt;
 using std::ceil;
@@ -40,7 +40,7 @@ using std::signbit;
 using std::sqrt;
 using std::trunc;
 
-/// f(x), given the value f and the slope f′ at x.value.
+/// f(x), given its value f(x.value) and its slope f′(x.value).
 template <class S, int N>
 constexpr Dual<S, N> chain(const S& value, const S& slope, const Dual<S, N>& x) {
   Dual<S, N> r;
@@ -49,7 +49,7 @@ constexpr Dual<S, N> chain(const S& value, const S& slope, const Dual<S, N>& x) 
   return r;
 }
 
-/// f(x, y), given the value and both partial slopes.
+/// f(x, y), given its value and its partial derivatives with respect to x and y.
 template <class S, int N>
 constexpr Dual<S, N> chain(const S& value, const S& slope_x, const Dual<S, N>& x, const S& slope_y,
                            const Dual<S, N>& y) {
@@ -86,7 +86,7 @@ Dual<S, N> cbrt(const Dual<S, N>& x) {
 template <class S, int N>
 Dual<S, N> hypot(const Dual<S, N>& x, const Dual<S, N>& y) {
   const S length = hypot(x.value, y.value);
-  if (length == S(0)) return Dual<S, N>(length);  // the subgradient 0
+  if (length == S(0)) return Dual<S, N>(length);  // 0 is a subgradient
   return chain(length, S(x.value / length), x, S(y.value / length), y);
 }
 template <class S, int N, LowerScalar<S> T>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forward-mode dual numbers: a value and its derivative in N directions, over any scalar (also another dual).
+// Forward-mode dual numbers: a value and its derivatives in N directions. The scalar may itself be a dual.
 //
 // Arithmetic on duals applies the chain rule, so a function template evaluated on duals returns its value and
-// its exact derivatives (Clifford 1873; Griewank & Walther, "Evaluating Derivatives", 2008, §3.1). Nesting
-// gives higher orders: Dual<Dual<double, 1>, N>.
+// its exact derivatives (Clifford 1873; Griewank & Walther, "Evaluating Derivatives", 2008, §3.1). Nested
+// duals give higher derivatives: Dual<Dual<double, 1>, N>.
 //
-// Comparisons look at the value only. A default-initialized dual is indeterminate, like a double; Dual{} is
+// Comparisons use only the value. Without an initializer, a dual is indeterminate, like a double; Dual{} is
 // zero.
 #pragma once
 
@@ -18,8 +18,8 @@ namespace boxplus::detail {
 template <class S, int N>
 struct Dual;
 
-/// Whether a T is a constant in expressions with duals over S: an arithmetic type, S itself, or a scalar that
-/// S nests.
+/// Whether a value of type T acts as a constant when it is combined with duals over S. This holds if T is an
+/// arithmetic type, S itself, or a scalar type nested in S.
 template <class T, class S>
 struct IsLowerScalar : std::bool_constant<std::is_arithmetic_v<T> || std::is_same_v<T, S>> {};
 template <class T, class S, int N>
@@ -38,13 +38,13 @@ struct Dual {
   std::array<S, N> derivative;
 
   Dual() = default;
-  /// A constant.
+  /// A constant: all of its derivatives are zero.
   template <LowerScalar<S> T>
   constexpr Dual(const T& constant) : value(static_cast<S>(constant)), derivative{} {}  // NOLINT: implicit
   constexpr Dual(const S& value_in, const std::array<S, N>& derivative_in)
       : value(value_in), derivative(derivative_in) {}
 
-  /// The independent variable number `index`: its derivative in that direction is one.
+  /// The independent variable `index`: its derivative is one in that direction, zero in the others.
   static constexpr Dual variable(const S& value, int index) {
     Dual x(value);
     x.derivative[index] = S(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Circular and hyperbolic functions on dual numbers; conventions as in dual_functions.h.
+// Circular and hyperbolic functions on dual numbers. The conventions of dual_functions.h apply.
 #pragma once
 
 #include "boxplus/autodiff/dual_functions.h"

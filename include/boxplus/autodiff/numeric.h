@@ -2,9 +2,9 @@
 // Numeric differentiation with an automatic step: Ridders, "Accurate computation of F′(x) and F′(x)F″(x)",
 // Advances in Engineering Software 4(2), 1982.
 //
-// Central differences with shrinking steps are extrapolated to step zero by Neville's scheme. Each component
-// keeps the entry of the tableau that agrees best with its neighbors. The relative error is about 1e-11 on
-// smooth functions. A single central difference reaches 1e-6 … 1e-10, and only with the right step.
+// Central differences with shrinking steps are extrapolated to step zero by Neville's scheme. The result for
+// each component is the entry of its tableau that agrees best with its neighbors. For smooth functions the
+// relative error is about 1e-11. For a single central difference it is 1e-6 to 1e-10, even with a good step.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +17,17 @@ namespace boxplus::detail {
 struct NumericOptions {
   double initial_step = 0.1;  ///< first (largest) step, in the units of the argument
   double shrink = 2;          ///< ratio of consecutive steps, > 1
-  int max_rows = 14;          ///< the most steps, of two evaluations each
+  int max_rows = 14;          ///< maximum number of steps; each takes two evaluations
   double tolerance = 1e-13;   ///< stops when the estimated error, relative to the derivative, is below this
 };
 
-/// Differentiates functions of one real with several results at 0. Keeps its memory between calls.
+/// Differentiates vector-valued functions of one real variable at 0. Keeps its memory between calls.
 class NumericDerivative {
  public:
   explicit NumericDerivative(const NumericOptions& options = {}) : options_(options) {}
 
   /// Fills derivative[0 … size) with df/dh at h = 0, for f(double h, double* values). Returns the largest
-  /// estimated error of a component (infinite if f was not finite anywhere near 0).
+  /// estimated error of any component. It is infinite if f was not finite anywhere near 0.
   template <class F>
   double operator()(const F& f, int size, double* derivative) {
     start(size);
@@ -51,8 +51,8 @@ class NumericDerivative {
     row_.assign(static_cast<std::size_t>(size) * options_.max_rows, 0.0);
   }
 
-  /// Appends one row to the tableau of component i: tableau[k] holds order k of the previous row, and is
-  /// overwritten.
+  /// Appends one row to the tableau of component i. At the beginning, tableau[k] is the entry of order k in
+  /// the previous row; at the end, in the new row.
   void extrapolate(int i, int row, double step) {
     double* tableau = row_.data() + static_cast<std::size_t>(i) * options_.max_rows;
     double entry = (plus_[i] - minus_[i]) / (2 * step);
@@ -73,7 +73,7 @@ class NumericDerivative {
     if (row == 0) best_[i] = entry;
   }
 
-  /// Whether every component is accurate, or as accurate as rounding permits at this step and smaller ones.
+  /// Whether every component is within the tolerance, or as accurate as rounding permits from this step on.
   bool converged(double step) const {
     double slope = 0, value = 0, error = 0;
     for (std::size_t i = 0; i < best_.size(); ++i) {

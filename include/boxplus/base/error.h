@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exceptions of boxplus. Numerical trouble is never an exception: it is a status in the Report.
+// The exceptions of boxplus. A numerical failure is never an exception; it is a status in the Report.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// Misuse of the library. The message says what was expected and what was given.
+/// The base class of all exceptions of boxplus. For misuse, what() names the expected and the given value.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

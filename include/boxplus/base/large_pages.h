@@ -8,8 +8,8 @@
 
 namespace boxplus::detail {
 
-/// Tells the system that newly allocated memory will be used as a whole. The system may then use pages of 2
-/// MiB instead of 4 KiB, which saves page faults and TLB misses. A hint; does nothing for small blocks.
+/// Tells the system that all of the newly allocated memory will be used. The system may then use pages of 2
+/// MiB instead of 4 KiB, which saves page faults and TLB misses. This is a hint; small blocks are ignored.
 void prefer_large_pages(const void* memory, std::size_t bytes);
 
 }  // namespace boxplus::detail

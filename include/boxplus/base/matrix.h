@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigen types whose layout does not depend on compiler flags: use these in public value types and interfaces.
+// Eigen types whose layout does not depend on compiler flags. Use them in public value types and interfaces.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,18 +10,18 @@ namespace boxplus {
 
 inline constexpr int kDynamic = Eigen::Dynamic;
 
-/// Column-major matrix without alignment requirement (row-major if Eigen demands it: one row, several
-/// columns).
+/// A matrix without an alignment requirement. It is column-major, except that Eigen requires row-major order
+/// for a matrix of one row and several columns.
 template <class Scalar, int Rows, int Cols>
 using Matrix =
     Eigen::Matrix<Scalar, Rows, Cols,
                   Eigen::DontAlign | ((Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor)>;
 
-/// Column vector without alignment requirement.
+/// A column vector without an alignment requirement.
 template <class Scalar, int Size>
 using Vector = Matrix<Scalar, Size, 1>;
 
-/// Points and directions of the plane and of space.
+/// Points and directions in the plane and in space.
 using Vector2 = Vector<double, 2>;
 using Vector3 = Vector<double, 3>;
 

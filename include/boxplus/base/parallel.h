@@ -13,12 +13,12 @@ int hardware_threads() noexcept;
 /// Runs task(0) … task(count − 1), task i on worker i (worker 0 is the caller), and returns when all have
 /// ended.
 ///
-/// Workers start on first use and are shared by the process. They spin for 50 µs after their last task, and
-/// then sleep. A call allocates nothing once `count` workers exist. Calls from several threads run one after
-/// the other. A call from inside a task runs its tasks in order on the calling worker. If the system grants
-/// fewer threads than `count`, the caller runs the rest. So tasks of one call must not wait for each other.
+/// The whole process shares the workers. They start on first use, spin for 50 µs after their last task, then
+/// sleep. A call allocates nothing if `count` workers exist. Calls from several threads run one after the
+/// other. A call from inside a task runs its tasks in order on the calling worker. If the system grants fewer
+/// threads, the caller runs the remaining tasks. So tasks of one call must not wait for each other.
 ///
-/// All tasks run, even if some of them throw. The exception of the lowest index is then rethrown.
+/// All tasks run, even if some of them throw. Then the first exception in the order of the tasks is rethrown.
 void parallel_tasks(int count, FunctionRef<void(int)> task);
 
 }  // namespace boxplus::detail

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// Thrown by a computation whose token is raised, if it has no status to return. optimize() catches it and
+/// Thrown when a token is raised, by computations that cannot return a status. optimize() catches it and
 /// reports the reason.
 class Stopped : public Error {
  public:
@@ -31,8 +31,8 @@ class StopToken {
 
   /// Never raised.
   StopToken() = default;
-  /// Raised while `*flag` is true, and from `seconds` after `begin` on. `flag` may be null; otherwise it must
-  /// outlive the token.
+  /// Raised while `*flag` is true, and from the time `begin` + `seconds` on. `flag` may be null; otherwise
+  /// the flag must outlive the token.
   explicit StopToken(const std::atomic<bool>* flag, Clock::time_point begin = {}, double seconds = kUnlimited)
       : flag_(flag), deadline_(deadline(begin, seconds)) {}
 
@@ -43,7 +43,7 @@ class StopToken {
     if (raised()) throw Stopped(flag_raised());
   }
   /// Throws Stopped if the token is raised or the deadline is less than `seconds` away. Call it before a
-  /// computation that takes so long and cannot be interrupted.
+  /// computation that takes this long and cannot be interrupted.
   void check_room_for(double seconds) const {
     check();
     if (deadline_ == kNever) return;

@@ -4,9 +4,9 @@
 
 namespace boxplus::detail {
 
-/// One T per thread and Tag, made on first use and freed when its thread ends. Unlike a thread_local T, it
-/// may be used later too: in destructors of global objects, which run after the main thread's objects are
-/// freed.
+/// The T of the calling thread for this Tag. It is created on first use, and freed when its thread ends.
+/// Unlike a thread_local T, it is created again if it is used after that, as by destructors of global
+/// objects, which run after the main thread's thread_local objects are destroyed.
 template <class T, class Tag>
 T& thread_scratch() {
   struct Owner {

@@ -22,8 +22,8 @@ concept JacobiansForSomeTypes = requires {
   requires E::kJacobiansForSomeTypes;
 };
 
-/// Whether E uses its Jacobians: false if a member function has the name of a Jacobian but the wrong
-/// signature.
+/// Whether E can use its Jacobians. False if a member function is named `jacobian` or `jacobians`, but has
+/// the wrong signature.
 template <class E, class... V>
 inline constexpr bool kUsesItsJacobians =
     kAnalytic<E, V...> || JacobiansForSomeTypes<E> || !kNamesJacobianFunction<E>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Jacobians of an error function through ⊞: exact by dual numbers, or numeric.
+// Jacobians of an error function with respect to the step δ of x ⊞ δ: exact, analytic or numeric.
 //
-// Both fill a column-major block of rows × cols. The columns of x_1 come first, then those of x_2, …
+// Each fills a column-major block of rows × cols. The columns of x_1 come first, then the columns of x_2, …
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace boxplus::detail {
 
-/// The tangent size of an argument; for a tail, the sum over its elements.
+/// The tangent size of an argument. For a tail, the sum of the tangent sizes of its elements.
 template <class V>
 int argument_dim(Argument<V> x) {
   if constexpr (kIsTail<V>) {
@@ -30,8 +30,8 @@ int argument_dim(Argument<V> x) {
   }
 }
 
-/// x ⊞ δ over dual numbers. δ is 0, and the derivative of its k-th entry is the unit vector with index
-/// `column + k − first`. Entries outside of the dual's window are constant.
+/// x ⊞ δ over dual numbers, at δ = 0. Entry k of δ is the independent variable `column + k − first` of the
+/// duals. If the duals have no variable with this index, the entry is a constant.
 template <class S, class T>
 detail::Rebind<T, S> lift(const T& x, int column, int first) {
   constexpr int kWindow = static_cast<int>(std::tuple_size<decltype(S::derivative)>::value);
@@ -59,8 +59,8 @@ detail::Rebind<T, S> lift(const T& x, int column, int first) {
   }
 }
 
-/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. If consecutive edges
-/// share an estimate, it is lifted once.
+/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. An estimate that
+/// consecutive edges share is lifted only once.
 template <class V, class S>
 class LiftedArgument {
  public:
@@ -99,21 +99,21 @@ class LiftedArgument<Tail<T>, S> {
   std::vector<detail::Rebind<T, S>> values_;
 };
 
-/// Jacobians by forward-mode dual numbers, exact up to rounding. One object differentiates several edges in
-/// turn; no estimate may change in between.
+/// Jacobians by forward-mode dual numbers, exact up to rounding. One object may differentiate several edges,
+/// one after the other; no estimate may change in between.
 template <class... V>
 class AutomaticJacobian {
  public:
   using Scalar = DualFor<V...>;
   static constexpr int kWindow = kDualSize<V...>;
 
-  /// error ← e(x), and columns [first, first + kWindow) of J ← ∂e(x ⊞ δ)/∂δ. `slots` are the slots of the
-  /// vertices whose estimates the arguments are.
+  /// error ← e(x), and columns [first, first + kWindow) of J ← ∂e(x ⊞ δ)/∂δ. `slots`: the slots of the edge's
+  /// vertices. The arguments x are the estimates of these vertices.
   template <class E>
   void columns(const E& e, double* error, double* jacobian, int rows, int cols, int first,
                std::span<const std::uint32_t> slots, Argument<V>... x) {
     int column = 0;
-    std::size_t position = 0;  // in `slots`; a tail ignores its slot, and may be empty
+    std::size_t position = 0;  // in `slots`. A tail does not use its slot, and may be empty.
     const auto next_slot = [&] { return position < slots.size() ? slots[position++] : 0; };
     std::apply([&](auto&... a) { (a.lift(x, next_slot(), column, first), ...); }, lifted_);
     const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted_);
@@ -133,8 +133,8 @@ class AutomaticJacobian {
   std::tuple<LiftedArgument<V, Scalar>...> lifted_;
 };
 
-/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ by forward-mode dual numbers; exact up to rounding. `slots` as in
-/// AutomaticJacobian.
+/// error ← e(x), J ← ∂e(x ⊞ δ)/∂δ at δ = 0 by forward-mode dual numbers: all columns, exact up to
+/// rounding.
 template <class... V, class E>
 void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, int cols, Argument<V>... x) {
   constexpr std::array<std::uint32_t, sizeof...(V)> kAnySlots{};
@@ -146,7 +146,7 @@ void automatic_jacobian(const E& e, double* error, double* jacobian, int rows, i
   } while (first < cols);
 }
 
-/// J ← the Jacobians that e.jacobians() returns.
+/// J ← the Jacobians that e.jacobians() computes.
 template <class... V, class E>
 void analytic_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x) {
   constexpr int kRowsOfEdge = kRows<Result<E, V...>>;
@@ -161,7 +161,7 @@ void analytic_jacobian(const E& e, double* jacobian, int rows, Argument<V>... x)
   std::apply([&](auto&... J) { e.jacobians(x..., J...); }, blocks);
 }
 
-/// The memory of numeric_jacobian(). Each thread keeps one.
+/// The working memory of numeric_jacobian(). Each thread has one such object.
 struct NumericMemory {
   std::vector<double> delta;
   NumericDerivative differentiate = NumericDerivative();

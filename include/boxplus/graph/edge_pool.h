@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All edges of one type, side by side, and the tile that holds their errors and Jacobians.
+// The pool that stores all edges of one type, and the tile that holds the errors and Jacobians of a few.
 #pragma once
 
 #include <algorithm>
@@ -22,63 +22,63 @@ class Graph;
 
 namespace boxplus::detail {
 
-/// The sizes of an edge: how many vertices, how many rows of error, and the sum of its vertices' tangent
-/// sizes.
+/// The sizes of an edge: the number of its vertices, the number of rows of its error, and the sum of the
+/// tangent sizes of its vertices.
 struct EdgeShape {
   int arity = 0;
   int rows = 0;
   int cols = 0;
 };
 
-/// Errors and Jacobians of a few edges of one shape, in memory that one worker owns and that stays in cache.
+/// Errors and Jacobians of a few edges of one shape. One worker owns the memory, which fits into the cache.
 ///
-/// A block of edge k has n values: n = rows for the error, n = rows · cols for the Jacobian. It begins at k ·
-/// n. If the tile is `in_lanes`, value m of edge k lies at ((k / kLanes) · n + m) · kLanes + k % kLanes
+/// In each array, an edge has n values: n = rows in `error`, n = rows · cols in `jacobian`. Value m of edge k
+/// is at index k · n + m. If `in_lanes` is true, it is at index ((k / kLanes) · n + m) · kLanes + k % kLanes
 /// instead, so that kernels can process kLanes edges at a time.
 struct EdgeTile {
   static constexpr int kCapacity = 64, kLanes = 8;
   int count = 0, rows = 0, cols = 0;
   double* error = nullptr;     ///< not whitened
   double* jacobian = nullptr;  ///< rows × cols, column-major; the columns of its vertices in order
-  /// The caller sets this before linearize() if it can read lanes; linearize() clears it if it wrote no
-  /// lanes. If the number of edges is not a multiple of kLanes, the remaining lanes are copies of the last
-  /// edge.
+  /// The caller sets this flag before linearize() if it can read lanes. linearize() clears the flag if it did
+  /// not write lanes. If the number of edges is not a multiple of kLanes, the remaining lanes are copies of
+  /// the last edge.
   bool in_lanes = false;
 };
 
-/// The erased interface of the edges of one type. If they have one shape, an iteration makes one virtual call
-/// per tile, and none per edge.
+/// The type-erased interface of the edges of one type. If all edges have the same shape, an iteration makes
+/// one virtual call per tile, and none per edge.
 class EdgePool {
  public:
   virtual ~EdgePool() = default;
 
-  /// A copy with the same slots and generations, over copies of the graph's vertex pools.
+  /// A copy with the same slots and generations. It uses `vertex_pools`, which are copies of the original's.
   virtual std::unique_ptr<EdgePool> clone(
       std::span<const std::unique_ptr<VertexPool>> vertex_pools) const = 0;
   virtual std::string_view type_name() const = 0;
   virtual EdgeShape shape(std::uint32_t edge) const = 0;
-  /// Whether all edges of the pool have one shape. Otherwise they are linearized one at a time.
+  /// Whether all edges of the pool have the same shape. Otherwise they are linearized one at a time.
   virtual bool uniform_shape() const = 0;
   /// The errors of the listed edges, one after the other.
   virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
   /// eᵀΩe per listed edge, before any robust kernel.
   void chi2(std::span<const std::uint32_t> edges, double* out) const;
-  /// Fills count, rows, cols, error and jacobian for the listed edges (at most EdgeTile::kCapacity, of one
-  /// shape). May be called by several workers at once. `force_numeric` asks for numeric Jacobians.
+  /// Fills count, rows, cols, error and jacobian for the listed edges: at most EdgeTile::kCapacity edges of
+  /// the same shape. Several workers may call it at once. `force_numeric` asks for numeric Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
-  /// The errors of at most EdgeTile::kCapacity edges in lanes. Returns false, and does nothing, if no kernel
-  /// evaluates several edges of this type at a time.
+  /// Computes the errors of at most EdgeTile::kCapacity edges, in lanes. Does nothing and returns false if
+  /// there is no kernel that evaluates several edges of this type at a time.
   virtual bool errors_in_lanes(std::span<const std::uint32_t> /*edges*/, double* /*out*/) const {
     return false;
   }
-  /// True if all edges of this type measure poses or points fully relative to a pose, or a pose relative to
-  /// the world (graph/error_function.h, kRigid).
+  /// True if each edge of this type completely measures a pose or a point relative to a pose, or a pose
+  /// relative to the world (kRigid in graph/error_function.h).
   virtual bool is_rigid() const { return false; }
-  /// The relative frame that the edge measures, for initial guesses. Returns false if it measures none.
+  /// Sets `out` to the relative frame that the edge measures, for initial guesses. Returns false if none.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
-  /// Makes room for a total of `edges` edges like the present ones. A hint that changes nothing else.
+  /// Reserves memory for a total of `edges` edges with the sizes of the existing ones. Changes nothing else.
   virtual void reserve(std::size_t edges) = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(flags_.size()); }
@@ -95,31 +95,31 @@ class EdgePool {
     return uniform_arity_ >= 0 ? uniform_arity_
                                : static_cast<int>(vertex_start_[edge + 1] - vertex_start_[edge]);
   }
-  /// Slots of the edge's vertices in their pools.
+  /// The slots of the edge's vertices in their pools.
   std::span<const std::uint32_t> vertex_slots(std::uint32_t edge) const {
     return {vertex_slots_.data() + vertex_start(edge), static_cast<std::size_t>(arity(edge))};
   }
-  /// Pool of the i-th vertex of an edge.
+  /// The pool of the i-th vertex of an edge.
   std::uint32_t vertex_pool(std::uint32_t edge, int i) const {
     if (tails_ > 1) return pool_in_tails(edge, i);
     return vertex_pools_[std::min(static_cast<std::size_t>(i), vertex_pools_.size() - 1)];
   }
   InformationView information(std::uint32_t edge) const { return information(edge, shape(edge).rows); }
-  /// The same if the caller knows the number of rows.
+  /// The same for a caller that knows the number of rows.
   InformationView information(std::uint32_t edge, int rows) const { return information_.view(edge, rows); }
-  /// Sets omegas[k] to the values of the Ω of edges[k], and returns the kind of all of them. If their kinds
-  /// differ, writes each Ω in full to `full`, which has room for rows (rows + 1) / 2 values per edge.
+  /// Sets omegas[k] to the address of the values of Ω of edges[k]. Returns the kind of all these Ω. If their
+  /// kinds differ, writes all of them as full matrices to `full` (rows (rows + 1) / 2 values per edge).
   InformationKind informations(std::span<const std::uint32_t> edges, int rows, const double** omegas,
                                double* full) const;
   std::uint32_t generation(std::uint32_t edge) const { return generations_[edge]; }
 
  protected:
-  /// `vertex_pools`: the pool of each argument of the error function. The last `tails` arguments stand for
-  /// any number of vertices.
+  /// `vertex_pools`: the pool of each argument of the error function. The last `tails` arguments are tails;
+  /// each stands for any number of vertices.
   EdgePool(std::vector<std::uint32_t> vertex_pools, int tails);
   std::uint32_t argument_pool(int i) const { return vertex_pools_[static_cast<std::size_t>(i)]; }
-  /// The number of vertices in each tail of an edge. Empty if there is at most one tail, which then has all
-  /// vertices that are left.
+  /// The number of vertices in each tail of an edge. Empty if there is at most one tail, because a single
+  /// tail has all vertices that remain.
   std::span<const std::uint32_t> tail_sizes(std::uint32_t edge) const {
     if (tails_ <= 1) return {};
     const auto tails = static_cast<std::size_t>(tails_);
@@ -129,9 +129,9 @@ class EdgePool {
   /// The slot that acquire_slot() will return for an edge of this arity: the slot of a removed edge, or
   /// slots().
   std::uint32_t next_slot(std::size_t arity) const;
-  /// Registers a new edge and returns its slot. This is the slot of a removed edge of the same arity, or the
-  /// previous value of slots(); in the second case the derived pool grows as well. If it throws, nothing has
-  /// changed.
+  /// Registers a new edge and returns its slot. This is the slot of a removed edge of the same arity, or a
+  /// new slot at the end; then the derived class must also append an element. If the function throws, nothing
+  /// has changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots,
                              std::span<const std::uint32_t> tail_sizes, const Information& information,
                              int rows);
@@ -157,15 +157,15 @@ class EdgePool {
   std::vector<std::uint32_t> vertex_pools_;
   int uniform_arity_ = -1, tails_ = 0;
   std::vector<std::uint32_t> vertex_slots_;
-  std::vector<std::uint32_t> vertex_start_;  // only if the arity is chosen at run time
-  std::vector<std::uint32_t> tail_sizes_;    // tails_ per edge, only if there are several
+  std::vector<std::uint32_t> vertex_start_;  // used only if the arity is chosen at run time
+  std::vector<std::uint32_t> tail_sizes_;    // tails_ entries per edge; used only if tails_ > 1
   InformationStore information_;
   std::vector<std::uint8_t> flags_;
-  std::vector<int> levels_;  // empty while all are 0
+  std::vector<int> levels_;  // empty while all levels are 0
   std::vector<std::uint32_t> generations_;
-  std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while none is set
+  std::vector<std::shared_ptr<const RobustKernel>> kernels_;  // empty while no edge has a kernel
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // of the next edge, in any slot
+  std::uint32_t next_generation_ = 0;  // generation of the next edge, in any slot
 };
 
 }  // namespace boxplus::detail

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The error function that makes a type an edge: a function of the estimates of the edge's vertices.
 //
-// Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates
-// arrive by const reference. The last arguments may be std::span<const T>, with a different T each, for edges
-// whose arity is chosen at run time. Vectors are Vector<S, N> (base/matrix.h); a function that takes
-// Eigen::Matrix<S, N, 1> gets copies, and a copied tail allocates memory. The result is a scalar, a
-// std::array, or an Eigen vector, of fixed or run-time size.
+// Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates are
+// passed by const reference. If the arity of the edge is chosen at run time, the last arguments are
+// std::span<const T>, each with a different T. Vectors are Vector<S, N> (base/matrix.h). A function that
+// takes Eigen::Matrix<S, N, 1> gets copies; copying a span of vectors allocates memory. The result is a
+// scalar, a std::array, or an Eigen vector, of fixed or run-time size.
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
 // Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
 // must protect it.
 //
-//   - If the function is generic in the scalar of its arguments, it is differentiated exactly, by dual
-//   numbers.
-//   - If it takes plain estimates only, it is differentiated numerically, and the Report says so.
+// There are three ways to get Jacobians:
+//   - If the function is generic in the scalar of its arguments, dual numbers differentiate it exactly.
+//   - If it only takes estimates of doubles, it is differentiated numerically, and the Report says so.
 //   - If the type has a member `jacobians(x_1, …, x_q, J_1, …, J_q) const`, that function computes the
 //     Jacobians. J_i is an Eigen::Ref or Map of rows × dim(x_i) for ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0; the
-//     function must set every entry. The J_i of a span has the columns of all elements, side by side. A
-//     number of rows or columns that is known at compile time is fixed in the type of J_i; otherwise it is
-//     Eigen::Dynamic.
-//     If a member function is named `jacobians` or `jacobian` but cannot be called like this, the edge does
-//     not compile (graph/check_types.h). An edge template that has Jacobians for some of its types only
-//     declares `static constexpr bool kJacobiansForSomeTypes = true`.
+//     function must set every entry. The J_i of a span has the columns of all elements, side by side. The
+//     type of J_i has a fixed number of rows (columns) if that number is known at compile time, and
+//     Eigen::Dynamic otherwise. If a member function is named `jacobians` or `jacobian` but cannot be
+//     called like this, the edge does not compile (graph/check_types.h). If an edge template has
+//     Jacobians for only some of its types, it declares `static constexpr bool kJacobiansForSomeTypes =
+//     true`.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@
 
 namespace boxplus::detail {
 
-/// Stands in a list of vertex types for "any number of T".
+/// In a list of vertex types, stands for any number of vertices of type T.
 template <class T>
 struct Tail {
   using Element = T;
@@ -62,7 +62,7 @@ template <class T>
 struct Element<Tail<T>> {
   using Type = T;
 };
-/// T for T and for Tail<T>.
+/// T, if V is T or Tail<T>.
 template <class V>
 using ElementOf = typename Element<V>::Type;
 
@@ -74,7 +74,7 @@ template <class T>
 struct ArgumentOf<Tail<T>> {
   using Type = std::span<const T>;
 };
-/// The type as which the error function receives an estimate.
+/// The type of the parameter by which the error function receives the estimate (or a tail of estimates).
 template <class V>
 using Argument = typename ArgumentOf<V>::Type;
 
@@ -86,7 +86,7 @@ template <class T, class S>
 struct LiftedOf<Tail<T>, S> {
   using Type = Tail<detail::Rebind<T, S>>;
 };
-/// V, or the elements of the tail, over the scalar S.
+/// V over the scalar S. For a tail, a tail of elements over S.
 template <class V, class S>
 using Lifted = typename LiftedOf<V, S>::Type;
 
@@ -98,8 +98,8 @@ concept HasErrorMember = requires(const E& e, A&&... a) {
 template <class E, class... A>
 concept CallableAsIs = HasErrorMember<E, A...> || std::invocable<const E&, A...>;
 
-/// A copy of an argument with Eigen's default alignment, if it is a vector or a span of vectors. Templates
-/// over Eigen::Matrix<S, N, 1> require it.
+/// Copies an argument that is a vector or a span of vectors to types with Eigen's default alignment. Function
+/// templates over Eigen::Matrix<S, N, 1> require these types.
 template <class T>
 struct AlignedCopy {};
 template <class S, int N>
@@ -142,7 +142,7 @@ decltype(auto) call(const E& e, A&&... a) {
     return e(std::forward<A>(a)...);
   } else {
     auto result = call<E, Aligned<A>...>(e, AlignedArgument<A>::of(std::forward<A>(a))...);
-    return result;  // by value: a reference might refer to the copies
+    return result;  // by value, because a reference might refer to the copies
   }
 }
 
@@ -218,7 +218,7 @@ void copy_rows(const R& result, int rows, double* out) {
   for (int i = 0; i < rows; ++i) out[i] = row(result, i);
 }
 
-/// Sum of the tangent sizes, or kDynamic.
+/// The sum of the tangent sizes, or kDynamic if it is only known at run time.
 template <class... V>
 inline constexpr int kCols = [] {
   int sum = 0;
@@ -229,7 +229,7 @@ inline constexpr int kCols = [] {
   return dynamic ? kDynamic : sum;
 }();
 
-/// Up to this many columns are differentiated at once; more columns take passes of kDualChunk.
+/// Up to kDualLimit columns are differentiated in one pass. More columns need passes of kDualChunk columns.
 inline constexpr int kDualLimit = 24;
 inline constexpr int kDualChunk = 8;
 template <class... V>
@@ -259,8 +259,8 @@ requires requires {
   using Type = typename R::value_type;
 };
 
-/// The type that a call would return. The call itself is not compiled, because Eigen's conversions between
-/// vectors of different scalars are declared but do not compile.
+/// The return type of a call, found without compiling the call: Eigen declares conversions between vectors of
+/// different scalars, but they do not compile.
 template <class E, class... A>
 struct UnevaluatedResult {
   using Type = std::invoke_result_t<const E&, A...>;
@@ -274,8 +274,8 @@ template <class E, class... A>
 requires(!CallableAsIs<E, A...>) struct UnevaluatedResult<E, A...> : UnevaluatedResult<E, Aligned<A>...> {
 };
 
-/// If the arguments have the scalar S, so has the result. (A function of plain Eigen vectors accepts vectors
-/// of S, because Eigen declares a conversion, but returns plain values.)
+/// If the arguments have the scalar S, the result has it, too. (A function of plain Eigen vectors seems to
+/// accept vectors of S, because Eigen declares a conversion; but its result has plain scalars.)
 template <class E, class S, class... A>
 concept Carries = Callable<E, A...> &&
     std::is_same_v<typename RowScalar<std::remove_cvref_t<typename UnevaluatedResult<E, A...>::Type>>::Type,
@@ -292,9 +292,9 @@ concept WantsNumeric = requires {
 };
 
 /// Whether E declares `static constexpr bool kRigid = true`. Such an error measures the position of one
-/// vertex completely, in the frame of another vertex or in the world. So every similarity of some of its
-/// vertices changes the error, except for a rigid motion of all of them. The search for gauge freedom can
-/// then skip the edge.
+/// vertex completely, in the frame of another vertex or in the world. So if some of its vertices are rotated,
+/// shifted or scaled, the error changes; only a rigid motion of all of them may leave it unchanged. Therefore
+/// the search for gauge freedom can skip the edge.
 template <class E>
 inline constexpr bool kIsRigid = [] {
   if constexpr (requires { E::kRigid; }) {
@@ -316,7 +316,7 @@ inline constexpr bool kDifferentiable = [] {
   }
 }();
 
-/// The columns of one argument in the Jacobian.
+/// The columns of the Jacobian that belong to one argument.
 template <class V, int Rows>
 using JacobianBlock = Eigen::Map<Matrix<double, Rows, kIsTail<V> ? kDynamic : Manifold<ElementOf<V>>::kDim>>;
 
@@ -332,7 +332,7 @@ inline constexpr JacobianSource kJacobianSource = kAnalytic<E, V...>         ? J
                                                   : kDifferentiable<E, V...> ? JacobianSource::kAutomatic
                                                                              : JacobianSource::kNumeric;
 
-/// E is an error function of the vertex types V... (T, or Tail<T> in the last places).
+/// E is an error function of the vertex types V... (each is a T; the last ones may be a Tail<T>).
 template <class E, class... V>
 concept EdgeType = std::copy_constructible<E> && sizeof...(V) > 0 && Callable<E, Argument<V>...>;
 

@@ -10,12 +10,12 @@ namespace boxplus::detail {
 /// A pose (T_world_body) or, without rotation, a point in the world.
 struct Frame {
   int dimension = 0;                    ///< 2 or 3
-  bool has_rotation = false;            ///< false: a point
+  bool has_rotation = false;            ///< false if it is a point
   std::array<double, 9> rotation{};     ///< dimension × dimension, row-major
   std::array<double, 3> translation{};  ///< meters
 };
 
-/// Specialize for a vertex type that is a pose or a point, so that initial guesses can set it:
+/// Specialize this trait for a vertex type that is a pose or a point, so that initial guesses can set it:
 ///   static Frame get(const T&);   static void set(T&, const Frame&);
 template <class T>
 struct FrameTrait {};
@@ -32,11 +32,11 @@ struct RelativeFrame {
   static constexpr int kWorld = -1;
   int from = 0;  ///< position of the vertex within the edge, or kWorld
   int to = 1;
-  Frame motion;  ///< without rotation: only the position of `to` is measured
-  /// The rows [first, first + count) of the error that are in meters, and those that are angles.
+  Frame motion;  ///< if it has no rotation, only the position of `to` is measured
+  /// First index and number of the error rows in meters, then of the error rows that are angles.
   int translation_row = 0, translation_rows = 0;
   int rotation_row = 0, rotation_rows = 0;
-  double rotation_unit = 1;  ///< error units per radian (½ for quaternion vectors)
+  double rotation_unit = 1;  ///< units of the error per radian (½ for vector parts of quaternions)
 };
 
 }  // namespace boxplus::detail

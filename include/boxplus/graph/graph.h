@@ -42,7 +42,7 @@ requires kIsVertexHandle<std::ranges::range_value_t<R>>
 struct VertexTypeOf<R> {
   using Type = detail::Tail<typename std::ranges::range_value_t<R>::Estimate>;
 };
-/// T for VertexHandle<T>, detail::Tail<T> for a range of them.
+/// T for VertexHandle<T>, detail::Tail<T> for a range of such handles.
 template <class H>
 using VertexType = typename VertexTypeOf<std::remove_cvref_t<H>>::Type;
 
@@ -59,7 +59,7 @@ class ShortList {
   std::array<T, N> items_{};
   std::size_t size_ = 0;
 };
-/// One T per vertex of an edge over V…
+/// A list with one T per vertex, for an edge whose vertices have the types V…
 template <class T, class... V>
 using ListFor = std::conditional_t<(kIsTail<V> || ...), std::vector<T>, ShortList<T, sizeof...(V)>>;
 
@@ -69,9 +69,9 @@ concept Attachable = requires {
 };
 }  // namespace detail
 
-/// A hyper-graph: vertices of any manifold type, edges over any number of them.
+/// A hyper-graph: vertices of any manifold type, and edges that connect any number of vertices.
 ///
-/// Handles stay valid until their element is removed. All methods throw InvalidArgument for a stale handle
+/// A handle stays valid until its element is removed. All methods throw InvalidArgument for a stale handle
 /// and for a handle of another graph. Methods that take a handle are O(1) unless they say otherwise. Only one
 /// thread may use a Graph at a time.
 ///
@@ -81,8 +81,8 @@ class Graph {
  public:
   Graph();
   ~Graph();
-  /// A deep copy. The handles of `other` name the same elements in the copy; handles that either graph
-  /// creates later belong to that graph alone. Estimates, error functions and the stack of push() are copied;
+  /// A deep copy. A handle of `other` names the same element in the copy. A handle that either graph creates
+  /// later is valid for that graph only. Estimates, error functions and the stack of push() are copied;
   /// robust kernels are shared. An Optimizer of `other` stays with `other`. O(vertices + edges).
   Graph(const Graph& other);
   Graph& operator=(const Graph& other);
@@ -91,8 +91,8 @@ class Graph {
 
   // ---- Vertices ----
 
-  /// Adds a vertex. Without an id it gets the next free one. Throws InvalidArgument if the id is taken or
-  /// negative.
+  /// Adds a vertex. If no id is given, the vertex gets the next free id. Throws InvalidArgument if the id is
+  /// taken or negative.
   template <class T>
   VertexHandle<detail::StoredEstimate<T>> add_vertex(T estimate, std::optional<Id> id = std::nullopt) {
     static_assert(detail::check_vertex_type<detail::StoredEstimate<T>>());
@@ -100,8 +100,8 @@ class Graph {
     return register_vertex<detail::StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
   }
 
-  /// Adds a shared constant (a sensor offset, a camera). It is a vertex that begins fixed, does not fix the
-  /// gauge, and has an id among the parameters. To calibrate it, unfix() it.
+  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed at first, but does not hold
+  /// the gauge. Parameters have their own ids. To calibrate the constant, unfix() it.
   template <class T>
   VertexHandle<detail::StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
     static_assert(detail::check_vertex_type<detail::StoredEstimate<T>>());
@@ -122,7 +122,7 @@ class Graph {
   }
   std::optional<VertexRef> find_vertex(Id id) const;
   std::optional<VertexRef> find_parameter(Id id) const;
-  /// `vertex` as a handle of its type. Throws InvalidArgument if the estimate is not a T.
+  /// A typed handle of `vertex`. Throws InvalidArgument if the estimate is not a T.
   template <detail::ManifoldType T>
   VertexHandle<detail::StoredEstimate<T>> typed(VertexRef vertex) const {
     typed_pool<T>(vertex);
@@ -155,23 +155,23 @@ class Graph {
   void set_fixed(VertexRef vertex, bool fixed);
   bool is_fixed(VertexRef vertex) const;
 
-  /// Fixes some directions of a vertex in its tangent space, numbered from 0; the vertex moves in the others.
-  /// For SE3, {2, 3, 4} keeps a vehicle in the plane: the tangent is (Δt, Δq) in the body frame. A second
-  /// call replaces the directions of the first; an empty list releases the vertex.
+  /// Fixes some directions of a vertex in its tangent space. They are numbered from 0. The vertex still moves
+  /// in all other directions. For SE3, {2, 3, 4} keeps a vehicle in the plane: the tangent is (Δt, Δq) in the
+  /// body frame. A second call replaces the directions of the first; an empty list releases all of them.
   ///
-  /// Every optimization step is exactly zero in fixed directions, with any edges, kernels, solvers and
-  /// elimination, and so is the covariance. It depends on ⊞ of the type which values of the estimate keep
-  /// their bits: the entries of a vector or a Product do; z of an SE3 does while the z axis of the body is
-  /// parallel to that of the world. Throws InvalidArgument if a direction is not in [0, tangent_dim).
+  /// In fixed directions, every optimization step and the covariance are exactly zero, with any edges,
+  /// kernels, solvers and elimination. The ⊞ of the type determines which values of the estimate keep their
+  /// bits: the entries of a vector or a Product do; z of an SE3 does only while the z axis of the body is
+  /// parallel to the z axis of the world. Throws InvalidArgument if a direction is not in [0, tangent_dim).
   void fix_directions(VertexRef vertex, std::span<const int> directions);
   void fix_directions(VertexRef vertex, std::initializer_list<int> directions) {
     fix_directions(vertex, std::span(directions.begin(), directions.size()));
   }
-  /// Ascending; valid until the next call for any vertex.
+  /// In ascending order. Valid until the next call of fix_directions() for any vertex.
   std::span<const int> fixed_directions(VertexRef vertex) const;
 
-  /// Marks a vertex to be eliminated first, by the Schur complement (the points of bundle adjustment). If an
-  /// edge joins two eliminated vertices, optimize() throws InvalidArgument.
+  /// Marks a vertex to be eliminated first, by the Schur complement (such as a point in bundle adjustment).
+  /// If an edge joins two eliminated vertices, optimize() throws InvalidArgument.
   void set_eliminated(VertexRef vertex, bool eliminated);
   bool is_eliminated(VertexRef vertex) const;
 
@@ -181,8 +181,8 @@ class Graph {
 
   // ---- Edges ----
 
-  /// Adds an edge with the identity as information. The vertices are handles; the last ones may be ranges of
-  /// handles, each of any type. Throws InvalidArgument if a vertex appears twice or is stale.
+  /// Adds an edge with the identity as information. The vertices are handles; the last arguments may be
+  /// ranges of handles, each of one type. Throws InvalidArgument if a vertex appears twice or is stale.
   template <class E, class... H>
   requires(detail::Attachable<H>&&...) EdgeHandle<E> add_edge(E error, const H&... vertices) {
     return add_edge(std::move(error), Information(1.0), vertices...);
@@ -215,7 +215,7 @@ class Graph {
     return handle;
   }
 
-  /// Makes room for a total of `count` edges of the type of `like`. A hint, which saves time if many follow.
+  /// Reserves memory for a total of `count` edges of the type of `like`. Saves time if you add many edges.
   void reserve_edges(EdgeRef like, std::size_t count);
 
   /// The error function (measurement) of an edge.
@@ -231,9 +231,9 @@ class Graph {
 
   bool contains(EdgeRef edge) const;
   std::vector<VertexRef> vertices(EdgeRef edge) const;
-  /// The edges that use a vertex (or parameter), in the order of all_edges(). The first call lists the edges
-  /// of every vertex, in O(vertices + edges). From then on this index is kept up to date: each call takes
-  /// O(d log d) for d edges, and add_edge() takes a little longer.
+  /// The edges that use a vertex (or parameter), in the order of all_edges(). The first call builds an index
+  /// of the edges of every vertex, in O(vertices + edges). The graph keeps this index up to date: each later
+  /// call takes O(d log d) for d edges, and add_edge() takes a little longer.
   std::vector<EdgeRef> edges(VertexRef vertex) const;
   detail::InformationView information(EdgeRef edge) const;
   void set_information(EdgeRef edge, const Information& information);
@@ -243,8 +243,8 @@ class Graph {
   requires std::derived_from<K, RobustKernel>
   void set_kernel(EdgeRef edge, const K& kernel) { set_kernel(edge, std::make_shared<const K>(kernel)); }
   const RobustKernel* kernel(EdgeRef edge) const;
-  /// A disabled edge has zero weight, but stays in the structure of the problem. So it still holds its part
-  /// of the graph in place for GaugePolicy, like an edge whose Ω is zero.
+  /// A disabled edge has zero weight, but stays in the structure of the problem. So GaugePolicy still treats
+  /// it as holding its part of the graph in place, like an edge whose Ω is zero.
   void set_enabled(EdgeRef edge, bool enabled);
   bool is_enabled(EdgeRef edge) const;
   /// Options::level selects the edges that take part.
@@ -252,27 +252,27 @@ class Graph {
   int level(EdgeRef edge) const;
   void remove(EdgeRef edge);
 
-  /// eᵀΩe of one edge, without its kernel; and its error e.
+  /// eᵀΩe of one edge, without its kernel. error() returns e.
   double chi2(EdgeRef edge) const;
   std::vector<double> error(EdgeRef edge) const;
   /// The factor by which an optimizer multiplies Ω of one edge at the current estimates: ρ′(eᵀΩe) of its
   /// kernel, but at least 0; 1 without a kernel; 0 for a disabled edge. The weighted information of the edge
   /// is weight(edge) * information(edge).matrix().
   double weight(EdgeRef edge) const;
-  /// The Jacobian of one edge's error at the current estimates, in one block per vertex, fixed vertices
-  /// included. Block i belongs to the i-th of vertices(edge): ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, with rows
-  /// × tangent_dim(x_i) entries. Neither Ω nor the kernel is applied.
+  /// The Jacobian of one edge's error at the current estimates, as one block per vertex, including fixed
+  /// vertices. Block i belongs to vertices(edge)[i]: it is ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, with rows ×
+  /// tangent_dim(x_i) entries. Neither Ω nor the kernel is applied.
   std::vector<Eigen::MatrixXd> jacobian(EdgeRef edge) const;
   /// Σ ρ(eᵀΩe) over all enabled edges. O(edges).
   double chi2() const;
 
   // ---- State ----
 
-  /// Saves the estimates of all vertices and parameters, or of the given ones, on a stack. Calls nest.
+  /// Pushes the estimates of all vertices and parameters, or of the given ones, on a stack. Calls may nest.
   void push();
   void push(std::span<const VertexRef> vertices);
-  /// pop() restores the estimates that the matching push() saved; discard_top() drops them. Vertices that
-  /// were removed since are skipped. Both throw InvalidArgument if nothing was pushed.
+  /// pop() restores the estimates that the matching push() saved; discard_top() drops them. pop() skips
+  /// vertices that were removed in the meantime. Both throw InvalidArgument if nothing was pushed.
   void pop();
   void discard_top();
   int stack_size() const { return static_cast<int>(stack_.size()); }
@@ -280,7 +280,7 @@ class Graph {
   std::size_t vertex_count() const;  ///< without parameters
   std::size_t parameter_count() const { return parameter_ids_.size(); }
   std::size_t edge_count() const;
-  /// All vertices without parameters, by id. O(n log n).
+  /// All vertices except parameters, in the order of their ids. O(n log n).
   std::vector<VertexRef> all_vertices() const;
   std::vector<VertexRef> all_parameters() const;
   std::vector<EdgeRef> all_edges() const;
@@ -294,8 +294,8 @@ class Graph {
   /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the structure.
   std::uint64_t revision() const { return revision_; }
   /// The revision of the last change of the structure that did more than append elements to the ends of their
-  /// pools. If a caller knows the structure of this or a later revision, all changes since then lie beyond
-  /// the slots that the pools had at that revision.
+  /// pools. If a caller knows the structure at this revision or a later one, all changes since then are new
+  /// elements, in slots that the pools did not have at the known revision.
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
   /// Tells an observer whether this is still the same graph, and whether it is in use.
@@ -320,8 +320,8 @@ class Graph {
     std::vector<Part> parts;  // per pool
   };
 
-  /// The first generation of a graph's pools. Each call returns a different number, and the numbers lie as
-  /// far apart as possible. So handles of another graph, and handles from before clear(), are recognized.
+  /// The first generation of a graph's pools. Each call returns a different number, and the numbers are as
+  /// far apart as possible. So a graph detects handles of another graph and handles from before clear().
   /// Thread-safe.
   static std::uint32_t new_epoch() noexcept;
   void note_rewrite() { last_rewrite_ = ++revision_; }
@@ -372,7 +372,7 @@ class Graph {
     }
     return static_cast<detail::TypedVertexPool<detail::StoredEstimate<T>>&>(pool);
   }
-  /// The index of the pool of T. Makes the pool if there is none.
+  /// The index of the pool of T. Creates the pool if there is none.
   template <class T>
   std::uint32_t require_vertex_pool() {
     if (last_vertex_pool_.type == &typeid(T)) return last_vertex_pool_.index;
@@ -398,7 +398,7 @@ class Graph {
     return handle;
   }
 
-  /// Access to the error functions of an edge pool for callers that know E, but not the types of the
+  /// Access to the error functions of an edge pool, for callers that know E but not the types of the
   /// vertices.
   struct EdgeAccess {
     const std::type_info* type;
@@ -424,7 +424,7 @@ class Graph {
     return access;
   }
 
-  /// The index of the pool of these edges. Makes the pool if there is none.
+  /// The index of the pool of these edges. Creates the pool if there is none.
   template <class E, class... V>
   std::uint32_t edge_pool_for() {
     using Pool = detail::TypedEdgePool<E, V...>;
@@ -443,8 +443,8 @@ class Graph {
     return entry->second;
   }
 
-  /// The pool to which the last element was added. It saves most look-ups, which hash the name of the type,
-  /// because most elements come in runs of one type.
+  /// The pool to which the last element was added. Because most elements are added in runs of one type, this
+  /// saves most look-ups, which hash the name of the type.
   struct LastPool {
     const std::type_info* type = nullptr;
     std::uint32_t index = 0;
@@ -458,10 +458,10 @@ class Graph {
   detail::IdMap vertex_ids_, parameter_ids_;
   Id next_id_ = 0, next_parameter_id_ = 0;
   std::uint64_t revision_ = 1, last_rewrite_ = 1;
-  std::uint32_t epoch_ = new_epoch();  // of new pools
+  std::uint32_t epoch_ = new_epoch();  // first generation of new pools
   std::vector<Saved> stack_;
   detail::Lifetime lifetime_;
-  mutable std::unique_ptr<Incidence> incidence_;  // made by the first call of edges()
+  mutable std::unique_ptr<Incidence> incidence_;  // created by the first call of edges()
 };
 
 inline std::vector<Eigen::MatrixXd> Graph::jacobian(EdgeRef edge) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light references to elements of a Graph. They stay valid until their element is removed. Stale handles and
-// handles of another graph are detected.
+// Lightweight references to elements of a Graph. They stay valid until their element is removed. The graph
+// detects stale handles and handles of another graph.
 #pragma once
 
 #include <compare>
@@ -14,9 +14,9 @@ namespace boxplus {
 /// The integer name of a vertex: chosen by the user or read from a file, otherwise the next free one.
 using Id = std::int64_t;
 
-/// A vertex of any type: slot `slot` of vertex pool `pool`. `generation` tells the elements apart that have
-/// used a slot one after the other. It also tells graphs apart, because each counts generations from another
-/// number.
+/// A vertex of any type, in slot `slot` of vertex pool `pool`. `generation` distinguishes the elements that
+/// use the same slot one after the other. It also distinguishes graphs, because each graph starts to count
+/// generations at a different number.
 struct VertexRef {
   std::uint32_t pool = 0xFFFFFFFFu;
   std::uint32_t slot = 0;
@@ -38,7 +38,7 @@ struct VertexHandle : VertexRef {
   using Estimate = T;
 };
 
-/// Another name of the same vertex type: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert into
+/// A second name for the same vertex type: VertexHandle<Eigen::Vector2d> and VertexHandle<Vector2> convert to
 /// each other.
 template <class T>
 requires(!std::same_as<T, detail::StoredEstimate<T>>) struct VertexHandle<T>

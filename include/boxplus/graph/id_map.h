@@ -9,9 +9,9 @@
 
 namespace boxplus::detail {
 
-/// A hash table in one piece of memory, made for consecutive ids. These lie side by side, which suits edges,
-/// because the ids of an edge's vertices are mostly close to each other. If an entry is taken, the search
-/// continues with a stride that depends on the hash of the id, so that no pattern of ids makes it slow. All
+/// A hash table in one block of memory. Consecutive ids are neighbors in memory, so the vertices of an edge
+/// are found quickly: their ids are usually close to each other. If an entry is taken, the search continues
+/// with a stride that depends on the hash of the id, so that no pattern of ids makes the search slow. All
 /// calls are O(1) on average over the ids; growth is amortized.
 class IdMap {
  public:
@@ -37,7 +37,7 @@ class IdMap {
 
   std::size_t place_of(Id id) const;
 
-  std::vector<Entry> entries_;  // 2^k, at most three quarters of them not free
+  std::vector<Entry> entries_;  // 2^k entries; at least a quarter of them are free
   std::size_t size_ = 0, used_ = 0;
 };
 

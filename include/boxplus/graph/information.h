@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The information matrix Ω of an edge: scalar, diagonal or full; stored once, as read.
+// The information matrix Ω of an edge: scalar, diagonal or full.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace boxplus::detail {
 /// triangle row by row (Ω11 Ω12 … Ω1n Ω22 …).
 enum class InformationKind : std::uint8_t { kScalar, kDiagonal, kFull };
 
-/// A borrowed Ω.
+/// A view of an Ω that somebody else owns.
 struct InformationView {
   InformationKind kind = InformationKind::kScalar;
   int rows = 0;
@@ -32,8 +32,8 @@ struct InformationView {
     for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
     return values[0] * sum;
   }
-  /// Inline, as are all functions that return an Eigen matrix of run-time size: the client's own code
-  /// allocates what it frees, because Eigen's allocator depends on compiler flags.
+  /// Inline, like all functions that return an Eigen matrix of run-time size: the code that frees the matrix
+  /// must also allocate it, because Eigen's allocator depends on compiler flags.
   Eigen::MatrixXd matrix() const {
     Eigen::MatrixXd full(rows, rows);
     for (int i = 0; i < rows; ++i) {
@@ -62,7 +62,7 @@ class Information {
   template <class Derived>
   Information(const Eigen::MatrixBase<Derived>& matrix) : Information(from_matrix(matrix)) {}
   static Information diagonal(std::span<const double> values);
-  /// n(n+1)/2 values, row by row. Scalar and diagonal matrices are recognized and stored as such.
+  /// From n(n+1)/2 values, row by row. Diagonal matrices and multiples of I are detected and stored as such.
   static Information upper_triangle(std::span<const double> values, int rows);
 
   Kind kind() const { return kind_; }
@@ -71,20 +71,20 @@ class Information {
   }
   /// The number of rows, or 0 for a scalar, which fits an error of any size.
   int rows() const { return rows_; }
-  /// The reason why this Ω does not suit an error of `rows` rows (size, NaN, indefinite); empty if it does.
+  /// Says why this Ω does not suit an error of `rows` rows (size, NaN, indefinite). Empty if it is suitable.
   std::string complaint(int rows) const;
 
  private:
   Information(Kind kind, int rows, std::span<const double> values);
   static Information from_matrix(const Eigen::MatrixXd& matrix);
 
-  /// Up to six rows need no memory of their own.
+  /// The values of an Ω with up to six rows need no allocation.
   static constexpr std::size_t kNear = 21;
   Kind kind_;
   int rows_;
   std::size_t count_;
   std::array<double, kNear> near_;
-  std::vector<double> far_;  // all values, if they are more than kNear
+  std::vector<double> far_;  // all values, if there are more than kNear
 };
 
 }  // namespace boxplus
@@ -94,7 +94,7 @@ namespace boxplus::detail {
 /// The Ω of all edges of a pool, one after the other.
 class InformationStore {
  public:
-  /// Makes room for `growth` times the present number of values.
+  /// Reserves memory for `growth` times the present number of values.
   void reserve(double growth);
   void append(const Information& information, int rows);
   void set(std::uint32_t edge, const Information& information, int rows);
@@ -109,8 +109,8 @@ class InformationStore {
   static constexpr std::uint64_t kCapacityMask = (std::uint64_t{1} << kCapacityBits) - 1;
   static std::uint64_t entry(InformationKind kind, std::uint64_t capacity, std::uint64_t offset);
 
-  // From the top: 2 bits for the kind, 22 for the number of values that fit at the offset, 40 for the offset
-  // into values_.
+  // From the highest bit down: 2 bits for the kind, 22 bits for the number of values that fit at the offset,
+  // 40 bits for the offset into values_.
   std::vector<std::uint64_t> entries_;
   std::vector<double> values_;
 };

@@ -15,7 +15,7 @@ struct LifeState {
 };
 
 /// A member of the observed object. The life of the object ends when it is destroyed, moved from or assigned
-/// to. A copy begins a new life, and so does the target of a move.
+/// to. A copy begins a new life. The target of a move begins a new life, too.
 class Lifetime {
  public:
   Lifetime() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Growth in two steps (reserve, then append), so that an element is added to all of several vectors or to
-// none.
+// Growth in two steps: first reserve memory in several vectors, then append to each of them. So an element is
+// added to all of the vectors or to none.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace boxplus::detail {
 
-/// Makes room for a total of `count` elements, in large pages if this is much memory.
+/// Reserves memory for a total of `count` elements. If this is much memory, it uses large pages.
 template <class T>
 void reserve(std::vector<T>& vector, std::size_t count) {
   if (count <= vector.capacity()) return;

@@ -46,7 +46,7 @@ struct FrameTrait<BasicSE3<double, Chart>> {
   }
 };
 
-/// Points of the plane and of space.
+/// Points in the plane and in space.
 template <int N, int Options, int MaxRows, int MaxCols>
 requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>> {
   using Point = Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>;
@@ -58,7 +58,7 @@ requires(N == 2 || N == 3) struct FrameTrait<Eigen::Matrix<double, N, 1, Options
   static void set(Point& x, const Frame& frame) { std::copy_n(frame.translation.begin(), N, x.data()); }
 };
 
-/// A pose with more parts: a camera with its intrinsics, a robot with its velocity.
+/// A pose or point with more parts: a camera with its intrinsics, a robot with its velocity.
 template <FrameType First, class... Rest>
 struct FrameTrait<Product<First, Rest...>> {
   static Frame get(const Product<First, Rest...>& x) { return FrameTrait<First>::get(x.template get<0>()); }

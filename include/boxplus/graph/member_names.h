@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds out whether an error function has a member of a given name, with any signature. A member with a wrong
-// signature is a mistake; a missing one is not.
+// signature is a mistake; a missing member is not.
 #pragma once
 
 #include <type_traits>
 
 namespace boxplus::detail {
 
-/// A base class with a member of the same name makes the name ambiguous in a derived class. This also finds
-/// templates and overloads, whose address cannot be taken.
+/// If a class derives from E and from a struct with a member of this name, then the name is ambiguous exactly
+/// if E has such a member. This test also finds templates and overloads, whose address cannot be taken.
 struct NamedError {
   int error;
 };
@@ -51,7 +51,7 @@ inline constexpr bool kNamesJacobians<E> = !requires {
   &Both<E, NamedJacobians>::jacobians;
 };
 
-/// Whether E has a member error or an operator(). True if it cannot be found out.
+/// Whether E has a member `error` or an operator(). True if this cannot be determined.
 template <class E>
 inline constexpr bool kHasFunction = true;
 template <CanBeBase E>
@@ -59,7 +59,7 @@ inline constexpr bool kHasFunction<E> = kNamesError<E> || !requires {
   &Both<E, NamedCall>::operator();
 };
 
-/// Whether E has a member function with the name of a Jacobian. Data members may have any name.
+/// Whether E has a member function named `jacobian` or `jacobians`. Data members may have any name.
 template <class E>
 inline constexpr bool kNamesJacobianFunction = (kNamesJacobian<E> &&
                                                 !requires(const E& e) { sizeof(e.jacobian); }) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The type as which a graph stores an estimate.
+// The type in which a graph stores an estimate.
 #pragma once
 
 #include <concepts>

@@ -11,7 +11,7 @@
 
 namespace boxplus::detail {
 
-/// The C++ name for `mangled`, or `mangled` itself if it cannot be demangled.
+/// The readable form of a mangled C++ name, or `mangled` itself if it cannot be demangled.
 std::string demangle(const char* mangled);
 
 template <class T>
@@ -19,7 +19,7 @@ inline constexpr bool kIsRealVector = false;
 template <int N, int Options, int MaxRows, int MaxCols>
 inline constexpr bool kIsRealVector<Eigen::Matrix<double, N, 1, Options, MaxRows, MaxCols>> = true;
 
-/// T::kName if T has one, "Vector2" and the like for Eigen's column vectors, otherwise T's C++ name.
+/// T::kName if T has it; for Eigen's column vectors, "Vector2", "VectorX" and so on; otherwise T's C++ name.
 template <class T>
 std::string_view type_name() {
   if constexpr (requires { std::string_view(T::kName); }) {

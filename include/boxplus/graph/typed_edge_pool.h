@@ -18,7 +18,7 @@
 
 namespace boxplus::detail {
 
-/// Specialized for edge types for which the library has a kernel that linearizes several edges at a time
+/// Specialized for the edge types that have a kernel in the library that linearizes several edges at a time
 /// (types/between.h).
 template <class E, class... V>
 struct LaneKernel {
@@ -41,7 +41,7 @@ class TypedEdgePool final : public EdgePool {
   TypedEdgePool(std::vector<std::uint32_t> vertex_pools, VertexPools pools)
       : EdgePool(std::move(vertex_pools), kTails), pools_(pools) {}
 
-  /// `tail_sizes`: the number of vertices in each tail. If it throws, nothing has changed.
+  /// `tail_sizes`: the number of vertices in each tail. If the function throws, nothing has changed.
   std::uint32_t add(E edge, const Information& information, std::span<const std::uint32_t> vertex_slots,
                     std::span<const std::uint32_t> tail_sizes = {}) {
     const int rows = kRows != kDynamic ? kRows : count_rows(edge, vertex_slots, tail_sizes);
@@ -64,8 +64,8 @@ class TypedEdgePool final : public EdgePool {
     return slot;
   }
 
-  /// Puts another error function into a slot. A lambda with captures cannot be assigned, so a copy is
-  /// constructed in its place.
+  /// Puts another error function into a slot. If E cannot be assigned (a lambda with captures), the old
+  /// object is destroyed and a new one constructed.
   void replace(std::uint32_t slot, E edge) {
     if constexpr (std::is_move_assignable_v<E>) {
       edges_[slot] = std::move(edge);
@@ -168,7 +168,7 @@ class TypedEdgePool final : public EdgePool {
   }
 
  private:
-  /// An argument of the error function. A tail is gathered into memory of the worker.
+  /// An argument of the error function. A tail is copied into contiguous memory of the worker.
   template <class A>
   struct Loaded {
     const detail::ElementOf<A>* value;
@@ -222,8 +222,8 @@ class TypedEdgePool final : public EdgePool {
     return with_slots(vertex_slots(edge), tail_sizes(edge), std::forward<F>(f));
   }
 
-  /// Calls f(edge, its arguments…) for each edge. If consecutive edges have the same vertex, they get one
-  /// copy of its estimate. The copy can stay in registers, because nothing that f writes can change it.
+  /// Calls f(edge, its arguments…) for each edge. Consecutive edges with the same vertex get one copy of its
+  /// estimate. The copy can stay in registers, because nothing that f writes can change it.
   template <class F>
   void for_each_with_arguments(std::span<const std::uint32_t> edges, F&& f) const {
     if constexpr (kArguments == 1 && kTails == 0 && (std::is_trivially_destructible_v<V> && ...)) {
@@ -238,8 +238,8 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  /// Calls f with arrays of pointers: to the values of each edge, and to the estimates of its first, second,
-  /// … vertex.
+  /// Calls f with several arrays of pointers, with one entry per edge: the first array points to the values
+  /// of each edge, the next arrays to the estimate of its first vertex, of its second vertex, …
   template <class F>
   void with_lane_sources(std::span<const std::uint32_t> edges, F&& f) const {
     std::array<const double*, EdgeTile::kCapacity> sources[kArguments + 1];
@@ -283,7 +283,7 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  /// A template, so that an explicit instantiation of the pool leaves it out for edges without Jacobians.
+  /// This is a template, so that an explicit instantiation of the pool omits it for edges without Jacobians.
   template <class Edge = E>
   requires(detail::kAnalytic<Edge, V...>) void linearize_analytically(std::span<const std::uint32_t> edges,
                                                                       const EdgeTile& tile) const {
@@ -298,8 +298,8 @@ class TypedEdgePool final : public EdgePool {
     });
   }
 
-  /// Differentiates all edges of the tile for one window of columns, then for the next. So an estimate that
-  /// consecutive edges share is lifted once per window.
+  /// Differentiates all edges of the tile for one window of columns, then for the next window. So an estimate
+  /// that consecutive edges share is lifted only once per window.
   template <class Edge = E>
   requires(detail::kDifferentiable<Edge, V...>) void linearize_automatically(
       std::span<const std::uint32_t> edges, const EdgeTile& tile) const {
@@ -327,7 +327,7 @@ class TypedEdgePool final : public EdgePool {
 
   VertexPools pools_;
   std::vector<E> edges_;
-  std::vector<int> rows_;  // only if the size of the error is chosen at run time
+  std::vector<int> rows_;  // used only if the size of the error is chosen at run time
 };
 
 }  // namespace boxplus::detail

@@ -16,7 +16,7 @@ namespace boxplus::detail {
 template <ManifoldType T>
 class TypedVertexPool final : public VertexPool {
  public:
-  /// If it throws, nothing has changed.
+  /// Returns the slot of the new vertex. If the function throws, nothing has changed.
   std::uint32_t add(T estimate, Id id) {
     if (next_slot() < values_.size()) {
       values_[next_slot()] = std::move(estimate);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds out whether an error function takes vectors of other types than those of its vertices.
+// Finds out whether an error function takes vectors whose types differ from the types of its vertices.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ struct ParametersOf<R (C::*)(P...) const> {
 template <class R, class C, class... P>
 struct ParametersOf<R (C::*)(P...) const noexcept> : ParametersOf<R (C::*)(P...) const> {};
 
-/// The parameters of an error function that is neither a template nor overloaded; void for others.
+/// The parameters of an error function that is neither a template nor overloaded; void for all others.
 template <class E>
 struct KnownParameters {
   using Type = void;
@@ -55,7 +55,7 @@ template <class P, class V>
 inline constexpr bool kFits = true;
 template <PlainEigen P, EigenColumn V>
 inline constexpr bool kFits<P, V> = std::is_same_v<typename P::Scalar, double>&& P::ColsAtCompileTime == 1 &&
-                                    (P::RowsAtCompileTime == V::RowsAtCompileTime ||
+                                    (int{P::RowsAtCompileTime} == int{V::RowsAtCompileTime} ||
                                      P::RowsAtCompileTime == kDynamic || V::RowsAtCompileTime == kDynamic);
 
 template <class P, class... V>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All vertices of one type, side by side.
+// The pool that stores all vertices of one type.
 #pragma once
 
 #include <cstdint>
@@ -25,21 +25,21 @@ class SavedEstimates {
   virtual std::unique_ptr<SavedEstimates> clone() const = 0;
 };
 
-/// The erased interface of the vertices of one type: one virtual call per pool and list, never one per
-/// vertex.
+/// The type-erased interface of the vertices of one type. Functions that change or copy estimates take a list
+/// of vertices, so that an iteration makes one virtual call per pool, not one per vertex.
 ///
-/// Slots are stable. A removed vertex leaves a free slot, which a new vertex may use with a new generation.
+/// Slots are stable. A removed vertex leaves a free slot, which a new vertex may reuse with a new generation.
 class VertexPool {
  public:
   virtual ~VertexPool() = default;
 
-  /// An entry in a list of slots that restore() skips.
+  /// An entry that restore() skips in its list of slots.
   static constexpr std::uint32_t kNoSlot = 0xFFFFFFFFu;
 
   /// A copy with the same slots and generations.
   virtual std::unique_ptr<VertexPool> clone() const = 0;
   virtual std::string_view type_name() const = 0;
-  /// Tangent size of the vertex in `slot`.
+  /// The tangent size of the vertex in `slot`.
   virtual int tangent_dim(std::uint32_t slot) const = 0;
   /// x ← x ⊞ δ for every listed slot; the δ of slots[k] begins at delta[offsets[k]].
   virtual void oplus(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> offsets,
@@ -47,14 +47,14 @@ class VertexPool {
   /// Copies the listed estimates to `saved`, and creates it if it is null. Allocates nothing if `saved`
   /// already holds as many estimates of the same sizes.
   virtual void save(std::span<const std::uint32_t> slots, std::unique_ptr<SavedEstimates>& saved) const = 0;
-  /// Copies the k-th estimate of `saved` to slots[k]. `saved` was filled by save() with a list of as many
-  /// slots.
+  /// Copies the k-th estimate of `saved` to slots[k]. The list that was passed to save() must have had the
+  /// same length.
   virtual void restore(std::span<const std::uint32_t> slots, const SavedEstimates& saved) = 0;
   /// The frame of the pose or point in `slot`. Returns false if the type is neither.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}
-  /// The δ for which the estimate ⊞ δ has the given frame, with its other parts unchanged. Zero if the type
-  /// is neither pose nor point.
+  /// Computes the δ for which (estimate ⊞ δ) has the given frame, and its other parts are unchanged. δ is
+  /// zero if the type is neither a pose nor a point.
   virtual void tangent_to_frame(std::uint32_t slot, const Frame& frame, double* delta) const = 0;
 
   std::uint32_t slots() const { return static_cast<std::uint32_t>(ids_.size()); }
@@ -75,8 +75,8 @@ class VertexPool {
  protected:
   /// The slot that acquire_slot() will return: the slot of a removed vertex, or slots().
   std::uint32_t next_slot() const { return free_.empty() ? slots() : free_.back(); }
-  /// Returns the slot for a new vertex: a free one, or one past the end; in the second case the derived pool
-  /// grows as well. If it throws, nothing has changed.
+  /// Returns the slot for a new vertex: a free slot, or a new slot at the end; then the derived class must
+  /// also append an element. If the function throws, nothing has changed.
   std::uint32_t acquire_slot(Id id);
 
  private:
@@ -90,9 +90,9 @@ class VertexPool {
   std::vector<Id> ids_;
   std::vector<std::uint32_t> generations_;
   std::vector<std::uint8_t> flags_;
-  std::vector<std::vector<int>> fixed_directions_;  // empty while no vertex has any; may be shorter than ids_
+  std::vector<std::vector<int>> fixed_directions_;  // empty if no vertex has any; may be shorter than ids_
   std::vector<std::uint32_t> free_;
-  std::uint32_t next_generation_ = 0;  // of the next vertex, in any slot
+  std::uint32_t next_generation_ = 0;  // generation of the next vertex, in any slot
 };
 
 }  // namespace boxplus::detail

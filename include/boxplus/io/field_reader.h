@@ -16,7 +16,7 @@ namespace boxplus {
 /// The fields of a line after its tag, if all of them are finite numbers.
 struct NumericFields {
   std::span<const double> values;
-  std::size_t integers = 0;  ///< the number of fields at the beginning that are written as integers
+  std::size_t integers = 0;  ///< the number of leading fields that are written as integers
 };
 
 /// The place of a field in its line. It is cheap to store; FieldReader::fail() computes the column from it.
@@ -31,8 +31,8 @@ class FieldPlace {
   std::size_t fields_before_ = 0;
 };
 
-/// Reads a line from left to right. Throws InputError if a field cannot be read; the message has file, line,
-/// column, the expected field, and the text that was found. The texts must outlive the reader.
+/// Reads a line from left to right. Throws InputError if a field cannot be read; the message names file,
+/// line, column, the expected field, and the text that was found. The texts must outlive the reader.
 class FieldReader {
  public:
   FieldReader(std::string_view file, std::int64_t line_number, std::string_view line)
@@ -50,7 +50,7 @@ class FieldReader {
         integers_end_(first_ + fields.integers),
         is_converted_(true) {}
 
-  /// Whether nothing, or a comment, is left.
+  /// Whether the rest of the line is empty or a comment.
   bool at_end();
   /// The next field, with any text. `what` names the field in errors.
   std::string_view token(std::string_view what);
@@ -66,9 +66,9 @@ class FieldReader {
   std::int64_t integer(std::string_view what) {
     return next_ < integers_end_ ? static_cast<std::int64_t>(*next_++) : integer_from_text(what);
   }
-  /// Moves past the next field if it is `text`.
+  /// If the next field is `text`, moves past it and returns true.
   bool accept(std::string_view text);
-  /// Throws unless nothing, or a comment, is left.
+  /// Throws InputError unless the rest of the line is empty or a comment.
   void expect_end();
 
   /// The place of the next field.
@@ -92,7 +92,7 @@ class FieldReader {
 
   std::string_view file_, line_;
   std::int64_t line_number_;
-  std::size_t position_ = 0;  // in line_, unless the fields have been converted
+  std::size_t position_ = 0;  // position in line_, unless the fields were converted
   std::size_t passed_ = 0;    // number of fields that were read from the text
   const double *first_ = nullptr, *next_ = nullptr, *end_ = nullptr, *integers_end_ = nullptr;
   bool is_converted_ = false;
@@ -104,7 +104,7 @@ class FieldWriter {
  public:
   explicit FieldWriter(std::string& out) : out_(&out) {}
   void token(std::string_view text);
-  /// The shortest text that reads back to the same double.
+  /// Appends the shortest text from which the same double is read.
   void number(double value);
   void integer(std::int64_t value);
   void end_line() { out_->push_back('\n'); }

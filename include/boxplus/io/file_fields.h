@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The representation of values in a file: estimates of vertices and parameters, and measurements. Specialize
-// FileFields for your types:
+// The representation of values in a file: estimates of vertices and parameters, and measurements. For your
+// own types, specialize FileFields:
 //
 //     template <> struct boxplus::FileFields<Pose> {
 //       static Pose read(FieldReader& in);                     // throws InputError through `in`
@@ -76,9 +76,9 @@ struct FileFields<WheelSpeeds> {
 /// back to the same pose.
 void write_measurement(const SE3& z, FieldWriter& out);
 
-/// The fields of an edge in a file, between the ids of its vertices and Ω: by default those of its member
-/// `measurement`. Quaternions of measurements are normalized. If files list Ω in another order or scale than
-/// the upper triangle by rows, the specialization also has
+/// The fields of an edge in a file, between the ids of its vertices and Ω. By default, these are the fields
+/// of its member `measurement`. Quaternions of measurements are normalized. If files do not list Ω as its
+/// upper triangle by rows (another order or scale), the specialization also has a function that converts it:
 ///
 ///     static void to_upper_triangle(std::span<double> listed);
 template <class E>

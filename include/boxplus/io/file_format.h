@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File formats of graphs. A format is three functions. read_graph(), write_graph() and the `boxplus` command
-// know formats only through a table. To add a custom format:
+// File formats of graphs. A format has a name, an extension and three functions. read_graph(), write_graph()
+// and the `boxplus` command find formats in a table. To add a custom format:
 //
 //     FileFormats formats = default_formats();
 //     formats.add({.name = "mine", .extension = ".mine", .recognize = …, .read = …, .write = …});
@@ -22,19 +22,19 @@ namespace boxplus {
 /// Receives text piece by piece.
 using TextSink = detail::FunctionRef<void(std::string_view)>;
 
-/// The graph that a format writes. A graph that was not read from a file has no lists.
+/// The graph that a format writes. If it was not read from a file, `edges` and `kept` are empty.
 struct GraphFileView {
   const Graph& graph;
-  /// In the order of the file. May lack new edges and list removed ones.
+  /// The edges in the order of the file. New edges may be missing, and removed edges may be listed.
   std::span<const EdgeRef> edges = {};
   std::span<const GraphFile::KeptLine> kept = {};
 };
 
 struct FileFormat {
-  std::string name;       ///< for messages: "TORO"
+  std::string name;       ///< in messages: "TORO"
   std::string extension;  ///< of file names: ".graph"
-  /// Whether a file is in this format. `beginning` is the first block of its text (TextSource): whole lines,
-  /// at least 128 KiB unless the text is shorter.
+  /// Says whether a file is in this format. `beginning` is the first block of its text (TextSource): whole
+  /// lines, at least 128 KiB unless the text is shorter.
   std::function<bool(std::string_view beginning)> recognize;
   /// Throws InputError if the text is invalid. Ignores options that do not apply to the format.
   std::function<GraphFile(const TextSource& text, const ReadOptions& options)> read;
@@ -54,9 +54,9 @@ class FileFormats {
   void add(FileFormat format);
   /// In the order in which they were added.
   std::span<const FileFormat> all() const { return formats_; }
-  /// By name; nullptr if there is none.
+  /// The format with this name; nullptr if there is none.
   const FileFormat* find(std::string_view name) const;
-  /// By the extension of a path; nullptr if no format has this extension.
+  /// The format with the extension of this path; nullptr if there is none.
   const FileFormat* of_path(std::string_view path) const;
   /// The format that recognizes the beginning of a file, or nullptr. The format that was added last is tried
   /// first. So .g2o, which accepts any text, is tried after all others.

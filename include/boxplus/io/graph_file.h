@@ -21,10 +21,10 @@ class Registry;
 
 struct ReadOptions {
   const Registry* registry = nullptr;  ///< nullptr: default_registry()
-  /// Tags to read as others: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads the first as the second.
+  /// Tags to read as other tags: {"VERTEX_CAM", "VERTEX_SE3:QUAT"} reads VERTEX_CAM as VERTEX_SE3:QUAT.
   std::map<std::string, std::string, std::less<>> renames = {};
   bool lenient = false;  ///< skip, note and count lines that cannot be read, instead of throwing
-  int threads = 0;       ///< maximum; 0: one per hardware thread. The graph does not depend on it.
+  int threads = 0;       ///< maximum number; 0: one per hardware thread. It does not affect the graph.
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
 };
 
@@ -36,7 +36,7 @@ struct WriteOptions {
   std::string format = {};
 };
 
-/// A graph, and the rest of its file.
+/// A graph, and the parts of its file that a Graph does not contain.
 struct GraphFile {
   /// A line that is not an element (a comment, an unknown tag, an edge with an unassigned vertex). Writing
   /// puts it back after the element that it followed.
@@ -48,33 +48,33 @@ struct GraphFile {
   };
 
   struct Note {
-    std::int64_t line = 0;  ///< 0: the file as a whole
+    std::int64_t line = 0;  ///< 0 if the note is about the whole file
     std::string text;
-    std::int64_t column = 0;  ///< 0: the line as a whole
+    std::int64_t column = 0;  ///< 0 if the note is about the whole line
     bool skipped = false;     ///< the line was skipped (lenient reading); `text` is the reason
   };
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
   std::vector<Note> notes = {};  ///< unusual things that are not errors
-  std::int64_t lines = 0;        ///< of the file
-  std::int64_t skipped = 0;      ///< lines that were skipped (lenient reading)
+  std::int64_t lines = 0;        ///< number of lines of the file
+  std::int64_t skipped = 0;      ///< number of skipped lines (lenient reading)
   bool vertices_created =
-      false;  ///< the file lists edges only: the estimates mean nothing, and need an initial guess
+      false;  ///< the file lists only edges, so the estimates are defaults: make an initial guess
 };
 
-/// Reads a file in the format that recognizes its beginning; its name does not matter. Throws FileError if
-/// the file cannot be opened. Throws InputError ("file:line:column: expected …, got …") for truncated lines,
-/// fields that are not finite numbers, ids that are taken or unknown, vertices of the wrong type, indefinite
-/// Ω, and quaternions that are far from unit length. Unknown tags are not errors: their lines are kept and
-/// noted.
+/// Reads a file in the format that recognizes its beginning; the file's name does not matter. Throws
+/// FileError if the file cannot be opened. Throws InputError ("file:line:column: expected …, got …") for
+/// truncated lines, fields that are not finite numbers, ids that are taken or unknown, vertices of the wrong
+/// type, indefinite Ω, and quaternions that are far from unit length. Unknown tags are not errors: their
+/// lines are kept and noted.
 GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
 /// The same from memory. Messages use `name` as the name of the file.
 GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options = {});
 
 /// Writes a file. A .g2o file lists parameters by id, then vertices by id, each followed by its FIX line,
-/// then edges in the order of the file, then edges that were added since, by type. Every number is the
-/// shortest text that reads back to the same double. The file is replaced atomically. Throws FileError if it
+/// then edges in the order of the file, then edges that were added later, by type. Every number is the
+/// shortest text from which the same double is read. The file is replaced atomically. Throws FileError if it
 /// cannot be written, and InvalidArgument if an element has no tag, or if the format is unknown or read-only.
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});

@@ -16,8 +16,8 @@ void write_information(const detail::InformationView& information, FieldWriter& 
 
 namespace detail {
 
-/// An Ω that was read and not checked. The graph checks it when the edge is added; a second check would take
-/// longer than reading.
+/// An Ω that was read but not checked. The graph checks it when the edge is added; another check here would
+/// take longer than reading it.
 struct UncheckedInformation {
   Information value;
   int rows;

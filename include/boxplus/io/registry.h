@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tags of a file, and the types that they stand for. A new type is one line:
+// The tags of a file, and the types that they stand for. One line adds a new type:
 //
 //     Registry registry = default_registry();
 //     registry.vertex<Pose>("VERTEX_POSE");
@@ -33,13 +33,13 @@ class Registry {
   void edge(std::string name) {
     add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
   }
-  /// The type for lines with that tag that name the same parameter twice at their end: V… lists it once.
+  /// Adds a type for lines with that tag that end with the same parameter twice. V… lists it once.
   template <class E, class... V>
   void edge_with_shared_parameter(const std::string& name) {
     add_shared(name, detail::edge_tag<EdgeFields<E>, E, V...>(name));
   }
-  /// An old tag for vertices (edges) that are written with another tag. Fields reads them, with the interface
-  /// of FileFields (EdgeFields) without write().
+  /// Adds an old tag of vertices (edges). It is only read; they are written with another tag. Fields reads
+  /// them; it has the interface of FileFields (EdgeFields), but needs no write().
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name) {
     add_old(detail::vertex_tag<Fields, T>(std::move(name)));

@@ -26,8 +26,8 @@ struct Parameter {
   using Element = T;
 };
 
-/// A tag, and the type that it stands for. Its functions that read consume the rest of the line. If they
-/// throw InputError, they have added nothing.
+/// A tag, and the type that it stands for. The reading functions consume the rest of the line. If they throw
+/// InputError, they have added nothing to the graph.
 struct Tag {
   enum class Kind : std::uint8_t { kVertex, kParameter, kEdge };
   /// A vertex of an edge.
@@ -40,19 +40,19 @@ struct Tag {
 
   std::string name;
   Kind kind;
-  std::type_index pool;  ///< type of the pool of its elements
+  std::type_index pool;  ///< type of the pool that stores its elements
   std::vector<Argument> arguments;
   VertexRef (*read_vertex)(Graph&, Id, FieldReader&) = nullptr;
   void (*write_vertex)(const Graph&, VertexRef, FieldWriter&) = nullptr;
   void (*check_edge)(FieldReader&) = nullptr;  ///< reads measurement and Ω, and adds nothing
   EdgeRef (*read_edge)(Graph&, std::span<const VertexRef>, FieldReader&) = nullptr;
   void (*write_edge)(const Graph&, EdgeRef, FieldWriter&) = nullptr;  ///< measurement and Ω
-  /// The type to use if the last two parameters are the same vertex, because an edge cannot list it twice.
+  /// The type to use if the last two parameters are the same, because an edge cannot list a vertex twice.
   std::shared_ptr<const Tag> shared_parameter = nullptr;
   bool written = true;  ///< false for an old tag that is only read
 };
 
-/// Stands in the vertex types of an edge, in the last place, for any number of T.
+/// As the last vertex type of an edge, stands for any number of vertices of type T.
 using detail::Tail;
 
 namespace detail {
@@ -94,7 +94,7 @@ auto attach(const Graph& graph, std::span<const VertexRef>& refs) {
   }
 }
 
-/// An edge that was read and not yet added.
+/// An edge that was read but not yet added.
 template <class E>
 struct ListedEdge {
   E edge;
@@ -122,7 +122,7 @@ void check_edge(FieldReader& in) {
 template <class Fields, class E, class... V>
 EdgeRef read_edge(Graph& graph, std::span<const VertexRef> refs, FieldReader& in) {
   ListedEdge<E> listed = read_listed_edge<Fields, E, V...>(in);
-  if (!in.at_end()) {  // report a wrong Ω first, because it may be the cause
+  if (!in.at_end()) {  // checks Ω first, because it may be the cause
     listed.information.check(in);
     in.expect_end();
   }

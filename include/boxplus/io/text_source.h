@@ -14,8 +14,8 @@ namespace boxplus {
 class FileDescriptor;
 
 /// Text in blocks of whole lines, for several workers. If s is the block size, block k holds the lines that
-/// begin in the bytes [k s, (k + 1) s). A file is read block by block, so that it is never in memory as a
-/// whole. A pipe or a device is read as a whole.
+/// begin in the bytes [k s, (k + 1) s). A file is read block by block, so that it is never completely in
+/// memory. A pipe or a device is read completely.
 class TextSource {
  public:
   static constexpr std::size_t kBlockSize = std::size_t{1} << 17;

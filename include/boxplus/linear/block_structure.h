@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sparsity of a symmetric block matrix.
+// The sparsity pattern of a symmetric block matrix.
 #pragma once
 
 #include <cstdint>
@@ -36,8 +36,8 @@ struct BlockStructure {
 };
 
 /// Builds the structure of `dims.size()` blocks from the coordinates of its lower off-diagonal blocks
-/// (row > column; any order, duplicates allowed). Diagonal blocks are always present. O(blocks + pairs log).
-/// Throws Stopped when the token is raised.
+/// (row > column; any order, duplicates allowed). Diagonal blocks are always present. O(blocks + n log n) for
+/// n = lower.size(). Throws Stopped when the token is raised.
 struct BlockCoordinate {
   std::uint32_t row, column;
 };

@@ -6,9 +6,9 @@
 
 namespace boxplus {
 
-/// The instruction set of the dense kernels in use: "baseline", "avx2" or "avx512". It is the best that the
-/// processor can run, or the one that the environment variable BOXPLUS_ISA names. The variable has no effect
-/// if its value is not one of instruction_sets().
+/// The instruction set that the dense kernels use: "baseline", "avx2" or "avx512". It is the best set that
+/// the processor can run, unless the environment variable BOXPLUS_ISA names another of instruction_sets().
+/// Other values of the variable have no effect.
 std::string_view instruction_set();
 /// The instruction sets that this processor can run, the best one last.
 std::vector<std::string_view> instruction_sets();

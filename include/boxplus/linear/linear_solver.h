@@ -32,58 +32,58 @@ enum class LinearStatus {
 struct FactorResult {
   LinearStatus status = LinearStatus::kOk;
   std::uint32_t failed_block =
-      BlockStructure::kAbsent;  ///< in the numbering of the structure, not of the ordering
+      BlockStructure::kAbsent;  ///< its index in the structure, not in the elimination order
   /// The scalar of the system whose pivot was lost, or kAbsent if the solver does not know.
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
-/// How accurately to solve, and when to give up. An argument of factorize() and of solve(), because a solver
-/// may also prepare less if less accuracy is required.
+/// How accurately to solve, and when to give up. factorize() gets it as well as solve(), because a solver can
+/// save work there, too, if less accuracy is required.
 struct SolveControl {
   /// Iterative solvers and refinement stop when ‖b − (A + λD) x‖ ≤ relative_tolerance · ‖b‖: the forcing term
   /// of an inexact Newton method. Direct solvers may ignore it.
   double relative_tolerance = 1e-10;
-  int max_iterations = 0;  ///< iterative solvers; 0 = twice the number of scalars, at least 100
+  int max_iterations = 0;  ///< for iterative solvers; 0: twice the number of scalars, at least 100
   StopToken stop = {};     ///< once raised, the call returns LinearStatus::kStopped as soon as it can
 };
 
 struct SolveResult {
   LinearStatus status = LinearStatus::kOk;
-  int iterations = 0;  ///< of an iterative solver, or steps of refinement; for reports alone
+  int iterations = 0;  ///< of an iterative solver, or refinement steps; only for reports
   /// Whether x solves the system to within rounding, so that xᵀ(A + λD)x = bᵀx. If false, algorithms that
   /// need the curvature along x multiply by A. So false is always correct, but slower.
   bool exact = false;
-  /// The block of kNotPositiveDefinite, as in FactorResult, if only solve() detects it.
+  /// As in FactorResult, if the status is kNotPositiveDefinite and only solve() could detect this.
   std::uint32_t failed_block = BlockStructure::kAbsent;
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
-/// Facts about the systems to be solved. Options of a single solver are in that solver's options
-/// (boxplus/linear/make_linear_solver.h).
+/// Facts about the systems to be solved. Each solver's own options are in
+/// boxplus/linear/make_linear_solver.h.
 struct AnalyzeHints {
-  int right_hand_sides = 1;  ///< the most columns that one solve() will get
+  int right_hand_sides = 1;  ///< maximum number of columns in one solve()
   int threads = 1;
-  /// The number of first blocks that a solver may eliminate one by one, because no two of them are joined
-  /// (make_schur_solver()). Other solvers may ignore it.
+  /// The first `eliminated_blocks` blocks are not connected with each other, so a solver may eliminate them
+  /// one by one (make_schur_solver()). Other solvers may ignore this.
   std::uint32_t eliminated_blocks = 0;
   /// Blocks that must come last in the elimination order, in this order. May be empty. (optimize() and
-  /// covariance() name blocks of components that nothing anchors, so that their pivots are the ones that
-  /// vanish. An incremental solver names the blocks that change next.)
+  /// covariance() list one block of each component that nothing holds in place, so that gauge freedom makes
+  /// the pivots of that block vanish. An incremental solver lists the blocks that change next.)
   std::span<const std::uint32_t> last = {};
   /// An elimination order of all blocks for the solver to use, from another structure with the same or almost
-  /// the same pattern. If empty, the solver computes one. Read only during analyze(); ignored if `last` is
-  /// not empty.
+  /// the same pattern. If empty, the solver computes one. Only analyze() reads it. Ignored if `last` is not
+  /// empty.
   std::span<const std::uint32_t> order = {};
-  /// A may be singular, and factorize() should name the pivot that vanishes. (A factor in float cannot do
-  /// so.)
+  /// Whether A may be singular. Then factorize() should name the pivot that vanishes. (With a factor in
+  /// float, this is not possible.)
   bool may_be_singular = false;
 };
 
-/// The growth of a structure since it was analyzed: by blocks at its end, and by off-diagonal blocks.
+/// The growth of a structure after its analysis: new diagonal blocks at its end, and new off-diagonal blocks.
 struct StructureGrowth {
   std::uint32_t old_blocks = 0;
   std::span<const BlockCoordinate> added = {};    ///< the new off-diagonal blocks, each once
-  std::span<const std::uint32_t> new_index = {};  ///< of each old block k (diagonal ones included), ascending
+  std::span<const std::uint32_t> new_index = {};  ///< new index of each old block (also diagonal), ascending
 };
 
 /// Solves symmetric positive definite block systems of one structure.
@@ -92,7 +92,7 @@ struct StructureGrowth {
 /// of times after each factorize(). After the first factorize() and solve() of a structure, further calls of
 /// both allocate no memory. There are two exceptions: the block Cholesky when it falls back from float to
 /// double, and kEigenSparse, whose library allocates about 25 times per factorization. Only one thread may
-/// use a solver at a time. Results are the same bits in every run and for every AnalyzeHints::threads.
+/// use a solver at a time. Results have the same bits in every run and for any AnalyzeHints::threads.
 ///
 /// If factorize() was stopped, call it again before solve(). If analyze() or extend() throws Stopped, call
 /// analyze() before factorize(). The values of a system must not change between factorize() and the last
@@ -104,8 +104,8 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
   virtual std::string_view name() const = 0;
   virtual Needs needs() const = 0;
-  /// Orders the blocks, factorizes symbolically and allocates memory. `structure` must outlive the solver's
-  /// use of it. May throw Stopped if `stop` is raised.
+  /// Orders the blocks, factorizes symbolically and allocates memory. `structure` must exist as long as the
+  /// solver uses it. May throw Stopped if `stop` is raised.
   virtual void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                        const StopToken& stop = {}) = 0;
   /// Call it instead of analyze() after additions to the analyzed structure, which must be the same object.

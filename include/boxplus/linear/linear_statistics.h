@@ -10,19 +10,19 @@ namespace boxplus {
 
 /// Facts about the analysis, for reports.
 struct LinearStatistics {
-  std::uint64_t factor_nonzeros = 0;  ///< scalars of L, including the zeros that amalgamation adds
-  double factor_flops = 0;            ///< useful floating-point operations of one factorization
+  std::uint64_t factor_nonzeros = 0;  ///< number of scalars in L, including the zeros that amalgamation adds
+  double factor_flops = 0;            ///< number of useful floating-point operations in one factorization
   std::uint32_t supernodes = 0;
-  std::uint32_t largest_front = 0;  ///< scalars
-  double factor_seconds = 0;        ///< predicted for one factorization on one thread
-  /// LinearSolverKind::kAutomatic: predicted for one rough solution by pcg on one thread.
+  std::uint32_t largest_front = 0;  ///< rows of the largest frontal matrix, in scalars
+  double factor_seconds = 0;        ///< predicted time of one factorization on one thread
+  /// LinearSolverKind::kAutomatic: the predicted time of one rough solution by pcg on one thread.
   double pcg_seconds = 0;
   /// LinearSolverKind::kAutomatic: if it chose pcg, the memory that a Cholesky factor would have taken;
   /// otherwise 0. It chooses pcg if this is too much, or if a factorization would take far longer than pcg.
   std::uint64_t refused_factor_bytes = 0;
   Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, if the solver orders them
   Precision precision = Precision::kDouble;      ///< of the factor in use
-  int workers = 1;                               ///< threads that factorize
+  int workers = 1;                               ///< number of threads that factorize
   bool fell_back_to_double = false;              ///< the float factor did not converge or was not faster
 };
 

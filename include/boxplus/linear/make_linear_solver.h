@@ -14,16 +14,16 @@ namespace boxplus {
 struct BlockCholeskyOptions {
   Ordering ordering = Ordering::kAutomatic;
   Precision precision = Precision::kAutomatic;
-  /// With a factor in float, solutions are refined to SolveControl::relative_tolerance, or to this if it is
-  /// larger.
+  /// If the factor is in float, solutions are refined to the larger of SolveControl::relative_tolerance and
+  /// this tolerance.
   double min_tolerance = 0;
 };
 
 /// kAutomatic uses pcg instead of the block Cholesky in two cases: if the factor is predicted not to fit into
 /// memory, or if a factorization is predicted to take several times as long as a rough solution by pcg.
 struct AutomaticSolverOptions {
-  std::uint64_t max_factor_bytes = 0;  ///< the most memory for a factor; 0: half of the machine's memory
-  /// Pcg then solves to SolveControl::relative_tolerance, or to this if it is larger.
+  std::uint64_t max_factor_bytes = 0;  ///< maximum memory of a factor; 0: half of the machine's memory
+  /// In these cases, pcg solves to the larger of SolveControl::relative_tolerance and this tolerance.
   double min_tolerance = 0;
 };
 
@@ -33,7 +33,7 @@ struct LinearSolverOptions {
   AutomaticSolverOptions automatic = {};
 };
 
-/// The same options, with solutions that are only as accurate as steps of Newton's method need.
+/// The same options, but solutions are only as accurate as the steps of Newton's method need to be.
 LinearSolverOptions for_newton_steps(LinearSolverOptions options);
 
 /// Throws InvalidArgument if there is no such kind.

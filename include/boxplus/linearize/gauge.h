@@ -11,11 +11,11 @@ namespace boxplus {
 
 /// How to treat a connected component that can move without changing any error.
 enum class GaugePolicy : std::uint8_t {
-  /// Of the vertices with the largest dimension, hold the one with the lowest id during the solve, if all of
-  /// its directions are gauge freedom. Its estimate and flag do not change. For other freedom (a scale, a
-  /// heading), hold single directions, unless the algorithm damps H anyway.
+  /// Consider the vertices with the largest dimension: during the solve, hold the one with the lowest id, if
+  /// all of its directions are gauge freedom. Its estimate and its fixed flag do not change. For other
+  /// freedom (a scale, a heading), hold single directions, unless the algorithm damps H anyway.
   kFixFirst,
-  kDamp,  ///< add 1e-10 of itself to each diagonal entry of H
+  kDamp,  ///< multiply each diagonal entry of H by 1 + 1e-10
   kError  ///< stop with Report::Status::kGaugeFreedom
 };
 
@@ -25,9 +25,9 @@ namespace boxplus::detail {
 
 /// Motions of all poses and points of a component that change no error.
 struct GaugeFreedom {
-  VertexRef vertex;  ///< of the component
+  VertexRef vertex;  ///< a vertex of the component
   Id id = 0;
-  int directions = 0;  ///< how many independent motions
+  int directions = 0;  ///< number of independent motions
   bool translation = false, rotation = false, scale = false;
 };
 /// "rotation and scale"

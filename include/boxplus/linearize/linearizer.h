@@ -24,11 +24,11 @@ struct LinearizeOptions {
   bool triggs_correction = false;
 };
 
-/// The values that change from iteration to iteration, and the loops that fill them. Allocates only when
-/// constructed.
+/// The values that change from iteration to iteration, and the loops that fill them. Allocates only in the
+/// constructor and in extend().
 ///
 /// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0. So F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and
-/// the Gauss-Newton step solves H δ = −gradient. The bits are the same for any number of workers.
+/// the Gauss-Newton step solves H δ = −gradient. The results have the same bits for any number of workers.
 class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
@@ -44,7 +44,7 @@ class Linearizer {
   /// chi2() returns NaN, and stopped() is true until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }
   bool stopped() const { return stopped_; }
-  /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (whose Jacobian or weight) is not finite.
+  /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (or Jacobian or weight) is not finite.
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 
@@ -67,7 +67,7 @@ class Linearizer {
   StopToken stop_;
   std::atomic<bool> stopped_ = false;
   std::size_t values_room_ = 0;
-  std::unique_ptr<double[]> values_;  // not initialized, so that workers touch the pages first
+  std::unique_ptr<double[]> values_;  // not initialized, so that the workers are the first to touch its pages
   std::vector<double> gradient_, edge_chi2_;
   std::vector<TileMemory> memory_;
 };

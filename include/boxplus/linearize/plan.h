@@ -17,23 +17,23 @@
 namespace boxplus {
 
 struct PlanRequest {
-  int level = 0;  ///< edges of this level take part; negative: of all levels
+  int level = 0;  ///< edges of this level take part; if negative, edges of all levels
   std::span<const VertexRef> vertices =
       {};  ///< if not empty, only these move, and only edges that touch them take part
   std::span<const EdgeRef> edges = {};  ///< if not empty, only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  int threads = 1;      ///< upper bound; small problems get fewer
-  StopToken stop = {};  ///< when raised, make_plan() throws Stopped
+  int threads = 1;      ///< maximum number; small problems use fewer
+  StopToken stop = {};  ///< when it is raised, make_plan() throws Stopped
 };
 
 /// The active vertices of one pool.
 struct VertexList {
   std::uint32_t pool;
   std::vector<std::uint32_t> slots;
-  std::vector<std::uint32_t> offsets;  ///< of the entries of each vertex in a step
+  std::vector<std::uint32_t> offsets;  ///< index of the first entry of each vertex in a step vector
 };
 
-/// The active edges of one pool, in slot order, and the index of the first of them among all active edges.
+/// The active edges of one pool, in slot order. `first` is the index of the first one among all active edges.
 struct EdgeList {
   std::uint32_t pool;
   std::uint32_t first;
@@ -45,11 +45,11 @@ struct EdgeList {
 /// (2,0) …
 struct Scatter {
   static constexpr std::uint32_t kNowhere = 0xFFFFFFFFu;
-  static constexpr std::uint32_t kTransposed = 0x80000000u;  ///< the block lies at (j, i)
+  static constexpr std::uint32_t kTransposed = 0x80000000u;  ///< the block is stored at (j, i)
   std::uint32_t pool;
   std::vector<std::uint32_t> edges;
   std::vector<std::uint32_t> targets;
-  std::vector<std::uint32_t> target_start;  ///< per edge; empty if all have one arity
+  std::vector<std::uint32_t> target_start;  ///< per edge; empty if all edges have the same arity
 
   /// The targets of the edge at `position`, which has `arity` vertices.
   const std::uint32_t* targets_of_edge(std::uint32_t position, int arity) const {
@@ -60,24 +60,24 @@ struct Scatter {
   }
 };
 
-/// The share of one worker: the block columns of H that it owns and the edges that touch them. If an edge
-/// touches columns of two owners, both linearize it, and each adds to its own columns. So one worker sums
-/// each block of H in the order of the runs, which makes the bits independent of the number of workers.
+/// The share of one worker: the block columns of H that it owns, and the edges that touch these columns. If
+/// an edge touches columns of two workers, both linearize it, and each adds to its own columns. Exactly one
+/// worker sums each block of H, in the order of its runs. So H has the same bits for any number of workers.
 struct Chunk {
   struct Run {
     std::uint32_t scatter, begin, end;  ///< edges [begin, end) of scatters[scatter]
   };
-  /// The entries of H and the gradient that belong to fixed scalars (Graph::fix_directions()), as far as the
-  /// chunk owns them.
+  /// The entries of H and of the gradient that belong to fixed scalars (Graph::fix_directions()) and that
+  /// this chunk owns.
   struct FixedScalars {
-    std::vector<std::uint32_t> scalars;    ///< of the gradient
-    std::vector<std::uint32_t> values;     ///< of H, without the diagonal
-    std::vector<std::uint32_t> diagonals;  ///< of H
+    std::vector<std::uint32_t> scalars;    ///< entries of the gradient
+    std::vector<std::uint32_t> values;     ///< entries of H off the diagonal
+    std::vector<std::uint32_t> diagonals;  ///< diagonal entries of H
   };
   std::uint32_t first_column = 0, last_column = 0;
   FixedScalars fixed;
   std::vector<Scatter> scatters;
-  /// In this order: for each eliminated vertex its edges from every pool, then the other edges pool by pool.
+  /// First, for each eliminated vertex, its edges from every pool; then the other edges, pool by pool.
   std::vector<Run> runs;
 };
 
@@ -90,7 +90,7 @@ struct GaugeVertex {
 /// Immutable once made.
 struct Plan {
   std::vector<VertexRef>
-      block_vertex;  ///< the vertex of each block: the eliminated ones first, each group by id
+      block_vertex;  ///< the vertex of each block: eliminated vertices first; both groups by id
   std::uint32_t eliminated_blocks = 0;
   BlockStructure structure;  ///< of H
   std::vector<VertexList> vertices;
@@ -99,15 +99,15 @@ struct Plan {
   std::vector<Chunk> chunks;
   std::vector<GaugeVertex> held;               ///< GaugePolicy::kFixFirst
   std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains when `held` is held
-  /// Entries of a step that are held because of `freedoms` (GaugePolicy::kFixFirst).
+  /// The entries of a step that are held at zero because of `freedoms` (GaugePolicy::kFixFirst).
   std::vector<std::uint32_t> held_scalars;
-  /// One block of each component that nothing anchors and whose freedom is not known. The block is eliminated
-  /// last; if pivots vanish there, these directions are gauge freedom.
+  /// One block of each component that nothing holds in place and whose freedom is not known. The block is
+  /// eliminated last. If pivots of the block vanish, their directions are gauge freedom.
   std::vector<std::uint32_t> loose_blocks;
   std::vector<std::uint32_t> fixed_scalars;  ///< zero in every step (Graph::fix_directions())
   int max_tile_values = 0;                   ///< doubles of the largest tile
   int max_tile_rows = 0;
-  std::size_t max_dense_values = 0;  ///< scratch for the largest edge that dense kernels multiply
+  std::size_t max_dense_values = 0;  ///< scratch values for the largest edge that dense kernels multiply
 
   std::uint32_t scalars() const { return structure.scalars(); }
   /// The number of scalars that may change.
@@ -118,7 +118,7 @@ struct Plan {
 /// and if an edge joins two eliminated vertices.
 Plan make_plan(const Graph& graph, const PlanRequest& request);
 
-/// The number of edges of a shape to linearize at a time, so that their tile stays in the L1 cache.
+/// The number of edges of this shape to linearize at a time. Their tile then fits into the L1 cache.
 int tile_capacity(const detail::EdgeShape& shape);
 
 }  // namespace boxplus

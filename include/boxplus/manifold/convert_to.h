@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions between the motion types of boxplus, those of Eigen, and types with the interface of Sophus.
+// Conversions between the motion types of boxplus, Eigen's types, and types with the interface of Sophus.
 //
 //     SE3 x = convert_to<SE3>(isometry);  // an Eigen::Isometry3d
 //     auto isometry = convert_to<Eigen::Isometry3d>(x);
@@ -13,10 +13,10 @@
 //   Sim3                     Affine3, of the form s R    quaternion(), scale(), translation(),
 //                                                        T(√scale · unit quaternion, translation)
 //
-// Every type converts to the other types of its row, and to those of the rows below in the same space: a
-// rotation to a motion without translation, a motion to a similarity of scale 1. A conversion that would lose
-// a part does not compile. The scalars of Eigen and T may be float. A matrix or quaternion must be a rotation
-// up to rounding; the conversion normalizes it. Nothing of Eigen or T is stored (see base/matrix.h).
+// Each type converts to the other types in its row. It also converts to the types in lower rows of the same
+// space: a rotation becomes a motion without translation, and a motion becomes a similarity of scale 1. A
+// conversion that would lose a part does not compile. The scalars of Eigen and T may be float. A matrix or
+// quaternion must be a rotation up to rounding; the conversion normalizes it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -219,7 +219,7 @@ struct Form<T> : FormOf<SpaceMotion, Parts::kSimilar> {
   }
 };
 
-/// To has every part that From has.
+/// The type To has every part that the type From has.
 template <class From, class To>
 concept Fits = std::is_same_v < typename Form<From>::Motion,
 typename Form<To>::Motion > &&(Form<From>::kParts <= Form<To>::kParts);

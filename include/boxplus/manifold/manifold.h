@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trait that makes a type a manifold, and so a vertex type, with its laws.
+// The trait that makes a type a manifold, so that it can be a vertex; and the laws of the trait.
 //
-// Specialize the trait for a type, which can also be a type of another library:
+// Specialize the trait for your type, or for a type of another library:
 //
 //     template <> struct boxplus::Manifold<Pose> {
 //       static constexpr int kDim = 3;                                      // tangent size, or kDynamic
@@ -9,8 +9,8 @@
 //       static void ominus(const Pose& y, const Pose& x, double* delta);    // δ with x ⊞ δ = y
 //     };
 //
-// A run-time size (kDim == kDynamic) adds `static int dim(const Pose& x)`. Exact Jacobians of edges that use
-// the type need three more members, which lift an estimate to another scalar S (a dual number):
+// If the size is chosen at run time (kDim == kDynamic), add `static int dim(const Pose& x)`. For exact
+// Jacobians of edges, add three members that lift an estimate to another scalar S (a dual number):
 //
 //     template <class S> using Rebind = BasicPose<S>;
 //     template <class S> static BasicPose<S> cast(const Pose& x);

@@ -11,8 +11,8 @@
 
 namespace boxplus::detail {
 
-/// J ← the Jacobian of f(x ⊞ δ) at δ = 0. f returns a column vector or a scalar. J has the size of f as rows
-/// and the tangent size of x as columns. Returns the largest estimated error of an entry.
+/// J ← the Jacobian of f(x ⊞ δ) at δ = 0. f returns a column vector or a scalar. J has one row per value of
+/// f, and one column per tangent dimension of x. Returns the largest estimated error of an entry.
 template <ManifoldType T, class F, class Jacobian>
 double numeric_jacobian(const F& f, const T& x, Jacobian&& J, const NumericOptions& options = {}) {
   const int rows = static_cast<int>(J.rows());

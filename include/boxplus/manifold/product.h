@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Products of manifolds: a vertex made of several parts, e.g. a pose with a velocity and a bias.
+// Products of manifolds: a vertex with several parts, such as a pose with a velocity and a bias.
 #pragma once
 
 #include <tuple>
@@ -10,8 +10,8 @@
 
 namespace boxplus {
 
-/// The parts in order; the tangent is their tangents, one after the other. Parts of run-time size are
-/// allowed. `auto& [pose, velocity] = product;` works, as does product.get<0>().
+/// The parts, in order. The tangent consists of the tangents of the parts, one after the other. Parts of
+/// run-time size are allowed. `auto& [pose, velocity] = product;` works, as does product.get<0>().
 template <class... Parts>
 struct Product {
   std::tuple<Parts...> parts;
@@ -34,7 +34,7 @@ struct Manifold<Product<Parts...>> {
   using Point = Product<Parts...>;
   template <class T>
   using Rebind =
-      Product<detail::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // dependent: looked up on use
+      Product<detail::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // delays the look-up of Rebind
   static constexpr int kDim =
       ((Manifold<Parts>::kDim == kDynamic) || ...) ? kDynamic : (0 + ... + Manifold<Parts>::kDim);
 
@@ -51,7 +51,7 @@ struct Manifold<Product<Parts...>> {
     };
     return std::apply(
         [&](const Parts&... part) {
-          // Braces: evaluated from left to right.
+          // Braces evaluate their entries from left to right.
           return from_tuple(std::tuple<std::decay_t<decltype(part_oplus(part))>...>{part_oplus(part)...});
         },
         x.parts);

@@ -39,7 +39,7 @@ Quaternion<S> scaled(const Quaternion<S>& q, const S& factor) {
 }
 
 /// If a squared norm is this close to one, the difference counts as rounding, and the coefficients are kept
-/// bit for bit: values from a file do not change, and neither does a zero step change them.
+/// bit for bit. So reading a value from a file does not change it, and neither does a zero step.
 inline constexpr double kUnitNormTolerance = 1e-15;
 
 /// q, scaled to unit norm. The zero quaternion becomes the identity.
@@ -52,14 +52,14 @@ Quaternion<S> normalized(const Quaternion<S>& q) {
   return scaled(q, S(S(1) / sqrt(n2)));
 }
 
-/// The factor that removes the drift of one product from a vector of squared norm n2 ≈ 1: one Newton step
-/// towards 1/√n2, or exactly 1.
+/// The factor that scales a vector of squared norm n2 ≈ 1 back to unit norm after one product: one Newton
+/// step toward 1/√n2, or exactly 1 if n2 differs from 1 only by rounding.
 inline double renormalizing_factor(double n2) {
   return std::abs(n2 - 1) < kUnitNormTolerance ? 1.0 : 1.5 - 0.5 * n2;
 }
 
-/// Removes the drift of one product of unit quaternions. Does not change dual numbers: at unit norm, the
-/// Newton step has no derivative along the sphere.
+/// Removes the rounding error of one product from the norm of a unit quaternion. Does not change dual
+/// numbers: at unit norm, the derivative of the Newton step along the sphere is zero.
 template <class S>
 Quaternion<S> renormalized(const Quaternion<S>& q) {
   if constexpr (std::is_floating_point_v<S>) {
@@ -91,7 +91,7 @@ Matrix<S, 3, 3> rotation_matrix(const Quaternion<S>& q) {
   return r;
 }
 
-/// The unit quaternion of a rotation matrix. Divides by the largest coefficient only (Shepperd 1978).
+/// The unit quaternion of a rotation matrix. Divides only by a coefficient of at least ½ (Shepperd 1978).
 template <class Derived>
 Quaternion<typename Derived::Scalar> quaternion_of(const Eigen::MatrixBase<Derived>& r) {
   using S = typename Derived::Scalar;

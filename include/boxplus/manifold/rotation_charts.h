@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two charts of rotations in space: how three scalars become a unit quaternion, and back.
 //
-// Both are exactly differentiable at 0 on dual numbers. Their units differ by a factor of two, and so does
-// the meaning of an information matrix: the quaternion chart measures about half the angle per axis.
+// Dual numbers differentiate both exactly, also at 0. Their units differ by a factor of two: the quaternion
+// chart measures about half the angle per axis. So the same Ω has a different meaning in each chart.
 #pragma once
 
 #include <cmath>

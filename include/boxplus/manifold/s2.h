@@ -67,8 +67,8 @@ class BasicS2 {
 
 using S2 = BasicS2<double>;
 
-/// ⊞ walks |δ| radians along the great circle that leaves x in direction B δ (B = tangent_basis). ⊟ is its
-/// inverse; for opposite directions it returns one of the shortest paths.
+/// ⊞ moves |δ| radians along the great circle that leaves x in direction B δ (B = tangent_basis). ⊟ is its
+/// inverse; for opposite directions, it returns one of the shortest paths.
 template <class S>
 struct Manifold<BasicS2<S>> {
   template <class T>
@@ -131,7 +131,7 @@ struct Manifold<BasicS2<S>> {
   }
 
  private:
-  /// One Newton step towards unit norm. Does not change dual numbers (see renormalized() in quaternion.h).
+  /// One Newton step toward unit norm. Does not change dual numbers (see renormalized() in quaternion.h).
   template <class R>
   static BasicS2<R> without_drift(const BasicS2<R>& d) {
     if constexpr (std::is_floating_point_v<R>) {

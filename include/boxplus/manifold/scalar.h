@@ -7,7 +7,7 @@
 
 namespace boxplus::detail {
 
-/// The scalar of an expression in A and B: a dual number beside a double gives the dual number.
+/// The scalar of an expression in A and B. If one is a dual number and the other a double: the dual number.
 template <class A, class B>
 using Promoted = std::decay_t<decltype(std::declval<const A&>() * std::declval<const B&>())>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid motions of the plane: position (meters) and heading (radians).
+// Rigid motions in the plane: position (meters) and heading (radians).
 #pragma once
 
 #include <array>
@@ -70,7 +70,7 @@ class BasicSE2 {
     return {x() + (c * b.x() - s * b.y()), y() + (s * b.x() + c * b.y()), theta() + b.theta(),
             c * b.cos_theta() - s * b.sin_theta(), s * b.cos_theta() + c * b.sin_theta()};
   }
-  /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
+  /// Transforms the point p from the body frame to the outer frame.
   template <class Derived>
   Vector<detail::Promoted<S, typename Derived::Scalar>, 2> operator*(
       const Eigen::MatrixBase<Derived>& p) const {
@@ -103,7 +103,7 @@ class BasicSE2 {
  private:
   template <class T>
   friend class BasicSE2;
-  /// For a heading whose cosine and sine are known.
+  /// For callers that know the cosine and sine of the heading.
   BasicSE2(const S& x, const S& y, const S& theta, const S& cos_theta, const S& sin_theta)
       : coefficients_{x, y, detail::normalize_angle(theta), cos_theta, sin_theta} {}
 

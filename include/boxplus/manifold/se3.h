@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid motions of space: translation (meters) and unit quaternion.
+// Rigid motions in space: translation (meters) and unit quaternion.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// A pose, stored as x y z qx qy qz qw like in files. T_world_body * p_body = p_world. Chart chooses the
-/// tangent, in the body frame: (Δt, q_v) with QuaternionChart, or (Δt, ω) with RotationVectorChart.
+/// A pose, stored as x y z qx qy qz qw as in files. T_world_body * p_body = p_world. Chart selects the
+/// tangent, which is in the body frame: (Δt, q_v) with QuaternionChart, (Δt, ω) with RotationVectorChart.
 /// VERTEX_SE3:QUAT and the information of EDGE_SE3:QUAT use QuaternionChart.
 template <class S, class Chart = detail::QuaternionChart>
 class BasicSE3 {
@@ -82,7 +82,7 @@ class BasicSE3 {
     return BasicSE3<detail::Promoted<S, T>, Chart>::from_unit(
         *this * b.translation(), detail::renormalized(quaternion() * b.quaternion()));
   }
-  /// The coordinates in the outer frame of the point that has coordinates p in the body frame.
+  /// Transforms the point p from the body frame to the outer frame.
   template <class Derived>
   Vector<detail::Promoted<S, typename Derived::Scalar>, 3> operator*(
       const Eigen::MatrixBase<Derived>& p) const {
@@ -91,8 +91,8 @@ class BasicSE3 {
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
-  /// inverse() * b, with one rotation fewer. Unlike the product, it does not remove rounding drift from the
-  /// quaternion, so that errors are the same function for every scalar.
+  /// inverse() * b, with one rotation fewer. Unlike the product, it does not correct the norm of the
+  /// quaternion, so that error functions compute the same for every scalar.
   template <class T>
   BasicSE3<detail::Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
     return BasicSE3<detail::Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
@@ -120,7 +120,7 @@ using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, detail::RotationVectorChart>;
 
 /// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. The step is a unit quaternion,
-/// so ⊞ keeps the norm of x's quaternion. A pose that was read from rounded digits (from_unit) thus keeps its
+/// so ⊞ keeps the norm of x's quaternion. So a pose that was read from rounded digits (from_unit) keeps its
 /// meaning, and the chi2 of the file stays the same. y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
 template <class S, class Chart>
 struct Manifold<BasicSE3<S, Chart>> {

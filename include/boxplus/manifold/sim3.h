@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Similarities of space: rotation, translation and scale.
+// Similarities in space: rotation, translation and scale.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace boxplus {
 
-/// x ↦ s R x + t with s > 0. Tangent and logarithm in the order (ω, υ, σ): rotation vector, translation, log
-/// scale.
+/// x ↦ s R x + t with s > 0. The order of the tangent and of the logarithm is (ω, υ, σ): rotation vector,
+/// translation, log scale.
 template <class S>
 class BasicSim3 {
  public:

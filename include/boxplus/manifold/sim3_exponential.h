@@ -51,8 +51,8 @@ struct Sim3Coupling {
     return sum;
   }
 
-  /// φ(z) in closed form, for |z| ≥ 4. If θ² < 1/400, |σ| is large, and B is computed from the moments Iₙ = ∫
-  /// uⁿ e^{σu} du.
+  /// φ(z) in closed form, for |z| ≥ 4. If θ² < 1/400, then |σ| is large, and the coefficients follow from the
+  /// moments Iₙ = ∫ uⁿ e^{σu} du.
   static Sim3Coupling from_closed_form(const S& sigma, const S& theta2) {
     using std::cos;
     using std::exp;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rotations of the plane.
+// Rotations in the plane.
 #pragma once
 
 #include <string_view>

@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// A rotation. Chart chooses the tangent: QuaternionChart (vector part of the quaternion) or
-/// RotationVectorChart. q and −q are the same rotation; the given sign is kept.
+/// A rotation. Chart selects the tangent: QuaternionChart (vector part of the quaternion) or
+/// RotationVectorChart. q and −q are the same rotation; the object keeps the given sign.
 template <class S, class Chart = detail::QuaternionChart>
 class BasicSO3 {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of a nonlinear least-squares method; it knows the problem only as a System.
+// The interface of nonlinear least-squares methods. An algorithm sees the problem only as a System.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@ namespace boxplus {
 
 enum class IterationOutcome : std::uint8_t {
   kAccepted,       ///< took a step that lowers chi2 (Gauss-Newton: took a step)
-  kAcceptedShort,  ///< the same, but damping or a trust region shortened the step: a small step or a small
-                   ///< decrease is then no sign of a minimum
+  kAcceptedShort,  ///< the same, but damping or a trust region shortened the step, so that a small step or
+                   ///< a small decrease does not indicate a minimum
   kNoFurtherDecrease,  ///< no step lowers chi2, and the predicted decrease is below rounding error
   kNoStepFound,        ///< no step lowers chi2, although the model predicts a decrease
   kNotPositiveDefinite,
@@ -20,8 +20,8 @@ enum class IterationOutcome : std::uint8_t {
   kStopped
 };
 
-/// The caller calls reset() once, and then iterate() until it or the outcome ends the run. Allocates only in
-/// reset().
+/// The caller calls reset() once, and then iterate() until the caller or the outcome ends the run. Allocates
+/// only in reset().
 class Algorithm {
  public:
   virtual ~Algorithm() = default;

@@ -13,7 +13,7 @@ namespace boxplus::detail {
 struct AlgorithmEntry {
   AlgorithmKind kind;
   std::string_view name;  ///< for command lines: "gauss-newton"
-  /// Null for kAutomatic, which stands for another kind, chosen when the plan is known.
+  /// Null for kAutomatic, which is replaced by another kind when the plan is known.
   std::unique_ptr<Algorithm> (*make)();
 };
 

@@ -17,7 +17,7 @@
 
 namespace boxplus {
 
-/// Blocks of H⁻¹ with H = Σ ρ′JᵀΩJ, at the estimates for which they were computed.
+/// Blocks of H⁻¹, with H = Σ ρ′JᵀΩJ at the estimates at the time of the computation.
 ///
 /// The covariance of a vertex x is the covariance of δ in x ⊞ δ. It has the order, units and frame of the
 /// tangent: for SE2 (Δx, Δy, Δθ) in the body frame, for SE3 (Δt, Δq) in the body frame. Δq is the vector part
@@ -32,21 +32,21 @@ class [[nodiscard]] Covariance {
 
   Status status() const { return status_; }
   bool ok() const { return status_ == Status::kOk; }
-  /// In one sentence, why there is no covariance; empty if there is one.
+  /// One sentence that says why there is no covariance. Empty if there is one.
   const std::string& message() const { return message_; }
   std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
   /// The vertices that were held because nothing else holds their component of the graph (GaugePolicy). Their
-  /// covariance is zero, and the covariances of other vertices are relative to them. (If the scale of the
-  /// component is free as well, one direction of another vertex is held and has zero variance.)
+  /// covariance is zero, and the covariances of all other vertices are relative to them. (If the scale of the
+  /// component is free, too, one direction of another vertex is held; its variance is zero.)
   const std::vector<VertexRef>& held() const { return held_; }
 
   /// The covariance of one of the requested vertices; symmetric. Throws InvalidArgument if the vertex was not
   /// requested, and Error with message() if there is no covariance. O(block), plus a search.
   Eigen::MatrixXd of(VertexRef vertex) const;
-  /// The cross-covariance E[δ_a δ_bᵀ], of tangent_dim(a) × tangent_dim(b) entries. Throws as of(vertex) does,
-  /// and InvalidArgument if a and b differ and only marginal covariances were requested.
+  /// The cross-covariance E[δ_a δ_bᵀ], of tangent_dim(a) × tangent_dim(b) entries. Throws the same exceptions
+  /// as of(vertex), and InvalidArgument if a and b differ and only marginal covariances were requested.
   Eigen::MatrixXd of(VertexRef a, VertexRef b) const;
-  /// The joint covariance of all requested vertices, in the order of the request. Throws as of(a, b) does.
+  /// The joint covariance of all requested vertices, in their order. Throws the same exceptions as of(a, b).
   Eigen::MatrixXd joint() const;
 
  private:
@@ -64,8 +64,8 @@ class [[nodiscard]] Covariance {
   std::vector<VertexRef> held_, vertices_;
   std::map<VertexRef, Place> places_;
   bool is_joint_ = false;
-  /// Column-major, per vertex; if is_joint_, per pair (i, j) with j ≤ i, in the order (0,0) (1,0) (1,1) …
-  /// Empty if the block is zero.
+  /// One column-major block per vertex. If is_joint_, one per pair (i, j) with j ≤ i, in the order (0,0)
+  /// (1,0) (1,1) … A zero block is empty.
   std::vector<std::vector<double>> blocks_;
 };
 
@@ -73,25 +73,25 @@ class [[nodiscard]] Covariance {
 /// no estimate changes.
 ///
 /// Fixed vertices, fixed directions (Graph::fix_directions()), fixed parameters and vertices outside of
-/// Options::vertices have zero covariance. So have the vertices that are held for the gauge, and the others
-/// are relative to these; to choose the reference yourself, fix a vertex or add a prior. It makes no
-/// difference whether a vertex is eliminated. A robust edge counts with its weight at the estimates. Reads
-/// the options `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction`,
-/// which mean the same as for optimize().
+/// Options::vertices have zero covariance. The covariance of vertices that are held to fix the gauge is zero,
+/// too. The covariances of all other vertices are relative to them; to choose the reference yourself, fix a
+/// vertex or add a prior. Eliminating a vertex does not change its covariance. A robust edge has its weight
+/// at the estimates. The options `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and
+/// `triggs_correction` mean the same as for optimize(); others are ignored.
 ///
-/// If H is singular or not finite, the status says so and names a vertex, which need not be a requested one:
-/// fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
+/// If H is singular or not finite, status() says so, and failed_vertex() names a vertex (not necessarily a
+/// requested one): fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
 ///
 /// The cost is one linearization, and the analysis and one factorization of H by a block Cholesky in double.
-/// To these come two triangular solves per tangent dimension of `vertices` or, if that is cheaper, the
-/// inverse on the pattern of the factor, which costs about three factorizations and as much memory as the
-/// factor.
+/// In addition, there are two triangular solves per tangent dimension of `vertices`. If it is cheaper, the
+/// inverse on the pattern of the factor is used instead; it costs about three factorizations and the memory
+/// of a second factor.
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options = {});
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices,
                       const Options& options = {});
 
-/// The same without the cross-covariances: only the covariance of each vertex with itself. It suits all
-/// vertices of a large graph.
+/// The same without the cross-covariances: only the covariance of each vertex with itself. It is cheap enough
+/// for all vertices of a large graph.
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options = {});
 
@@ -112,7 +112,7 @@ Covariance marginal_covariances(const Graph& graph, const R& vertices, const Opt
   return marginal_covariances(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
 }
 
-// Inline, so that the client's own code allocates what it frees: Eigen's allocator depends on compiler flags.
+// Inline, so that clients allocate the matrices that they free: Eigen's allocator depends on compiler flags.
 
 inline Eigen::MatrixXd Covariance::of(VertexRef vertex) const {
   return of(vertex, vertex);

@@ -5,13 +5,13 @@
 // A relative measurement is an edge whose type has a relative_frame() hook (graph/frame.h). A vertex is a
 // pose or a point if its type has a FrameTrait. All guesses have this in common:
 //
-//   - Only active vertices of the plan move, and never a parameter. A vertex that no relative measurement
-//     reaches keeps its estimate, and so does a vertex of another type. Edges that are disabled or have zero
+//   - Only active vertices of the plan move; parameters never move. A vertex keeps its estimate if no
+//     relative measurement reaches it, or if it is not a pose or point. Edges that are disabled or have zero
 //     weight are ignored.
-//   - Roots are the fixed and inactive vertices, the plan's held ones, and absolute measurements
-//     (RelativeFrame::kWorld). In a component without a root, the pose of lowest id stays in its place. If
-//     the component has measurements of absolute positions, or of points with known positions, it is then
-//     moved rigidly to fit them.
+//   - The roots are the fixed vertices, the inactive vertices, the vertices that the plan holds, and absolute
+//     measurements (RelativeFrame::kWorld). In a component without a root, the pose of lowest id keeps its
+//     place. If there are measurements of absolute positions, or of points with known positions, the
+//     component is then moved rigidly to fit them.
 //   - A guess has the same bits in every run.
 #pragma once
 
@@ -27,14 +27,14 @@ namespace boxplus {
 
 struct [[nodiscard]] GuessResult {
   bool made = false;      ///< false: all estimates are as they were
-  std::string_view note;  ///< the reason why it was not made; static text
+  std::string_view note;  ///< the reason why no guess was made; static text
 };
 
 /// The resources that a guess may use, and a hint.
 struct GuessLimits {
   StopToken stop = {};                 ///< once raised, no guess is made
-  std::uint64_t max_factor_bytes = 0;  ///< as AutomaticSolverOptions::max_factor_bytes
-  int threads = 1;                     ///< the result does not depend on it
+  std::uint64_t max_factor_bytes = 0;  ///< see AutomaticSolverOptions::max_factor_bytes
+  int threads = 1;                     ///< maximum number; it does not affect the result
   /// An order in which to eliminate all or some of the plan's blocks; empty: the guess computes one.
   std::span<const std::uint32_t> order = {};
 };
@@ -49,12 +49,12 @@ GuessResult guess_odometry(Graph& graph, const Plan& plan, const GuessLimits& li
 GuessResult guess_spanning_tree(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
-/// projects the rotations onto SO(d), and solves again for positions and landmarks with these rotations. A
-/// vertex that is not measured in all directions keeps its estimate in the others, and the note says so. The
-/// cost is about that of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust rotation and translation
-/// estimation in multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis & Dellaert, "Initialization
-/// techniques for 3D SLAM: a survey on rotation estimation and its use in pose graph optimization", ICRA
-/// 2015.)
+/// projects the rotations onto SO(d), and solves again for positions and landmarks with these rotations. If a
+/// vertex is not measured in all directions, it keeps its estimate in the unmeasured ones, and the note says
+/// so. The cost is about that of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust rotation and
+/// translation estimation in multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis & Dellaert,
+/// "Initialization techniques for 3D SLAM: a survey on rotation estimation and its use in pose graph
+/// optimization", ICRA 2015.)
 GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
 
 }  // namespace boxplus

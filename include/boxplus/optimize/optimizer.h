@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An optimizer of a graph, which keeps its plan, memory and algorithms between runs.
+// An optimizer of one graph. It keeps its plan, its memory and its algorithms between runs.
 #pragma once
 
 #include <memory>
@@ -23,13 +23,13 @@ class Algorithm;
 /// (Report::plan_extended). Otherwise they plan again. Estimates, measurements, weights, kernels and enabled
 /// flags may change freely between runs.
 ///
-/// Numerical trouble is a status in the report, never an exception. The estimates are then the best that were
-/// found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated vertices
-/// in one edge, tolerances that are not numbers, a run inside of a run on the same graph, and a graph that
-/// was moved, assigned to or destroyed since the optimizer was made. If an error function throws, its
-/// exception passes through, and the estimates are those from before the current step.
+/// A numerical failure is a status in the report, never an exception. The estimates are then the best that
+/// were found. All methods throw InvalidArgument for misuse: stale handles in the options, two eliminated
+/// vertices in one edge, tolerances that are not numbers, a run inside of a run on the same graph, and a
+/// graph that was moved, assigned to or destroyed since the optimizer was made. If an error function throws,
+/// run() throws the same exception, and the estimates are those before the current step.
 ///
-/// Results are the same bits for any number of threads. Only one thread may use an Optimizer at a time.
+/// Results have the same bits for any number of threads. Only one thread may use an Optimizer at a time.
 class Optimizer {
  public:
   /// Keeps a reference to the graph, which must outlive the optimizer. Does not plan yet.
@@ -44,8 +44,8 @@ class Optimizer {
   void set_options(Options options);
 
   [[nodiscard]] Report run();
-  /// Fills a report that the caller uses again. Allocates no memory if the plan is reused and all edges have
-  /// a fixed size. (LinearSolverKind::kEigenSparse always allocates.)
+  /// Fills a report that the caller can reuse. Allocates no memory if the plan is reused and all edges have a
+  /// fixed size. (LinearSolverKind::kEigenSparse always allocates.)
   void run(Report& report);
 
   /// Runs a custom algorithm instead of Options::algorithm. If the algorithm needs exact steps, choose
@@ -68,7 +68,7 @@ class Optimizer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The one-liner: an Optimizer that lives for one run. To run again on the same graph, keep an Optimizer.
+/// Optimizes once, by a temporary Optimizer. To run again on the same graph, keep an Optimizer instead.
 Report optimize(Graph& graph, const Options& options = {});
 
 }  // namespace boxplus

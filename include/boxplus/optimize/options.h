@@ -32,11 +32,11 @@ enum class Start : std::uint8_t {
   kOdometry,      ///< chained along edges between consecutive ids
   kSpanningTree,  ///< propagated along shortest paths from the fixed vertices
   kChordal,       ///< one joint linear problem in relaxed rotations, positions and landmarks
-  /// The current estimates if their first step lowers chi2 as the model predicts and they converge soon (not
-  /// if edges have robust kernels). Otherwise the current estimates or the chordal guess, whichever has the
-  /// lower chi2. A second run starts at the other of the two if the first does not converge, or ends above
-  /// the chi2 at which the other would start, or (from the current estimates) ends far above the chi2 that
-  /// noise explains. The better result is kept.
+  /// The current estimates, if their first step lowers chi2 as the model predicts, they converge soon, and no
+  /// edge has a robust kernel. Otherwise the current estimates or the chordal guess, whichever has the lower
+  /// chi2. A second run starts at the other of the two if the first run does not converge, if it ends above
+  /// the chi2 at which the other begins, or if it began at the current estimates and ends far above the chi2
+  /// that noise explains. The better result is kept.
   kAutomatic
 };
 std::string_view to_string(Start start);
@@ -45,14 +45,14 @@ struct IterationRecord {
   int iteration = 0;
   double chi2 = 0;  ///< after the iteration
   double chi2_decrease = 0;
-  double predicted_decrease = 0;  ///< of chi2, by the linear model, for the accepted step
+  double predicted_decrease = 0;  ///< decrease of chi2 that the model predicts for the accepted step
   double step_max = 0;            ///< largest absolute entry of the accepted step
   double gradient_max = 0;        ///< largest absolute entry of the gradient before the step
-  double lambda = 0;              ///< of the step; 0 if the algorithm has none
-  double radius = 0;  ///< of the trust region; 0 if the algorithm has none, infinite while it is unbounded
-  int tries = 0;      ///< steps evaluated
-  int linear_iterations = 0;  ///< of an iterative linear solver, or steps of refinement
-  double time_s = 0;          ///< since the start of optimize()
+  double lambda = 0;              ///< damping of the step; 0 if the algorithm has none
+  double radius = 0;          ///< trust-region radius; 0 if the algorithm has none, infinite while unbounded
+  int tries = 0;              ///< number of evaluated steps
+  int linear_iterations = 0;  ///< iterations of the linear solver, or steps of refinement
+  double time_s = 0;          ///< time since the start of optimize()
 };
 
 struct Options {
@@ -61,50 +61,50 @@ struct Options {
 
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
-  /// The precision of the block Cholesky's factor. kAutomatic is double for kGaussNewton, which takes every
-  /// step without a check. The other algorithms reject steps that do not lower chi2, so for them kAutomatic
-  /// may use a factor in float and refine the step.
+  /// The precision of the block Cholesky's factor. kAutomatic means double for kGaussNewton, which takes
+  /// every step without a check. The other algorithms reject steps that do not lower chi2, so for them
+  /// kAutomatic may use a factor in float and refine the step.
   Precision precision = Precision::kAutomatic;
-  /// A custom solver, used instead of `linear_solver`; it may be inexact. An Optimizer lets it analyze each
-  /// structure once. Nothing else may use the solver while that Optimizer exists.
+  /// A custom solver, used instead of `linear_solver`; it may be inexact. An Optimizer calls its analyze()
+  /// once per structure. Nothing else may use the solver while that Optimizer exists.
   std::shared_ptr<LinearSolver> custom_linear_solver = {};
   Start start = Start::kCurrent;
   GaugePolicy gauge = GaugePolicy::kFixFirst;
   SchurMode schur = SchurMode::kAutomatic;
   DampingScale damping = DampingScale::kDiagonal;
 
-  /// The next options say when to stop: when …
-  int max_iterations = 100;       ///< … this many iterations are done, counting all runs of one call,
-  double cost_tolerance = 1e-10;  ///< … chi2 fell by less than this fraction of itself,
-  /// … two consecutive iterations each lower chi2 by less than this fraction of the noise variance, and were
-  /// predicted to do so; or ten consecutive iterations together lower it by less than ten times as much. The
-  /// noise variance is chi2 / (rows − unknowns), which is 1 if Ω is right. A decrease of chi2 by this
-  /// variance corresponds to estimates that move by one standard deviation in one direction. The decrease
-  /// must also be small relative to chi2: at most 2e-7 of chi2 in each of the two iterations, or at most 5e-6
-  /// in the ten. 0 switches this criterion off,
+  /// The next options say when a run stops: as soon as one of these conditions holds.
+  int max_iterations = 100;       ///< stops after this many iterations, counting all runs of one call
+  double cost_tolerance = 1e-10;  ///< stops when chi2 fell by less than this fraction of itself
+  /// Stops when each of two consecutive iterations lowers chi2 by less than this fraction of the noise
+  /// variance, as predicted; or when ten consecutive iterations together lower it by less than ten times that
+  /// amount. The noise variance is chi2 / (rows − unknowns), which is 1 if Ω is right. If chi2 falls by one
+  /// noise variance, the estimates move by one standard deviation in one direction. The decrease must also be
+  /// small relative to chi2: at most 2e-7 of chi2 in each of the two iterations, or at most 5e-6 of chi2 in
+  /// the ten together. 0 disables this criterion.
   double noise_tolerance = 2e-2;
-  /// … no entry of the step exceeds this fraction of the largest step entry of the run,
+  /// Stops when no entry of the step exceeds this fraction of the largest step entry of the run.
   double step_tolerance = 1e-12;
-  double gradient_tolerance = 0;  ///< … no entry of the gradient exceeds this (in units of the gradient),
-  /// … this much time has passed,
+  double gradient_tolerance = 0;  ///< stops when no entry of the gradient exceeds this
+  /// Stops when this much time has passed.
   double time_limit_s = std::numeric_limits<double>::infinity();
-  const std::atomic<bool>* stop = nullptr;  ///< … this flag becomes true, or the callback returns false.
-  /// The time limit and the flag hold in every phase: plan, starts, linearization, linear solvers. The time
-  /// limit is exceeded by at most 1 ms or a tenth of it (99 of 100 times, with the edges of this library, up
-  /// to 100,000 poses). After the flag is set, AMD may also finish its ordering (up to 110 ms at 100,000
+  const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
+  /// The time limit and the flag apply in every phase: plan, starts, linearization, linear solvers. A run
+  /// exceeds the limit by at most 1 ms or a tenth of it (in 99 of 100 runs, with the edges of this library,
+  /// up to 100,000 poses). After the flag is set, AMD may first finish its ordering (up to 110 ms for 100,000
   /// poses).
   ///
-  /// The callback is called after every iteration, the last one included. If it changes the structure of the
-  /// graph or optimizes the graph, InvalidArgument is thrown. It must not change estimates or weights,
-  /// because chi2 is compared with that of the last iteration. (It may exchange kernels, to anneal them.)
+  /// Called after every iteration, including the last one. If it returns false, the run stops. If it changes
+  /// the structure of the graph or optimizes the graph, InvalidArgument is thrown. It must not change
+  /// estimates or weights, because the next chi2 is compared with the last one. (It may exchange kernels.)
   std::function<bool(const IterationRecord&)> callback = {};
 
-  /// Levenberg-Marquardt. 0: 1e-5, times the largest diagonal entry of H if D = I.
+  /// Levenberg-Marquardt: the first λ. 0 means 1e-5 or, if D = I, 1e-5 times the largest diagonal entry of H.
   double initial_lambda = 0;
-  double initial_radius = 0;  ///< dogleg; 0: unbounded, so that the first trial is the Gauss-Newton step
-  /// Relative residual at which iterative linear solvers and refinement stop (the forcing term). It is at
-  /// least 1e-6 with a factor in float, and at least 0.1 if kAutomatic falls back to pcg, because rough steps
-  /// are so much cheaper that the run ends sooner.
+  double initial_radius = 0;  ///< dogleg: first radius; 0: unbounded, so the first trial is Gauss-Newton
+  /// The relative residual at which iterative linear solvers and refinement stop (the forcing term). With a
+  /// factor in float, at least 1e-6 is used. If kAutomatic falls back to pcg, at least 0.1 is used, because
+  /// rough steps are so much cheaper that the run ends sooner.
   double linear_tolerance = 1e-10;
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
@@ -112,11 +112,11 @@ struct Options {
   /// LinearSolverKind::kAutomatic chooses pcg if a Cholesky factor would take more memory than this; 0: half
   /// of the machine's memory. (It also chooses pcg if a factorization would take far longer.)
   std::uint64_t max_factor_bytes = 0;
-  int threads = 0;  ///< maximum; 0: one per hardware thread. Results do not depend on it.
-  int level = 0;    ///< edges of this level take part; negative: all
+  int threads = 0;  ///< maximum number; 0: one per hardware thread. It does not affect results.
+  int level = 0;    ///< edges of this level take part; if negative, all edges
   /// If not empty, only these vertices move, and only edges that touch them take part.
   std::vector<VertexRef> vertices = {};
-  std::vector<EdgeRef> edges = {};  ///< if not empty, only these take part
+  std::vector<EdgeRef> edges = {};  ///< if not empty, only these edges take part
 };
 
 }  // namespace boxplus

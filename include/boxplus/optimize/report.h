@@ -20,7 +20,7 @@ struct [[nodiscard]] Report {
     kConverged,     ///< a minimum to within the tolerances
     kNotConverged,  ///< stopped before a minimum, for `reason`; the estimates are the best found
                     ///< (Gauss-Newton: the last)
-    kFailed         ///< no step could be computed; the estimates are as for kNotConverged
+    kFailed         ///< no step could be computed; the estimates are those of kNotConverged
   };
 
   enum class Reason : std::uint8_t {
@@ -36,29 +36,29 @@ struct [[nodiscard]] Report {
     kNoStepFound,          ///< every damped step raised chi2
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
-    kWeightSpan,   ///< the Ω of one edge is so large that others round to nothing in H; `message` names it
-    kGaugeFreedom  ///< GaugePolicy::kError, and nothing holds a component of the graph
+    kWeightSpan,           ///< one edge's Ω is so large that others are lost to rounding in H; see `message`
+    kGaugeFreedom          ///< nothing holds a component of the graph, and the policy is GaugePolicy::kError
   };
 
-  /// The requested start, the one that was used, and how they compared.
+  /// The requested start, the start that was used, and how the starts compared.
   struct StartReport {
     Start requested = Start::kCurrent;
     Start used = Start::kCurrent;
-    double chi2_current = 0;  ///< of the estimates before the run
+    double chi2_current = 0;  ///< chi2 of the estimates before the run
     /// kAutomatic: the decrease of chi2 by the first step from these estimates, as a fraction of the
     /// predicted decrease; NaN if no step was tried.
     double first_step_kept = std::numeric_limits<double>::quiet_NaN();
-    double chi2_guess = -1;        ///< of the initial guess; negative if none was made
+    double chi2_guess = -1;        ///< chi2 of the initial guess; negative if none was made
     bool ran_both = false;         ///< kAutomatic: both starts were run
-    double chi2_other_final = -1;  ///< at the end of the run that was not kept; negative if there was none
+    double chi2_other_final = -1;  ///< final chi2 of the run that was not kept; negative if none
     std::string_view note;         ///< the reason why a guess could not be made, or empty
   };
 
   struct GaugeReport {
-    std::vector<Id> held;  ///< vertices held for the solve, one per component that nothing else holds
+    std::vector<Id> held;  ///< vertices held in the solve, one per component that nothing else holds
     /// The freedom that remains: a scale, a heading, or (depending on GaugePolicy) all of it.
     std::vector<detail::GaugeFreedom> free;
-    /// Single directions of vertices of unknown type that were held because nothing measured them.
+    /// The number of single directions of vertices that were held because no edge measured them.
     int held_directions = 0;
   };
 
@@ -81,20 +81,20 @@ struct [[nodiscard]] Report {
   /// Options::stop ended the run before F was evaluated; the estimates are then unchanged.
   double chi2_initial = 0;
   double chi2_final = 0;  ///< the same at the estimates after the run
-  int iterations = 0;     ///< of all runs together
+  int iterations = 0;     ///< number in all runs together
   StartReport start;
   GaugeReport gauge;
-  std::vector<IterationRecord> records;  ///< of the run that was kept
+  std::vector<IterationRecord> records;  ///< records of the run that was kept
 
   std::string_view algorithm, linear_solver;
   std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
-  std::vector<EdgeJacobians> jacobians;  ///< of each edge type that takes part
+  std::vector<EdgeJacobians> jacobians;  ///< sources for each edge type that takes part
   LinearStatistics linear;
-  int regularized_steps = 0;   ///< steps for which H had to be damped to be positive definite
-  int threads = 1;             ///< the most threads that the options allow
-  int workers = 1;             ///< threads that linearize or factorize; fewer for small problems
+  int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
+  int threads = 1;             ///< maximum number of threads that the options allow
+  int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
   bool plan_reused = false;    ///< the structure has not changed since the last run
-  bool plan_extended = false;  ///< only vertices and edges were added since, and the plan was extended
+  bool plan_extended = false;  ///< only vertices and edges were added, and the plan was extended
   Timings time;
 
   bool converged() const { return status == Status::kConverged; }

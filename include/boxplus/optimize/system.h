@@ -23,8 +23,8 @@ struct [[nodiscard]] StepResult {
 
 /// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.
 ///
-/// An iteration calls linearize(), and then solve() and try_step() any number of times. It answers each
-/// try_step() by accept() or reject(). Spans stay valid until the next linearize().
+/// An iteration calls linearize(), and then solve() and try_step() any number of times. It ends each
+/// try_step() by a call of accept() or reject(). Spans stay valid until the next linearize().
 class System {
  public:
   virtual ~System() = default;
@@ -32,8 +32,8 @@ class System {
   virtual double chi2() = 0;
   /// Computes g and H. Returns false if they are not finite.
   virtual bool linearize() = 0;
-  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s). In
-  /// this case linearize() returned false, and the others returned NaN. Answer a stopped try_step() by
+  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s). A
+  /// stopped linearize() returned false, the other two returned NaN. After a stopped try_step(), call
   /// reject().
   virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;

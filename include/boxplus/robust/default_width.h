@@ -25,8 +25,8 @@ double chi2_quantile(int rows, double probability);
 double default_width(int rows);
 
 /// make_robust_kernel() with the default width for errors of `rows` rows: default_width(rows), or its square
-/// for the kernels whose width is in units of e². Throws InvalidArgument as make_robust_kernel() does, or if
-/// rows < 1.
+/// for the kernels whose width is in units of e². Throws InvalidArgument in the same cases as
+/// make_robust_kernel(), and if rows < 1.
 std::unique_ptr<RobustKernel> make_default_kernel(std::string_view name, int rows);
 
 }  // namespace boxplus

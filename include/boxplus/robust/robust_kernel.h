@@ -3,10 +3,10 @@
 //
 // A kernel is a function of the SQUARED error. Contract, for 0 ≤ e² ≤ 1e100 δ² (testing/check_kernel.h checks
 // it):
-//   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e²
-//   wherever these exist. At a kink, the kernel returns the derivatives of the side with smaller errors.
-// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization would use 0 instead,
-// so that the edge would have no influence.
+//   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e², if
+//   they exist. At a kink, the kernel returns the derivatives on the side of smaller errors.
+// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization replaces a negative
+// weight by 0, so the edge has no influence.
 #pragma once
 
 #include <memory>

@@ -4,9 +4,9 @@
 //     const JacobianCheck check = check_jacobians(MyEdge{…}, x_1, x_2);
 //     if (!check.ok) std::cerr << check.message;
 //
-// The check compares the member jacobians() (if the edge has one) with exact Jacobians from dual numbers (if
-// the error is generic in its scalar), and these with numeric ones. Choose estimates away from kinks and away
-// from zero errors, so that no term of the Jacobians vanishes.
+// If the error is generic in its scalar, the check compares exact Jacobians (by dual numbers) with numeric
+// ones. It compares a member jacobians() with the exact ones or, if there are none, with the numeric ones.
+// Choose estimates away from kinks and from zero errors, so that no term of the Jacobians vanishes.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ namespace boxplus {
 
 struct JacobianTolerances {
   double analytic = 1e-10;  ///< analytic against exact, relative to the largest entry (at least 1)
-  double numeric = 1e-7;    ///< of both against numeric Jacobians, likewise
+  double numeric = 1e-7;    ///< analytic or exact against numeric, relative to the same
 };
 
 struct [[nodiscard]] JacobianCheck {
@@ -30,7 +30,7 @@ struct [[nodiscard]] JacobianCheck {
   /// The Jacobians that optimize() uses. to_string(source) is "analytic" (member jacobians()), "exact" or
   /// "numeric".
   detail::JacobianSource source = detail::JacobianSource::kNumeric;
-  /// Every wrong block, and its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
+  /// Each wrong block, with its worst entry: "∂e/∂x_2 (SE2), row 1, column 2: expected …, got … (analytic
   /// against exact)". Rows, columns and vertices count from 1. Empty if ok.
   std::string message;
   double largest_difference = 0;  ///< relative to the largest entry of the Jacobian (at least 1)
@@ -49,7 +49,7 @@ void compare_jacobians(std::span<const double> expected, std::span<const double>
                        double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
                        JacobianCheck& check);
 
-/// The type as which the edge receives an estimate, which is the same as in a graph.
+/// The type in which the edge receives an estimate. It is the same type as in a graph.
 template <class A>
 struct CheckedType {
   using Type = StoredEstimate<A>;

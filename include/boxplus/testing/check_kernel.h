@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the contract of a robust kernel (see robust/robust_kernel.h), also of a custom one. Needs no test
+// Checks the contract of a robust kernel (see robust/robust_kernel.h), such as a custom one. Needs no test
 // framework.
 #pragma once
 
@@ -20,14 +20,14 @@ struct [[nodiscard]] KernelCheck {
 };
 
 struct KernelCheckOptions {
-  double smallest = 1e-4, largest = 1e4;  ///< range of √e² that is sampled, in units of delta()
-  int samples = 200;                      ///< spaced evenly in the logarithm
-  double tolerance = 1e-7;                ///< of derivatives, relative
+  double smallest = 1e-4, largest = 1e4;  ///< sampled range of √e², in units of delta()
+  int samples = 200;                      ///< number of samples, evenly spaced on a log scale
+  double tolerance = 1e-7;                ///< relative tolerance of derivatives
   bool monotone = true;                   ///< expect ρ′ ≥ 0
   bool unit_slope = true;                 ///< expect ρ′(0) = 1: small errors count as in least squares
 };
 
-/// The contract at one squared error.
+/// Checks the contract at one squared error.
 inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
                                    const KernelCheckOptions& options = {}) {
   const auto fail = [&](const char* law, double expected, double actual) {
@@ -42,8 +42,8 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
   if (options.monotone && rho.first < 0) return fail("ρ′ ≥ 0", 0, rho.first);
   if (e2 == 0) return rho.value == 0 ? KernelCheck{} : fail("ρ(0) = 0", 0, rho.value);
 
-  // Derivatives with respect to ln e2, so that one step suits all magnitudes. At a kink the estimated numeric
-  // error is large, so the difference is allowed.
+  // Differentiates with respect to ln e2, so that one step suits all magnitudes. At a kink, the estimated
+  // error of the numeric derivative is large, so the difference is allowed.
   const auto along = [&](double h, double* values) {
     const RobustKernel::Rho moved = kernel(e2 * std::exp(h));
     values[0] = moved.value;
@@ -66,7 +66,7 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
   return {};
 }
 
-/// The contract at 0 and over a range of errors.
+/// Checks the contract at 0 and over a range of errors.
 inline KernelCheck check_kernel(const RobustKernel& kernel, const KernelCheckOptions& options = {}) {
   if (KernelCheck zero = check_kernel_at(kernel, 0, options); !zero.ok) return zero;
   if (options.unit_slope && std::abs(kernel(0).first - 1) > options.tolerance) {

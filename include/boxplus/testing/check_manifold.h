@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the laws of manifold.h for a type, also for a custom one. Needs no test framework:
+// Checks the laws of manifold.h for a type, such as a custom one. Needs no test framework:
 //
 //     const ManifoldCheck check = check_manifold<Pose>({Pose(…), Pose(…)});
 //     if (!check.ok) std::puts(check.message.c_str());
@@ -26,10 +26,10 @@ struct [[nodiscard]] ManifoldCheck {
 };
 
 struct ManifoldCheckOptions {
-  double step = 0.1;                   ///< largest component of the random δ
-  int random_steps = 8;                ///< number of them, per sample
-  double tolerance = 1e-9;             ///< of laws 1 to 3, relative to 1 + |δ|
-  double derivative_tolerance = 1e-7;  ///< of derivatives
+  double step = 0.1;                   ///< largest absolute entry of the random δ
+  int random_steps = 8;                ///< number of random δ per sample
+  double tolerance = 1e-9;             ///< tolerance of laws 1 to 3, relative to 1 + |δ|
+  double derivative_tolerance = 1e-7;  ///< tolerance of derivatives
   std::uint64_t seed = 1;
 };
 
@@ -75,10 +75,10 @@ class ManifoldChecker {
     const double error =
         detail::numeric_jacobian([&](const T& z) { return minus(z, y); }, x, jacobian, numeric);
     if (!(error <= options_.derivative_tolerance * (1 + jacobian.cwiseAbs().maxCoeff()))) {
-      return fail("law 4, ⊞ is smooth at 0: differences do not converge", error);
+      return fail("law 4, ⊞ is smooth at 0: its numeric derivative is uncertain", error);
     }
     const double pivot = smallest_pivot(jacobian);
-    return pivot > 1e-6 ? true : fail("law 4, the Jacobian of ⊞ has full rank: relative pivot", pivot);
+    return pivot > 1e-6 ? true : fail("law 4, ∂(x ⊞ δ)/∂δ has full rank: a pivot exceeds 0 only", pivot);
   }
 
   /// ⊞ on dual numbers has the value and the derivative of ⊞ on double. Skipped if the type cannot be lifted,

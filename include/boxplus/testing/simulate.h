@@ -2,9 +2,9 @@
 // Simulated graphs with known true estimates, for tests, benchmarks and demonstrations.
 //
 // The same options give the same graph with every compiler, because the random number generator is part of
-// the library. Noise is drawn according to the information matrices of the edges, so chi2 at the true
-// estimates is about the number of rows of all errors (without outliers). The first pose is fixed at its true
-// place; the other estimates begin at the odometry.
+// the library. Noise is drawn according to the information matrices of the edges. So without outliers, chi2
+// at the true estimates is about the number of rows of all errors. The first pose is fixed at its true place;
+// the other estimates start at the odometry.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@
 namespace boxplus {
 
 enum class World : std::uint8_t {
-  kSphere,     ///< a robot winds around a sphere from pole to pole, and sees where it was one lap ago
+  kSphere,     ///< a robot winds around a sphere from pole to pole, and sees its places of one lap ago
   kTorus,      ///< the same around a torus; the last lap meets the first
-  kGrid,       ///< it fills a cubic lattice, and sees its neighbors there
+  kGrid,       ///< it visits all points of a cubic lattice, and sees the neighbors of each
   kManhattan,  ///< it walks at random through the streets of a plane, and recognizes crossings
   kStreets,  ///< it drives every street of a town 2 to 4 times, at least 100 poses from crossing to crossing,
-             ///< and sees where it drove before: about 4 edges per pose
+             ///< and recognizes places that it has visited: about 4 edges per pose
   kCity      ///< the same in short streets, where it sees lampposts and corners of houses instead
 };
 inline constexpr std::array kWorlds{World::kSphere,    World::kTorus,   World::kGrid,
@@ -30,26 +30,26 @@ inline constexpr std::array kWorlds{World::kSphere,    World::kTorus,   World::k
 std::string_view to_string(World world);
 
 struct SimulationOptions {
-  int poses = 2500;  ///< about; sphere, torus and grid round to whole laps
+  int poses = 2500;  ///< approximate number; sphere, torus and grid round to whole laps
   std::uint64_t seed = 1;
   double noise =
-      1;  ///< factor on all standard deviations; 0: perfect measurements (with the weights of noise 1)
-  /// The fraction of loop closures and observations that mistake a place (a landmark) for another one, at
-  /// random. Odometry is never mistaken, and the other measurements are the same as without outliers.
+      1;  ///< factor on all standard deviations; 0: exact measurements, with the weights of factor 1
+  /// The fraction of loop closures and observations that mistake one place (landmark) for another one, at
+  /// random. Odometry is never wrong, and all other measurements are the same as without outliers.
   double outliers = 0;
 };
 
 enum class EdgeKind : std::uint8_t {
   kOdometry,     ///< from a pose to the next
   kRecognition,  ///< a loop closure, or an observed landmark
-  kOutlier       ///< the same, of a wrong place
+  kOutlier       ///< a loop closure or observation of a wrong place
 };
 
 struct Simulation {
   Graph graph;
   Graph truth;                              ///< the same vertices at their true places, with the same edges
   std::vector<EdgeRef> edges, truth_edges;  ///< in the order of creation
-  std::vector<EdgeKind> kinds;              ///< of each of them
+  std::vector<EdgeKind> kinds;              ///< kind of each edge
 };
 
 /// Takes time and memory in proportion to the number of poses. Throws InvalidArgument for fewer than 2 poses,

@@ -21,12 +21,12 @@ struct BetweenText {
 };
 }  // namespace detail
 
-/// z measures b from a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent:
+/// z measures b relative to a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent:
 ///   SE2  vec(z⁻¹ a⁻¹ b) = (x, y, θ)                                   EDGE_SE2
 ///   SE3  (t, q_v) of z⁻¹ a⁻¹ b, with the sign of q that has w ≥ 0     EDGE_SE3:QUAT
 ///   Vector2, Vector3  (b − a) − z                                     EDGE_POINTXY, EDGE_POINTXYZ
 /// and likewise for every other T whose trait Manifold<T> has kDim, ominus, cast and Rebind. The motion from
-/// a to b is a.inverse_times(b), b − a or a.inverse() * b: the first of these that T has. It must be a T. For
+/// a to b is a.inverse_times(b), b − a or a.inverse() * b: the first one that T supports. It must be a T. For
 /// exact Jacobians, these functions must accept T over dual numbers (Rebind), and the types must have a
 /// member type Scalar. Product has none of these functions.
 template <class T>
@@ -58,8 +58,8 @@ template <class T>
 Between(T) -> Between<detail::StoredEstimate<T>>;
 
 namespace detail {
-/// Computes errors and, unless `jacobian` is null, Jacobians of Between<SE2> and Between<SE3> in lanes, with
-/// the dense kernels. The arguments point to the values of each edge's measurement and poses.
+/// Computes errors of Between<SE2> and Between<SE3> in lanes, with the dense kernels; also Jacobians, unless
+/// `jacobian` is null. The arguments point to the values of each edge's measurement and poses.
 void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian);
 void linearize_between(std::type_identity<SE3>, int count, const double* const* measurement,

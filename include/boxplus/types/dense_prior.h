@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A prior on any number of vertices of several types, with all correlations between them. Marginalizing the
-// other vertices of a problem leaves such a prior.
+// A prior on any number of vertices of several types, with all correlations between them. It is the result of
+// marginalizing the other vertices of a problem.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ namespace boxplus {
 
 namespace dense_prior {
 
-/// R and r of e = R δ + r, column-major.
+/// R and r in e = R δ + r, column-major.
 struct Rows {
   int rows = 0, cols = 0;
   std::vector<double> root, offset;
@@ -33,7 +33,7 @@ Rows from_information(const Eigen::MatrixXd& H, const Eigen::VectorXd& b, int co
 
 /// e ← R δ + r.
 void evaluate(const Rows& rows, const double* delta, double* error);
-/// J ← R[:, first … first + dim) D, with D of dim × dim.
+/// J ← R[:, first … first + dim) D. D is dim × dim.
 void multiply(const Rows& rows, int first, int dim, const double* D, double* jacobian);
 
 /// Throws InvalidArgument, because the number of vertices of the edge is not the number of means.
@@ -41,23 +41,23 @@ void multiply(const Rows& rows, int first, int dim, const double* D, double* jac
 
 }  // namespace dense_prior
 
-/// Error: R δ + r. δ stacks x_k ⊟ mean_k: first those of all vertices of the first type, in the order of the
-/// edge, then those of the second type, …
+/// Error: R δ + r. δ stacks x_k ⊟ mean_k of all vertices: first the vertices of the first type, in the order
+/// of the edge, then the vertices of the second type, …
 ///
 ///     graph.add_edge(DensePrior<SE3, Vector3>({pose_means, point_means}, R), poses, points);
 ///
 /// With Ω = 1 (the default) its cost is ‖Rδ + r‖². The means stay at the estimates at which the problem was
-/// linearized, as fixed-lag smoothers and consistent filters require. The Jacobian is R ∂δ at the current
-/// estimates and is computed in O(rows · cols · dim). So an iteration costs about as much as the dense
-/// product RᵀR, O(rows · cols²).
+/// linearized, as fixed-lag smoothers and consistent filters require. The Jacobian is R times the derivative
+/// of δ at the current estimates; computing it takes O(rows · cols · dim). So an iteration costs about as
+/// much as the dense product RᵀR, O(rows · cols²).
 template <class... T>
 class DensePrior {
  public:
   static constexpr std::string_view kName = "DensePrior";
   using Means = std::tuple<std::vector<T>...>;
 
-  /// `root`: R, with any number of rows; `offset`: r, or empty for zero. Throws InvalidArgument if the sizes
-  /// do not match.
+  /// `root`: R, with any number of rows. `offset`: r; if it is empty, r = 0. Throws InvalidArgument if the
+  /// sizes do not match.
   DensePrior(Means means, const Eigen::MatrixXd& root, const Eigen::VectorXd& offset = Eigen::VectorXd())
       : means_(std::move(means)), rows_(dense_prior::from_root(root, offset, dim())) {}
 

@@ -13,8 +13,8 @@ struct OffsetBetweenText {
 };
 }  // namespace detail
 
-/// z measures sensor (xj·pj) from sensor (xi·pi). pi and pj are the poses of the sensors on the body:
-/// parameters, or vertices that are calibrated. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj
+/// z measures the sensor pose xj·pj relative to the sensor pose xi·pi. pi and pj are the poses of the sensors
+/// on the body: parameters, or vertices to calibrate. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj
 /// (EDGE_SE2_OFFSET, EDGE_SE3_OFFSET), or xi, xj, p if both ends have the same sensor (EDGE_SE2_CALIB).
 template <class T>
 struct OffsetBetween {

@@ -13,8 +13,8 @@ struct OffsetPriorText {
 };
 }  // namespace detail
 
-/// z measures the sensor x·p in the world; p is its pose on the body. Error: (x p) ⊟ z. For SE3:
-/// EDGE_SE3_PRIOR.
+/// z measures the sensor pose x·p in the world; p is the pose of the sensor on the body. Error: (x p) ⊟ z.
+/// For SE3: EDGE_SE3_PRIOR.
 template <class T>
 struct OffsetPrior {
   static constexpr std::string_view kName = detail::TypeLabel<detail::OffsetPriorText, T>::kValue;

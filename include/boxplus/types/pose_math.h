@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Operations on poses and points of both dimensions that several edge types use.
+// Operations on poses and points, in the plane and in space. Several edge types use them.
 #pragma once
 
 #include "boxplus/graph/manifold_frames.h"
@@ -45,8 +45,8 @@ auto position(const X& x) {
   }
 }
 
-/// The relation T_to = T_from · motion, measured with an error whose first rows are in meters and whose last
-/// rows are the rotation. Vector parts of quaternions are half angles.
+/// The relation T_to = T_from · motion. The first rows of its error are in meters, the last rows are angles.
+/// Vector parts of quaternions are half angles.
 template <class T>
 RelativeFrame relative_pose(int from, int to, const T& motion) {
   RelativeFrame result{from, to, FrameTrait<T>::get(motion)};

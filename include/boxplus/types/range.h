@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The distance between two vertices, of the plane or of space.
+// The distance between two vertices, in the plane or in space.
 #pragma once
 
 #include "boxplus/types/pose_math.h"
@@ -7,7 +7,7 @@
 namespace boxplus {
 
 /// z measures the distance (meters) between the positions of a and b, each a pose or a point. Error: |b − a|
-/// − z. If a and b coincide, the error has no derivative, and 0 is used; so do not start from such estimates.
+/// − z. If a and b coincide, the error has no derivative; 0 is used instead, so do not start from there.
 struct Range {
   static constexpr std::string_view kName = "Range";
   double measurement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All ready-made types of the plane. Their pools are compiled once, in the library.
+// All ready-made types in the plane. Their pools are compiled once, in the library.
 #pragma once
 
 #include "boxplus/graph/graph.h"

@@ -29,7 +29,7 @@ ElementReader::Edge ElementReader::read_edge(const Tag& tag, FieldReader& in) {
   const FieldPlace place = in.place();
   try {
     return {known, type.read_edge(graph_, ids_.vertices(), in)};
-  } catch (const InvalidArgument& error) {  // the graph does not know the line and column
+  } catch (const InvalidArgument& error) {  // its message does not contain the line and column
     in.fail(place, error.what());
   }
 }

@@ -8,11 +8,11 @@
 
 namespace boxplus {
 
-/// Adds single lines to a graph. Each function reads a line from after its tag on. It throws InputError if
-/// the line is wrong, and then changes nothing.
+/// Adds the contents of single lines to a graph. Each function reads the rest of a line, after its tag. If
+/// the line is wrong, the function throws InputError and changes nothing.
 class ElementReader {
  public:
-  /// Both must outlive this object.
+  /// `graph` and `unknown` must outlive this object.
   ElementReader(Graph& graph, const UnknownTags& unknown) : graph_(graph), ids_(graph, unknown) {}
 
   /// Reads a vertex or a parameter. Returns its id.
@@ -20,14 +20,14 @@ class ElementReader {
 
   struct Edge {
     VertexIds::Result vertices;
-    EdgeRef added = {};  ///< if all vertices are known
+    EdgeRef added = {};  ///< the new edge; only if `vertices` is kKnown
   };
   Edge read_edge(const Tag& tag, FieldReader& in);
 
-  /// Returns false if a vertex has not been read yet.
+  /// Fixes the vertices that a FIX line lists. Returns false if one of them has not been read yet.
   bool fix(FieldReader& in);
 
-  /// See VertexIds.
+  /// See VertexIds::end_of_vertices() and VertexIds::created().
   void end_of_vertices(bool create) { ids_.end_of_vertices(create); }
   std::int64_t created_vertices() const { return ids_.created(); }
 

@@ -4,7 +4,7 @@
 namespace boxplus {
 
 FileFormat g2o_format() {
-  // Accepts any text, even if it has no vertices and edges, because lines with unknown tags are kept.
+  // Accepts any text, even without vertices and edges, because the reader keeps lines with unknown tags.
   const auto recognize = [](std::string_view) { return true; };
   return {.name = "g2o",
           .extension = ".g2o",

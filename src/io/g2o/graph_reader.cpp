@@ -15,11 +15,11 @@
 namespace boxplus {
 namespace {
 
-/// A line that is read after all others, because it, or an edge before it, refers to a vertex that has not
-/// been read yet.
+/// A line that must wait until the end of the file, because the line itself, or an edge before it, refers to
+/// a vertex that has not been read yet.
 struct WaitingLine {
   Line line;
-  std::string text;  ///< a copy, because the block is gone when the line is read
+  std::string text;  ///< a copy, because the line's block no longer exists when the line is read
   GraphFile::KeptLine::Place place;
   Id vertex;
 };
@@ -36,9 +36,9 @@ std::string counted(std::int64_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Builds a GraphFile. Workers split blocks into lines and numbers. One worker, always the same, adds
-/// finished blocks to the graph, in order. So elements are added in the order of the file, except for edges
-/// that come before their vertices.
+/// Builds a GraphFile. All workers split blocks into lines and numbers. One of them, always the same, adds
+/// the finished blocks to the graph in the order of the file. So the elements have the order of the file,
+/// except that edges wait for vertices that come after them.
 class GraphReader {
  public:
   GraphReader(const TextSource& text, const ReadOptions& options)
@@ -72,7 +72,8 @@ class GraphReader {
     if (place_ == GraphFile::KeptLine::Place::kAfterEdge) make_room(file_.edges.size() - edges_before);
   }
 
-  /// If an edge ends a block, the rest of the file is likely to hold edges of its type.
+  /// Reserves memory for more edges. If a block ends with edges, the rest of the file probably consists of
+  /// edges of the same type.
   void make_room(std::size_t edges_in_block) {
     if (edges_in_block == 0) return;
     const std::size_t expected = file_.edges.size() + edges_in_block * (text_.block_count() - blocks_taken_);
@@ -132,10 +133,10 @@ class GraphReader {
     for (WaitingLine& waiting : std::exchange(waiting_, {})) {
       Line& line = waiting.line;
       line.text = waiting.text;
-      line.is_numeric = false;  // the block with its numbers is gone
+      line.is_numeric = false;  // the block that held the numbers no longer exists
       place_ = waiting.place;
       vertex_ = waiting.vertex;
-      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // it has been noted
+      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // its tag is already noted
       guarded(line, [&] { take(line); });
     }
   }
@@ -173,7 +174,7 @@ class GraphReader {
     file_.kept.push_back(std::move(kept));
   }
 
-  /// Notes on single lines, sorted, then those on the whole file.
+  /// Adds the notes on single lines, sorted by line, and then the notes on the whole file.
   void add_notes() {
     unknown_.append_notes(file_.notes);
     std::stable_sort(file_.notes.begin(), file_.notes.end(),
@@ -197,8 +198,9 @@ class GraphReader {
   GraphFile file_;
   UnknownTags unknown_;
   ElementReader elements_;
-  GraphFile::KeptLine::Place place_ = GraphFile::KeptLine::Place::kBegin;  // of the next line, if it is kept
-  Id vertex_ = 0;  // the vertex before it, if there is one
+  /// The place of the next line that is kept.
+  GraphFile::KeptLine::Place place_ = GraphFile::KeptLine::Place::kBegin;
+  Id vertex_ = 0;  // the id of the last vertex that was read
   std::vector<WaitingLine> waiting_;
   std::size_t blocks_taken_ = 0;
   std::int64_t unassigned_ = 0;

@@ -41,7 +41,7 @@ class GraphWriter {
     std::vector<std::vector<bool>> listed;
     for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
     for (EdgeRef& edge : edges_) {
-      // An edge that is listed twice, or was removed, only marks the place of the lines that follow it.
+      // If an edge is listed twice or was removed, its entry only marks the place of the kept lines after it.
       if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
         edge = kNoEdge;
       } else {
@@ -53,8 +53,8 @@ class GraphWriter {
     }
   }
 
-  /// The number of pieces: parameters, the lines at the beginning, vertices, the lines before the edges,
-  /// edges.
+  /// The number of items to write, in this order: the parameters, the kept lines at the beginning (one item),
+  /// the vertices, the kept lines before the first edge (one item), and the edges.
   std::size_t items() const { return parameters_.size() + vertices_.size() + edges_.size() + 2; }
 
   void format(std::size_t item, std::string& out) const {

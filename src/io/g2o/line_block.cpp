@@ -17,7 +17,8 @@ bool ends_field(const char* at, const char* end) {
   return at == end || is_blank(*at);
 }
 
-/// An integer that a double holds exactly.
+/// The integer that makes up the whole field at `at`. If the field is anything else, or has more digits than
+/// a double can hold exactly, the result has no `end`.
 Decimal read_integer(const char* at, const char* end) {
   constexpr std::ptrdiff_t kMostDigits = 15;
   const bool negative = *at == '-';
@@ -65,7 +66,7 @@ void LineBlock::read(const TextSource& source, std::size_t k, const TagLookup& t
   place_fields();
 }
 
-/// Points each line to its values. From now on values_ does not grow.
+/// Sets the pointers from the lines to their values. values_ must not grow after this.
 void LineBlock::place_fields() {
   const double* next = values_.data();
   for (Line& line : lines_) {
@@ -75,7 +76,7 @@ void LineBlock::place_fields() {
 }
 
 void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
-  // Some editors write a mark at the beginning of a file. Concatenated files may have it in other places.
+  // Some editors write this mark at the beginning of a file. In concatenated files, other lines may have it.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const char* const end = text.data() + text.size();
@@ -104,8 +105,8 @@ void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
   lines_.push_back(line);
 }
 
-/// Appends the fields to values_. Returns false if a field is not a number, or if there are so many that they
-/// would take too much memory.
+/// Appends the fields to values_. Returns false if a field is not a number, or if there are so many fields
+/// that they would take too much memory.
 bool LineBlock::read_fields(const char* at, const char* end, std::size_t& integers) {
   constexpr std::size_t kMost = std::size_t{1} << 16;
   bool integers_only = true;

@@ -17,7 +17,7 @@ namespace boxplus {
 
 using Renames = std::map<std::string, std::string, std::less<>>;
 
-/// Finds the types that the tags of a file stand for.
+/// Looks up the tags of a file in the registry. Before that, replaces the tags that the user wants to rename.
 class TagLookup {
  public:
   TagLookup(const Registry& registry, const Renames& renames) : registry_(registry), renames_(renames) {}
@@ -35,21 +35,21 @@ class TagLookup {
 /// A line that is not blank.
 struct Line {
   enum class Kind : std::uint8_t {
-    kElement,  ///< of the type `tag`
+    kElement,  ///< a vertex, a parameter or an edge of the type `tag`
     kFix,
     kUnknown,
     kComment
   };
   std::string_view text;
-  std::int64_t number = 0;  ///< from 1; within the block for LineBlock::lines
+  std::int64_t number = 0;  ///< the line number, from 1; in LineBlock::lines(), it counts within the block
   Kind kind = Kind::kUnknown;
-  bool is_numeric = false;  ///< an element whose fields are all numbers: `fields` holds them
+  bool is_numeric = false;  ///< whether it is an element whose fields are all numbers, held by `fields`
   const Tag* tag = nullptr;
   NumericFields fields = {};
   std::size_t value_count = 0;
 };
 
-/// The lines of one block. A worker uses its memory again for the next block.
+/// The lines of one block. A worker reads one block after another into the same object, to reuse its memory.
 class LineBlock {
  public:
   void read(const TextSource& source, std::size_t k, const TagLookup& tags);
@@ -66,8 +66,8 @@ class LineBlock {
   std::vector<double> values_;  // the fields of all numeric lines
   std::vector<Line> lines_;
   std::int64_t line_count_ = 0;
-  const char* text_end_ = nullptr;  // of the block; characters before it may be read
-  std::string_view last_name_;      // most lines begin like the one before
+  const char* text_end_ = nullptr;  // the end of the block's text; all characters before it may be read
+  std::string_view last_name_;      // the last tag that was looked up; the next line often has the same tag
   const Tag* last_tag_ = nullptr;
 };
 

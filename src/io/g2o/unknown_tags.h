@@ -13,14 +13,14 @@
 
 namespace boxplus {
 
-/// The tags of a file for which no type is registered. Each gets a note, and may explain why a vertex is
-/// missing.
+/// The tags in a file for which no type is registered. Each of them gets a note. A line with an unknown tag
+/// may also be the reason why a vertex is missing.
 class UnknownTags {
  public:
-  /// Takes a line that begins with such a tag.
+  /// Takes a line that begins with an unknown tag.
   void add(std::string_view line, std::int64_t number);
-  /// The reason why there is no vertex (parameter) with that id, if a line with an unknown tag has the id;
-  /// otherwise empty.
+  /// The reason why there is no vertex (or parameter) with this id, if a line with an unknown tag has the id.
+  /// Otherwise, an empty string.
   std::string reason_for_missing(Id id, bool is_parameter) const;
   /// One note for each tag.
   void append_notes(std::vector<GraphFile::Note>& notes) const;
@@ -35,8 +35,8 @@ class UnknownTags {
     std::int64_t number;
   };
 
-  std::map<std::string, Occurrences> tags_;         // in quotes
-  std::unordered_map<Id, IdLine> lines_of_ids_[2];  // vertices, parameters
+  std::map<std::string, Occurrences> tags_;         // by tag, in quotes
+  std::unordered_map<Id, IdLine> lines_of_ids_[2];  // [0] for vertices, [1] for parameters
 };
 
 }  // namespace boxplus

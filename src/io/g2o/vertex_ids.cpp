@@ -39,7 +39,7 @@ VertexIds::Result VertexIds::read_one(const Tag::Argument& argument, FieldReader
   const Id id = in.integer(is_parameter ? "the id of a parameter" : "the id of a vertex");
   if (id == -1 && !is_parameter) return Result::kUnassigned;
   if (id < 0)
-    in.fail(place, fmt::format("expected the id of a {}, which is ≥ 0, got {}", kind_of(is_parameter), id));
+    in.fail(place, fmt::format("expected the id of a {} (a number ≥ 0), got {}", kind_of(is_parameter), id));
   const auto found = is_parameter ? graph_.find_parameter(id) : graph_.find_vertex(id);
   if (!found && !all_known_) return Result::kNotYetKnown;
   if (!found && !is_parameter && create_) {

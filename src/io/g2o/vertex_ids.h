@@ -15,11 +15,11 @@ namespace boxplus {
 /// Reads the ids of vertices and parameters that a line refers to.
 class VertexIds {
  public:
-  /// Both must outlive this object.
+  /// `graph` and `unknown` must outlive this object.
   VertexIds(Graph& graph, const UnknownTags& unknown) : graph_(graph), unknown_(unknown) {}
 
-  /// Call it after the last vertex. From then on, ids that the graph does not have are errors or, with
-  /// `create`, edges create vertices with such ids.
+  /// Call this after the last vertex has been read. From then on, an id that is not in the graph is an error.
+  /// But if `create` is true and an edge has such an id, the edge creates a vertex with that id.
   void end_of_vertices(bool create) {
     all_known_ = true;
     create_ = create;
@@ -27,15 +27,15 @@ class VertexIds {
   std::int64_t created() const { return created_; }
 
   enum class Result : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
-  /// Reads the ids of the vertices of an edge. The result says whether all are known, one is -1 (no vertex),
-  /// or one belongs to a vertex that has not been read yet. Throws InputError otherwise. Vertices that the
-  /// edge creates are made after the rest of the line has been checked.
+  /// Reads the ids of the vertices of an edge. The result says whether all vertices are known, one id is -1
+  /// (no vertex), or one id belongs to a vertex that has not been read yet. In all other cases, throws
+  /// InputError. Creates missing vertices only after it has checked the rest of the line.
   Result read_of_edge(const Tag& tag, FieldReader& in);
-  /// Reads ids of vertices to the end of a FIX line. Returns false if a vertex has not been read yet.
+  /// Reads the ids of the vertices in a FIX line. Returns false if a vertex has not been read yet.
   bool read_to_end(FieldReader& in);
 
-  /// If the last two parameters of the last line are the same vertex, and the tag has a type for this case,
-  /// drops one of them and returns the tag of that type. Otherwise returns `tag`.
+  /// If the last two ids of the last line name the same parameter, and `tag` has a variant with one shared
+  /// parameter, drops one of the two and returns the variant. Otherwise returns `tag`.
   const Tag& merge_shared_parameter(const Tag& tag);
   const std::vector<VertexRef>& vertices() const { return vertices_; }
   /// Throws InputError if the last line refers to a vertex twice.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tags of TORO (Grisetti, Stachniss, Burgard, "Nonlinear constraint network optimization for efficient
-// map learning", 2009). They are read, and written as their .g2o counterparts.
+// map learning", 2009). The reader accepts them. The writer uses the corresponding tags of .g2o instead.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-/// Ω is listed as xx xy yy θθ xθ yθ.
+/// The file lists the entries of Ω in the order xx xy yy θθ xθ yθ.
 struct ToroEdge2 : EdgeFields<Between<SE2>> {
   static void to_upper_triangle(std::span<double> v) {
     const std::array upper{v[0], v[1], v[4], v[2], v[5], v[3]};
@@ -20,7 +20,7 @@ struct ToroEdge2 : EdgeFields<Between<SE2>> {
   }
 };
 
-/// x y z roll pitch yaw: the rotation is Rz(yaw) Ry(pitch) Rx(roll).
+/// The file lists a pose as x y z roll pitch yaw. The rotation is Rz(yaw) Ry(pitch) Rx(roll).
 struct ToroPose3 {
   static SE3 read(FieldReader& in) {
     Vector3 t;
@@ -34,8 +34,8 @@ struct ToroPose3 {
   }
 };
 
-/// Ω weights small errors in x y z roll pitch yaw. Our rotation error is the vector part of a quaternion,
-/// which is half as large, so its rows and columns of Ω are doubled.
+/// In TORO, Ω weights small errors in x y z roll pitch yaw. In boxplus, the rotation error is the vector part
+/// of a quaternion, which is half as large, so the rows and columns of Ω for the rotation are doubled.
 struct ToroEdge3 {
   static Between<SE3> read(FieldReader& in) { return Between<SE3>(ToroPose3::read(in)); }
   static void to_upper_triangle(std::span<double> listed) {

@@ -11,25 +11,25 @@
 namespace boxplus {
 namespace {
 
-/// Half of the memory: the rest holds the graph, H and other programs.
+/// Half of the memory, because the graph, H and other programs need the rest.
 std::uint64_t default_limit() {
   const std::uint64_t memory = physical_memory();
   return memory > 0 ? memory / 2 : std::numeric_limits<std::uint64_t>::max();
 }
 
-/// The predicted seconds of a rough solution by pcg. The number of iterations grows with the diameter of the
-/// graph. The cube root of its size approximates the diameter, because factors become too large only for
-/// graphs that are about three-dimensional. Each iteration reads H twice.
+/// The predicted seconds that pcg takes for a rough solution. The number of iterations grows with the
+/// diameter of the graph. The cube root of the number of vertices approximates the diameter, because factors
+/// become too large only for graphs that are roughly three-dimensional. Each iteration reads H twice.
 double pcg_seconds(const BlockStructure& structure) {
   constexpr double kIterations = 15, kSecondsPerByte = 2e-10;
   const double bytes = static_cast<double>(structure.nonzero_values()) * sizeof(double);
   return kIterations * std::cbrt(structure.blocks()) * 2 * bytes * kSecondsPerByte;
 }
 
-/// A factorization may take this many times as long as a rough solution by pcg, because it is exact for any
-/// condition number of H.
+/// A factorization may take this many times as long as a rough solution by pcg, because a factorization is
+/// exact for any condition number of H.
 constexpr double kMaxSlowdown = 4;
-constexpr double kShortSeconds = 1;  // below this predicted time, the factor is always used
+constexpr double kShortSeconds = 1;  // the predicted time that a factorization may take in any case
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses the direct solver if its factor fits into memory and does not take too long, otherwise the iterative
-// one.
+// Uses the direct solver if its factor fits into memory and does not take too long. Otherwise, uses the
+// iterative solver.
 #pragma once
 
 #include "linear/block_cholesky/block_cholesky.h"
@@ -8,15 +8,16 @@
 
 namespace boxplus {
 
-/// analyze() chooses the solver from the predictions for the factor, before it allocates memory for the
-/// factor. From then on, this solver has the name of the chosen one, and the statistics tell the reason.
+/// analyze() predicts the cost of the factor and chooses the solver before it allocates memory for the
+/// factor. From then on, name() returns the name of the chosen solver, and statistics() contains the reason
+/// for the choice.
 class AutomaticSolver final : public LinearSolver {
  public:
-  /// Also reads the options of the block Cholesky.
+  /// Uses the options of the automatic solver and the options of the block Cholesky.
   explicit AutomaticSolver(const LinearSolverOptions& options = {}) : options_(options) {}
 
   std::string_view name() const override { return chosen_->name(); }
-  /// The needs of both solvers.
+  /// The same as the needs of both solvers.
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;

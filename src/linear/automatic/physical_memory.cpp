@@ -19,8 +19,9 @@ std::uint64_t memory_of_machine() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The lowest limit of a control group ("/a/b") and of its parents. There is no limit if the value is "max",
-/// or if the group is not visible, like those outside of a container.
+/// The lowest limit of a control group ("/a/b") and of its parents. A group has no limit if its value is
+/// "max", or if this process cannot see the group. A process in a container cannot see the groups outside of
+/// it.
 std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string group, const char* file) {
   std::uint64_t least = kUnlimited;
   for (;;) {
@@ -31,7 +32,8 @@ std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string gro
   }
 }
 
-/// Lines of /proc/self/cgroup are NUMBER:CONTROLLERS:GROUP. A line without controllers is of version 2.
+/// The lowest limit of all control groups of this process. The lines of /proc/self/cgroup have the form
+/// NUMBER:CONTROLLERS:GROUP. A line without controllers belongs to version 2 of control groups.
 std::uint64_t limit_of_groups(const std::filesystem::path& root) {
   const std::filesystem::path mount = root / "sys/fs/cgroup";
   std::uint64_t least = kUnlimited;

@@ -14,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// A factor in float is used if it would still be faster with this many times the expected steps.
+/// A factor in float is used if it would still be faster with this many times the expected number of steps.
 constexpr double kStepMargin = 1.3;
 
 }  // namespace
@@ -58,9 +58,10 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
 }
 
 bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*stop*/) {
-  constexpr std::uint32_t kMostExtensions = 100;  // then the share of an analysis in each is small
-  constexpr double kMostGrowth = 1.25;            // of the time that a factorization takes per block
-  constexpr double kNegligible = 50e-6;           // seconds
+  // The largest number of extensions after an analysis. They spread the time of the analysis over many calls.
+  constexpr std::uint32_t kMostExtensions = 100;
+  constexpr double kMostGrowth = 1.25;   // the largest growth of a factorization's predicted time per block
+  constexpr double kNegligible = 50e-6;  // the growth of the predicted time, in seconds, that does not matter
   factorized_ = false;
   inverse_.clear();
   if (!structure_ || ++extensions_ > kMostExtensions || !extend_factor(*structure_, growth, symbolic_))
@@ -162,7 +163,8 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
 }
 
 /// Whether it is faster to solve for the requested columns than to compute the inverse on the whole pattern.
-/// Solves do only two operations per value of L that they read, so they run at a fraction of the speed.
+/// A solve performs only two operations for each value of L that it reads, so it reaches only a fraction of
+/// the operations per second of a factorization.
 bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks) const {
   constexpr double kSlowdown = 8, kInverseOverFactor = 3;
   std::vector<std::uint32_t> columns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The default direct solver: a supernodal multifrontal Cholesky on blocks, without another library.
+// The default direct solver: a supernodal multifrontal Cholesky on blocks, which needs no other library.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 
 namespace boxplus {
 
-/// The reasons for a multifrontal method: every front is one dense trapezoid, from 9 scalars (2-D chains) to
-/// 1000 (3-D tori). Only the extend-add has indirect addresses, in runs that analyze() computes. Subtrees are
-/// independent.
+/// The method is multifrontal for three reasons. Every front is one dense trapezoid, which has from 9 rows
+/// (2-D chains) to 1000 rows (3-D tori). Only the extend-add uses indirect addresses, and analyze() computes
+/// them as runs. Subtrees are independent of each other.
 class BlockCholesky final : public LinearSolver {
  public:
   explicit BlockCholesky(const BlockCholeskyOptions& options = {}, const AmalgamationRule& rule = {})
@@ -28,12 +28,12 @@ class BlockCholesky final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
-  /// The predicted time and memory of a factor.
+  /// The predicted memory and time of a factor.
   struct Forecast {
     std::uint64_t bytes = 0;
     double seconds = 0;  // for one factorization on one thread
   };
-  /// Predicts, and analyzes if `accepts` returns true for the prediction.
+  /// Predicts the cost of a factor. Completes the analysis only if `accepts` returns true for the prediction.
   template <class Accepts>
   Forecast analyze_if(Accepts&& accepts, const BlockStructure& structure, const AnalyzeHints& hints,
                       const StopToken& stop) {
@@ -64,14 +64,14 @@ class BlockCholesky final : public LinearSolver {
   AmalgamationRule rule_;
   Ordering ordering_ = Ordering::kMinimumDegree;
   double forecast_seconds_ = 0;
-  double analyzed_seconds_ = 0;  // the forecast of the last analysis, and
+  double analyzed_seconds_ = 0;  // the predicted time at the last analysis
   std::uint32_t analyzed_blocks_ = 0, extensions_ = 0;
   const BlockStructure* structure_ = nullptr;
   SymbolicFactor symbolic_;
   NumericFactor<double> factor_;
-  MixedFactor mixed_;  // used instead of factor_ if it has memory
+  MixedFactor mixed_;  // used instead of factor_ if it is allocated
   InverseOnPattern inverse_;
-  int batch_ = 1;  // number of right-hand sides for which factor_ has room
+  int batch_ = 1;  // the number of right-hand sides for which factor_ has room
   bool factorized_ = false, fell_back_to_double_ = false;
 };
 

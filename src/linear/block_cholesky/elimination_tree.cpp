@@ -49,8 +49,8 @@ std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const S
 std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep) {
   const auto count = static_cast<std::uint32_t>(parent.size());
   const std::uint32_t movable = count - keep;
-  // Lists of children, which ascend because they are filled from the back. `movable` stands for every kept
-  // parent.
+  // The lists of children. They are in ascending order, because they are filled from the back. The index
+  // `movable` stands for all kept nodes together, and for the missing parent of a root.
   std::vector<std::uint32_t> first(movable + 1, kNoParent), sibling(movable, kNoParent);
   for (std::uint32_t j = movable; j-- > 0;) {
     const std::uint32_t p = std::min(parent[j], movable);
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std:
 
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
                            std::span<const std::uint32_t> dims, const StopToken& stop) {
-  PacedStop pace(stop, 8 * PacedStop::kSteps);  // short steps
+  PacedStop pace(stop, 8 * PacedStop::kSteps);  // fewer checks, because the steps are short
   const std::uint32_t columns = pattern.columns();
   ColumnCounts counts{std::vector<std::uint32_t>(columns, 0), std::vector<std::uint32_t>(columns, 0)};
   std::vector<std::uint32_t> mark(columns, kNoParent);

@@ -10,12 +10,13 @@
 
 namespace boxplus {
 
-// All functions except postorder(), which is fast, throw Stopped when their token is raised.
+// All functions here that take a StopToken throw Stopped when the token is raised. postorder() is so fast
+// that it needs no token.
 
 inline constexpr std::uint32_t kNoParent = BlockStructure::kAbsent;
 
-/// Rows of the strictly upper triangle of the permuted matrix, by column, in compressed form.
-/// `order[k]` is the block of the structure that is eliminated k-th.
+/// The rows of the nonzero blocks in the strictly upper triangle of the permuted matrix, by column, in
+/// compressed form. order[k] is the block of the structure that is the k-th to be eliminated.
 struct UpperPattern {
   std::vector<std::uint32_t> column_start, row;
   UpperPattern(const BlockStructure& structure, std::span<const std::uint32_t> order,
@@ -30,8 +31,8 @@ struct UpperPattern {
 /// compression).
 std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const StopToken& stop = {});
 
-/// A sequence of the nodes in which every subtree is contiguous and children precede their parents. The last
-/// `keep` nodes keep their places. Requires parent[j] > j.
+/// A sequence of the nodes in which children precede their parents, and every subtree is contiguous (except
+/// for the kept nodes). The last `keep` nodes keep their places. Requires parent[j] > j.
 std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep);
 
 /// The sizes of the columns of L below the diagonal.
@@ -39,9 +40,9 @@ struct ColumnCounts {
   std::vector<std::uint32_t> blocks, scalars;
 };
 
-/// Counts by visiting the row subtrees (Liu 1990, section 5): O(blocks of L) time, O(columns) memory. The
-/// nearly linear method of Gilbert, Ng and Peyton (1994) would save little, because this counts blocks, not
-/// scalars.
+/// Counts by visiting the row subtrees (Liu 1990, section 5), in O(blocks of L) time and O(columns) memory.
+/// The nearly linear method of Gilbert, Ng and Peyton (1994) would save little, because this function visits
+/// blocks, not scalars.
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
                            std::span<const std::uint32_t> dims, const StopToken& stop = {});
 

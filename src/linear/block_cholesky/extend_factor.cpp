@@ -16,8 +16,8 @@ std::uint32_t size_of(const std::vector<T>& v) {
   return static_cast<std::uint32_t>(v.size());
 }
 
-/// Moves the range [begin, end) of a list to the end of the list, so that it can grow. The old place stays
-/// unused.
+/// Moves the range [begin, end) of a list to the end of the list, so that the range can grow. Its old place
+/// remains unused.
 template <class T>
 void move_to_end(std::vector<T>& list, std::uint32_t& begin, std::uint32_t& end) {
   const std::uint32_t size = end - begin, target = size_of(list);
@@ -77,8 +77,9 @@ class Extension {
     }
   }
 
-  /// Finds the new rows of each front: those of the new blocks of H, and those of its children. New blocks
-  /// come last in the order, so roots may get a parent, but no other old front gets a different one.
+  /// Finds the new rows of each front: the rows of new blocks of H in its columns, and the new rows of its
+  /// children. New blocks come last in the elimination order. So a root may get a parent, but the parents of
+  /// all other old fronts stay the same.
   void find_new_rows() {
     rows_.assign(f_.fronts.size(), 0);
     for (const BlockCoordinate& pair : growth_.added) {
@@ -120,7 +121,8 @@ class Extension {
     change_leading(front);
   }
 
-  /// Adds the operations for `dim` more rows. A column with l entries below the diagonal takes (1 + l)².
+  /// Adds the operations for `dim` more rows. A column with l entries below the diagonal takes (1 + l)²
+  /// operations.
   void add_flops(const Front& front, std::uint32_t dim) {
     for (std::uint32_t i = 1; i <= front.columns; ++i) {
       const double before = front.below + double{0} + i, after = before + dim;
@@ -140,7 +142,7 @@ class Extension {
     }
   }
 
-  /// Sets the children of new fronts: former roots, and other new fronts.
+  /// Sets the children of the new fronts. These are former roots and other new fronts.
   void adopt_roots() {
     for (std::uint32_t parent = old_fronts_; parent < f_.fronts.size(); ++parent) {
       f_.fronts[parent].child_begin = size_of(f_.children);
@@ -158,7 +160,8 @@ class Extension {
     find_runs(f_, child, parent, [&](std::uint32_t row) { return f_.row_in(parent, row); });
   }
 
-  /// Places the blocks of H: the old ones have moved, and the new ones get a place in the panel.
+  /// Updates the sources of the old blocks of H, which have moved, and finds places in the panels for the new
+  /// blocks.
   void place_blocks() {
     for (BlockCopy& copy : f_.copies) {
       copy.block = growth_.new_index[copy.block];
@@ -185,8 +188,8 @@ class Extension {
   SymbolicFactor& f_;
   const std::uint32_t old_, new_, old_fronts_;
   const StopToken never_;
-  std::vector<Rows> rows_;              // new rows of each front
-  std::vector<std::uint32_t> touched_;  // fronts with new rows and new fronts, ascending
+  std::vector<Rows> rows_;              // the new rows of each front
+  std::vector<std::uint32_t> touched_;  // the new fronts and the old fronts with new rows, ascending
 };
 
 }  // namespace

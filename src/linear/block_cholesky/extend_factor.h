@@ -6,15 +6,16 @@
 
 namespace boxplus {
 
-/// Appends the new blocks of the structure to the end of the elimination order. Each becomes a front. Only
-/// the old fronts on the paths from its neighbors to the roots change: their rows now include the new block.
-/// Takes O(old fronts) cheap steps, and the work of an analysis for the fronts on these paths.
+/// Appends the new blocks of the structure to the end of the elimination order. Each new block becomes a
+/// front. Among the old fronts, only those on the paths from its neighbors to the roots change: their rows
+/// now include the new block. Takes O(old fronts) cheap steps and, for the fronts on these paths, the work of
+/// an analysis.
 ///
 /// Returns false and changes nothing if more than 16 blocks are new, or if a new off-diagonal block between
 /// old blocks is not in the pattern of the factor.
 bool extend_factor(const BlockStructure& structure, const StructureGrowth& growth, SymbolicFactor& factor);
 
-/// The predicted time of one factorization on one thread.
+/// The predicted time of one factorization on one thread, in nanoseconds.
 double predicted_nanoseconds(const SymbolicFactor& factor, const AmalgamationRule& rule);
 
 }  // namespace boxplus

@@ -16,7 +16,7 @@ void place_panels(SymbolicFactor& f, PacedStop& pace) {
   for (Front& front : f.fronts) {
     pace.step();
     const std::uint64_t size = std::uint64_t{front.leading} * front.columns;
-    if (size >= kNoParent) throw Error("block Cholesky: a front of more than 2^32 values");
+    if (size >= kNoParent) throw Error("block Cholesky: a front has more than 2^32 values");
     front.panel = f.panel_size;
     f.panel_size += size;
     front.first_row = f.all_rows;
@@ -27,8 +27,8 @@ void place_panels(SymbolicFactor& f, PacedStop& pace) {
   }
 }
 
-/// Finds room above `base` while the updates of the children are alive, then releases those that `plan`
-/// placed.
+/// Finds room for the front's update matrix, above `base`, while the update matrices of its children are
+/// still in use. Then releases the update matrices of the children that `plan` placed.
 void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64_t base) {
   const std::uint64_t below = front.below, origin = f.panel_size + base;
   front.update = origin + plan.reserve(below * below);
@@ -41,7 +41,7 @@ void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64
 
 }  // namespace
 
-/// Each update matrix uses the first free place. Subtrees of different threads share no memory.
+/// Each update matrix gets the first place that is large enough. Different subtrees share no memory.
 void assign_memory(SymbolicFactor& f, PacedStop& pace) {
   place_panels(f, pace);
   f.update_size = 0;
@@ -62,7 +62,7 @@ void assign_memory(SymbolicFactor& f, PacedStop& pace) {
       f.update_size += own.peak();
     }
   }
-  // The updates of the subtrees' roots are never released, because the top fronts have separate memory.
+  // The memory of the subtrees' roots is not released for reuse, because the top fronts have separate memory.
   for (const std::uint32_t s : f.schedule.top) place(s, updates, f.update_size);
   f.update_size += updates.peak();
 }

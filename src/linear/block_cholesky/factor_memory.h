@@ -7,12 +7,13 @@
 
 namespace boxplus {
 
-/// Assigns places to panels and update matrices, and sets the sizes of the factor that depend on them. May be
-/// called again after fronts have changed. O(fronts), plus the search for holes between update matrices.
+/// Assigns places to panels and update matrices, and sets the members of the factor that depend on the sizes
+/// of the fronts. The caller may call this again after fronts have changed. Takes O(fronts) time, plus the
+/// time to search for holes between update matrices.
 void assign_memory(SymbolicFactor& factor, PacedStop& pace);
 
-/// The leading dimension of a panel. Avoids multiples of the page size, because the columns would then
-/// compete for the same cache set.
+/// The leading dimension of a panel with this many rows. Avoids multiples of 64, because the entries of a row
+/// would then compete for the same cache sets.
 std::uint32_t choose_leading(std::uint32_t rows);
 
 }  // namespace boxplus

@@ -6,10 +6,10 @@
 
 namespace boxplus {
 
-/// Appends a run. If the last run (of those from `begin` on) ends at the beginning of this one, on both
-/// sides, extends it instead.
+/// Appends `run` to the list of runs that starts at `begin`. If `run` continues the last run of this list, in
+/// the source and in the destination, extends the last run instead.
 inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
-  constexpr std::uint32_t kLongest = 64;  // so that threads can share them
+  constexpr std::uint32_t kLongest = 64;  // short enough to divide the runs evenly among threads
   if (runs.size() > begin && runs.back().length < kLongest &&
       runs.back().source + runs.back().length == run.source &&
       runs.back().destination + runs.back().length == run.destination) {
@@ -19,8 +19,8 @@ inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const 
   }
 }
 
-/// Lists the destinations of the update matrix of `child` in its parent. local(row) is the first scalar of a
-/// block in the parent's front.
+/// Lists the runs of rows of the child's update matrix, with their destinations in the parent's front.
+/// local(row) is the first scalar of a block in the parent's front.
 template <class Local>
 void find_runs(SymbolicFactor& f, Front& child, const Front& parent, Local&& local) {
   child.run_begin = child.run_split = static_cast<std::uint32_t>(f.runs.size());

@@ -49,7 +49,7 @@ void InverseOnPattern::compute_front(const SymbolicFactor& symbolic, const Front
   dense::subtract_product(z, ld, ratio_transposed_.data(), n, z + columns, ld, n, n, m);
 }
 
-/// Gathers both triangles of Z22, block by block, from the panels of the ancestors.
+/// Copies both triangles of Z22, block by block, from the panels of the front's ancestors.
 void InverseOnPattern::gather_below(const SymbolicFactor& symbolic, const Front& front) {
   const auto rows = symbolic.rows(front);
   const std::uint32_t* offsets = symbolic.row_offsets.data() + front.row_begin;

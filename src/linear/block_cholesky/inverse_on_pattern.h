@@ -9,9 +9,9 @@
 
 namespace boxplus {
 
-/// The entries of Z = (L Lᵀ)⁻¹ at the nonzeros of L, by the recursion of Takahashi, Fagan and Chin (1973)
-/// from the last supernode to the first. With S = L21 L11⁻¹ and the part Z22 of Z on the rows below, which is
-/// known from the ancestors,
+/// The entries of Z = (L Lᵀ)⁻¹ at the nonzeros of L. The recursion of Takahashi, Fagan and Chin (1973)
+/// computes them from the last supernode to the first. Let S = L21 L11⁻¹, and let Z22 be the part of Z for
+/// the rows below the supernode, which the ancestors already know. Then
 ///   Z21 = −Z22 S,   Z11 = L11⁻ᵀ L11⁻¹ − Sᵀ Z21.
 /// Costs about three factorizations and the memory of one L.
 class InverseOnPattern {
@@ -20,7 +20,8 @@ class InverseOnPattern {
   void clear() { computed_ = false; }
   bool computed() const { return computed_; }
 
-  /// Writes block (row, column) of Z, column-major. Row and column are positions in the elimination order.
+  /// Writes block (row, column) of Z to `out`, column-major. Row and column are positions in the elimination
+  /// order.
   /// Returns false if the block is not in the pattern.
   bool read(const SymbolicFactor& symbolic, std::uint32_t row, std::uint32_t column, double* out) const;
 

@@ -9,7 +9,7 @@ std::uint64_t MemoryPlan::reserve(std::uint64_t size) {
   if (size == 0) return 0;
   for (auto hole = holes_.begin(); hole != holes_.end(); ++hole) {
     const std::uint64_t address = hole->address;
-    const bool grows = hole->end() == end_;  // the last hole may be extended
+    const bool grows = hole->end() == end_;  // a hole at the end can be enlarged
     if (hole->size < size && !grows) continue;
     if (hole->size > size) {
       *hole = {address + size, hole->size - size};

@@ -11,10 +11,10 @@ namespace boxplus {
 /// same addresses. Buffers that live at the same time never overlap.
 class MemoryPlan {
  public:
-  /// The address of `size` free values, reserved until release().
+  /// Reserves `size` free values until release(). Returns their address.
   std::uint64_t reserve(std::uint64_t size);
   void release(std::uint64_t address, std::uint64_t size);
-  /// The number of values that the arena must have.
+  /// The number of values that the arena must hold.
   std::uint64_t peak() const { return end_; }
 
  private:
@@ -22,7 +22,9 @@ class MemoryPlan {
     std::uint64_t address, size;
     std::uint64_t end() const { return address + size; }
   };
-  std::vector<Hole> holes_;  // by address, never adjacent; few, so that moving them is cheaper than a tree
+  /// Sorted by address. Two holes are never adjacent. There are so few holes that a vector is faster than a
+  /// tree.
+  std::vector<Hole> holes_;
   std::uint64_t end_ = 0;
 };
 

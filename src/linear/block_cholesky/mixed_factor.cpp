@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// After this many steps of refinement, a factor in double would have been the better choice.
+/// The largest number of refinement steps. If a solution needs more, a factor in double is the better choice.
 constexpr int kMostSteps = 12;
 
 }  // namespace
@@ -57,11 +57,11 @@ SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& c
 }
 
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure) {
-  constexpr double kMinSeconds = 1e-3;  // below this time, float is not considered
-  constexpr double kFloatShare = 0.5;   // of the time that operations and reading the factor take in double
-  constexpr double kSavedOfTheRest = 0.3;
-  constexpr double kSecondsPerByte = 0.8e-10;  // to read the factor, or A
-  constexpr double kSecondsPerScalar = 5e-9;   // for the vectors of conjugate gradients
+  constexpr double kMinSeconds = 1e-3;  // the shortest time of a factorization for which float is considered
+  constexpr double kFloatShare = 0.5;   // the time of an operation or of reading a value, relative to double
+  constexpr double kSavedOfTheRest = 0.3;      // the share that float saves of the rest of the time
+  constexpr double kSecondsPerByte = 0.8e-10;  // the time to read a byte of the factor or of A
+  constexpr double kSecondsPerScalar = 5e-9;   // the time for the vectors of conjugate gradients, per step
   if (seconds < kMinSeconds) return 0;
   const double operations = flops * dense::kernels().nanoseconds_per_flop * 1e-9;
   const double saved = (1 - kFloatShare) * operations + kSavedOfTheRest * (seconds - operations);

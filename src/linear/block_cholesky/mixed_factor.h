@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A factor in float, whose solutions are refined to the accuracy of double.
+// A factor in float. Its solutions are refined to the accuracy of double.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,17 @@
 
 namespace boxplus {
 
-/// The factor is the preconditioner of conjugate gradients in double. If it has any correct digits, each step
-/// adds several digits to the solution. A bad direction costs one step; plain refinement would diverge
-/// (Higham, Accuracy and Stability of Numerical Algorithms, ch. 12; Carson and Higham 2018).
+/// The factor is the preconditioner of conjugate gradients in double. If the factor has any correct digits,
+/// each step adds several digits to the solution. A direction in which the factor is wrong costs only one
+/// step, but would make plain iterative refinement diverge (Higham, Accuracy and Stability of Numerical
+/// Algorithms, ch. 12; Carson and Higham 2018).
 class MixedFactor {
  public:
   /// `steps_that_pay` is the result of steps_that_pay(), or infinite if time does not matter.
   void allocate(const SymbolicFactor& symbolic, const BlockStructure& structure, double steps_that_pay);
-  /// Adapts to a factor and a structure that have grown, in the same objects.
+  /// Call this after `symbolic` and the structure have grown. They must still be the same objects.
   void extend(const SymbolicFactor& symbolic) { allocate(symbolic, *structure_, steps_that_pay_); }
-  /// Frees the memory of the factor. The values that were factorized last remain known.
+  /// Frees the memory of the factor. values() and damping() keep their results.
   void release();
   bool allocated() const { return factor_.allocated(); }
   /// Whether all solutions so far took few enough steps to be faster than a factor in double.
@@ -45,15 +46,15 @@ class MixedFactor {
   ConjugateGradients refinement_;
   std::vector<double> damping_, solution_;
   double steps_that_pay_ = 0;
-  int most_steps_ = 0;  // of one solution
+  int most_steps_ = 0;  // the largest number of steps of one solution so far
 };
 
-/// The steps that a solution usually takes for matrices of pose graphs.
+/// The number of steps that a solution usually takes for matrices of pose graphs.
 inline constexpr double kUsualSteps = 3;
 
-/// The break-even number of refinement steps: with so many, one factorization and one solution in float are
-/// predicted to take as long as in double. `seconds` and `flops` are those of the factor in double; `numbers`
-/// is the number of values in its panels.
+/// The break-even number of refinement steps: with this many steps, one factorization and one solution are
+/// predicted to take as long in float as in double. `seconds` and `flops` describe the factorization in
+/// double. `numbers` is the number of values in the panels.
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure);
 
 }  // namespace boxplus

@@ -36,7 +36,7 @@ void copy_block(const BlockCopy& copy, const double* from, Scalar* to, std::uint
   }
 }
 
-/// Copies A + λD to the panel, and sets the limits of its pivots.
+/// Copies A + λD to the panel, and sets the lower limits of its pivots.
 template <class Scalar>
 void load_panel(const SymbolicFactor& symbolic, const BlockStructure& structure, const Front& front,
                 const double* values, const Damping& damping, Scalar* panel, Scalar* minimum_pivot) {
@@ -127,8 +127,8 @@ FrontsResult factor_in_order(const Context<Scalar>& context, Suspects& suspects)
   return {};
 }
 
-/// Factorizes subtrees in parallel, then the other fronts with several threads each. A lost pivot need not be
-/// the first one.
+/// Factorizes the subtrees in parallel, and then each of the other fronts with all threads. If pivots are
+/// lost, the one that ends the factorization is not necessarily the first one.
 template <class Scalar>
 LinearStatus factor_in_parallel(const Context<Scalar>& context, NumericFactor<Scalar>& factor) {
   const auto& [threads, top] = context.symbolic.schedule;
@@ -199,7 +199,7 @@ FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructu
   if (symbolic.schedule.is_parallel()) {
     const LinearStatus status = factor_in_parallel(context, factor);
     if (status != LinearStatus::kNotPositiveDefinite) return {status, 0};
-    factor.suspects.clear();  // factorize again in order, to name the first lost pivot
+    factor.suspects.clear();  // factorizes again in order, to find the first lost pivot
   }
   return factor_in_order(context, factor.suspects);
 }

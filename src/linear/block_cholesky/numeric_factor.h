@@ -18,7 +18,7 @@ namespace boxplus {
 class Suspects {
  public:
   struct Suspect {
-    std::uint32_t scalar;  // permuted
+    std::uint32_t scalar;  // in the elimination order
     double ratio;
   };
   void clear() { count_ = 0; }
@@ -33,22 +33,23 @@ class Suspects {
   std::size_t count_ = 0;
 };
 
-/// The values of a factor, with room for right-hand sides. Scalar = double or float.
+/// The values of a factor, with room for right-hand sides. Scalar is double or float.
 template <class Scalar>
 class NumericFactor {
  public:
-  /// May be called again for a factor that has grown. If the memory is too small, allocates new memory with
-  /// some reserve.
+  /// The caller may call this again after the factor has grown. If the memory is then too small, allocates
+  /// new memory with some reserve.
   void allocate(const SymbolicFactor& symbolic, std::uint32_t scalars, int right_hand_sides);
   void release() { *this = NumericFactor(); }
   bool allocated() const { return memory_ != nullptr; }
-  /// The panels, then the update matrices.
+  /// The panels, followed by the update matrices.
   Scalar* arena() const { return memory_.get(); }
-  /// kLostPivotOf<Scalar> · diagonal of A + λD, by permuted scalar.
+  /// kLostPivotOf<Scalar> times the diagonal of A + λD, in the elimination order.
   Scalar* minimum_pivot() const { return minimum_pivot_; }
-  /// The right-hand sides; the values of one scalar are contiguous.
+  /// The right-hand sides. For each scalar, the values of all right-hand sides are contiguous.
   Scalar* x() const { return x_; }
-  /// Scratch for as many columns of the largest front, or for one column of the rows of all fronts.
+  /// Scratch memory for either one column of the largest front per right-hand side, or one column of all
+  /// fronts.
   Scalar* work() const { return work_; }
 
   Suspects suspects;
@@ -63,7 +64,7 @@ class NumericFactor {
 
 struct FrontsResult {
   LinearStatus status = LinearStatus::kOk;  // or kNotPositiveDefinite, or kStopped
-  std::uint32_t lost_pivot = 0;             // if not positive definite: the first one, as a permuted scalar
+  std::uint32_t lost_pivot = 0;  // the first lost pivot in the elimination order, if not positive definite
 };
 
 /// Factorizes A + λD into the panels. Reads only the lower triangle of `values`. Checks `stop` before every
@@ -73,8 +74,8 @@ FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructu
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor);
 
-/// Applies the test of kLostPivot to the suspects of a factorization. Returns the first lost pivot, as a
-/// permuted scalar, or the number of scalars.
+/// Applies the test of kLostPivot to the suspects of a factorization. Returns the first lost pivot in the
+/// elimination order, or the number of scalars if no pivot is lost.
 template <class Scalar>
 std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               NumericFactor<Scalar>& factor);

@@ -15,15 +15,17 @@ namespace {
 
 constexpr double kMinParallelFlops = 1e6;
 constexpr double kMinParallelAdditions = 1e5;
-constexpr double kBetweenStops = 1e9;  // flops between two checks of the stop token
+constexpr double kBetweenStops = 1e9;  // the number of flops between two checks of the stop token
 
-/// The first column of part `part` of `parts`, such that all parts have the same area of the lower trapezoid.
+/// The first column of part number `part`, if the lower trapezoid is divided into `parts` parts of equal
+/// area.
 int part_begin(int rows, int columns, int part, int parts) {
   const double r = rows, c = columns, area = (r * c - c * c / 2) * part / parts;
   return std::min(columns, static_cast<int>(r - std::sqrt(std::max(0.0, r * r - 2 * area))));
 }
 
-/// dense::factor_panel() for few columns: factorizes the square on top, then the rows below it in parallel.
+/// dense::factor_panel() for few columns. Factorizes the square at the top, and then divides the rows below
+/// it in parallel.
 template <class Scalar>
 int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
                         const Scalar* minimum_pivot) {
@@ -71,7 +73,7 @@ void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task) {
   const double below = task.below;
   if (threads == 1 || below * below < kMinParallelAdditions)
     return dense::factor_kernels<Scalar>().extend_add(task);
-  // The number of values in the lower triangle to the left of a column.
+  // The number of values in the lower triangle that are to the left of a column.
   const auto area = [&](double column) { return column * (below - column / 2); };
   const double first = area(task.columns->source);
   const dense::Run& back = task.columns_end[-1];

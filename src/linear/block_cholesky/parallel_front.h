@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense work of one large front on several threads, with the same bits as on one thread. For Scalar =
-// double and float.
+// The dense work of one large front on several threads. The results have the same bits as on one thread.
+// Scalar is double or float.
 #pragma once
 
 #include "boxplus/base/stop_token.h"
@@ -10,17 +10,17 @@ namespace boxplus {
 
 inline constexpr int kPanelStopped = -1;
 
-/// dense::factor_panel(), or kPanelStopped if it was stopped.
+/// dense::factor_panel() with several threads. Returns kPanelStopped if the stop token was raised.
 template <class Scalar>
 int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
                       const Scalar* minimum_pivot);
 
-/// dense::set_to_minus_square() for all columns. Returns false if it was stopped.
+/// dense::set_to_minus_square() for all columns. Returns false if the stop token was raised.
 template <class Scalar>
 bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k);
 
-/// The extend-add, with columns divided between threads.
+/// The extend-add, with its columns divided among threads.
 template <class Scalar>
 void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A textbook block Cholesky, the reference for tests of the supernodal one.
+// A textbook block Cholesky. Tests compare the supernodal block Cholesky with it.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace boxplus {
 
-/// Right-looking, one block column after the other in the order of the structure, with blocks in a map. No
-/// fill-reducing order and no supernodes.
+/// A right-looking Cholesky that factorizes one block column after the other, in the order of the structure,
+/// and stores the blocks in a map. It has neither a fill-reducing order nor supernodes.
 class ReferenceCholesky {
  public:
   ReferenceCholesky(const BlockStructure& structure, std::span<const double> values, const Damping& damping);

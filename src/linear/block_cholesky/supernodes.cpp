@@ -12,7 +12,7 @@ namespace {
 /// A growing supernode. `merged_into` is the node itself until it is merged.
 struct Node {
   std::uint32_t first_column, last_column, parent = kNoParent, merged_into;
-  double columns, below;  // scalars
+  double columns, below;  // in scalars
   double zeros = 0;
   bool kept;
 };
@@ -69,7 +69,8 @@ void merge(Node& child, Node& parent, std::uint32_t parent_index) {
   child.merged_into = parent_index;
 }
 
-/// The indices 0, 1, … by group, ascending in each group. Indices of group kNoParent are left out.
+/// The indices 0, 1, … sorted into groups, ascending in each group. Leaves out the indices whose group is
+/// kNoParent.
 class Groups {
  public:
   Groups(std::span<const std::uint32_t> group_of, std::size_t groups) : start_(groups + 1, 0) {
@@ -91,8 +92,8 @@ class Groups {
   std::vector<std::uint32_t> start_, members_;
 };
 
-/// Merges children before their parents, and the cheapest child first. The children of a merged child stay
-/// separate.
+/// Merges nodes with their children if that pays. Visits nodes before their parents. Among the children of a
+/// node, tries the one that adds the fewest zeros first. Children of a merged child are not tried again.
 void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedStop& pace) {
   std::vector<std::uint32_t> parents;
   parents.reserve(nodes.size());
@@ -111,8 +112,8 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedSto
   }
 }
 
-/// The number of values in all panels, plus the most in update matrices at a time. `sequence` is a postorder
-/// of `tops`.
+/// The number of values in all panels, plus the largest number of values that update matrices hold at the
+/// same time. `sequence` is a postorder of `tops`.
 double count_numbers(const std::vector<Node>& nodes, std::span<const std::uint32_t> tops,
                      std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence,
                      PacedStop& pace) {

@@ -28,8 +28,8 @@ std::vector<std::uint32_t> composed(const std::vector<std::uint32_t>& order,
   return result;
 }
 
-/// The tree whose node k was node sequence[k]. If children come before their parents in the sequence, this is
-/// the elimination tree of the reordered matrix (Liu 1990).
+/// The tree with new numbers: its node k is node sequence[k] of `tree`. If children come before their parents
+/// in the sequence, the result is the elimination tree of the reordered matrix (Liu 1990).
 std::vector<std::uint32_t> renumbered(const std::vector<std::uint32_t>& tree,
                                       const std::vector<std::uint32_t>& sequence) {
   std::vector<std::uint32_t> number(tree.size()), parent(tree.size(), kNoParent);
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> dims_in(const BlockStructure& structure, const std::v
   return dims;
 }
 
-/// (1 + l)² operations for each scalar column with l entries below the diagonal.
+/// Counts (1 + l)² operations for each scalar column with l entries below the diagonal.
 double count_flops(const ColumnCounts& counts, const std::vector<std::uint32_t>& dims) {
   double flops = 0;
   for (std::size_t j = 0; j < dims.size(); ++j) {
@@ -120,7 +120,7 @@ class Builder {
     }
   }
 
-  /// Lists the blocks of A by the position of their column in the permuted lower triangle.
+  /// Sorts the blocks of A by the position of their column in the lower triangle of the permuted matrix.
   void list_entries_by_column() {
     entry_start_.assign(structure_.blocks() + 1, 0);
     const auto for_each = [&](auto visit) {
@@ -139,8 +139,8 @@ class Builder {
     for_each([&](std::uint32_t column, const Entry& entry) { entries_[next[column]++] = entry; });
   }
 
-  /// Finds the rows below the front's columns: the union of the rows of A's columns and of the children's
-  /// rows.
+  /// Finds the rows below the front's columns. They are the union of the rows of A in these columns and the
+  /// rows of the front's children.
   void find_rows(Front& front, std::uint32_t s) {
     front.row_begin = size_of(f_.row_blocks);
     const auto add = [&](std::uint32_t row) {
@@ -195,7 +195,7 @@ class Builder {
   const BlockStructure& structure_;
   SymbolicFactor& f_;
   PacedStop pace_;
-  std::vector<std::uint32_t> local_;  // position → scalar offset in the current front
+  std::vector<std::uint32_t> local_;  // the scalar offset in the current front, by position
   std::vector<std::uint32_t> mark_;
   std::vector<std::uint32_t> entry_start_;
   std::vector<Entry> entries_;
@@ -235,8 +235,8 @@ void check_order(std::span<const std::uint32_t> order, std::uint32_t blocks) {
                           " blocks");
 }
 
-/// Whether nested dissection is predicted to save more time than it takes. If it is better, it saves a fifth
-/// to a third of the operations. Times are in nanoseconds.
+/// Whether nested dissection is predicted to save more time than it takes. If it is better than minimum
+/// degree, it typically saves a fifth to a third of the operations. Times are in nanoseconds.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
   constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500;
   const double blocks = structure.blocks(), entries = static_cast<double>(structure.row.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The symbolic factorization of the block Cholesky: everything that depends on the structure only.
+// The symbolic factorization of the block Cholesky: everything that depends only on the structure.
 #pragma once
 
 #include <cstdint>
@@ -19,50 +19,50 @@ using ScalarRun = dense::Run;
 
 /// The place of one block of A in the panel of its supernode, as an offset from the start of the panel.
 struct BlockCopy {
-  std::uint32_t source, destination, block;  // `block` is its index k in the structure
+  std::uint32_t source, destination, block;  // `block` is the index of the block in the structure
   std::uint32_t rows, columns;               // as stored in A
   bool transposed;
 };
 
-/// One supernode. Its panel is the lower trapezoid [L11; L21] of (columns + below) × columns values,
-/// column-major with the given leading dimension. Its update matrix is below × below; only the lower triangle
-/// is used.
+/// One supernode. Its panel is the lower trapezoid [L11; L21] of (columns + below) × columns values. The
+/// panel is column-major, with the leading dimension `leading`. The update matrix has below × below values,
+/// but only its lower triangle is used.
 struct Front {
   std::uint32_t first_block, end_block;  // positions in the elimination order
-  std::uint32_t columns, below;          // scalars
+  std::uint32_t columns, below;          // in scalars
   std::uint32_t leading;
   std::uint32_t parent = kNoParent;
   std::uint64_t panel = 0, update = 0;         // addresses in the arena
-  std::uint32_t row_begin = 0, row_end = 0;    // into row_blocks: the blocks below, by position
-  std::uint32_t copy_begin = 0, copy_end = 0;  // into copies
+  std::uint32_t row_begin = 0, row_end = 0;    // range in row_blocks: the blocks below, by position
+  std::uint32_t copy_begin = 0, copy_end = 0;  // range in copies
   std::uint32_t child_begin = 0, child_end = 0;
-  std::uint32_t run_begin = 0, run_split = 0,
-                run_end = 0;  // into runs: update rows → scalars of the parent's front;
-                              // those before run_split are pivots of the parent
-  std::uint32_t row_run_begin = 0, row_run_end = 0;  // into row_runs: update rows → permuted scalars
-  std::uint64_t first_row = 0;                       // among the rows of all fronts
+  /// Range in runs, which map the rows of the update matrix to scalars of the parent's front. Destinations of
+  /// the runs before run_split are pivots of the parent.
+  std::uint32_t run_begin = 0, run_split = 0, run_end = 0;
+  std::uint32_t row_run_begin = 0, row_run_end = 0;  // range in row_runs: update rows → permuted scalars
+  std::uint64_t first_row = 0;                       // index of the first row among the rows of all fronts
   std::uint32_t rows() const { return columns + below; }
 };
 
 /// The symbolic factorization.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order, position;  // position → block of the structure, and back
-  std::vector<std::uint32_t> offset;           // first permuted scalar of each position; one more at the end
-  std::vector<std::uint32_t> front_of;         // position → supernode
+  std::vector<std::uint32_t> offset;    // first permuted scalar of each position, and their total number
+  std::vector<std::uint32_t> front_of;  // position → supernode
   std::vector<Front> fronts;
   TreeSchedule schedule;
   std::vector<std::uint32_t> row_blocks, children;
-  std::vector<std::uint32_t> row_offsets;  // of each of row_blocks: its first row in the front
+  std::vector<std::uint32_t> row_offsets;  // the first row in the front, for each element of row_blocks
   std::vector<BlockCopy> copies;
   std::vector<ScalarRun> runs, row_runs;
-  std::uint64_t panel_size = 0, update_size = 0;  // values in the arena
-  std::uint64_t all_rows = 0;                     // of all fronts
+  std::uint64_t panel_size = 0, update_size = 0;  // the numbers of values in the arena
+  std::uint64_t all_rows = 0;                     // the sum of the rows of all fronts
   std::uint32_t largest_front = 0, most_columns = 0, most_below = 0;
-  double flops = 0;  // of the factor without added zeros
+  double flops = 0;  // the operations of a factorization without added zeros
 
   std::uint32_t dim(std::uint32_t at) const { return offset[at + 1] - offset[at]; }
-  /// The first row of the block at a position ≥ front.first_block, or kNoParent if the front does not have
-  /// the block. O(log blocks of the front).
+  /// The first row, in the front, of the block at position `at` ≥ front.first_block, or kNoParent if the
+  /// front does not have this block. Takes O(log(blocks of the front)).
   std::uint32_t row_in(const Front& front, std::uint32_t at) const;
 
   std::span<const std::uint32_t> rows(const Front& f) const {
@@ -89,10 +89,10 @@ struct SymbolicFactor {
 
 /// The part of the analysis that needs little memory, even if the factor needs much.
 struct FactorOutline {
-  std::vector<std::uint32_t> order;  // before the partition into supernodes, which permutes it once more
+  std::vector<std::uint32_t> order;  // the order before `partition`, which permutes it once more
   SupernodePartition partition;
   double flops = 0;
-  Ordering ordering = Ordering::kMinimumDegree;  // the one that was chosen
+  Ordering ordering = Ordering::kMinimumDegree;  // the method that was chosen
 };
 
 /// Orders the blocks, unless `order` is given, and forms the supernodes. Throws InvalidArgument if `order` is
@@ -105,7 +105,7 @@ FactorOutline outline_factor(const BlockStructure& structure, std::span<const st
 SymbolicFactor complete_factor(const BlockStructure& structure, const FactorOutline& outline,
                                const AmalgamationRule& rule = {}, int threads = 1,
                                const StopToken& stop = {});
-/// outline_factor() and complete_factor().
+/// Calls outline_factor() and complete_factor().
 SymbolicFactor analyze_structure(const BlockStructure& structure, std::span<const std::uint32_t> last,
                                  const AmalgamationRule& rule = {}, int threads = 1,
                                  Ordering ordering = Ordering::kMinimumDegree);

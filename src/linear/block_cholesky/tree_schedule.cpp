@@ -13,16 +13,16 @@ namespace {
 
 using Subtree = TreeSchedule::Subtree;
 
-constexpr double kMinSavedNanoseconds = 200e3;  // a worker may take as long to wake
-constexpr double kSubtreesPerThread = 8;        // more subtrees do not help
-constexpr double kSerialShare = 0.2;            // of a front that several threads factorize
-constexpr double kJoin = 20e3;                  // ns that threads lose by waiting for each other
+constexpr double kMinSavedNanoseconds = 200e3;  // the time that a worker may take to wake up
+constexpr double kSubtreesPerThread = 8;        // the number beyond which more subtrees do not help
+constexpr double kSerialShare = 0.2;            // the serial share of a front that several threads factorize
+constexpr double kJoin = 20e3;  // the ns per front that threads lose by waiting for each other
 
-/// The fronts in two parts: subtrees, the longest first, and those above them.
+/// The fronts in two parts: subtrees, with the longest predicted time first, and the fronts above them.
 struct Parts {
   std::vector<Subtree> subtrees;
   std::vector<std::uint32_t> top;
-  double top_time = 0;  // with all threads on each front
+  double top_time = 0;  // the predicted time of the fronts in `top`, if all threads work on each front
 };
 
 bool is_longer(const Subtree& a, const Subtree& b) {
@@ -34,14 +34,14 @@ double time_together(double time_alone, int threads) {
   return std::min(time_alone, shared);
 }
 
-/// A forest of fronts that is split from the top.
+/// A forest of fronts, and its division into parts. Each split moves the root of a subtree to the top part.
 class Forest {
  public:
   Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int threads);
 
   double total() const { return total_; }
   const Parts& parts() const { return parts_; }
-  /// Removes the root of the largest subtree. Returns false if no subtree is larger than `limit`.
+  /// Removes the root of the longest subtree. Returns false if no subtree takes longer than `limit`.
   bool split(double limit);
 
  private:
@@ -87,8 +87,8 @@ Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int 
   std::sort(parts_.subtrees.begin(), parts_.subtrees.end(), is_longer);
 }
 
-/// Replaces the subtree of the root by those of its children. A subtree that is not contiguous, which is
-/// possible above kept blocks, is split as well, because a thread needs a contiguous range.
+/// Replaces the subtree of the root by the subtrees of its children. Also splits a subtree that is not
+/// contiguous, because a thread needs a contiguous range. Subtrees with kept blocks may not be contiguous.
 void Forest::take(std::uint32_t root) {
   std::vector<std::uint32_t> waiting{root};
   while (!waiting.empty()) {
@@ -119,8 +119,8 @@ bool Forest::split(double limit) {
   return true;
 }
 
-/// Assigns the subtrees, the longest first, each to the thread with the least work. Returns the time of the
-/// busiest thread.
+/// Assigns each subtree, with the longest one first, to the thread that has the least work so far. Returns
+/// the time of the busiest thread.
 double share_out(const std::vector<Subtree>& subtrees, int threads,
                  std::vector<std::vector<Subtree>>* shares = nullptr) {
   using Load = std::pair<double, std::size_t>;
@@ -142,7 +142,7 @@ double predicted_time(const Parts& parts, int threads) {
   return share_out(parts.subtrees, threads) + parts.top_time;
 }
 
-/// Splits subtrees as long as this lowers the total time.
+/// Splits subtrees until all of them are short. Returns the parts with the shortest predicted time.
 Parts best_parts(Forest& forest, int threads) {
   const double limit = forest.total() / (kSubtreesPerThread * threads);
   Parts best = forest.parts();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 
 #include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
@@ -16,7 +17,8 @@ namespace {
 /// The number of values of the factor between two checks of the token, for several right-hand sides.
 constexpr std::int64_t kNumbersOfSeveral = 1 << 13;
 
-/// For several right-hand sides: the rows of x below the front's columns, one after the other.
+/// For several right-hand sides, copies the rows of x below the front's columns to `work`, one after the
+/// other.
 template <class Scalar>
 void gather(const SymbolicFactor& symbolic, const Front& front, std::size_t columns, const Scalar* x,
             Scalar* work) {
@@ -37,7 +39,7 @@ template <class Scalar>
 struct FrontView {
   const Scalar* panel;
   int columns, below, leading;
-  Scalar* pivots;  // of x
+  Scalar* pivots;  // the part of x that belongs to the front's columns
 
   FrontView(const SymbolicFactor& symbolic, const Front& front, const Scalar* panels, std::size_t stride,
             Scalar* x)
@@ -49,7 +51,8 @@ struct FrontView {
 };
 
 /// Solves for one right-hand side. Each front has separate contiguous memory for its rows. In the forward
-/// pass, its children write their contributions there, always in the same order, on any thread.
+/// pass, the contributions of its children are added there, always in the same order, so the result does not
+/// depend on the number of threads.
 template <class Scalar>
 class Substitution {
  public:
@@ -84,21 +87,20 @@ class Substitution {
     kernels_.scatter_runs(&pivots, 1, rows, x_);
   }
 
-  /// Returns false if it was stopped.
+  /// Returns false if the stop token was raised.
   bool forward_all() {
-    const auto step = [this](std::uint32_t s) { forward(symbolic_.fronts[s]); };
-    if (!in_parallel()) return ascend(0, static_cast<std::uint32_t>(symbolic_.fronts.size()), step);
-    for_each_share(
-        [&](const TreeSchedule::Subtree& subtree) { return ascend(subtree.begin, subtree.end, step); });
+    if (!in_parallel()) return ascend(0, static_cast<std::uint32_t>(symbolic_.fronts.size()));
+    for_each_share([&](const TreeSchedule::Subtree& subtree) { return ascend(subtree.begin, subtree.end); });
     const auto& top = symbolic_.schedule.top;
     return !stopped_ &&
-           ascend(0, static_cast<std::uint32_t>(top.size()), [&](std::uint32_t k) { step(top[k]); });
+           ascend(0, static_cast<std::uint32_t>(top.size()), [&](std::uint32_t k) { return top[k]; });
   }
 
   bool backward_all() {
     if (!in_parallel()) return backward_from(static_cast<std::uint32_t>(symbolic_.fronts.size()) - 1);
     const auto& top = symbolic_.schedule.top;
-    std::for_each(top.rbegin(), top.rend(), [&](std::uint32_t s) { backward(symbolic_.fronts[s]); });
+    if (!descend(0, static_cast<std::uint32_t>(top.size()), [&](std::uint32_t k) { return top[k]; }))
+      return false;
     for_each_share([&](const TreeSchedule::Subtree& subtree) { return descend(subtree.begin, subtree.end); });
     return !stopped_;
   }
@@ -107,24 +109,30 @@ class Substitution {
 
  private:
   bool in_parallel() const {
-    constexpr std::uint64_t kMinParallelValues = 200'000;  // of the factor, about 50 µs
+    constexpr std::uint64_t kMinParallelValues = 200'000;  // values of the factor, read in about 50 µs
     return symbolic_.schedule.is_parallel() && symbolic_.panel_size >= kMinParallelValues;
   }
 
-  static constexpr std::int64_t kNumbers = 1 << 15;  // values of the factor between two checks
+  static constexpr std::int64_t kNumbers = 1 << 15;  // the number of values of the factor between two checks
 
-  template <class F>
-  bool ascend(std::uint32_t begin, std::uint32_t end, F&& step) const {
+  /// Substitutes forward in the fronts front_of(begin), …, front_of(end − 1). Returns false if the token was
+  /// raised.
+  template <class F = std::identity>
+  bool ascend(std::uint32_t begin, std::uint32_t end, F&& front_of = {}) const {
     PacedStop pace(stop_, kNumbers);
     for (std::uint32_t k = begin; k < end; ++k) {
-      if (pace.is_raised_after(numbers_of(k))) return false;
-      step(k);
+      const std::uint32_t s = front_of(k);
+      if (pace.is_raised_after(numbers_of(s))) return false;
+      forward(symbolic_.fronts[s]);
     }
     return true;
   }
-  bool descend(std::uint32_t begin, std::uint32_t end) const {
+  /// Substitutes backward in the same fronts, the last one first.
+  template <class F = std::identity>
+  bool descend(std::uint32_t begin, std::uint32_t end, F&& front_of = {}) const {
     PacedStop pace(stop_, kNumbers);
-    for (std::uint32_t s = end; s-- > begin;) {
+    for (std::uint32_t k = end; k-- > begin;) {
+      const std::uint32_t s = front_of(k);
       if (pace.is_raised_after(numbers_of(s))) return false;
       backward(symbolic_.fronts[s]);
     }
@@ -135,7 +143,7 @@ class Substitution {
     return std::int64_t{front.leading} * front.columns;
   }
 
-  /// Processes the subtrees of all threads in parallel, until `work_on` returns false.
+  /// Lets each thread process its subtrees, until `work_on` returns false.
   template <class F>
   void for_each_share(F&& work_on) {
     const auto& shares = symbolic_.schedule.threads;

@@ -55,7 +55,7 @@ void DenseSolver::load(const BlockSystem& system, const Damping& damping) {
   }
 }
 
-/// The test described at kLostPivot.
+/// Applies the test that is described at kLostPivot.
 bool DenseSolver::pivot_is_lost(std::uint32_t scalar) {
   const std::size_t size = structure_->scalars();
   const double root = matrix_[scalar * (size + 1)], pivot = root * root;

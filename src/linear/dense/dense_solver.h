@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cholesky of the whole matrix as one dense square: for small or full systems.
+// A Cholesky factorization of the whole matrix as one dense square, for small or dense systems.
 #pragma once
 
 #include <vector>

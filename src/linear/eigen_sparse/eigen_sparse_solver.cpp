@@ -54,8 +54,9 @@ void EigenSparseSolver::load(const BlockSystem& system, const Damping& damping) 
   }
 }
 
-/// Applies the test of kLostPivot to every suspicious pivot. Returns the (unpermuted) scalar of the first
-/// lost one, or the number of scalars.
+/// Applies the test of kLostPivot, but its expensive part only to the first 8 suspicious pivots. Returns the
+/// scalar of the first lost pivot in the numbering of the structure, or the number of scalars if none is
+/// lost.
 std::uint32_t EigenSparseSolver::find_lost_pivot() {
   const auto& lower = factor_.matrixL().nestedExpression();
   const auto& to_unpermuted = factor_.permutationPinv().indices();
@@ -129,7 +130,7 @@ SolveResult EigenSparseSolver::solve(const double* b, int columns, double* x, co
 bool EigenSparseSolver::selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                                          const StopToken& stop) {
   if (!factorized_)
-    throw InvalidArgument("EigenSparseSolver::selected_inverse: expected an earlier factorize()");
+    throw InvalidArgument("EigenSparseSolver::selected_inverse: expected an earlier successful factorize()");
   std::vector<InverseRequest> requests = list_requests(*structure_, blocks, out);
   return solve_for_inverse(*this, *structure_, requests, stop);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eigen's simplicial Cholesky as a LinearSolver, to check the other solvers and as a baseline for benchmarks.
+// Eigen's simplicial Cholesky as a LinearSolver. Tests compare the other solvers with it, and benchmarks use
+// it as a baseline.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -12,9 +13,9 @@ namespace boxplus {
 /// Deviates from the contract of LinearSolver: Eigen's factorize() and solve() allocate temporaries on every
 /// call.
 ///
-/// Eigen reports that a pivot was ≤ 0, but not which one. To name the block, the matrix is factorized once
-/// more by BlockCholesky. Its elimination order differs, so it may name another one of several bad blocks.
-/// Pivots that lost their digits without becoming ≤ 0 are found and named in Eigen's order (see kLostPivot).
+/// Eigen reports that a pivot was ≤ 0, but not which one. To find its block, BlockCholesky factorizes the
+/// matrix again. Its elimination order differs from Eigen's, so if several blocks are bad, it may name a
+/// different one. A pivot that lost its digits but is still > 0 is found in Eigen's order (see kLostPivot).
 class EigenSparseSolver final : public LinearSolver {
  public:
   std::string_view name() const override { return "eigen_sparse"; }
@@ -37,7 +38,7 @@ class EigenSparseSolver final : public LinearSolver {
                                const SolveControl& control) const;
 
   const BlockStructure* structure_ = nullptr;
-  Sparse matrix_;  // lower triangle
+  Sparse matrix_;  // the lower triangle of A + λD
   Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor_;
   Eigen::VectorXd diagonal_, direction_, solution_;
   bool factorized_ = false;

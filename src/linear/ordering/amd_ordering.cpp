@@ -12,15 +12,15 @@
 namespace boxplus {
 namespace {
 
-/// An upper estimate of the time of AMD (CAMD takes twice as long), measured on pose graphs of 2 and 3
-/// dimensions with up to 300,000 blocks.
+/// An upper estimate of the time that AMD takes. CAMD takes twice as long. The constants were measured on
+/// pose graphs in 2 and 3 dimensions with up to 300,000 blocks.
 double predicted_seconds(std::size_t blocks, std::size_t entries) {
   constexpr double kPerBlock = 300e-9, kPerEntry = 250e-9;
   return kPerBlock * static_cast<double>(blocks) + kPerEntry * static_cast<double>(entries);
 }
 
-/// Throws Stopped if there is not enough time left. Small structures are always ordered, because this takes
-/// no longer than the work between two checks of a token.
+/// Throws Stopped if there is not enough time left. Never throws for small structures, because ordering them
+/// takes no longer than the work between two checks of a token.
 void check_room(const StopToken& stop, double seconds) {
   constexpr double kBetweenQuestions = 100e-6;
   if (seconds > kBetweenQuestions) stop.check_room_for(seconds);

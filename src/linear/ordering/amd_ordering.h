@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fill-reducing order of the blocks.
+// A fill-reducing order of the blocks.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 
 namespace boxplus {
 
-/// The elimination order of the blocks: order[k] is eliminated k-th. Approximate minimum degree (Amestoy,
-/// Davis, Duff 1996/2004) of the graph whose nodes are blocks, so that the cost does not depend on the sizes
-/// of the blocks.
+/// The elimination order of the blocks: order[k] is the block that is eliminated k-th. Uses approximate
+/// minimum degree (AMD; Amestoy, Davis, Duff 1996/2004) on the graph whose nodes are the blocks, so that the
+/// time does not depend on the sizes of the blocks.
 ///
-/// The blocks of `last` come at the end, in the given order. The others are ordered as if those did not
-/// exist, because their order does not change the fill among the last blocks.
+/// The blocks of `last` come at the end, in the given order. All other blocks are ordered as if the blocks of
+/// `last` did not exist, because this does not change the fill among the blocks of `last`.
 ///
-/// AMD cannot be interrupted: throws Stopped if it is predicted not to end before the deadline of `stop`.
+/// AMD cannot be interrupted. So this throws Stopped if AMD is predicted to end after the deadline of `stop`.
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
                                         std::span<const std::uint32_t> last = {}, const StopToken& stop = {});
 
 inline constexpr int kIsLast = -1;
-/// The number of each block among those that may be ordered freely, or kIsLast. Throws InvalidArgument if
-/// `last` repeats a block or names one that does not exist.
+/// Numbers the blocks that may be ordered freely. The blocks of `last` get kIsLast instead of a number.
+/// Throws InvalidArgument if `last` repeats a block or names one that does not exist.
 std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last);
 
-/// Constrained approximate minimum degree: blocks of a lower rank (0 … blocks − 1) come before those of a
-/// higher one. Within a rank, blocks are ordered by degree, which counts the neighbors of all ranks. `stop`
-/// as above.
+/// Constrained approximate minimum degree (CAMD): blocks of a lower rank (0 … blocks − 1) come before blocks
+/// of a higher rank. Blocks of the same rank are ordered by degree, which counts the neighbors of all ranks.
+/// `stop` works as in amd_ordering().
 std::vector<std::uint32_t> constrained_amd_ordering(const BlockStructure& structure, std::span<int> rank_of,
                                                     const StopToken& stop = {});
 

@@ -13,10 +13,10 @@
 namespace boxplus {
 namespace {
 
-constexpr std::uint32_t kLeaf = 200;  // blocks
+constexpr std::uint32_t kLeaf = 200;  // the largest number of blocks of a piece that is not divided
 constexpr std::uint32_t kAbsent = 0xFFFFFFFFu;
 
-/// The graph of the blocks that are not in `last`, weighted by their sizes. `block_of` gives the block of
+/// The graph of the blocks that are not in `last`, weighted by their sizes. `block_of` receives the block of
 /// each vertex.
 WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uint32_t> last,
                        std::vector<std::uint32_t>& block_of, const StopToken& stop) {
@@ -49,7 +49,7 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
   return graph;
 }
 
-/// The part of a graph on one side, with the blocks of its vertices.
+/// The part of a graph that is on one side. `part_block_of` receives the blocks of its vertices.
 WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side, Side wanted,
                       const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of,
                       PacedStop& pace) {
@@ -74,11 +74,11 @@ WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side,
   return part;
 }
 
-/// A part of the graph, and its separator.
+/// A part of the graph, its separator, and the parts into which the separator divides it.
 struct Piece {
   WeightedGraph graph;
   std::vector<std::uint32_t> block_of;
-  std::vector<std::uint32_t> separator;  // blocks; empty if the piece is not parted
+  std::vector<std::uint32_t> separator;  // the blocks of the separator; empty if the piece is not divided
   std::vector<Piece> parts;
 };
 
@@ -98,7 +98,8 @@ void part(Piece& piece, const StopToken& stop) {
   }
 }
 
-/// The separators, those of larger pieces first. Pieces of one level are parted in parallel.
+/// All separators, level by level. The separator of a piece comes before the separators of its parts. Divides
+/// the pieces of one level in parallel.
 std::vector<std::vector<std::uint32_t>> find_separators(Piece whole, int threads, const StopToken& stop) {
   std::vector<std::vector<std::uint32_t>> separators;
   std::vector<Piece> level;
@@ -126,7 +127,7 @@ std::vector<std::uint32_t> nested_dissection(const BlockStructure& structure,
   Piece whole;
   whole.graph = graph_of(structure, last, whole.block_of, stop);
   const auto separators = find_separators(std::move(whole), threads, stop);
-  std::vector<int> rank_of(structure.blocks(), 0);  // blocks in no separator come first
+  std::vector<int> rank_of(structure.blocks(), 0);  // blocks that are in no separator come first
   int rank = 0;
   for (auto separator = separators.rbegin(); separator != separators.rend(); ++separator) {
     ++rank;

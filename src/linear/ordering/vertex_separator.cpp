@@ -12,27 +12,29 @@ namespace boxplus {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-constexpr std::uint32_t kCoarsest = 100;        // vertices
-constexpr double kLeastShrinkage = 0.95;        // coarser graphs must be smaller than this fraction
-constexpr double kLargestSide = 0.6;            // of the total weight
-constexpr double kImbalance = 0.5;              // cost of different sides, as a fraction of the separator
-constexpr std::uint32_t kTries = 3;             // coarsenings, of which the best result is used
-constexpr std::uint32_t kSeeds = 5;             // of the coarsest graph
-constexpr int kMostPasses = 3, kPatience = 60;  // of the refinement; moves without gain before one gives up
+constexpr std::uint32_t kCoarsest = 100;  // the number of vertices of a graph that is not coarsened further
+constexpr double kLeastShrinkage = 0.95;  // the largest useful ratio of the sizes after and before coarsening
+constexpr double kLargestSide = 0.6;      // the largest share of one side in the total weight
+constexpr double kImbalance = 0.5;        // the cost of unequal sides, relative to the separator's weight
+constexpr std::uint32_t kTries = 3;       // the number of coarsenings, of which the best result is used
+constexpr std::uint32_t kSeeds = 5;       // the number of start vertices that are tried in the coarsest graph
+constexpr int kMostPasses = 3;            // the largest number of passes of the refinement
+constexpr int kPatience = 60;             // the number of moves without gain after which a pass ends
 
 Side other(Side side) {
   return side == kLeft ? kRight : kLeft;
 }
 
-/// Pseudorandom numbers, the same in every run (the finalizer of MurmurHash3, Appleby 2011).
+/// A pseudorandom number that is the same in every run (the finalizer of MurmurHash3, Appleby 2011).
 std::uint32_t scramble(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x85ebca6bu;
   x = (x ^ (x >> 13)) * 0xc2b2ae35u;
   return x ^ (x >> 16);
 }
 
-/// The partner of each vertex, or the vertex itself. Visits vertices of low degree first; each chooses its
-/// heaviest edge. `salt` decides between equal ones.
+/// Matches vertices in pairs. Returns the partner of each vertex, or the vertex itself if it has no partner.
+/// Visits vertices of low degree first. Each vertex chooses the free neighbor with the heaviest edge. `salt`
+/// decides between edges of equal weight.
 std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::uint32_t salt,
                                                PacedStop& pace) {
   struct Visit {
@@ -68,7 +70,7 @@ std::vector<std::uint32_t> heavy_edge_matching(const WeightedGraph& graph, std::
   return partner;
 }
 
-/// Merges partners. `coarse_of` gives the vertex of the result for each vertex.
+/// Merges partners. `coarse_of` receives, for each vertex of `graph`, the vertex of the result.
 WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32_t>& partner,
                        std::vector<std::uint32_t>& coarse_of, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
@@ -79,9 +81,9 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   }
   WeightedGraph coarse;
   coarse.weight.assign(count, 0);
-  std::vector<std::uint32_t> place(count, kNone);  // of a neighbor, while its vertex is built
+  std::vector<std::uint32_t> place(count, kNone);  // of each neighbor of vertex c in coarse.neighbor
   for (std::uint32_t v = 0; v < n; ++v) {
-    if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // merged with its partner
+    if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // already merged with its partner
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
     const auto add = [&](std::uint32_t fine) {
       coarse.weight[c] += graph.weight[fine];
@@ -104,7 +106,8 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   return coarse;
 }
 
-/// Moves vertices out of the separator while this makes it lighter, or may do so later.
+/// Moves vertices out of the separator, as long as this makes the separator lighter, or may do so after more
+/// moves.
 class Refiner {
  public:
   Refiner(const WeightedGraph& graph, std::vector<Side>& side, PacedStop& pace)
@@ -117,8 +120,8 @@ class Refiner {
     for (int k = 0; k < kMostPasses && pass(); ++k) {
     }
   }
-  /// The cost to minimize: the weight of the separator, plus a cost for sides of different weight. If a side
-  /// is too heavy, the cost is higher than that of any separator.
+  /// The cost to minimize: the weight of the separator, plus a cost for sides of different weight, plus a
+  /// high cost if a side is too heavy.
   double cost() const {
     const auto left = static_cast<double>(weight_[kLeft]), right = static_cast<double>(weight_[kRight]);
     const auto separator = static_cast<double>(weight_[kSeparator]);
@@ -137,8 +140,8 @@ class Refiner {
     Side before;
   };
 
-  /// The decrease of the separator's weight if v leaves it. The neighbors of v on the other side then join
-  /// the separator.
+  /// The decrease of the separator's weight if v moves to the side `to`. The neighbors of v on the other side
+  /// then join the separator.
   std::int64_t gain(std::uint32_t v, Side to) {
     std::int64_t pulled = 0;
     for (const std::uint32_t u : graph_.neighbors(v)) {
@@ -152,7 +155,7 @@ class Refiner {
     if (side_[v] != kSeparator || locked_[v]) return;
     for (const Side to : {kLeft, kRight}) queue_[to].push({gain(v, to), v});
   }
-  /// The best move to a side, or kNone.
+  /// The vertex with the largest gain if it moves to a side, or kNone if no vertex can move there.
   std::uint32_t best(Side to) {
     auto& queue = queue_[to];
     while (!queue.empty()) {
@@ -199,7 +202,7 @@ class Refiner {
     return (lighter == kLeft ? left : right) != kNone ? lighter : kSeparator;
   }
 
-  /// Makes one pass. Returns whether the cost fell.
+  /// Makes one pass, and undoes all moves after the lowest cost. Returns whether the cost decreased.
   bool pass() {
     std::fill(locked_.begin(), locked_.end(), 0);
     for (auto& queue : queue_) queue = {};
@@ -235,8 +238,8 @@ class Refiner {
   std::vector<Change> changes_;
 };
 
-/// Grows one side from `seed`, breadth first, to half of the weight. The other vertices that touch this side
-/// are the separator.
+/// Grows one side from `seed` by breadth-first search, until it has half of the weight. The vertices next to
+/// this side become the separator.
 std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, PacedStop& pace) {
   const std::uint32_t n = graph.vertices();
   std::vector<Side> side(n, kRight);
@@ -271,7 +274,7 @@ std::vector<Side> grow_from(const WeightedGraph& graph, std::uint32_t seed, Pace
   return side;
 }
 
-/// The labels and their cost.
+/// The sides of all vertices, and the cost of this division.
 struct Parted {
   std::vector<Side> side;
   double cost;
@@ -290,7 +293,7 @@ Parted part_coarsest(const WeightedGraph& graph, PacedStop& pace) {
   return best;
 }
 
-/// Coarsens, parts, and refines on the way back.
+/// Coarsens the graph, divides the coarsest graph, and refines the division on the way back.
 Parted part(const WeightedGraph& graph, std::uint32_t salt, PacedStop& pace) {
   if (graph.vertices() <= kCoarsest) return part_coarsest(graph, pace);
   std::vector<std::uint32_t> coarse_of;

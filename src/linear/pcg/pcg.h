@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Preconditioned conjugate gradients with the Cholesky factors of the damped diagonal blocks as
-// preconditioner.
+// Conjugate gradients, preconditioned with the Cholesky factors of the damped diagonal blocks.
 #pragma once
 
 #include <vector>
@@ -10,10 +9,10 @@
 
 namespace boxplus {
 
-/// Needs only multiply() and block_diagonal(). factorize() keeps a reference to the system, which must
-/// outlive the solves, and copies the damping. If a diagonal block is not positive definite, factorize()
-/// names it. If solve() finds a direction of curvature ≤ 0, it returns kNotPositiveDefinite. If solve() does
-/// not return kOk, x holds the last iterate.
+/// Calls only multiply() and block_diagonal() of a system without values. factorize() copies the damping and
+/// keeps a reference to the system, which must live until the last solve(). If a diagonal block is not
+/// positive definite, the result of factorize() names the block. If solve() finds a direction of curvature ≤
+/// 0, it returns kNotPositiveDefinite. If solve() does not return kOk, x holds the last iterate.
 class Pcg final : public LinearSolver {
  public:
   std::string_view name() const override { return "pcg"; }
@@ -31,7 +30,7 @@ class Pcg final : public LinearSolver {
 
   const BlockStructure* structure_ = nullptr;
   const BlockSystem* system_ = nullptr;
-  std::vector<double> preconditioner_;  // Cholesky factors of the diagonal blocks
+  std::vector<double> preconditioner_;  // the Cholesky factors of the damped diagonal blocks
   std::vector<double> damping_, minimum_pivot_;
   ConjugateGradients iteration_;
 };

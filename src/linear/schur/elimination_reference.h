@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels of an elimination for blocks of any size, as plain loops.
+// The kernels of an elimination for blocks of any size, written as plain loops.
 #pragma once
 
 #include "kernels/kernel_table.h"
 
 namespace boxplus {
 
-/// Kernels for blocks of any size. The kernels of each instruction set compute the same for common sizes.
+/// Kernels for blocks of any size. Each instruction set has faster kernels for common sizes.
 extern const dense::EliminationKernels kEliminationReference;
 
-/// The fastest kernels for blocks W of rows × dim.
+/// The fastest kernels for blocks W of rows × dim values.
 inline const dense::EliminationKernels& elimination_kernels(int rows, int dim) {
   const dense::EliminationKernels* kernels = dense::kernels().elimination_kernels_for(rows, dim);
   return kernels != nullptr ? *kernels : kEliminationReference;

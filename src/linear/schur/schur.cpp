@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// y += A x; A is rows × cols, column-major.
+/// y += A x. A is rows × cols, column-major.
 void add_multiply(const double* a, int rows, int cols, const double* x, double* y) {
   for (int c = 0; c < cols; ++c) {
     for (int r = 0; r < rows; ++r) y[r] += a[r + c * rows] * x[c];
@@ -123,7 +123,8 @@ Damping Schur::reduced_damping(const Damping& damping) const {
   return {damping.lambda, damping.diagonal ? damping.diagonal + eliminated_scalars() : nullptr};
 }
 
-/// Fills half_column_ and half_rows_. Returns the number of their blocks.
+/// Computes W L⁻ᵀ of one column in half_column_, and sets half_rows_. Returns the number of blocks in the
+/// column.
 std::uint32_t Schur::halve_column(std::uint32_t column) {
   const int n = static_cast<int>(structure_->dim(column));
   const double* l = factors_.data() + factor_start_[column];
@@ -137,7 +138,7 @@ std::uint32_t Schur::halve_column(std::uint32_t column) {
   return blocks;
 }
 
-/// Returns false if the token was raised.
+/// Computes the values of S. Returns false if the token was raised.
 bool Schur::form_reduced_values(PacedStop& pace) {
   std::fill(reduced_values_.begin(), reduced_values_.end(), 0.0);
   const std::uint32_t* target = kept_target_.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination of a set of vertices by the Schur complement, which is explicit or an operator.
+// Eliminates a set of vertices by the Schur complement, which is either an explicit matrix or an operator.
 #pragma once
 
 #include <cstdint>
@@ -15,39 +15,40 @@ namespace boxplus {
 class PacedStop;
 
 /// H = [V Wᵀ; W U], and V is block diagonal over the eliminated vertices (the first blocks). Solves (H + λD)
-/// x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H is only read, so another λ needs no new assembly of H.
-/// (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958;
+/// x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H does not change, so a different λ needs no new assembly of
+/// H. (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958;
 /// Triggs et al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
 ///
-/// Allocates only when constructed. `structure` must outlive it.
+/// Only the constructor allocates memory. `structure` must outlive this object.
 class Schur {
  public:
   /// Throws Stopped when the token is raised.
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
         const StopToken& stop = {});
 
-  /// Structure of S: the kept blocks, numbered from 0.
+  /// The structure of S. It has the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
   const BlockStructure& structure() const { return *structure_; }
   std::uint32_t eliminated_blocks() const { return eliminated_; }
   std::uint32_t eliminated_scalars() const { return structure_->offset[eliminated_]; }
 
-  /// Factorizes V + λD and, with `explicit_values`, forms S without the λD of the kept blocks, which the
-  /// linear solver adds. `values` are those of H and must not change until the last use. If a block is not
-  /// positive definite, names the block of H and the scalar. Returns LinearStatus::kStopped soon after the
-  /// token is raised.
+  /// Factorizes V + λD. With `explicit_values`, also computes S, but without the λD of the kept blocks, which
+  /// the linear solver adds. `values` are the values of H. They must not change until the last call of any
+  /// function of this object. If a block is not positive definite, the result names the block of H and the
+  /// scalar. Returns LinearStatus::kStopped soon after the token is raised.
   FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {});
   /// The part of a damping that belongs to the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
-  /// r_kept − W V⁻¹ r_eliminated.
+  /// reduced_r = r_kept − W (V + λD)⁻¹ r_eliminated.
   void reduce(const double* r, double* reduced_r);
-  /// Fills the eliminated part of x, x_e = V⁻¹ (r_e − Wᵀ x_kept), and copies the kept part. x may be r.
+  /// Computes the eliminated part of x, (V + λD)⁻¹ (r_eliminated − Wᵀ reduced_x), and copies the kept part
+  /// from reduced_x. x may be r.
   void back_substitute(const double* r, const double* reduced_x, double* x) const;
 
   /// x ← (V + λD)⁻¹ x for one eliminated block.
   void solve_eliminated(std::uint32_t block, double* x) const;
-  /// Calls f(kept block, values of W's block, its rows) for the kept blocks that are joined with an
-  /// eliminated one.
+  /// Calls f(kept block, values of the block of W, its number of rows) for each kept block that is joined
+  /// with `eliminated`, that is, whose block in this column of W is not zero.
   template <class F>
   void for_each_joined(std::uint32_t eliminated, F&& f) const {
     const auto [begin, end] =
@@ -59,11 +60,11 @@ class Schur {
     }
   }
 
-  /// Values of S (explicit_values only).
+  /// The values of S without the λD of the kept blocks. Empty unless `explicit_values` was true.
   std::span<const double> reduced_values() const { return reduced_values_; }
-  /// y = (U − W V⁻¹ Wᵀ) x without forming S.
+  /// y = (U − W (V + λD)⁻¹ Wᵀ) x. Does not form S.
   void multiply(const double* x, double* y);
-  /// Diagonal blocks of S.
+  /// Computes the diagonal blocks of S without the λD of the kept blocks.
   void block_diagonal(double* out);
 
  private:
@@ -76,16 +77,16 @@ class Schur {
   std::uint32_t eliminated_;
   BlockStructure reduced_;
   std::span<const double> values_;
-  std::vector<std::uint32_t> factor_start_;  // per eliminated block, into factors_
+  std::vector<std::uint32_t> factor_start_;  // the index in factors_ for each eliminated block
   std::vector<double> factors_;              // L of V + λD, dim × dim, with 1/L_ii on the diagonal
   std::vector<double> reduced_values_;
-  std::vector<std::uint32_t> kept_target_;  // value of S for every kept block of H
-  std::vector<std::uint32_t>
-      pair_target_;                  // value of S for every pair of rows (a ≥ b) of every eliminated column
+  std::vector<std::uint32_t> kept_target_;  // the first value in S of each kept block of H
+  /// The first value in S of each pair of rows (a ≥ b) of each eliminated column.
+  std::vector<std::uint32_t> pair_target_;
   std::vector<double> half_column_;  // W L⁻ᵀ of one column
-  std::vector<int> half_rows_;       // of its blocks
+  std::vector<int> half_rows_;       // the number of rows of each block in half_column_
   std::vector<double> small_;
-  std::vector<std::uint32_t> diagonal_start_;  // of each kept block among the diagonal blocks
+  std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
 };
 
 /// S as an operator.

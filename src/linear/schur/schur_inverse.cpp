@@ -62,12 +62,13 @@ class ReducedInverse {
 
   const BlockStructure& structure_;
   std::vector<BlockCoordinate> blocks_;
-  std::size_t room_ = std::size_t{1} << 20;  // of blocks_, duplicates included
+  std::size_t room_ = std::size_t{1} << 20;  // the size of blocks_ at which duplicates are dropped
   std::vector<std::size_t> start_;
   std::vector<double> values_;
 };
 
-/// Computes H⁻¹ = Mᵀ S⁻¹ M, plus (V + λD)⁻¹ on the eliminated diagonal, with M = [−Y, I].
+/// Computes (H + λD)⁻¹ as Mᵀ S⁻¹ M with M = [−Y, I], plus (V + λD)⁻¹ on the diagonal of the eliminated
+/// blocks.
 class Inverter {
  public:
   Inverter(const Schur& schur, const StopToken& stop)
@@ -92,8 +93,8 @@ class Inverter {
   bool eliminated(std::uint32_t block) const { return block < schur_.eliminated_blocks(); }
   std::uint32_t kept(std::uint32_t block) const { return block - schur_.eliminated_blocks(); }
 
-  /// Calls f for the rows of S⁻¹ that a block of H needs: its own, or those of the kept blocks that it is
-  /// joined with.
+  /// Calls f for each block row of S⁻¹ that a block of H needs. A kept block needs its own row. An eliminated
+  /// block needs the rows of the kept blocks that it is joined with.
   template <class F>
   void for_each_reached(std::uint32_t block, F&& f) const {
     if (eliminated(block)) {
@@ -110,7 +111,7 @@ class Inverter {
     });
   }
 
-  /// The rows of a block column of M that are not zero, and their values, transposed.
+  /// The nonzero rows of a block column of M, and their transposed values.
   struct Column {
     std::vector<std::uint32_t> rows;
     MatrixXd transposed;
@@ -138,7 +139,7 @@ class Inverter {
 
   MatrixXd block_of_inverse(const BlockCoordinate& block) const {
     const Column left = column_of(block.row), right = column_of(block.column);
-    MatrixXd inverse(left.transposed.cols(), right.transposed.cols());  // of S
+    MatrixXd inverse(left.transposed.cols(), right.transposed.cols());  // part of S⁻¹
     Eigen::Index r = 0;
     for (const std::uint32_t i : left.rows) {
       Eigen::Index c = 0;

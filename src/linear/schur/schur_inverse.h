@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks of the inverse of H from blocks of the inverse of its Schur complement.
+// Computes blocks of the inverse of H from blocks of the inverse of its Schur complement.
 #pragma once
 
 #include <span>
@@ -9,10 +9,11 @@
 
 namespace boxplus {
 
-/// `inner` has factorized the damped Schur complement S. With Y = W (V + λD)⁻¹, (H + λD)⁻¹ = [(V + λD)⁻¹ + Yᵀ
-/// S⁻¹ Y, −Yᵀ S⁻¹; −S⁻¹ Y, S⁻¹]. Fills the requests. Calls `inner` once, for all blocks of S⁻¹ that are
-/// needed: an eliminated block needs those of the kept blocks that it is joined with. Returns false if
-/// `inner` cannot do this, or if `stop` is raised.
+/// Computes the requested blocks of (H + λD)⁻¹. Let Y = W (V + λD)⁻¹, and let S be the damped Schur
+/// complement, which `inner` must have factorized. Then
+///   (H + λD)⁻¹ = [(V + λD)⁻¹ + Yᵀ S⁻¹ Y, −Yᵀ S⁻¹; −S⁻¹ Y, S⁻¹].
+/// Calls `inner` once, for all required blocks of S⁻¹. An eliminated block requires the blocks of S⁻¹ for the
+/// kept blocks that it is joined with. Returns false if `inner` cannot compute them, or if `stop` is raised.
 bool invert_blocks(const Schur& schur, LinearSolver& inner, std::span<const InverseRequest> requests,
                    const StopToken& stop);
 

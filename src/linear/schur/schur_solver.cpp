@@ -57,7 +57,7 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
   if (system.values().size() != structure_->nonzero_values())
     throw InvalidArgument("SchurSolver::factorize: expected the block values of the analyzed structure");
   if (control.stop.raised()) return {LinearStatus::kStopped};
-  if (reduced_->values().empty()) {  // without values, the inner solver could not find this
+  if (reduced_->values().empty()) {  // the inner solver sees no values that it could check
     const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
     if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination as a LinearSolver: the Schur complement, and another solver for the remaining blocks.
+// A LinearSolver that eliminates blocks by the Schur complement, and solves for the others with another
+// solver.
 #pragma once
 
 #include <memory>
@@ -10,12 +11,12 @@
 
 namespace boxplus {
 
-/// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the others. It has
-/// the name and the statistics of `inner`. If no blocks, or all of them, are to be eliminated, `inner` solves
-/// for all blocks.
+/// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the others.
+/// Returns the name and the statistics of `inner`. If the hints ask to eliminate no blocks or all blocks,
+/// `inner` solves for all blocks.
 class SchurSolver final : public LinearSolver {
  public:
-  /// `inner` is not null.
+  /// `inner` must not be null.
   SchurSolver(std::shared_ptr<LinearSolver> inner, SchurMode mode) : inner_(std::move(inner)), mode_(mode) {}
 
   std::string_view name() const override { return inner_->name(); }
@@ -28,7 +29,8 @@ class SchurSolver final : public LinearSolver {
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
-  /// Also inverts eliminated blocks, if the inner solver has blocks of the inverse of the Schur complement.
+  /// Works for all blocks of H, if the inner solver can compute blocks of the inverse of the Schur
+  /// complement.
   bool selected_inverse(std::span<const BlockCoordinate> blocks, double* out,
                         const StopToken& stop = {}) override;
   LinearStatistics statistics() const override { return inner_->statistics(); }
@@ -47,8 +49,8 @@ class SchurSolver final : public LinearSolver {
   const BlockStructure* structure_ = nullptr;
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;
-  std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, then their solutions
-  int batch_ = 1;                        // the number of vectors for which there is room
+  std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, and then their solutions
+  int batch_ = 1;                        // the number of vectors for which reduced_vectors_ has room
   bool factorized_ = false;
 };
 

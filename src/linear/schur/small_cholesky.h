@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cholesky of one small block, column-major.
+// The Cholesky factorization of one small block, column-major.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace boxplus {
 
-/// Calls f with n as a compile-time constant if n is common, so that loops unroll; otherwise with n.
+/// Calls f(n). If n is a common size, its argument is a compile-time constant, so that the compiler unrolls
+/// loops.
 template <class F>
 inline auto with_small_size(int n, F&& f) {
   switch (n) {
@@ -22,8 +23,9 @@ inline auto with_small_size(int n, F&& f) {
   }
 }
 
-/// Factorizes A = LLᵀ in place (lower triangle). The diagonal holds the reciprocals of L's diagonal. Returns
-/// n, or the first pivot that shows that A is not positive definite to working precision.
+/// Factorizes A = LLᵀ in place, in the lower triangle. Stores the reciprocals of L's diagonal on the
+/// diagonal. Returns n, or the column of the first pivot that shows that A is not numerically positive
+/// definite.
 template <class Size>
 inline int small_cholesky(double* a, Size n) {
   for (int j = 0; j < n; ++j) {

@@ -3,20 +3,21 @@
 //
 // If rotations are relaxed to arbitrary d × d matrices, the measurements are linear in the unknowns:
 //   R_j = R_i R_ij,   t_j − t_i = R_i t_ij,   l − t_i = R_i z.
-// Row a of R_i and coordinate a of t_i appear together, and never with another row. So the problem separates
-// into d problems with the same matrix, one per axis of the world. With X_i = [R_iᵀ; t_iᵀ], whose column a
-// holds the unknowns of axis a, the equations are
+// Row a of every R_i and coordinate a of every t_i appear together, but never together with another row. So
+// the problem separates into d problems with the same matrix, one per axis of the world. With X_i = [R_iᵀ;
+// t_iᵀ], whose column a holds the unknowns of axis a, the equations are
 //   pose → pose      X_j = M X_i,                 M = [R_ijᵀ 0; t_ijᵀ 1]
 //   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
-// A constant frame, or the world, has a known X. Between points, l − k = z.
+// The X of a constant frame or of the world is known. A measurement z between points k and l gives l − k = z.
 //
-// Weights. A rotation error by a small angle θ adds ω θ² to chi2 if ω is the information per squared radian;
-// it adds ‖R_i R_ij − R_j‖² ≈ 2θ² to the relaxed equation. So the right weight of rotation rows is ω/2. ω is
-// the mean over the axes, because the axes of the world separate only if it is a scalar. Translation rows
-// have the mean information of the translation. But relaxed rotations shrink with their distance from the
-// roots, while measured lengths do not shrink and distort them. So rotation rows get kRotationEmphasis times
-// more weight. Of the factors 0.1 … 10⁴ tried on public pose graphs and landmark maps, 10 gave a lower chi2
-// than 1 on each of them; larger factors are better without landmarks, but worse with them.
+// Weights. Let ω be the information per squared radian. A rotation error by a small angle θ adds ω θ² to
+// chi2, and adds ‖R_i R_ij − R_j‖² ≈ 2θ² to the relaxed equation. So the right weight of rotation rows is
+// ω/2. ω is the mean over the axes, because the axes of the world separate only if ω is a scalar. The weight
+// of translation rows is the mean information of the translation. But relaxed rotations shrink with their
+// distance from the roots. Measured lengths do not shrink, so they distort the rotations. Therefore, rotation
+// rows get kRotationEmphasis times more weight. Factors from 0.1 to 10⁴ were tried on public pose graphs and
+// landmark maps. On each of them, the factor 10 gave a lower chi2 than 1. Larger factors are better for
+// graphs without landmarks, but worse for graphs with landmarks.
 #include <algorithm>
 #include <atomic>
 #include <utility>
@@ -35,7 +36,7 @@ using namespace guess;
 
 constexpr double kRotationEmphasis = 10;
 
-/// [Rᵀ; tᵀ] of a pose, tᵀ of a point.
+/// [Rᵀ; tᵀ] of a pose, or tᵀ of a point.
 SmallMatrix stacked(const detail::Frame& frame) {
   const int d = frame.dimension, rows = frame.has_rotation ? d + 1 : 1;
   SmallMatrix x(rows, d);
@@ -44,7 +45,7 @@ SmallMatrix stacked(const detail::Frame& frame) {
   return x;
 }
 
-/// The guess for all vertices of one dimension d.
+/// Computes the guess for all vertices of one dimension d.
 class Chordal {
  public:
   Chordal(const FrameGraph& frames, const Plan& plan, const Components& components, int d,
@@ -53,7 +54,8 @@ class Chordal {
   /// Computes all frames without moving a vertex.
   LinearStatus solve();
   void move_vertices(FrameGraph& frames) const;
-  /// Whether some vertices were not measured in all directions and kept their estimates in the others.
+  /// Whether some vertices were not measured in all directions, and kept their estimates in the other
+  /// directions.
   bool anchored() const { return anchored_; }
 
  private:
@@ -74,12 +76,12 @@ class Chordal {
 
   const FrameGraph& frames_;
   const GuessLimits& limits_;
-  std::vector<std::uint32_t> order_;  // elimination order of the blocks; empty: to be computed
+  std::vector<std::uint32_t> order_;  // the elimination order of the blocks; empty if the solver finds one
   int d_;
   std::vector<const Measurement*> measurements_;
-  std::vector<std::uint32_t> block_;  // per node
-  std::vector<Node> unknowns_;        // node of each block
-  std::vector<detail::Frame> found_;  // frame of each block
+  std::vector<std::uint32_t> block_;  // the block of each node, or kConstant
+  std::vector<Node> unknowns_;        // the node of each block
+  std::vector<detail::Frame> found_;  // the frame of each block
   bool anchored_ = false;
 };
 
@@ -125,7 +127,7 @@ LinearStatus Chordal::for_each(std::size_t count, F&& work) const {
   return LinearStatus::kOk;
 }
 
-/// The same on all threads, in any order.
+/// Like for_each(), but uses all threads and calls work() in any order.
 template <class F>
 LinearStatus Chordal::for_each_in_parallel(std::size_t count, F&& work) const {
   constexpr std::size_t kMinPerThread = 500;
@@ -156,11 +158,11 @@ SeparableLeastSquares Chordal::make_system(std::vector<std::uint32_t> dims) cons
   return system;
 }
 
-/// Solves the system. If an unknown is not measured in all directions (a pose that sees a single landmark),
-/// ties all unknowns to their estimates, as weakly as rounding permits, so that only the other directions
-/// change.
+/// Solves the system. If an unknown is not measured in all directions (such as a pose that sees only one
+/// landmark), ties all unknowns to their estimates, as weakly as rounding permits. Then only the measured
+/// directions change noticeably.
 LinearStatus Chordal::solve_or_anchor(SeparableLeastSquares& system, bool positions_only) {
-  constexpr double kAnchor = 1e-9;  // of the largest entry of the matrix
+  constexpr double kAnchor = 1e-9;  // the weight of the ties, relative to the largest entry of the matrix
   const LinearStatus status = system.solve(limits_, order_);
   if (status != LinearStatus::kNotPositiveDefinite) return status;
   anchored_ = true;
@@ -189,7 +191,7 @@ LinearStatus Chordal::solve_joint() {
   });
 }
 
-/// Adds ‖ A X_to − B X_from ‖²_W. If one of the two is known, it goes to the right-hand side.
+/// Adds ‖ A X_to − B X_from ‖²_W. If X_to or X_from is known, moves its term to the right-hand side.
 void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system) const {
   const detail::Frame motion = frames_.motion(m);
   const int rows = m.has_rotation ? d_ + 1 : 1;
@@ -208,9 +210,10 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
   system.add(block(m.to), a, block(m.from), b, c, weight);
 }
 
-/// Solves t_j − t_i = R_i t_ij for the positions again, with the projected rotations. The first positions
-/// shrink with the distance from the roots, as relaxed rotations do. On public graphs, this lowers chi2 by a
-/// factor of 2 to 3000. The matrix is a part of the joint one, so it is positive definite as well.
+/// Solves t_j − t_i = R_i t_ij for the positions again, with the projected rotations. This is necessary
+/// because the positions from solve_joint() shrink with the distance from the roots, as relaxed rotations do.
+/// On public graphs, the second solution lowers chi2 by a factor of 2 to 3000. Its matrix is a part of the
+/// joint matrix, so it is positive definite, too.
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
   LinearStatus status =

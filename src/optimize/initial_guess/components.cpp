@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "optimize/initial_guess/components.h"
 
-#include <Eigen/Geometry>
 #include <array>
 
+#include "base/align_points.h"
 #include "optimize/initial_guess/frame_math.h"
 
 namespace boxplus::guess {
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kRooted = 0xFFFFFFFEu;
 
-/// Points of a part of the graph, and their measured positions.
+/// The guessed and the measured positions of points in a part of the graph.
 struct Correspondences {
   int dimension = 0;
   std::vector<double> guessed, measured;
@@ -26,8 +26,8 @@ struct Correspondences {
     return dimension > 0 ? static_cast<Eigen::Index>(guessed.size()) / dimension : 0;
   }
 
-  /// The rigid motion of the guessed points that fits the measured ones best; a translation if there is only
-  /// one point.
+  /// The rigid motion that fits the guessed positions to the measured positions best. If there is only one
+  /// point, it is a translation.
   detail::Frame alignment() const {
     const Eigen::Map<const Eigen::MatrixXd> from(guessed.data(), dimension, count());
     const Eigen::Map<const Eigen::MatrixXd> to(measured.data(), dimension, count());
@@ -35,9 +35,9 @@ struct Correspondences {
     if (count() == 1) {
       set_translation(motion, to.col(0) - from.col(0));
     } else {
-      const Eigen::MatrixXd transform = Eigen::umeyama(from, to, false);
-      set_rotation(motion, transform.topLeftCorner(dimension, dimension));
-      set_translation(motion, transform.topRightCorner(dimension, 1));
+      const PointAlignment aligned = align_points(from, to, false);
+      set_rotation(motion, aligned.rotation);
+      set_translation(motion, aligned.translation);
     }
     return motion;
   }
@@ -55,7 +55,7 @@ Components::Components(const FrameGraph& frames, const StopToken& stop)
   for (Node node : by_id) {
     if (frames.pose(node)) add_free_root(node);
   }
-  // The remaining measurements are between points: a known position is a root for these.
+  // The remaining parts have no poses. For their points, a known position serves as a root.
   for (const Measurement& m : frames.measurements()) {
     if (is_position_anchor(m)) flood(movable_end(m), kRooted);
   }
@@ -74,8 +74,8 @@ Node Components::movable_end(const Measurement& m) const {
   return frames_.movable(m.to) ? FrameGraph::kWorld : m.from;
 }
 
-/// Whether a measurement makes its movable end a root: its other end is constant, and a pose is involved
-/// whose rotation determines the orientation.
+/// Whether a measurement makes its movable end a root. This is the case if its other end is constant, and if
+/// the measurement involves a pose whose rotation determines the orientation.
 bool Components::is_root(const Measurement& m) const {
   const Node moving = movable_end(m);
   if (moving == FrameGraph::kWorld) return false;

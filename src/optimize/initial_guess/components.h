@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The connected parts of a graph, and roots for those that have none.
+// Finds the connected parts of a graph, and roots for the parts that have none.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,26 @@
 
 namespace boxplus::guess {
 
-/// The connected parts of the movable vertices. Landmarks connect the poses that see them; constants do not.
+/// The connected parts of the movable vertices. Landmarks connect the poses that see them, but constant
+/// vertices connect nothing.
 ///
 /// A part has a root if one of its poses is measured relative to a constant pose or to the world, or if a
-/// constant pose sees one of its points. Other absolute measurements (the position of a pose, a point with
-/// known position) are not enough to start from. If a part has only these, the guess starts at its pose of
-/// lowest id, and the part is then moved to fit them.
+/// constant pose sees one of its points. Other absolute measurements (the position of a pose, or a point with
+/// a known position) are not enough to start from. If a part has only such measurements, the guess starts at
+/// the part's pose with the lowest id. Afterwards, the part is moved to fit the absolute measurements.
 class Components {
  public:
-  /// This and align() throw Stopped when the token is raised. The token must outlive this object.
+  /// The constructor and align() throw Stopped when the token is raised. The token must outlive this object.
   explicit Components(const FrameGraph& frames, const StopToken& stop);
 
-  /// The poses (in parts without poses, the points) that serve as roots of parts without one.
+  /// The vertices that serve as roots of the parts without a root. They are points in parts without poses,
+  /// and poses in all other parts.
   const std::vector<Node>& free_roots() const { return free_roots_; }
-  /// Whether the measurement is an absolute position in a part without a root, which align() uses.
+  /// Whether the measurement is an absolute position in a part without a root. Only align() uses such a
+  /// position.
   bool left_for_alignment(const Measurement& measurement) const;
-  /// Moves each part without a root rigidly, to fit the absolute positions measured in it (Umeyama,
-  /// "Least-squares estimation of transformation parameters between two point patterns", 1991).
+  /// Moves each part without a root rigidly, so that it fits the absolute positions that were measured in it
+  /// (Umeyama, "Least-squares estimation of transformation parameters between two point patterns", 1991).
   void align(FrameGraph& frames) const;
 
  private:
@@ -40,7 +43,7 @@ class Components {
   const FrameGraph& frames_;
   const StopToken& stop_;
   PacedStop pace_;
-  std::vector<std::uint32_t> label_;  // per node: index into free_roots_, kRooted or kNone
+  std::vector<std::uint32_t> label_;  // for each node: an index in free_roots_, kRooted or kNone
   std::vector<Node> free_roots_;
   std::vector<Node> stack_;
 };

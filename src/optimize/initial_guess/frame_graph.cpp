@@ -61,7 +61,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
   if (from == to || !look_at(to, relative.motion.dimension)) return;
   const bool has_rotation = relative.motion.has_rotation && pose(to);
   if (!absolute && !look_at(from, relative.motion.dimension)) return;
-  if (!absolute && !pose(from) && pose(to)) return;  // a point determines no pose
+  if (!absolute && !pose(from) && pose(to)) return;  // a point does not determine a pose
   if (!movable(to) && (absolute || !movable(from))) return;
 
   const detail::InformationView information = pool.information(edge);
@@ -80,7 +80,7 @@ void FrameGraph::read_edge(std::uint32_t pool_index, std::uint32_t edge) {
                            has_rotation || from_point, rotation_weight, translation_weight});
 }
 
-/// Records the kind of a vertex. Returns false if it is neither a pose nor a point of that dimension.
+/// Records the kind of a vertex. Returns false if the vertex is neither a pose nor a point of this dimension.
 bool FrameGraph::look_at(Node node, int dimension) {
   std::uint8_t& flags = flags_[node];
   if ((flags & kSeen) == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The graph as initial guesses see it: poses, points and the measurements between them.
+// A view of the graph for initial guesses: poses, points and the measurements between them.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace boxplus::guess {
 
-/// The index of a vertex among the slots of all pools, so that arrays can be used instead of maps.
+/// The index of a vertex among the slots of all pools. It allows the use of arrays instead of maps.
 using Node = std::uint32_t;
 
 /// The number of measurements or frames that a loop processes between two checks of the stop token.
 inline constexpr std::int64_t kBetweenStops = 256;
 
 /// A relative measurement T_to ≈ T_from · motion. A point counts as a frame with the axes of the world. The
-/// motion is not stored; the edge computes it again when it is needed.
+/// motion is not stored, because the edge can compute it again when it is needed.
 struct Measurement {
   Node from, to;              ///< `from` may be FrameGraph::kWorld
   std::uint32_t pool, edge;   ///< the edge that measures it
-  bool has_rotation;          ///< false: only the position of `to` is measured
-  bool leads_forward;         ///< the frame of `to` follows from that of `from`
-  bool leads_backward;        ///< the frame of `from` follows from that of `to`
-  double rotation_weight;     ///< mean information per squared radian
-  double translation_weight;  ///< mean information per squared meter
+  bool has_rotation;          ///< whether it measures the rotation of `to`, not only the position
+  bool leads_forward;         ///< whether the frame of `to` follows from the frame of `from`
+  bool leads_backward;        ///< whether the frame of `from` follows from the frame of `to`
+  double rotation_weight;     ///< the mean information per squared radian
+  double translation_weight;  ///< the mean information per squared meter
 };
 
 class FrameGraph {
@@ -39,19 +39,20 @@ class FrameGraph {
 
   std::span<const Measurement> measurements() const { return measurements_; }
   detail::Frame motion(const Measurement& measurement) const;
-  /// The indices of the measurements that touch a node, or those from the world for kWorld.
+  /// The indices of the measurements that touch a node. For kWorld, these are the measurements from the
+  /// world.
   std::span<const std::uint32_t> touching(Node node) const;
 
   Node nodes() const { return first_.back(); }
   Node node(std::uint32_t pool, std::uint32_t slot) const { return first_[pool] + slot; }
-  /// Whether a measurement touches the node, so that it takes part.
+  /// Whether a measurement touches the node, so that the node takes part.
   bool used(Node node) const { return (flags_[node] & kUsed) != 0; }
   bool movable(Node node) const { return (flags_[node] & kMovable) != 0; }
   bool pose(Node node) const { return (flags_[node] & kPose) != 0; }
   bool parameter(Node node) const;
   int dimension(Node node) const { return (flags_[node] & kPlanar) != 0 ? 2 : 3; }
   Id id(Node node) const;
-  /// The vertices that take part and may move, by id: poses before points.
+  /// The vertices that take part and may move. Poses come before points, and both are sorted by id.
   std::vector<Node> movable_by_id(const StopToken& stop = {}) const;
 
   detail::Frame frame(Node node) const;
@@ -68,10 +69,10 @@ class FrameGraph {
   std::uint32_t pool_of(Node node) const;
 
   Graph* graph_;
-  std::vector<Node> first_;  // per vertex pool, and the total
+  std::vector<Node> first_;  // the first node of each vertex pool, and the number of all nodes
   std::vector<std::uint8_t> flags_;
   std::vector<Measurement> measurements_;
-  std::vector<std::uint32_t> touching_start_, touching_;  // per node, then the world
+  std::vector<std::uint32_t> touching_start_, touching_;  // for each node, and then for the world
 };
 
 }  // namespace boxplus::guess

@@ -11,9 +11,10 @@ namespace {
 template <int D>
 using Square = Eigen::Matrix<double, D, D>;
 
-/// The orthogonal factor of a matrix of norm 1 and positive determinant, by Newton's iteration
-/// X ← (X + X⁻ᵀ) / 2, scaled at first (Higham, Computing the polar decomposition, 1986). It converges
-/// quadratically, and is far cheaper than singular values. Returns false if the matrix is nearly singular.
+/// Replaces a matrix of norm 1 and positive determinant by its orthogonal polar factor. Uses Newton's
+/// iteration X ← (X + X⁻ᵀ) / 2, with scaling in the first steps (Higham, Computing the polar decomposition,
+/// 1986). It converges quadratically, and is far cheaper than a singular value decomposition. Returns false
+/// if the matrix is nearly singular.
 template <int D>
 bool polar_factor(Square<D>& x) {
   constexpr int kMostSteps = 12;

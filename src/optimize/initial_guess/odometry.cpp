@@ -14,8 +14,8 @@ using guess::FrameGraph;
 using guess::Measurement;
 using guess::Node;
 
-/// The rank of every pose among all poses, sorted by id. Parameters have none, because their ids are
-/// separate.
+/// The rank of every pose among all poses, sorted by id. Parameters have no rank, because they have separate
+/// ids.
 std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken& stop) {
   PacedStop pace(stop);
   constexpr std::int64_t kFar = -2;
@@ -32,8 +32,8 @@ std::vector<std::int64_t> ranks_by_id(const FrameGraph& frames, const StopToken&
   return rank;
 }
 
-/// Costs for which the shortest paths follow the chain, and bridge gaps with as few other measurements as
-/// possible.
+/// The costs of the measurements. With these costs, the shortest paths follow the chain of poses, and bridge
+/// gaps with as few other measurements as possible.
 std::vector<double> costs(const FrameGraph& frames, const StopToken& stop) {
   const std::vector<std::int64_t> rank = ranks_by_id(frames, stop);
   const double bridge = static_cast<double>(frames.nodes()) + 1;  // costs more than any chain

@@ -95,7 +95,7 @@ class ShortestPaths {
   Components components_;
   std::span<const double> cost_;
   std::vector<double> distance_;
-  std::vector<std::uint32_t> arrival_;  // measurement by which a node is reached
+  std::vector<std::uint32_t> arrival_;  // the measurement through which the shortest path reaches each node
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 

@@ -8,11 +8,11 @@
 
 namespace boxplus::guess {
 
-/// Dijkstra's algorithm over the measurements; measurement k has the length `cost[k]` > 0. Moves every
-/// movable vertex that a root reaches. In a part that no root reaches, the pose of lowest id becomes a root.
-/// Among equal costs, the lower node index comes first.
+/// Runs Dijkstra's algorithm over the measurements. Measurement k has the length cost[k] > 0. Moves every
+/// movable vertex that can be reached from a root. In a part that no root reaches, the pose with the lowest
+/// id becomes a root. At equal distances, the node with the lower index comes first.
 ///
-/// Throws Stopped when the token is raised; some vertices have moved then.
+/// Throws Stopped when the token is raised. Some vertices may have moved by then.
 void propagate(FrameGraph& frames, std::span<const double> cost, const StopToken& stop);
 
 }  // namespace boxplus::guess

@@ -8,7 +8,8 @@
 
 namespace boxplus::guess {
 
-/// Returns the GuessResult of make(). If make() is stopped, restores the estimates, and no guess is made.
+/// Returns the GuessResult of make(). If make() throws Stopped, restores the estimates and returns a
+/// GuessResult with the note kStopped.
 template <class Make>
 GuessResult guess_or_restore(Graph& graph, const Plan& plan, Make&& make) {
   const Estimates before(graph, plan);

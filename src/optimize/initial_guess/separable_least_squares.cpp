@@ -22,7 +22,7 @@ SeparableLeastSquares::Strided SeparableLeastSquares::rows_of(std::uint32_t i) {
           Eigen::OuterStride<>(structure_.scalars())};
 }
 
-/// Adds AᵀWA and AᵀWC.
+/// Adds AᵀWA to the matrix and AᵀWC to the right-hand side.
 void SeparableLeastSquares::add_square(std::uint32_t i, const SmallMatrix& a, const SmallMatrix& c,
                                        const SmallVector& weight) {
   const SmallMatrix weighted = a.transpose() * weight.asDiagonal();
@@ -48,7 +48,7 @@ void SeparableLeastSquares::add(std::uint32_t i, const SmallMatrix& a, std::uint
 }
 
 LinearStatus SeparableLeastSquares::solve(const GuessLimits& limits, std::span<const std::uint32_t> order) {
-  constexpr double kTolerance = 1e-4;  // of an iterative solver; more accuracy gives no better start
+  constexpr double kTolerance = 1e-4;  // for iterative solvers; more accuracy would not improve the start
   if (structure_.blocks() == 0) return LinearStatus::kOk;
   if (limits.stop.raised()) return LinearStatus::kStopped;
   LinearSolverOptions options;

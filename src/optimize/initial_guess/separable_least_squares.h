@@ -14,7 +14,8 @@ namespace boxplus::guess {
 
 /// Minimizes Σ ‖ A_i X_i − B_j X_j − C ‖²_W over blocks X_i of dim(i) × columns values.
 ///
-/// First join() every pair of blocks that share a term, then add() the terms, then solve().
+/// Call join() for every pair of blocks that share a term, then finish_structure(), then add() for every
+/// term, and then solve().
 class SeparableLeastSquares {
  public:
   static constexpr std::uint32_t kConstant = 0xFFFFFFFFu;  ///< the index of blocks that are not unknowns
@@ -25,12 +26,12 @@ class SeparableLeastSquares {
   void join(std::uint32_t i, std::uint32_t j);
   /// Throws Stopped when the token is raised.
   void finish_structure(const StopToken& stop = {});
-  /// Adds one term. The A (B) of a constant block is not used. `weight`: the diagonal of W.
+  /// Adds one term. If i (or j) is kConstant, `a` (or `b`) is not used. `weight` is the diagonal of W.
   void add(std::uint32_t i, const SmallMatrix& a, std::uint32_t j, const SmallMatrix& b, const SmallMatrix& c,
            const SmallVector& weight);
-  /// `order`: the elimination order of the blocks X_i; if it is empty, the solver computes one. If the matrix
-  /// was not positive definite, it may be called again after more calls of add(). Throws Stopped when the
-  /// token of `limits` is raised.
+  /// `order` is the elimination order of the blocks X_i. If it is empty, the solver computes one. If the
+  /// matrix was not positive definite, solve() may be called again after more calls of add(). Throws Stopped
+  /// when the token of `limits` is raised.
   LinearStatus solve(const GuessLimits& limits = {}, std::span<const std::uint32_t> order = {});
   double largest_diagonal() const;
   /// X_i, after solve().
@@ -46,7 +47,7 @@ class SeparableLeastSquares {
   std::vector<BlockCoordinate> pairs_;
   BlockStructure structure_;
   std::vector<double> values_;
-  std::vector<double> x_;  // right-hand sides, then solutions; one column after the other
+  std::vector<double> x_;  // the right-hand sides, and then the solutions, one column after the other
 };
 
 }  // namespace boxplus::guess

@@ -23,7 +23,7 @@ double mean_squared_length(const FrameGraph& frames, const StopToken& stop) {
   return sum / static_cast<double>(frames.measurements().size());
 }
 
-/// The variance for a weight. A zero weight gives a very large variance, which is not infinite.
+/// The variance for a weight. A weight of zero gives a very large variance, but not an infinite one.
 double variance(double weight) {
   constexpr double kLeastWeight = 1e-12;
   return 1 / std::max(weight, kLeastWeight);

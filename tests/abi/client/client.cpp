@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client with custom types. Eigen decides their layout, and templates of the library store and change
-// them.
+// A client with custom types. Their layout depends on the alignment that Eigen uses. Templates of the library
+// store and change objects of these types.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +13,7 @@
 #include "boxplus/optimize/covariance.h"
 #include "boxplus/optimize/optimizer.h"
 
-/// A vertex type whose layout Eigen decides.
+/// A vertex type whose layout depends on the alignment that Eigen uses.
 struct Mount {
   int id;
   Eigen::Vector4d offset;
@@ -49,7 +49,8 @@ struct Plane {
 static_assert(sizeof(Camera) == 160 && sizeof(Plane) == 64);
 #endif
 
-/// Fills one vector of Things per task on the library's threads; the caller frees them.
+/// Runs four tasks on the threads of the library. Each task fills one vector with Things, and the calling
+/// thread frees the vectors. Returns true if all Things have the values that the tasks wrote.
 template <class Thing, class Make>
 bool fill_in_parallel(Make make) {
   std::vector<std::vector<Thing>> things(4);
@@ -79,7 +80,7 @@ bool dynamic_matrices_survive() {
   return sum.trace() == 28;
 }
 
-/// Vertices and edges with aligned members go through the library's optimizer.
+/// The optimizer of the library finds the estimates of vertices with aligned members.
 bool graphs_of_eigen_structs_are_optimized() {
   boxplus::Graph graph;
   std::vector<boxplus::VertexHandle<Mount>> mounts;
@@ -97,7 +98,8 @@ bool graphs_of_eigen_structs_are_optimized() {
   return true;
 }
 
-/// Isometries become vertices, whose estimates become isometries again, with their covariances.
+/// Converts an isometry to a measurement, and the optimized estimate back to an isometry. Checks this
+/// isometry and the covariance of the estimate.
 bool conversions_survive() {
   const Eigen::Isometry3d measured = Eigen::Translation3d(1, 2, 3) * Eigen::Quaterniond(0.6, 0, 0.8, 0);
   boxplus::Graph graph;
@@ -127,7 +129,7 @@ bool exceptions_arrive() {
 
 }  // namespace
 
-// Each new kind of exchange between a client and the library is one more line here.
+// Add a check here if clients and the library exchange objects in a new way.
 int main() {
   const bool good = vectors_of_eigen_structs_survive() && dynamic_matrices_survive() &&
                     graphs_of_eigen_structs_are_optimized() && conversions_survive() && exceptions_arrive();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that runs bundle adjustment as visual SLAM does: custom vertex and edge types, raw pointers, two
-// rounds with outlier removal in between, a stop flag, marginalized points, and poses that are read back.
+// A client that runs bundle adjustment as in visual SLAM: custom vertex and edge types, raw pointers, two
+// rounds of optimization with the removal of outliers in between, a stop flag, and marginalized points.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@
 
 namespace {
 
-/// T_camera_world. ⊞ multiplies on the left.
+/// The pose T_camera_world. A step is multiplied from the left.
 class VertexPose : public g2o::BaseVertex<6, Eigen::Isometry3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -101,6 +101,7 @@ Scene make_scene() {
   return scene;
 }
 
+/// The 95 % quantile of the chi2 distribution with two degrees of freedom.
 constexpr double kChi2Of95Percent = 5.991;
 
 class BundleAdjustment : public testing::Test {
@@ -114,7 +115,7 @@ class BundleAdjustment : public testing::Test {
     optimizer.setForceStopFlag(&stop);
   }
 
-  /// Adds noisy pixels. Every 20th observation is an outlier.
+  /// Adds the scene with noisy pixel measurements. Every 20th measurement is an outlier.
   void add(const Scene& scene, bool marginalize) {
     std::mt19937 random(5);
     std::normal_distribution<double> pixel(0, 0.5), meter(0, 0.05);
@@ -195,7 +196,7 @@ TEST_F(BundleAdjustment, TwoRoundsFindTheCamerasDespiteOutliers) {
   EXPECT_LT(worst_position(scene), 0.01);
 }
 
-TEST_F(BundleAdjustment, TheResultIsTheSameWithoutMarginalization) {
+TEST_F(BundleAdjustment, TwoRoundsFindTheCamerasWithoutMarginalization) {
   const Scene scene = make_scene();
   add(scene, false);
   optimizer.initializeOptimization();
@@ -206,7 +207,7 @@ TEST_F(BundleAdjustment, TheResultIsTheSameWithoutMarginalization) {
   EXPECT_LT(worst_position(scene), 0.01);
 }
 
-TEST_F(BundleAdjustment, StructureOnlyMovesPointsButNotCameras) {
+TEST_F(BundleAdjustment, TheStructureOnlySolverMovesPointsButNotCameras) {
   const Scene scene = make_scene();
   add(scene, true);
   const Eigen::Isometry3d camera = static_cast<VertexPose*>(optimizer.vertex(4))->estimate();
@@ -226,14 +227,14 @@ TEST_F(BundleAdjustment, StructureOnlyMovesPointsButNotCameras) {
   EXPECT_EQ(optimizer.optimize(3), 3);
 }
 
-TEST_F(BundleAdjustment, AStopFlagSetByAnotherThreadStopsIt) {
+TEST_F(BundleAdjustment, StopsIfTheClientSetsTheStopFlag) {
   add(make_scene(), true);
   optimizer.initializeOptimization();
   stop = true;
   EXPECT_EQ(optimizer.optimize(5), 0);
 }
 
-TEST_F(BundleAdjustment, MarginalsAreTheSameIfPointsAreEliminated) {
+TEST_F(BundleAdjustment, TheCovarianceOfAPoseIsTheSameIfPointsAreMarginalized) {
   Eigen::MatrixXd covariance[2];
   for (const bool marginalize : {false, true}) {
     optimizer.clear();

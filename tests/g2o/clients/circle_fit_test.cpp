@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fits a circle, written for current g2o and for g2o before 2017.
+// A client that fits a circle. It is written twice: for the current API of g2o and for its API before 2017.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fits a curve with a custom vertex and a custom unary edge, written for current g2o and for
-// old g2o.
+// A client that fits a curve with a custom vertex and a custom unary edge. It uses smart pointers as in
+// current g2o, and raw pointers as in old g2o.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ class CurveEdge : public g2o::BaseUnaryEdge<1, double, CurveVertex> {
   double x_;
 };
 
-/// The same without a Jacobian.
+/// The same edge without an analytic Jacobian.
 class NumericCurveEdge : public CurveEdge {
  public:
   using CurveEdge::CurveEdge;
@@ -103,7 +103,7 @@ TEST(CurveFit, GaussNewtonFindsTheCurveWithAnyLinearSolver) {
   expect_truth(fitted_by_gauss_newton<CurveEdge, g2o::LinearSolverPCG<BlockSolverType::PoseMatrixType>>());
 }
 
-TEST(CurveFit, NumericJacobiansLeadToTheSameCurve) {
+TEST(CurveFit, GaussNewtonFindsTheCurveWithNumericJacobians) {
   expect_truth(
       fitted_by_gauss_newton<NumericCurveEdge, g2o::LinearSolverDense<BlockSolverType::PoseMatrixType>>());
 }
@@ -134,7 +134,7 @@ TEST(CurveFit, DoglegFindsTheCurve) {
   expect_truth(v->estimate(), 1e-7);
 }
 
-TEST(CurveFit, OptimizeReturnsMinusOneIfNothingIsInitialized) {
+TEST(CurveFit, OptimizeReturnsMinusOneIfTheOptimizerIsNotInitialized) {
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
       new BlockSolverType(new g2o::LinearSolverDense<BlockSolverType::PoseMatrixType>())));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client with a linear solver over compressed columns that provides marginals. It registers algorithms for
-// this solver in a library. Another client has a custom algorithm and a custom stop action.
+// A client with its own linear solver, which works on compressed columns and also computes marginal
+// covariances. The client registers algorithms that use this solver. A second client has a custom algorithm
+// and a custom action that stops a run.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -20,7 +21,7 @@
 
 namespace g2o {
 
-/// Eigen's sparse Cholesky without an ordering.
+/// A linear solver with the sparse Cholesky factorization of Eigen, without an ordering.
 template <typename MatrixType>
 class LinearSolverCustomFactor : public LinearSolverCCS<MatrixType> {
  public:
@@ -46,7 +47,7 @@ class LinearSolverCustomFactor : public LinearSolverCCS<MatrixType> {
     return true;
   }
 
-  /// Rebuilds the structure each time, because the blocks of A lie elsewhere in each call.
+  /// Rebuilds the structure each time, because the blocks of A are at different addresses in each call.
   bool factorize(const SparseBlockMatrix<MatrixType>& A) {
     this->initMatrixStructure(A);
     _A.resize(A.rows(), A.cols());
@@ -126,7 +127,7 @@ double optimum(g2o::OptimizationAlgorithm* algorithm) {
   return optimizer.activeChi2();
 }
 
-TEST(CustomFactor, RunsInTheAlgorithmsThatTheClientRegistered) {
+TEST(CustomFactor, WorksInTheAlgorithmsThatTheClientRegisters) {
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
   for (const char* name : {"gn_var_custom", "lm_var_custom", "dl_var_custom", "gn_fix3_2_custom"}) {
     SCOPED_TRACE(name);
@@ -139,7 +140,7 @@ TEST(CustomFactor, RunsInTheAlgorithmsThatTheClientRegistered) {
   }
 }
 
-TEST(CustomFactor, ProvidesTheMarginals) {
+TEST(CustomFactor, ComputesBlocksOfTheInverse) {
   const int ends[] = {3, 6, 9};
   g2o::SparseBlockMatrix<g2o::MatrixX> A(ends, ends, 3, 3);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(9, 9);
@@ -160,7 +161,8 @@ TEST(CustomFactor, ProvidesTheMarginals) {
   EXPECT_LT((*spinv.block(0, 2) - inverse.block(0, 6, 3, 3)).norm(), 1e-9);
 }
 
-/// Takes half of each Gauss-Newton step. Owns its solver, as old versions of the library did.
+/// An algorithm that takes half of each Gauss-Newton step. It passes its solver to the base class as a raw
+/// pointer, as in old versions of g2o.
 class Cautious : public g2o::OptimizationAlgorithmWithHessian {
  public:
   explicit Cautious(g2o::Solver* solver) : OptimizationAlgorithmWithHessian(solver) {}
@@ -176,7 +178,8 @@ class Cautious : public g2o::OptimizationAlgorithmWithHessian {
   }
 };
 
-/// Stops a run when chi2 decreases by less than a given fraction, and records that it did.
+/// An action that stops a run when chi2 decreases by less than a given fraction, and records that it stopped
+/// the run.
 class Convergence : public g2o::SparseOptimizerTerminateAction {
  public:
   g2o::HyperGraphAction* operator()(const g2o::HyperGraph* graph, Parameters* parameters = nullptr) override {
@@ -197,7 +200,7 @@ class Convergence : public g2o::SparseOptimizerTerminateAction {
   bool stopped = false;
 };
 
-TEST(CustomAlgorithm, IsStoppedByACustomAction) {
+TEST(CustomAlgorithm, StopsIfACustomActionSetsTheStopFlag) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   optimizer.setAlgorithm(new Cautious(small_graph::make_solver().release()));

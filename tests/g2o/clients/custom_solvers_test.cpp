@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clients with a custom LinearSolver or a custom Solver.
+// Clients with their own LinearSolver or their own Solver.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -19,7 +19,7 @@ namespace {
 
 using small_graph::add_square;
 
-/// Solves by Eigen's dense Cholesky, from the sparse block matrix.
+/// A linear solver that copies the sparse block matrix to a dense matrix and factorizes it with Eigen.
 template <typename MatrixType>
 class CustomLinearSolver : public g2o::LinearSolver<MatrixType> {
  public:
@@ -41,7 +41,8 @@ class CustomLinearSolver : public g2o::LinearSolver<MatrixType> {
   int calls = 0;
 };
 
-/// Builds and solves the system itself, from the quadratic forms of the edges in memory that it owns.
+/// A solver that builds and solves the system itself. The edges write their quadratic forms to memory that
+/// this solver owns.
 class CustomSolver : public g2o::Solver {
  public:
   bool init(g2o::SparseOptimizer* optimizer, bool = false) override {
@@ -97,7 +98,8 @@ class CustomSolver : public g2o::Solver {
   bool saveHessian(const std::string&) const override { return false; }
 
  private:
-  /// Adds the block of two poses through memory that lives only during this call.
+  /// Adds the off-diagonal block of an edge between two poses. The edge writes the block to memory that
+  /// exists only during this call.
   void add(g2o::OptimizableGraph::Edge& e) {
     const auto* a = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(0));
     const auto* b = static_cast<g2o::OptimizableGraph::Vertex*>(e.vertex(1));
@@ -140,7 +142,7 @@ double optimum(g2o::OptimizationAlgorithm* algorithm, bool with_landmark = false
   return optimizer.activeChi2();
 }
 
-TEST(CustomSolvers, ACustomLinearSolverReceivesTheMatrix) {
+TEST(CustomSolvers, ACustomLinearSolverReceivesTheHessian) {
   using Matrix = g2o::BlockSolverX::PoseMatrixType;
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
   auto linear = std::make_unique<CustomLinearSolver<Matrix>>();
@@ -152,7 +154,7 @@ TEST(CustomSolvers, ACustomLinearSolverReceivesTheMatrix) {
               expected, 1e-9 * expected);
 }
 
-TEST(CustomSolvers, ACustomLinearSolverOfFixedSizeReceivesTheSchurComplement) {
+TEST(CustomSolvers, ACustomLinearSolverForFixedBlockSizesReceivesTheSchurComplement) {
   using Blocks = g2o::BlockSolver_3_2;
   const double expected =
       optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()), true);
@@ -161,7 +163,7 @@ TEST(CustomSolvers, ACustomLinearSolverOfFixedSizeReceivesTheSchurComplement) {
   EXPECT_NEAR(optimum(algorithm, true), expected, 1e-9 * expected);
 }
 
-/// Reads the blocks of H.
+/// A block solver that copies the blocks of H and of its Schur complement from its base class.
 class CustomBlockSolver : public g2o::BlockSolver_3_2 {
  public:
   using g2o::BlockSolver_3_2::BlockSolver_3_2;
@@ -216,7 +218,7 @@ TEST(CustomSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
   EXPECT_NE(blocks->poses(0, 3), 0);  // poses 1 and 2 share an edge
   EXPECT_EQ(blocks->landmark(0, 1), l->hessian(0, 1));
   EXPECT_LT((blocks->between - between).norm(), 1e-12);
-  Eigen::MatrixXd schur = blocks->poses;  // only the first pose observes the landmark
+  Eigen::MatrixXd schur = blocks->poses;  // only pose 1, the first in H, observes the landmark
   schur.topLeftCorner<3, 3>() -= blocks->between * blocks->landmark.inverse() * blocks->between.transpose();
   EXPECT_LT((Eigen::MatrixXd(schur.triangularView<Eigen::Upper>()) -
              Eigen::MatrixXd(blocks->schur.triangularView<Eigen::Upper>()))
@@ -224,7 +226,7 @@ TEST(CustomSolvers, ADerivedBlockSolverReadsTheBlocksOfTheHessian) {
             1e-9 * schur.norm());
 }
 
-TEST(CustomSolvers, ACustomSolverRunsInEveryAlgorithm) {
+TEST(CustomSolvers, ACustomSolverWorksWithGaussNewtonAndLevenbergMarquardt) {
   const double expected = optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));
   EXPECT_NEAR(optimum(new g2o::OptimizationAlgorithmGaussNewton(new CustomSolver)), expected,
               1e-9 * expected);
@@ -232,7 +234,7 @@ TEST(CustomSolvers, ACustomSolverRunsInEveryAlgorithm) {
               1e-9 * expected);
 }
 
-TEST(CustomSolvers, AlgorithmsAreConstructedByName) {
+TEST(CustomSolvers, AllAlgorithmsOfTheLibraryAreConstructedByTheirNames) {
   const double expected =
       optimum(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()), true);
   g2o::OptimizationAlgorithmFactory* factory = g2o::OptimizationAlgorithmFactory::instance();
@@ -253,7 +255,7 @@ TEST(CustomSolvers, AlgorithmsAreConstructedByName) {
   EXPECT_EQ(factory->construct("no_such_solver", property), nullptr);
 }
 
-TEST(CustomSolvers, PropertiesAreSetFromText) {
+TEST(CustomSolvers, PropertiesOfAnAlgorithmAreSetFromText) {
   g2o::OptimizationAlgorithmLevenberg algorithm(small_graph::make_solver());
   EXPECT_TRUE(algorithm.updatePropertiesFromString("initialLambda=0.25, maxTrialsAfterFailure=3"));
   EXPECT_EQ(algorithm.userLambdaInit(), 0.25);
@@ -261,7 +263,7 @@ TEST(CustomSolvers, PropertiesAreSetFromText) {
   EXPECT_FALSE(algorithm.updatePropertiesFromString("noSuchProperty=1"));
 }
 
-TEST(CustomSolvers, TheTerminateActionStopsWhenChi2NoLongerDecreases) {
+TEST(CustomSolvers, TheTerminateActionStopsARunWhenChi2HardlyDecreases) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(small_graph::make_solver()));

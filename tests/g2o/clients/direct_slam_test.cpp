@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that aligns keyframes directly and keeps them in a graph of custom similarities: estimates and
-// measurements as arrays, an initial guess along its edges, custom file tags, old names and raw pointers.
+// A client as in direct visual SLAM: a graph of keyframes whose estimates are custom similarity transforms.
+// It sets estimates and measurements from arrays, computes an initial guess along the edges, registers its
+// own file tags, and uses old names and raw pointers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -22,7 +23,7 @@
 
 namespace {
 
-/// p ↦ s R p + t, a client's type.
+/// The similarity transform p ↦ s R p + t, a type of the client.
 struct Similarity {
   Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
   Eigen::Vector3d t = Eigen::Vector3d::Zero();
@@ -42,7 +43,8 @@ struct Similarity {
     r.t = -r.s * (r.q * t);
     return r;
   }
-  /// Translation, rotation vector, logarithm of the scale: a chart, not the exponential.
+  /// The similarity with the given translation, rotation vector and logarithm of the scale. This is not the
+  /// exponential map, but another map from the tangent space.
   static Similarity step(const Eigen::Matrix<double, 7, 1>& v) {
     Similarity r;
     const Eigen::Vector3d w = v.segment<3>(3);
@@ -156,7 +158,7 @@ class EdgeFrames : public g2o::BaseBinaryEdge<7, Similarity, VertexFrame, Vertex
 G2O_REGISTER_TYPE(VERTEX_FRAME, VertexFrame)
 G2O_REGISTER_TYPE(EDGE_FRAMES, EdgeFrames)
 
-/// Keyframes on a ring, in a client that keeps its optimizer as a member.
+/// The class of the client that keeps the optimizer as a member.
 class KeyFrameGraph {
  public:
   KeyFrameGraph() {
@@ -205,6 +207,7 @@ class KeyFrameGraph {
   int totalEdges = 0;
 };
 
+/// Keyframes on a ring, each connected to the next one by an edge without noise.
 class DirectSlam : public testing::Test {
  protected:
   static constexpr int kFrames = 20;
@@ -266,13 +269,13 @@ TEST_F(DirectSlam, OptimizesFromEstimatesThatAreSetAsArrays) {
   EXPECT_LT(frames.graph.chi2(), 1e-6);
 }
 
-TEST_F(DirectSlam, AFixedScaleIsKeptByTheSolver) {
+TEST_F(DirectSlam, AVertexCanKeepItsScaleFixed) {
   for (int i = 0; i < kFrames; ++i) frame(i)->_fix_scale = true;
   EXPECT_GT(frames.optimize(10), 0);
   for (int i = 0; i < kFrames; ++i) EXPECT_EQ(frame(i)->estimate().s, 1);
 }
 
-TEST_F(DirectSlam, MeasurementsAreSetFromTheStateAndTheMapIsSaved) {
+TEST_F(DirectSlam, MeasurementsAreSetFromTheEstimatesAndTheGraphIsSavedAndLoaded) {
   ASSERT_TRUE(frames.graph.initializeOptimization());
   frames.graph.computeInitialGuess();
   for (g2o::HyperGraph::EdgeSet::iterator it = frames.graph.edges().begin(); it != frames.graph.edges().end();
@@ -292,7 +295,7 @@ TEST_F(DirectSlam, MeasurementsAreSetFromTheStateAndTheMapIsSaved) {
   EXPECT_LT(loaded.graph.activeChi2(), 1e-15);
 }
 
-TEST_F(DirectSlam, KeyframesAreRemovedWithTheirConstraints) {
+TEST_F(DirectSlam, AKeyframeCanBeRemovedAfterItsEdges) {
   frames.insertConstraint(3, 5, between(3, 5), 1);
   g2o::OptimizableGraph::Vertex* dropped = frames.graph.vertex(4);
   const std::vector<g2o::HyperGraph::Edge*> its(dropped->edges().begin(), dropped->edges().end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that plans paths as a timed elastic band does: multi-edges over poses and time differences, one
+// A client that plans paths with a timed elastic band: multi-edges over poses and time differences, one
 // optimizer that is cleared and rebuilt repeatedly, and vertices that the client owns.
 #include <gtest/gtest.h>
 
@@ -51,11 +51,12 @@ class VertexTimeDiff : public g2o::BaseVertex<1, double> {
   bool write(std::ostream&) const override { return true; }
 };
 
+/// The amount by which the absolute value exceeds the bound.
 double beyond(double value, double bound) {
   return std::max(0.0, std::abs(value) - bound);
 }
 
-/// The velocity from two poses and a time difference.
+/// Bounds the velocity, which is computed from two poses and a time difference.
 class EdgeVelocity : public g2o::BaseMultiEdge<2, double> {
  public:
   EdgeVelocity() { this->resize(3); }
@@ -70,7 +71,7 @@ class EdgeVelocity : public g2o::BaseMultiEdge<2, double> {
   bool write(std::ostream&) const override { return true; }
 };
 
-/// The acceleration from three poses and two time differences.
+/// Bounds the acceleration, which is computed from three poses and two time differences.
 class EdgeAcceleration : public g2o::BaseMultiEdge<1, double> {
  public:
   EdgeAcceleration() { this->resize(5); }
@@ -88,8 +89,7 @@ class EdgeAcceleration : public g2o::BaseMultiEdge<1, double> {
   bool write(std::ostream&) const override { return true; }
 };
 
-/// The constraint that a wheeled robot moves along arcs. The Jacobian with respect to one of the two poses is
-/// analytic.
+/// The constraint that a wheeled robot moves along circular arcs.
 class EdgeKinematics : public g2o::BaseBinaryEdge<1, double, VertexPose, VertexPose> {
  public:
   void computeError() override {
@@ -209,7 +209,8 @@ class Planner {
     }
   }
 
-  /// The client owns the vertices: removes them from the optimizer, so that it deletes only the edges.
+  /// Removes the vertices from the optimizer before clear(), because the client owns them. clear() then
+  /// deletes only the edges.
   void clear() {
     for (auto& entry : optimizer_->vertices()) entry.second->edges().clear();
     optimizer_->vertices().clear();
@@ -223,7 +224,7 @@ class Planner {
   double chi2_ = 0;
 };
 
-TEST(ElasticBand, AvoidsTheObstacleAndKeepsItsSpeed) {
+TEST(ElasticBand, AvoidsTheObstacleAtAReasonableSpeed) {
   Planner planner;
   EXPECT_LT(planner.nearest(), 0.2);
   for (int cycle = 0; cycle < 10; ++cycle) ASSERT_TRUE(planner.plan());
@@ -232,7 +233,7 @@ TEST(ElasticBand, AvoidsTheObstacleAndKeepsItsSpeed) {
   EXPECT_LT(planner.duration(), 4 / 0.2);
 }
 
-TEST(ElasticBand, AMovingRobotReplansWithOneOptimizer) {
+TEST(ElasticBand, AMovingRobotPlansRepeatedlyWithOneOptimizer) {
   Planner planner;
   auto next = std::chrono::steady_clock::now();
   while (planner.poses() > 4) {
@@ -240,7 +241,7 @@ TEST(ElasticBand, AMovingRobotReplansWithOneOptimizer) {
     const double before = planner.duration();
     planner.advance();
     EXPECT_LT(planner.duration(), before);
-    next += std::chrono::milliseconds(50);  // at 20 Hz if the machine is fast enough
+    next += std::chrono::milliseconds(50);  // plans at 20 Hz, if the machine is fast enough
     std::this_thread::sleep_until(next);
   }
   EXPECT_LT(planner.duration(), 3 * 0.2 / 0.2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that maps by lidar: an interface with forward declarations, a graph that grows between
-// optimizations, kernels by name, saving and loading, covariances.
+// A client that builds a map from lidar scans. Its interface uses forward declarations, and its graph grows
+// between optimizations. It constructs robust kernels by name, saves and loads its map, and computes
+// covariances.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-// Forward declarations as in a client's header: they must match the class types of namespace g2o.
+// Forward declarations as in a client's header. They must match the declarations in the headers of g2o.
 namespace g2o {
 class HyperGraph;
 class SparseOptimizer;
@@ -176,7 +177,7 @@ TEST(LidarSlam, AGrowingMapClosesItsLoopDespiteAWrongLoopClosure) {
   slam.add_se3_point_edge(nodes[0], point, pole, Eigen::MatrixXd::Identity(3, 3) * 100);
   for (int i = 1; i <= 40; ++i) {
     const Eigen::Isometry3d step = motion(1, i % 10 == 0 ? M_PI / 2 : 0);
-    const Eigen::Isometry3d measured = step * motion(0.01, 0.004);  // with drift
+    const Eigen::Isometry3d measured = step * motion(0.01, 0.004);  // odometry with drift
     truth = truth * step;
     odometry = nodes.back()->estimate() * measured;
     nodes.push_back(slam.add_se3_node(odometry));
@@ -198,7 +199,7 @@ TEST(LidarSlam, AGrowingMapClosesItsLoopDespiteAWrongLoopClosure) {
   EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-12);
 }
 
-TEST(LidarSlam, ALoadedMapEqualsTheSavedOne) {
+TEST(LidarSlam, ALoadedMapEqualsTheSavedMap) {
   GraphSlam slam("gn_var"), loaded("gn_var");
   auto* a = slam.add_se3_node(motion(0, 0));
   auto* b = slam.add_se3_node(motion(1.1, 0.3));

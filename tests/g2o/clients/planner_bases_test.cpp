@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A planner whose edges derive from the planner's base templates. The edges leave their vertices in their
-// destructors, compute errors outside of a run, and resize themselves. The planner registers its types by
-// pointers and sums up the cost of its path by kind of edge. Uses unique pointers.
+// A client that plans a path and derives its edges from its own base class templates. The edges remove
+// themselves from their vertices in their destructors, compute errors outside of a run, and override
+// resize(). The client registers its types with raw pointers, and sums up the cost of its path for each type
+// of edge.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -168,7 +169,7 @@ class EdgeSmooth : public BasePlannerMultiEdge<2, double> {
 
 using PlannerBlockSolver = g2o::BlockSolver<g2o::BlockSolverTraits<-1, -1>>;
 
-/// `Linear` is any linear solver that the client has installed.
+/// A planner that uses the linear solver `Linear`.
 template <class Linear>
 class BandPlanner {
  public:
@@ -206,7 +207,8 @@ class BandPlanner {
     return ok;
   }
 
-  /// Works whether or not the graph is built at the moment.
+  /// The cost of the path for each type of edge. If there is no graph yet, builds it and clears it
+  /// afterwards.
   std::vector<double> costs() {
     bool graph_exist_flag = !(optimizer_->edges().empty() && optimizer_->vertices().empty());
     if (!graph_exist_flag) {
@@ -254,7 +256,7 @@ class BandPlanner {
     ASSERT_TRUE(optimizer_->addEdge(via));
   }
 
-  /// The client owns the points, and edges remove themselves from them in their destructors.
+  /// The client owns the points. The edges remove themselves from the points in their destructors.
   void clearGraph() {
     optimizer_->vertices().clear();
     optimizer_->clear();
@@ -282,7 +284,7 @@ TYPED_TEST(PlannerBases, ThePathPassesTheViaPoint) {
   EXPECT_LT(after[1], before[1]);
 }
 
-TYPED_TEST(PlannerBases, ComputingCostsKeepsAGraphThatIsAlreadyBuilt) {
+TYPED_TEST(PlannerBases, ComputingTheCostsDoesNotClearAGraphThatExistedBefore) {
   BandPlanner<TypeParam> planner;
   planner.buildGraph();
   planner.optimizer_->initializeOptimization();
@@ -291,7 +293,7 @@ TYPED_TEST(PlannerBases, ComputingCostsKeepsAGraphThatIsAlreadyBuilt) {
   EXPECT_GT(planner.optimizer_->optimize(3), 0);
 }
 
-TYPED_TEST(PlannerBases, AnOptimizerThatOwnsThePathDeletesIt) {
+TYPED_TEST(PlannerBases, AnOptimizerDeletesThePointsAndEdgesThatItOwns) {
   g2o::SparseOptimizer optimizer;
   Config cfg;
   for (int i = 0; i < 2; ++i) {

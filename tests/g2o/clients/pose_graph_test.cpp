@@ -87,10 +87,10 @@ TEST_F(PoseGraph, IsOptimizedAndSavedWithTheCurrentApi) {
   ASSERT_TRUE(optimizer->save(result_.c_str()));
   optimizer->computeActiveErrors();
   EXPECT_LT(optimizer->chi2(), 0.2 * chi2_of_file(path_));
-  EXPECT_EQ(chi2_of_file(result_), optimizer->chi2()) << "the file has all digits";
+  EXPECT_EQ(chi2_of_file(result_), optimizer->chi2()) << "the file must contain all digits of the estimates";
 }
 
-TEST_F(PoseGraph, EndsAtTheSameChi2WithTheOldApi) {
+TEST_F(PoseGraph, HasTheSameFinalChi2WithTheOldApiAndWithAnAlgorithmOfTheFactory) {
   typedef g2o::BlockSolver<g2o::BlockSolverTraits<6, 3>> Block;
   Block::LinearSolverType* linearSolver = new g2o::LinearSolverCSparse<Block::PoseMatrixType>();
   Block* solver_ptr = new Block(linearSolver);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that extends 3-D SLAM with custom sensors, inside namespace g2o and with files: gravity at the
-// offset of an IMU, which uses a parameter and a cache; the direction of a compass; walls. Kernels are saved
-// in a second file and restored. Uses unique pointers.
+// A client that adds edges for three sensors to 3-D SLAM: an IMU at an offset, which measures gravity (with a
+// parameter and a cache); a compass; and a sensor that observes walls. The edges are in namespace g2o and
+// have file tags. The client saves robust kernels to a second file and restores them.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -31,7 +31,8 @@
 
 namespace g2o {
 
-/// The direction "up", measured in the frame of a sensor with an offset.
+/// The upward direction, measured in the frame of a sensor at an offset. The measurement consists of this
+/// direction in the world and in the sensor.
 class G2O_TYPES_SLAM3D_API EdgeSE3Gravity : public BaseUnaryEdge<3, Eigen::Matrix<double, 6, 1>, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -89,7 +90,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Gravity : public BaseUnaryEdge<3, Eigen::Matri
   CacheSE3Offset* _cache = nullptr;
 };
 
-/// The heading of a compass. The measurement is a quaternion.
+/// The orientation that a compass measures, as a quaternion.
 class EdgeSE3PriorQuat : public BaseUnaryEdge<3, Eigen::Quaterniond, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -124,7 +125,7 @@ class EdgeSE3PriorQuat : public BaseUnaryEdge<3, Eigen::Quaterniond, VertexSE3> 
   }
 };
 
-/// A plane in the frame of a pose.
+/// A plane that is measured in the frame of a pose.
 class EdgeSE3Plane : public BaseBinaryEdge<3, Plane3D, VertexSE3, VertexPlane> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -160,7 +161,7 @@ G2O_USE_TYPE_GROUP(slam3d_addons)
 
 namespace {
 
-/// A pose that stays in its plane. It passes a modified step to its base class.
+/// A pose that does not leave its plane. It passes a modified step to its base class.
 class VertexPlanar : public g2o::VertexSE3 {
  public:
   void oplusImpl(const double* update) override {
@@ -175,7 +176,7 @@ std::string kernel_type(g2o::RobustKernel* kernel) {
   return "";
 }
 
-/// Writes one line per kernel: its name, delta, and the tag and vertices of its edge.
+/// Writes one line per kernel: its name, its delta, the tag of its edge, and the vertex ids of its edge.
 std::string save_robust_kernels(const g2o::SparseOptimizer& graph) {
   std::ostringstream out;
   for (const auto& edge_ : graph.edges()) {
@@ -319,7 +320,7 @@ TEST_F(SensorPriors, AreRestoredFromAFileWithTheirKernels) {
   EXPECT_LT(worst(*loaded), 0.01);
 }
 
-TEST_F(SensorPriors, SetTheirMeasurementFromTheState) {
+TEST_F(SensorPriors, HaveNoErrorAfterTheirMeasurementsAreSetFromTheEstimates) {
   for (auto* u : graph->edges()) {
     auto* e = static_cast<g2o::OptimizableGraph::Edge*>(u);
     if (!e->setMeasurementFromState()) continue;
@@ -342,7 +343,8 @@ TEST_F(SensorPriors, AreRefusedWithoutTheirParameter) {
   gravity->setParameterId(0, 3);
   EXPECT_TRUE(graph->addEdge(gravity.get()));
   EXPECT_EQ(gravity->parameter(0), graph->parameter(3));
-  ASSERT_TRUE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(2))) << "with the cache of that vertex";
+  ASSERT_TRUE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(2)))
+      << "the edge then uses the cache of vertex 2";
   EXPECT_FALSE(graph->setEdgeVertex(gravity.get(), 0, graph->vertex(9))) << "a plane is not a pose";
   EXPECT_EQ(gravity->vertex(0), graph->vertex(2));
   gravity->computeError();
@@ -350,7 +352,7 @@ TEST_F(SensorPriors, AreRefusedWithoutTheirParameter) {
   static_cast<void>(gravity.release());
 }
 
-TEST_F(SensorPriors, MoveAPoseThatStaysInItsPlane) {
+TEST_F(SensorPriors, AllowAPoseThatIsRestrictedToItsPlane) {
   auto* planar = new VertexPlanar;
   planar->setId(20);
   planar->setEstimate(pose(1, 0.3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that fuses images with inertial measurements: estimates that are classes of the client,
-// multi-edges with partly analytic Jacobians, Hessians that are read from edges after the run and kept as a
-// prior, and a scale that is updated by the exponential map. Uses raw pointers.
+// A client that fuses images with inertial measurements. It has its own classes for estimates, and its
+// multi-edges have partly analytic Jacobians. After a run, it reads Hessians from edges and keeps them as a
+// prior for the next run. The exponential map updates its scale. Uses raw pointers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +36,7 @@ Eigen::Vector3d logSO3(const Eigen::Matrix3d& R) {
   return turn.angle() * turn.axis();
 }
 
-/// The pose of a body in the world, and of its camera on the body.
+/// The pose of a body in the world. The frame of the camera is the frame of the body.
 class ImuCamPose {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -101,7 +101,8 @@ struct Preintegrated {
 };
 const Eigen::Vector3d g(0, 0, -9.81);
 
-/// Rotation, velocity and position between two states whose positions are known up to scale.
+/// The preintegrated change of rotation, velocity and position between two states. The positions are known
+/// except for their common scale.
 class EdgeInertial : public g2o::BaseMultiEdge<9, Vector9d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -127,7 +128,8 @@ class EdgeInertial : public g2o::BaseMultiEdge<9, Vector9d> {
         mpInt->dP;
     _error << er, ev, ep;
   }
-  /// Analytic for velocities and scale. The numeric base class fills the Jacobians of the poses.
+  /// The Jacobians of the velocities and of the scale are analytic. The base class computes the Jacobians of
+  /// the poses numerically.
   virtual void linearizeOplus() {
     g2o::BaseMultiEdge<9, Vector9d>::linearizeOplus();
     const VertexPose* VP1 = static_cast<const VertexPose*>(_vertices[0]);
@@ -156,7 +158,7 @@ class EdgeInertial : public g2o::BaseMultiEdge<9, Vector9d> {
   Preintegrated* mpInt;
 };
 
-/// The direction of a known point.
+/// The observation of a known point, in normalized image coordinates.
 class EdgeMonoOnlyPose : public g2o::BaseUnaryEdge<2, Eigen::Vector2d, VertexPose> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -183,7 +185,7 @@ class EdgeMonoOnlyPose : public g2o::BaseUnaryEdge<2, Eigen::Vector2d, VertexPos
   const Eigen::Vector3d Xw;
 };
 
-/// The prior of a state from an earlier run.
+/// A prior on a state, which comes from an earlier run.
 class EdgePriorPoseVelocity : public g2o::BaseMultiEdge<9, Vector9d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -301,7 +303,7 @@ TEST_F(VisualInertial, FindsTheScaleOfItsMap) {
   }
 }
 
-TEST_F(VisualInertial, TheMarginalOfARunIsThePriorOfTheNext) {
+TEST_F(VisualInertial, TheHessianOfARunIsThePriorOfTheNextRun) {
   Matrix9d H = Matrix9d::Zero();
   ImuCamPose pose;
   Eigen::Vector3d velocity;
@@ -350,7 +352,7 @@ TEST_F(VisualInertial, TheMarginalOfARunIsThePriorOfTheNext) {
     EXPECT_LT((VP[1]->estimate().twb - poses[k + 1].twb).norm(), 1e-6);
     EXPECT_LT((VV[1]->estimate() - velocities[k + 1]).norm(), 1e-5);
 
-    // The same Hessian computed by hand, from edges whose Jacobians are read after the run.
+    // The Hessian of the second state, summed up from the Jacobians of the edges after the run.
     H.setZero();
     H += ei->GetHessian2();
     for (EdgeMonoOnlyPose* e : monos) H.block<6, 6>(0, 0) += e->GetHessian();

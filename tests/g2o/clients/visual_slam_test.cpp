@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that tracks, maps and closes loops as visual SLAM does, with the ready-made types and old header
-// paths: pose-only optimization, bundle adjustment, similarities between keyframes, and a loop with scale
-// drift.
+// A client that tracks, maps and closes loops as in visual SLAM, with the types of the library and old header
+// paths. It optimizes single poses, runs bundle adjustment, finds the similarity between two keyframes, and
+// closes a loop with scale drift.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -30,7 +30,7 @@ struct KeyFrame {
   g2o::SE3Quat Tcw;
 };
 
-/// Cameras along an arc that observe points in front of them. Every other observation is stereo.
+/// Cameras along an arc, and points in front of them.
 struct World {
   std::mt19937 random{7};
   std::vector<KeyFrame> frames;
@@ -81,7 +81,7 @@ void setCamera(Edge* e, const KeyFrame& frame) {
   e->cy = frame.cy;
 }
 
-TEST(VisualSlam, TracksAPoseAmongOutliersInFourRounds) {
+TEST(VisualSlam, FindsAPoseDespiteOutliersInFourRounds) {
   World world;
   const KeyFrame& frame = world.frames[3];
 
@@ -135,7 +135,7 @@ TEST(VisualSlam, TracksAPoseAmongOutliersInFourRounds) {
   size_t bad = 0;
   const auto classify = [&bad](auto& edges, float threshold, bool last_with_kernel) {
     for (auto* e : edges) {
-      if (e->level() == 1) e->computeError();  // errors of inactive edges are not updated
+      if (e->level() == 1) e->computeError();  // optimize() does not update inactive edges
       const bool outlier = e->chi2() > threshold;
       e->setLevel(outlier ? 1 : 0);
       bad += outlier;
@@ -245,7 +245,7 @@ class LocalMap : public testing::Test {
   std::vector<g2o::EdgeStereoSE3ProjectXYZ*> stereoEdges;
 };
 
-TEST_F(LocalMap, IsAdjustedInTwoRounds) {
+TEST_F(LocalMap, IsOptimizedInTwoRoundsDespiteOutliers) {
   add();
   EXPECT_GT(worst(), 0.04);
   optimizer.initializeOptimization();
@@ -277,7 +277,7 @@ TEST_F(LocalMap, IsRestoredFromAFileWithItsCameras) {
   EXPECT_NEAR(chi2(other), expected, 1e-9 * expected);
 }
 
-// A map point in two keyframes, each with its frame and scale.
+// Two keyframes observe the same map points. Each keyframe has its own frame and its own scale.
 TEST(VisualSlam, FindsTheSimilarityBetweenTwoKeyframes) {
   World world;
   g2o::SparseOptimizer optimizer;
@@ -357,7 +357,7 @@ TEST(VisualSlam, FindsTheSimilarityBetweenTwoKeyframes) {
   EXPECT_LT((S * truth.inverse()).log().norm(), 0.02);
 }
 
-/// Keyframes on a ring. Their unit of length shrinks by a constant factor from one keyframe to the next.
+/// Keyframes on a ring. The scale of the map shrinks by a constant factor from one keyframe to the next.
 class EssentialGraph : public testing::Test {
  protected:
   static constexpr int kFrames = 60;
@@ -408,7 +408,8 @@ class EssentialGraph : public testing::Test {
     };
     for (size_t i = 1; i < mapped.size(); ++i) addEdge(i - 1, i, vertex(i) * vertex(i - 1).inverse());
     for (size_t i = 2; i < mapped.size(); ++i) addEdge(i - 2, i, vertex(i) * vertex(i - 2).inverse());
-    // The loop closure: the last keyframe observes the first one, and how much the scale has shrunk.
+    // The loop closure: the last keyframe observes the first keyframe, and measures by how much the scale has
+    // shrunk.
     const g2o::SE3Quat back = truth.front() * truth.back().inverse();
     const double scale = bFixScale ? 1 : std::pow(kShrinks, 1 - kFrames);
     addEdge(mapped.size() - 1, 0, g2o::Sim3(back.rotation(), back.translation(), scale));
@@ -416,8 +417,8 @@ class EssentialGraph : public testing::Test {
     EXPECT_GT(optimizer.optimize(20), 0);
   }
 
-  /// The largest distance of a keyframe's center from its true position. The center follows from R and t/s,
-  /// as in SLAM.
+  /// The largest distance of a keyframe's center from its true position. As in SLAM, the center of a
+  /// similarity (s, R, t) is computed from R and t / s.
   double worst() {
     double largest = 0;
     for (size_t i = 0; i < truth.size(); ++i) {
@@ -433,7 +434,7 @@ class EssentialGraph : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(EssentialGraph, RemovesTheScaleDrift) {
+TEST_F(EssentialGraph, LosesItsScaleDriftWhenTheLoopIsClosed) {
   double before = 0;
   for (size_t i = 0; i < truth.size(); ++i)
     before = std::max(before, distance_of_centers(mapped[i], truth[i]));
@@ -444,7 +445,7 @@ TEST_F(EssentialGraph, RemovesTheScaleDrift) {
   EXPECT_NEAR(last->estimate().scale(), std::pow(kShrinks, kFrames - 1), 0.05);
 }
 
-TEST_F(EssentialGraph, KeepsAFixedScale) {
+TEST_F(EssentialGraph, KeepsAFixedScaleWhenTheLoopIsClosed) {
   closeLoop(true);
   for (int i = 0; i < kFrames; ++i)
     EXPECT_EQ(static_cast<g2o::VertexSim3Expmap*>(optimizer.vertex(i))->estimate().scale(), 1);

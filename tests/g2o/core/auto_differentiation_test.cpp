@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Client edges whose Jacobians come from one function template, by the macros of g2o.
+// Client edges that compute their error in a function template. The macros of g2o derive the Jacobians from
+// this template.
 #include "g2o/core/auto_differentiation.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ class VertexNumbers : public g2o::BaseVertex<D, VectorN<D>> {
   bool write(std::ostream&) const override { return false; }
 };
 
-/// a exp(−λ x) + b.
+/// The error of a measured point (x, y) with respect to the curve y = a exp(−λ x) + b.
 class EdgeCurve : public g2o::BaseUnaryEdge<1, Eigen::Vector2d, VertexNumbers<3>> {
  public:
   template <typename T>
@@ -67,8 +68,8 @@ TEST(AutoDifferentiation, FitsACurve) {
   edge_checks::expect_exact_jacobians(**optimizer.activeEdges().begin());
 }
 
-/// A camera with nine parameters (rotation vector, translation, focal length, two for distortion), as in the
-/// BAL data sets. Vectors of Jets are mapped by Eigen.
+/// The observation of a point by a camera with nine parameters (rotation vector, translation, focal length,
+/// two distortion coefficients), as in the BAL data sets. Eigen maps the arrays of Jets as vectors.
 class EdgeObservationBAL
     : public g2o::BaseBinaryEdge<2, Eigen::Vector2d, VertexNumbers<9>, VertexNumbers<3>> {
  public:
@@ -145,7 +146,7 @@ class Bundle : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(Bundle, MapsOfJetsGiveExactJacobians) {
+TEST_F(Bundle, JacobiansAreExactIfTheErrorUsesEigenMapsOfJets) {
   add();
   for (g2o::HyperGraph::Edge* e : optimizer.edges()) {
     const auto* camera = static_cast<g2o::OptimizableGraph::Vertex*>(e->vertices()[0]);
@@ -164,7 +165,7 @@ TEST_F(Bundle, ConvergesToTheGroundTruth) {
   EXPECT_LT(optimizer.activeChi2(), 1e-9);
 }
 
-/// Has no data(), but an array as a member.
+/// An estimate type without data(), so that the edge must call getEstimateData() of the vertex.
 struct Interval {
   double from = 0, to = 1;
 };
@@ -225,7 +226,7 @@ class EdgeNumber : public g2o::BaseUnaryEdge<1, double, VertexNumber> {
   G2O_MAKE_AUTO_AD_FUNCTIONS
 };
 
-TEST(AutoDifferentiation, EstimatesMayBeScalarsOrHaveNoData) {
+TEST(AutoDifferentiation, JacobiansAreExactForScalarEstimatesAndForEstimatesWithoutData) {
   g2o::SparseOptimizer optimizer;
   auto* interval = new VertexInterval;
   interval->setId(0);
@@ -265,7 +266,8 @@ TEST(AutoDifferentiation, JacobiansAreZeroIfTheTemplateReturnsFalse) {
   EXPECT_EQ(*workspace.workspaceForVertex(0), 0);
 }
 
-/// Checks that f over Jets has the value of f over doubles and its numeric slope.
+/// Checks that f returns the same value for a Jet as for a double, and that the derivative in the Jet matches
+/// central differences.
 template <class F>
 void expect_slope(const char* name, double x, F f) {
   SCOPED_TRACE(name);
@@ -276,7 +278,7 @@ void expect_slope(const char* name, double x, F f) {
   EXPECT_NEAR(y.v[1], (f(x + h) - f(x - h)) / (2 * h), 1e-8 * std::max(1., std::abs(y.v[1])));
 }
 
-TEST(Jets, HaveTheSlopesOfTheFunctions) {
+TEST(Jets, ComputeTheDerivativesOfAllFunctions) {
   using namespace g2o::ceres;
   for (const double x : {0.3, 0.7, -0.4}) {
     expect_slope("arithmetic", x,
@@ -318,7 +320,7 @@ TEST(Jets, HaveTheSlopesOfTheFunctions) {
   }
 }
 
-TEST(Jets, TheNormOfAConstantZeroHasNoDerivative) {
+TEST(Jets, TheNormOfAConstantZeroVectorHasTheDerivativeZero) {
   const Eigen::Matrix<Jet, 3, 1> zero = Eigen::Matrix<Jet, 3, 1>::Zero();
   const Jet norm = zero.norm();
   EXPECT_EQ(norm.a, 0);
@@ -326,7 +328,7 @@ TEST(Jets, TheNormOfAConstantZeroHasNoDerivative) {
   EXPECT_EQ(norm.v[1], 0);
 }
 
-TEST(Jets, AreScalarsOfEigen) {
+TEST(Jets, WorkAsScalarsOfEigenMatrices) {
   Jet numbers[4] = {Jet(1, 0), Jet(2), Jet(3), Jet(4, 1)};
   const Eigen::Map<Eigen::Matrix<Jet, 2, 2>> m(numbers);
   const Jet determinant = m.determinant();

@@ -19,7 +19,7 @@ class Number : public g2o::BaseVertex<1, double> {
   bool write(std::ostream&) const override { return false; }
 };
 
-/// Every row of the error is the sum of the estimates minus 1.
+/// An edge whose error has equal rows: each is the sum of all estimates, minus 1.
 class Sum : public g2o::BaseMultiEdge<Eigen::Dynamic, double> {
  public:
   explicit Sum(int rows) {
@@ -35,6 +35,7 @@ class Sum : public g2o::BaseMultiEdge<Eigen::Dynamic, double> {
   bool write(std::ostream&) const override { return false; }
 };
 
+/// An edge with three vertices and two rows, which was optimized once before a test resizes it.
 class ResizedEdge : public testing::Test {
  protected:
   void SetUp() override {
@@ -62,7 +63,7 @@ class ResizedEdge : public testing::Test {
   Sum* sum = nullptr;
 };
 
-TEST_F(ResizedEdge, OfTheSameSizeIsUnchanged) {
+TEST_F(ResizedEdge, StaysActiveIfItsSizeIsTheSame) {
   sum->resize(3);
   static_cast<Number*>(optimizer.vertex(0))->setEstimate(5);
   EXPECT_GT(optimizer.optimize(5), 0);
@@ -70,13 +71,13 @@ TEST_F(ResizedEdge, OfTheSameSizeIsUnchanged) {
   EXPECT_LT(optimizer.activeChi2(), 1e-8);
 }
 
-TEST_F(ResizedEdge, WithFewerVerticesIsOptimizedAgain) {
+TEST_F(ResizedEdge, CanBeOptimizedWithFewerVertices) {
   optimizer.vertex(2)->edges().erase(sum);
   sum->resize(2);
   expect_a_fit();
 }
 
-TEST_F(ResizedEdge, WithMoreVerticesIsOptimizedAgain) {
+TEST_F(ResizedEdge, CanBeOptimizedWithMoreVertices) {
   auto* v = new Number;
   v->setToOrigin();
   v->setId(3);
@@ -86,14 +87,14 @@ TEST_F(ResizedEdge, WithMoreVerticesIsOptimizedAgain) {
   expect_a_fit();
 }
 
-TEST_F(ResizedEdge, WithAnEmptyPositionIsNotOptimized) {
+TEST_F(ResizedEdge, IsNotOptimizedIfOneOfItsVerticesIsMissing) {
   sum->resize(4);
   for (int id = 0; id < 3; ++id) sum->setVertex(static_cast<size_t>(id), optimizer.vertex(id));
   EXPECT_EQ(optimizer.optimize(5), -1);
   EXPECT_FALSE(optimizer.initializeOptimization());
 }
 
-TEST_F(ResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
+TEST_F(ResizedEdge, HasMemoryForItsJacobiansIfItsDimensionGrowsDuringARun) {
   struct Grow : g2o::HyperGraphAction {
     Sum* sum = nullptr;
     g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters*) override {
@@ -107,7 +108,7 @@ TEST_F(ResizedEdge, WithMoreRowsDuringARunHasMemoryForItsJacobians) {
   EXPECT_GT(sum->dimension(), 4);
 }
 
-TEST_F(ResizedEdge, WithMoreRowsHasMemoryForItsJacobians) {
+TEST_F(ResizedEdge, HasMemoryForItsJacobiansIfItsDimensionGrowsBeforeARun) {
   sum->setDimension(2000);
   sum->setInformation(g2o::MatrixX::Identity(2000, 2000));
   expect_a_fit();

@@ -7,7 +7,7 @@
 
 namespace {
 
-TEST(DynamicAlignedBuffer, GrowsOnRequest) {
+TEST(DynamicAlignedBuffer, GrowsIfMoreElementsAreRequested) {
   g2o::dynamic_aligned_buffer<double> buffer(2);
   double* large = buffer.request(100);
   large[99] = 7;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// .g2o files with incomplete lines, lines in any order, comments and errors.
+// Loads and saves .g2o files with unassigned vertices, lines in any order, comments and errors.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -16,6 +16,7 @@ G2O_USE_TYPE_GROUP(slam2d);
 
 namespace {
 
+/// A graph in which two edges have an unassigned vertex (-1).
 const char* const kUnassigned =
     "PARAMS_SE2OFFSET 3 1 1 0\n"
     "VERTEX_SE2 0 0 0 0\n"
@@ -42,7 +43,7 @@ TEST(Files, EdgesWithUnassignedVerticesAreSavedButNotOptimized) {
   EXPECT_EQ(out.str(), kUnassigned);
 }
 
-TEST(Files, AnUnassignedEdgeTakesPartOnceItsVertexIsSet) {
+TEST(Files, AnEdgeWithAnUnassignedVertexTakesPartOnceTheVertexIsSet) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(kUnassigned);
   ASSERT_TRUE(optimizer.load(in));
@@ -63,7 +64,7 @@ TEST(Files, AnUnassignedEdgeTakesPartOnceItsVertexIsSet) {
   EXPECT_EQ(optimizer.optimize(2), 2);
 }
 
-TEST(Files, AnUnassignedEdgeIsRefusedIfItsOtherVerticesHaveWrongTypes) {
+TEST(Files, AnEdgeWithAnUnassignedVertexIsRefusedIfItsOtherVertexIsUnsuitable) {
   g2o::SparseOptimizer optimizer;
   small_graph::add_pose(optimizer, 0, 0, 0, 0);
   auto e = std::make_unique<g2o::EdgeSE2PointXY>();
@@ -77,7 +78,7 @@ TEST(Files, AnUnassignedEdgeIsRefusedIfItsOtherVerticesHaveWrongTypes) {
   EXPECT_TRUE(optimizer.edges().empty());
 }
 
-TEST(Files, ALineWithMoreFieldsThanItsTypeHasIsRefused) {
+TEST(Files, ALineWithTooManyFieldsIsRefused) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   for (const std::string line : {"PARAMS_SE2OFFSET 3 1 1 0 7", "VERTEX_XY 6 1 0 7",
@@ -132,7 +133,7 @@ TEST(Files, AMessageNamesTheLineTheExpectedFieldAndTheActualText) {
               ElementsAre("line 1: VERTEX_SE2: expected the end of the line, got '\\x01'"));
 }
 
-/// A type with a read() as clients write it.
+/// A client type whose read() refuses negative values.
 class VertexLevel : public g2o::BaseVertex<1, double> {
  public:
   void setToOriginImpl() override { _estimate = 0; }
@@ -141,7 +142,7 @@ class VertexLevel : public g2o::BaseVertex<1, double> {
   bool write(std::ostream& os) const override { return static_cast<bool>(os << _estimate); }
 };
 
-TEST(Files, AMessageNamesTheLineIfReadOfAClientTypeFails) {
+TEST(Files, AMessageNamesTheLineIfTheReadFunctionOfAClientTypeFails) {
   using testing::ElementsAre;
   const g2o::RegisterTypeProxy<VertexLevel> registered("VERTEX_LEVEL");
   EXPECT_THAT(messages_of("VERTEX_LEVEL 0 high\n", false),
@@ -149,10 +150,11 @@ TEST(Files, AMessageNamesTheLineIfReadOfAClientTypeFails) {
   EXPECT_THAT(messages_of("VERTEX_LEVEL 0\n", false),
               ElementsAre("line 1: VERTEX_LEVEL 0: expected more fields, got the end of the line"));
   EXPECT_THAT(messages_of("VERTEX_LEVEL 0 -1\n", false),
-              ElementsAre("line 1: VERTEX_LEVEL 0: its fields are not accepted"));
+              ElementsAre("line 1: VERTEX_LEVEL 0: the read() of this type does not accept the fields"));
 }
 
-/// Ends read() as many clients do, with `return is.good()`, which is false at the end of a line.
+/// A client type whose read() ends with `return is.good()`, which is false if read() reached the end of the
+/// line. Many clients do this.
 class VertexGood : public VertexLevel {
  public:
   bool read(std::istream& is) override {
@@ -161,7 +163,7 @@ class VertexGood : public VertexLevel {
   }
 };
 
-TEST(Files, AReadThatReturnsGoodMayReachTheEndOfTheLine) {
+TEST(Files, AReadFunctionThatReturnsIsGoodMayReachTheEndOfTheLine) {
   const g2o::RegisterTypeProxy<VertexGood> registered("VERTEX_GOOD");
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("VERTEX_GOOD 0 1.5\nVERTEX_GOOD 1 -2.5\r\nVERTEX_GOOD 2 3 \n", true),
@@ -177,7 +179,7 @@ class VertexUnwritten : public VertexLevel {
   bool write(std::ostream&) const override { return false; }
 };
 
-TEST(Files, AnElementThatCannotBeWrittenIsNamed) {
+TEST(Files, AMessageNamesTheTypeOfAnElementThatCannotBeWritten) {
   const g2o::RegisterTypeProxy<VertexUnwritten> registered("VERTEX_UNWRITTEN");
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
@@ -191,18 +193,18 @@ TEST(Files, AnElementThatCannotBeWrittenIsNamed) {
   EXPECT_THAT(messages, testing::ElementsAre("save: write() of VERTEX_UNWRITTEN returned false"));
 }
 
-TEST(Files, UnknownTagsAreQuotedAndCounted) {
+TEST(Files, MessagesQuoteAndCountUnknownTags) {
   using testing::ElementsAre;
   EXPECT_THAT(messages_of("A 1\nB\x7f 1\nA 2\nA 3\n", true),
-              ElementsAre("line 1: unknown tag 'A', skipped with 2 more of its lines",
-                          "line 2: unknown tag 'B\\x7f', skipped"));
+              ElementsAre("line 1: skipped this line and 2 more lines with the unknown tag 'A'",
+                          "line 2: skipped this line with the unknown tag 'B\\x7f'"));
   EXPECT_THAT(messages_of("A\nB\nC\nD\nE\nF\nG\nF\n", true),
               ElementsAre(testing::HasSubstr("'A'"), testing::HasSubstr("'B'"), testing::HasSubstr("'C'"),
                           testing::HasSubstr("'D'"), testing::HasSubstr("'E'"),
-                          "3 more lines with 2 other unknown tags, skipped"));
+                          "skipped 3 more lines with 2 other unknown tags"));
 }
 
-TEST(Files, AZeroInformationMatrixGivesAnEdgeWithoutWeight) {
+TEST(Files, AnEdgeWithAZeroInformationMatrixHasNoWeight) {
   const std::string text = "VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 0 0 0 0 0 0\n";
   g2o::SparseOptimizer optimizer;
   std::istringstream in(text);
@@ -228,7 +230,7 @@ TEST(Files, AFolderCannotBeLoaded) {
   std::ifstream folder("/");
   EXPECT_FALSE(optimizer.load(folder));
   g2o::logging::setSink({});
-  EXPECT_THAT(messages, testing::ElementsAre("/ cannot be opened", "line 1: it cannot be read"));
+  EXPECT_THAT(messages, testing::ElementsAre("/ cannot be opened", "line 1: this line cannot be read"));
 }
 
 TEST(Files, AFullDiskIsReportedAsAFailure) {
@@ -243,7 +245,8 @@ TEST(Files, AFullDiskIsReportedAsAFailure) {
   small_graph::add_square(optimizer);
   EXPECT_FALSE(optimizer.save("/dev/full"));
   EXPECT_EQ(message, "/dev/full cannot be written");
-  for (int id = 4; id < 5000; ++id) small_graph::add_pose(optimizer, id, id, 0, 0);  // more than one buffer
+  // The text of so many poses is longer than one output buffer.
+  for (int id = 4; id < 5000; ++id) small_graph::add_pose(optimizer, id, id, 0, 0);
   messages = 0;
   EXPECT_FALSE(optimizer.save("/dev/full"));
   EXPECT_EQ(message, "/dev/full cannot be written");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When Levenberg-Marquardt stops.
+// Tests when Levenberg-Marquardt stops.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Records chi2 after each iteration.
+/// An action that records the chi2 of its optimizer.
 class Chi2Record : public g2o::HyperGraphAction {
  public:
   explicit Chi2Record(const g2o::SparseOptimizer& optimizer) : optimizer_(&optimizer) {}
@@ -23,9 +23,10 @@ class Chi2Record : public g2o::HyperGraphAction {
   const g2o::SparseOptimizer* optimizer_;
 };
 
-constexpr double kMinimum = 2.26455873132957;  // of chi2 of add_contradiction()
+/// The minimum chi2 of the graph that add_contradiction() builds.
+constexpr double kMinimum = 2.26455873132957;
 
-/// Adds a square whose diagonals contradict its sides, so that chi2 at the minimum is far from zero.
+/// Adds a square whose diagonals contradict its sides, so that its minimum chi2 is far from zero.
 void add_contradiction(g2o::SparseOptimizer& optimizer) {
   small_graph::add_square(optimizer);
   for (int k = 1; k <= 3; ++k) small_graph::add_motion(optimizer, 0, 2, g2o::SE2(1 + 0.5 * k, 0.2, 2.5));
@@ -55,7 +56,7 @@ TEST(Levenberg, ContinuesWhenStepsAreShortBecauseLambdaIsLarge) {
   algorithm->setUserLambdaInit(1e15);
   optimizer.setAlgorithm(algorithm);
   ASSERT_TRUE(optimizer.initializeOptimization());
-  EXPECT_GT(optimizer.optimize(512), 30) << "lambda falls by a factor of three per iteration";
+  EXPECT_GT(optimizer.optimize(512), 30) << "lambda decreases only by a factor of three per iteration";
   optimizer.computeActiveErrors();
   EXPECT_LT(optimizer.activeChi2(), kMinimum * (1 + 1e-12));
 }

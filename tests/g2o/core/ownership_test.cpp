@@ -30,7 +30,7 @@ TEST(Ownership, RemovedElementsAreDeletedAndTheRestIsOptimized) {
   EXPECT_GT(optimizer.optimize(3), 0);
 }
 
-TEST(Ownership, DetachedAndMergedVerticesLeaveAConsistentGraph) {
+TEST(Ownership, TheGraphIsConsistentAfterVerticesAreMergedAndDetached) {
   g2o::SparseOptimizer optimizer;
   add_square(optimizer);
   EXPECT_TRUE(optimizer.mergeVertices(optimizer.vertex(1), optimizer.vertex(3), true));
@@ -62,7 +62,7 @@ TEST(Ownership, AClientMayOwnItsVertices) {
   EXPECT_EQ(mine[2]->id(), 2);
 }
 
-TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases) {
+TEST(Ownership, KernelsAlgorithmsAndGraphsAreDeletedThroughTheirBaseClasses) {
   std::unique_ptr<g2o::HyperGraph> graph = std::make_unique<g2o::SparseOptimizer>();
   auto* optimizer = static_cast<g2o::SparseOptimizer*>(graph.get());
   add_square(*optimizer);
@@ -77,7 +77,7 @@ TEST(Ownership, KernelsAlgorithmsAndGraphsAreReplacedAndDeletedThroughTheirBases
   optimizer->optimize(1);
 }
 
-/// Reads and casts the algorithm of the base class, as clients do.
+/// An optimizer of a client, which reads and casts the protected member _algorithm.
 class CustomOptimizer : public g2o::SparseOptimizer {
  public:
   double lambda() const {
@@ -86,7 +86,7 @@ class CustomOptimizer : public g2o::SparseOptimizer {
   }
 };
 
-TEST(Ownership, ADerivedOptimizerMayCastItsAlgorithm) {
+TEST(Ownership, ADerivedOptimizerCanCastItsAlgorithm) {
   CustomOptimizer optimizer;
   EXPECT_EQ(optimizer.lambda(), -1);
   add_square(optimizer);
@@ -106,7 +106,7 @@ TEST(Ownership, AnActionMayBeDestroyedBeforeTheOptimizer) {
   optimizer.clear();
 }
 
-TEST(Ownership, TheCallerOwnsAnEdgeAKernelAndDataOutsideOfAGraph) {
+TEST(Ownership, ElementsOutsideOfAGraphDeleteTheirKernelsAndData) {
   struct Note : g2o::HyperGraph::Data {
     bool read(std::istream&) override { return true; }
     bool write(std::ostream&) const override { return true; }

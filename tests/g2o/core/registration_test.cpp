@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Types that are registered twice, as by two copies of a library, and unregistered once.
+// Types that are registered twice, as if two copies of a library were loaded, and unregistered once, as if
+// one copy were unloaded.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -30,7 +31,7 @@ TEST(UnloadingACopy, KeepsTheTypeOfTheOtherCopy) {
 
 class CustomVertex : public g2o::VertexSE2 {};
 
-TEST(UnloadingACopy, KeepsTheTypeOfACopyThatWasLoadedLater) {
+TEST(UnloadingACopy, KeepsTheTypeOfTheCopyThatWasLoadedLater) {
   auto first = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
   auto second = std::make_unique<g2o::RegisterTypeProxy<CustomVertex>>("CUSTOM");
   first.reset();
@@ -91,7 +92,7 @@ TEST(UnloadingACopy, KeepsTheActionOfTheOtherCopy) {
   EXPECT_FALSE(is_there());
 }
 
-TEST(Registration, IsWithdrawnOnceEvenIfItWasRepeated) {
+TEST(Registration, IsWithdrawnByOneCallEvenIfItWasRepeated) {
   auto* factory = g2o::RobustKernelFactory::instance();
   using Creator = g2o::RobustKernelCreator<g2o::RobustKernelHuber>;
   const auto a = std::make_shared<Creator>(), b = std::make_shared<Creator>();
@@ -108,14 +109,14 @@ TEST(Registration, IsWithdrawnOnceEvenIfItWasRepeated) {
   EXPECT_EQ(custom.use_count(), 1);
 }
 
-// A client's class with the name of a class of the library.
+// A class of a client that has the same name as a class of the library.
 class RobustKernelTukey : public g2o::RobustKernel {
  public:
   void robustify(double e2, g2o::Vector3& rho) const override { rho << e2, 1, 0; }
 };
 G2O_REGISTER_ROBUST_KERNEL(CustomTukey, RobustKernelTukey)
 
-TEST(Registration, OfAClientClassMayUseTheNameOfALibraryClass) {
+TEST(Registration, AcceptsAClientClassWithTheNameOfALibraryClass) {
   EXPECT_NE(g2o::RobustKernelFactory::instance()->creator("CustomTukey"), nullptr);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the g2o API pass the checker of the engine's kernels.
+// The robust kernels of the g2o API pass the checks that the engine has for its own kernels.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Adapts a kernel of the g2o API to the engine's interface.
+/// Adapts a kernel of the g2o API to the kernel interface of the engine.
 class Adapter final : public boxplus::RobustKernel {
  public:
   Adapter(const std::string& name, double delta)
@@ -35,7 +35,7 @@ class Adapter final : public boxplus::RobustKernel {
   std::unique_ptr<g2o::RobustKernel> kernel_;
 };
 
-TEST(RobustKernels, OfTheFactoryObeyTheContractAtEveryWidth) {
+TEST(RobustKernels, OfTheFactoryPassTheChecksAtEveryWidth) {
   std::vector<std::string> names;
   g2o::RobustKernelFactory::instance()->fillKnownKernels(names);
   ASSERT_GE(names.size(), 9u);
@@ -47,7 +47,7 @@ TEST(RobustKernels, OfTheFactoryObeyTheContractAtEveryWidth) {
   }
 }
 
-TEST(RobustKernels, DynamicCovarianceScalingHasTheWeightOfThePaper) {
+TEST(RobustKernels, DynamicCovarianceScalingHasTheWeightFromItsPaper) {
   g2o::RobustKernelDCS kernel(1);
   g2o::Vector3 rho;
   kernel.robustify(100, rho);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small pose graph for tests: poses along a loop, consistent up to noise.
+// A small pose graph for tests: four poses on a loop, with slightly inconsistent measurements.
 #pragma once
 
 #include <memory>
@@ -39,7 +39,8 @@ inline g2o::EdgeSE2* add_motion(g2o::SparseOptimizer& optimizer, int from, int t
   return e;
 }
 
-/// Adds the four corners of a square, 1 m apart, with measurements that do not quite close. Pose 0 is fixed.
+/// Adds four poses at the corners of a square with sides of 1 m. The measured motions along the sides do not
+/// quite return to the start. Pose 0 is fixed.
 inline void add_square(g2o::SparseOptimizer& optimizer) {
   const double turn = 1.5707963267948966;
   add_pose(optimizer, 0, 0, 0, 0)->setFixed(true);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views of block matrices, and entries of an inverse from its Cholesky factor.
+// Other storage formats of block matrices, and entries of an inverse that are computed from a Cholesky
+// factor.
 #include "g2o/core/sparse_block_matrix.h"
 
 #include <gmock/gmock.h>
@@ -12,10 +13,11 @@ namespace {
 
 using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
 
+/// The end row of each block.
 const std::vector<int> kEnds = {2, 3, 6};
 
-/// Blocks of 2, 1 and 3 scalars. The matrix is symmetric positive definite, and every block but (0, 2)
-/// exists.
+/// A symmetric positive definite matrix with block sizes 2, 1 and 3. The blocks (0, 2) and (2, 0) do not
+/// exist.
 Matrix sample() {
   Matrix m(kEnds.data(), kEnds.data(), 3, 3);
   *m.block(0, 0, true) = Eigen::Matrix2d{{4, 1}, {1, 5}};
@@ -36,7 +38,7 @@ Eigen::MatrixXd dense(const Matrix& m) {
   return d;
 }
 
-TEST(BlockMatrices, CompressedColumnsListTheBlocksOfTheirMatrix) {
+TEST(BlockMatrices, CompressedColumnsReferToTheBlocksOfTheirMatrix) {
   const Matrix m = sample();
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());
   EXPECT_EQ(m.fillSparseBlockMatrixCCS(ccs), 7);
@@ -60,13 +62,13 @@ TEST(BlockMatrices, CompressedColumnsListTheBlocksOfTheirMatrix) {
   delete[] y;
 }
 
-TEST(BlockMatrices, TransposedCompressedColumnsListTheBlocksByRow) {
+TEST(BlockMatrices, TransposedCompressedColumnsReferToTheBlocksOfEachRow) {
   Matrix m = sample();
   delete m.block(1, 0);
   m.blockCols()[0].erase(1);
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());
   m.fillSparseBlockMatrixCCSTransposed(ccs);
-  EXPECT_EQ(ccs.blockCols()[1].size(), 2u) << "row 1 lost a block";
+  EXPECT_EQ(ccs.blockCols()[1].size(), 2u) << "the block (1, 0) was deleted";
   EXPECT_EQ(ccs.blockCols()[0].size(), 2u);
   EXPECT_EQ(ccs.blockCols()[0][1].block, m.block(0, 1));
 }
@@ -81,7 +83,7 @@ TEST(BlockMatrices, TransposedBlocksMayHaveAnotherType) {
   EXPECT_EQ(*transposed->block(1, 0), m.block(0, 1)->transpose());
 }
 
-TEST(BlockMatrices, ColumnsAreSortedByRow) {
+TEST(BlockMatrices, SortColumnsSortsTheBlocksOfEachColumnByRow) {
   const Matrix m = sample();
   g2o::SparseBlockMatrixCCS<g2o::MatrixX> ccs(m.rowBlockIndices(), m.colBlockIndices());
   m.fillSparseBlockMatrixCCS(ccs);
@@ -90,7 +92,7 @@ TEST(BlockMatrices, ColumnsAreSortedByRow) {
   for (int r = 0; r < 3; ++r) EXPECT_EQ(ccs.blockCols()[1][static_cast<size_t>(r)].row, r);
 }
 
-TEST(BlockMatrices, ABlockDiagonalMultipliesAVector) {
+TEST(BlockMatrices, ABlockDiagonalMatrixMultipliesAVector) {
   const Matrix m = sample();
   g2o::SparseBlockMatrixDiagonal<g2o::MatrixX> diagonal(m.rowBlockIndices());
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(6, 6);
@@ -106,7 +108,7 @@ TEST(BlockMatrices, ABlockDiagonalMultipliesAVector) {
   delete[] y;
 }
 
-TEST(BlockMatrices, AMatrixTakesThePatternOfAHashMap) {
+TEST(BlockMatrices, AMatrixTakesItsBlocksFromAHashMap) {
   Matrix m = sample();
   g2o::SparseBlockMatrixHashMap<g2o::MatrixX> hashed(m.rowBlockIndices(), m.colBlockIndices());
   g2o::MatrixX* block = hashed.addBlock(2, 0, true);
@@ -139,7 +141,7 @@ class MarginalCovariances : public testing::Test {
   g2o::MarginalCovarianceCholesky marginals;
 };
 
-TEST_F(MarginalCovariances, DiagonalBlocksEqualThoseOfTheInverse) {
+TEST_F(MarginalCovariances, DiagonalBlocksEqualTheDiagonalBlocksOfTheInverse) {
   std::vector<std::vector<double>> memory = {std::vector<double>(4), std::vector<double>(1),
                                              std::vector<double>(9)};
   std::vector<double*> blocks = {memory[0].data(), memory[1].data(), memory[2].data()};
@@ -151,7 +153,7 @@ TEST_F(MarginalCovariances, DiagonalBlocksEqualThoseOfTheInverse) {
   }
 }
 
-TEST_F(MarginalCovariances, EveryBlockEqualsThatOfTheInverse) {
+TEST_F(MarginalCovariances, EachRequestedBlockEqualsTheSameBlockOfTheInverse) {
   Matrix spinv;
   const std::vector<std::pair<int, int>> wanted = {{0, 0}, {0, 2}, {2, 0}, {1, 2}, {2, 2}};
   marginals.computeCovariance(spinv, kEnds, wanted);

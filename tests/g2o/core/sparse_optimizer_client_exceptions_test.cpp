@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exceptions of client code reach the client, and the estimates stay as they were.
+// Exceptions that client code throws reach the caller of optimize(). The failed step does not change the
+// estimates.
 #include <gmock/gmock.h>
 
 #include <stdexcept>
@@ -14,7 +15,7 @@ namespace {
 using small_graph::add_square;
 using small_graph::make_solver;
 
-/// A prior at the origin that throws at one of its evaluations.
+/// A prior at the origin whose n-th evaluation throws.
 class FragileEdge : public g2o::BaseUnaryEdge<3, g2o::SE2, g2o::VertexSE2> {
  public:
   explicit FragileEdge(int evaluations) : left(evaluations) {}
@@ -43,7 +44,7 @@ class ClientExceptions : public testing::Test {
     EXPECT_TRUE(optimizer.addEdge(e));
     return e;
   }
-  /// The estimates of all poses.
+  /// The estimates of all poses, one in each column.
   Eigen::Matrix<double, 3, 4> poses() {
     Eigen::Matrix<double, 3, 4> result;
     for (int i = 0; i < 4; ++i)
@@ -57,7 +58,8 @@ class ClientExceptions : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-// The edge is evaluated once for chi2, six times for its numeric Jacobian, and once for each step.
+// The edge is evaluated once for chi2, six times for its numeric Jacobian, and once for each step. Therefore,
+// its eighth evaluation belongs to the first step.
 TEST_F(ClientExceptions, AStepThatThrowsIsUndone) {
   for (const bool dogleg : {false, true}) {
     SCOPED_TRACE(dogleg ? "dogleg" : "levenberg");
@@ -77,7 +79,7 @@ TEST_F(ClientExceptions, AStepThatThrowsIsUndone) {
   }
 }
 
-TEST_F(ClientExceptions, ANumericJacobianThatThrowsDoesNotMoveItsVertex) {
+TEST_F(ClientExceptions, AnErrorFunctionThatThrowsDuringNumericDifferentiationDoesNotMoveItsVertex) {
   add_square(optimizer);
   FragileEdge* edge = add_fragile(4);
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
@@ -89,7 +91,7 @@ TEST_F(ClientExceptions, ANumericJacobianThatThrowsDoesNotMoveItsVertex) {
   expect_empty_stacks();
 }
 
-TEST_F(ClientExceptions, APushThatThrowsHalfwayIsUndone) {
+TEST_F(ClientExceptions, AllStacksAreEmptyAfterAPushThatThrows) {
   add_square(optimizer);
   auto* v = new FragileVertex;
   v->setId(4);
@@ -112,7 +114,7 @@ class FragileAction : public g2o::HyperGraphAction {
   int left;
 };
 
-TEST_F(ClientExceptions, AnActionThatThrowsStopsOptimizeAndTheOptimizerStaysUsable) {
+TEST_F(ClientExceptions, TheOptimizerStaysUsableAfterAnActionThatThrows) {
   using Add = bool (g2o::SparseOptimizer::*)(g2o::HyperGraphAction*);
   const std::pair<Add, Add> kinds[] = {
       {&g2o::SparseOptimizer::addPreIterationAction, &g2o::SparseOptimizer::removePreIterationAction},

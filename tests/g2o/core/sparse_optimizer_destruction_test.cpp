@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of a problem are destroyed while it is in use. Meant to run under AddressSanitizer.
+// Vertices, edges, actions and algorithms are removed or destroyed while an optimizer uses them. Meant to run
+// under AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -28,6 +29,7 @@ class Destruction : public testing::Test {
     add_square(optimizer);
     ASSERT_TRUE(optimizer.initializeOptimization());
   }
+  /// The minimum chi2 of the graph that add_square() builds.
   double optimum() {
     g2o::SparseOptimizer fresh;
     fresh.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
@@ -41,7 +43,7 @@ class Destruction : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(Destruction, TheSolverHasNoVerticesAfterClear) {
+TEST_F(Destruction, TheSolverRefusesToSolveAfterClear) {
   optimizer.optimize(2);
   optimizer.clear();
   g2o::SparseBlockMatrix<g2o::MatrixX> spinv;
@@ -53,7 +55,7 @@ TEST_F(Destruction, TheSolverHasNoVerticesAfterClear) {
   EXPECT_EQ(optimizer.optimize(1), -1);
 }
 
-TEST_F(Destruction, AnOnlineRunAfterClearBuildsTheNewStructure) {
+TEST_F(Destruction, AnOnlineRunAfterClearBuildsTheStructureOfTheNewGraph) {
   optimizer.optimize(2);
   optimizer.clear();
   add_square(optimizer);
@@ -69,7 +71,7 @@ TEST_F(Destruction, TheFirstRunMayBeOnline) {
   EXPECT_NEAR(optimizer.activeChi2(), optimum(), 1e-12);
 }
 
-TEST_F(Destruction, TheProblemMayGrowBeforeTheFirstRun) {
+TEST_F(Destruction, TheGraphMayGrowBeforeTheFirstRun) {
   g2o::HyperGraph::VertexSet vertices{add_pose(optimizer, 9, 2, 1, 0)};
   g2o::HyperGraph::EdgeSet edges{add_motion(optimizer, 2, 9, g2o::SE2(-1, 0, 3))};
   EXPECT_TRUE(optimizer.updateInitialization(vertices, edges));
@@ -77,7 +79,7 @@ TEST_F(Destruction, TheProblemMayGrowBeforeTheFirstRun) {
   EXPECT_EQ(optimizer.indexMapping().size(), 4u);
 }
 
-TEST_F(Destruction, AProblemWithMarginalizedVerticesMayGrowByOtherVertices) {
+TEST_F(Destruction, AGraphWithAMarginalizedVertexMayGrowByAVertexThatIsNotMarginalized) {
   optimizer.vertex(2)->setMarginalized(true);
   ASSERT_TRUE(optimizer.initializeOptimization());
   optimizer.optimize(1);
@@ -97,7 +99,7 @@ TEST_F(Destruction, AProblemWithMarginalizedVerticesMayGrowByOtherVertices) {
   EXPECT_NEAR(optimizer.activeChi2(), grown, 1e-9);
 }
 
-TEST_F(Destruction, EdgesOfADetachedVertexNoLongerTakePart) {
+TEST_F(Destruction, EdgesOfADetachedVertexNoLongerTakePartInTheOptimization) {
   optimizer.optimize(1);
   EXPECT_TRUE(optimizer.detachVertex(optimizer.vertex(1)));
   EXPECT_EQ(optimizer.activeEdges().size(), 2u);
@@ -110,7 +112,7 @@ TEST_F(Destruction, EdgesOfADetachedVertexNoLongerTakePart) {
   EXPECT_EQ(optimizer.optimize(1), -1);
 }
 
-TEST_F(Destruction, AnActiveEdgeWithAnotherVertexGetsAnotherBlock) {
+TEST_F(Destruction, AnActiveEdgeGetsAnotherHessianBlockIfItsVertexIsReplaced) {
   optimizer.optimize(1);
   g2o::EdgeSE2* diagonal = add_motion(optimizer, 0, 2, g2o::SE2(1, 1, 3.1));
   ASSERT_TRUE(optimizer.initializeOptimization());
@@ -146,7 +148,7 @@ TEST_F(Destruction, AnActionThatStoppedARunDoesNotStopTheNextRun) {
   EXPECT_EQ(optimizer.optimize(3), 3);
 }
 
-/// Removes and deletes itself when it is called.
+/// An action that removes and deletes itself when it is called.
 class Once : public g2o::HyperGraphAction {
  public:
   Once(g2o::SparseOptimizer& optimizer, int& calls) : optimizer_(optimizer), calls_(calls) {}
@@ -175,7 +177,7 @@ TEST_F(Destruction, ActionsMayRemoveAndDeleteThemselves) {
   EXPECT_EQ(calls, 9);
 }
 
-/// Removes the algorithm of the optimizer.
+/// An action that removes the algorithm of the optimizer.
 class Thief : public g2o::HyperGraphAction {
  public:
   explicit Thief(g2o::SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -194,7 +196,7 @@ TEST_F(Destruction, ARunEndsWhenAnActionRemovesItsAlgorithm) {
   EXPECT_EQ(optimizer.optimize(3), 1);
 }
 
-/// Removes another action from the optimizer and deletes it.
+/// An action that removes another action from the optimizer and deletes it.
 class Remover : public g2o::HyperGraphAction {
  public:
   explicit Remover(g2o::SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -220,11 +222,11 @@ TEST_F(Destruction, AnActionThatAnotherActionDeletedIsNotCalled) {
   optimizer.addPostIterationAction(a);
   optimizer.addPostIterationAction(b);
   EXPECT_EQ(optimizer.optimize(2), 2);
-  EXPECT_TRUE(optimizer.removePostIterationAction(first)) << "the other one is removed";
+  EXPECT_TRUE(optimizer.removePostIterationAction(first)) << "the first action removed only the other one";
   delete first;
 }
 
-/// Removes itself from its vertices in its destructor.
+/// An edge that removes itself from its vertices in its destructor.
 class Leaving : public g2o::EdgeSE2 {
  public:
   ~Leaving() override {
@@ -234,7 +236,7 @@ class Leaving : public g2o::EdgeSE2 {
   }
 };
 
-TEST(DestructionOfEdges, FindsTheirVerticesHoweverTheyAreDeleted) {
+TEST(DestructionOfEdges, HappensBeforeTheirVerticesAreDestroyed) {
   for (const std::string how : {"clear", "destructor", "removeEdge", "removeVertex", "refused"}) {
     SCOPED_TRACE(how);
     g2o::SparseOptimizer optimizer;
@@ -254,7 +256,7 @@ TEST(DestructionOfEdges, FindsTheirVerticesHoweverTheyAreDeleted) {
   }
 }
 
-TEST(DestructionOfData, HappensWithTheElementAndReplacedDataBelongsToTheClient) {
+TEST(DestructionOfData, HappensWithTheElementUnlessTheElementWasRefused) {
   struct Note : g2o::HyperGraph::Data {
     explicit Note(int& living) : count(living) { ++count; }
     ~Note() override { --count; }
@@ -273,7 +275,8 @@ TEST(DestructionOfData, HappensWithTheElementAndReplacedDataBelongsToTheClient) 
     auto refused = std::make_unique<g2o::VertexSE2>();
     refused->setId(4);
     auto kept = std::make_unique<Note>(living);
-    EXPECT_FALSE(optimizer.addVertex(refused.get(), kept.get())) << "the caller keeps the data, too";
+    EXPECT_FALSE(optimizer.addVertex(refused.get(), kept.get()))
+        << "the caller keeps the vertex and its data";
     EXPECT_EQ(kept->dataContainer(), nullptr);
     auto* in_front = new Note(living);
     in_front->setNext(v->userData());
@@ -284,7 +287,7 @@ TEST(DestructionOfData, HappensWithTheElementAndReplacedDataBelongsToTheClient) 
   EXPECT_EQ(living, 0);
 }
 
-TEST(DestructionOfParameters, LeavesDetachedParametersToTheCaller) {
+TEST(DestructionOfParameters, LeavesRefusedAndDetachedParametersToTheCaller) {
   g2o::SparseOptimizer optimizer;
   for (int id : {1, 2}) {
     auto* offset = new g2o::ParameterSE2Offset;
@@ -309,7 +312,7 @@ TEST(DestructionOfParameters, AnEdgeWithoutItsParameterReturnsNull) {
   EXPECT_EQ(e.parameter(5), nullptr);
 }
 
-TEST(DestructionOfAlgorithms, RegisteringOrSolvingNullIsReported) {
+TEST(DestructionOfAlgorithms, ANullCreatorAlgorithmOrLinearSolverIsRefused) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   g2o::OptimizationAlgorithmFactory::instance()->registerSolver(
@@ -325,7 +328,7 @@ TEST(DestructionOfAlgorithms, RegisteringOrSolvingNullIsReported) {
   g2o::logging::setSink({});
 }
 
-TEST(DestructionOfPoints, TheStructureOnlySolverIgnoresUnassignedEdges) {
+TEST(DestructionOfPoints, TheStructureOnlySolverIgnoresEdgesWithUnassignedVertices) {
   g2o::SparseOptimizer optimizer;
   add_pose(optimizer, 0, 0, 0, 0);
   auto* l = new g2o::VertexPointXY;

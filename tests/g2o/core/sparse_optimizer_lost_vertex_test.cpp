@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clients may remove a vertex from an active edge by functions that do not notify the optimizer.
+// Clients may remove a vertex from an active edge with Edge::setVertex() or Edge::vertices(), which do not
+// notify the optimizer.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -12,7 +13,7 @@ namespace {
 
 using small_graph::make_solver;
 
-/// Removes the first vertex of an edge at its n-th call.
+/// An action that removes the first vertex of an edge when the action is called for the n-th time.
 class TakeVertex : public g2o::HyperGraphAction {
  public:
   TakeVertex(g2o::HyperGraph::Edge& edge, int n, bool by_container)
@@ -53,18 +54,18 @@ class LostVertex : public testing::Test {
   std::string messages;
 };
 
-TEST_F(LostVertex, DropsTheEdgeFromTheErrors) {
+TEST_F(LostVertex, ExcludesTheEdgeFromChi2) {
   const double with_edge = chi2();
   closure->setVertex(0, nullptr);
   const double without_edge = chi2();
   EXPECT_LT(without_edge, with_edge);
   EXPECT_EQ(optimizer.activeEdges().size(), 4U);
-  EXPECT_NE(messages.find("edges that lost a vertex no longer take part: 1"), std::string::npos);
+  EXPECT_NE(messages.find("edges that lost a vertex and are no longer active: 1"), std::string::npos);
   EXPECT_GT(optimizer.optimize(10), 0);
   EXPECT_LT(chi2(), without_edge);
 }
 
-TEST_F(LostVertex, BeforeARunIsRefusedWithAMessage) {
+TEST_F(LostVertex, BetweenTwoRunsIsReportedAndStopsTheSecondRun) {
   EXPECT_GT(optimizer.optimize(2), 0);
   closure->vertices()[0] = nullptr;
   EXPECT_EQ(optimizer.optimize(2), -1);
@@ -73,7 +74,7 @@ TEST_F(LostVertex, BeforeARunIsRefusedWithAMessage) {
   EXPECT_GT(optimizer.optimize(2), 0);
 }
 
-TEST_F(LostVertex, DuringAnIterationDropsTheEdgeForTheRestOfTheRun) {
+TEST_F(LostVertex, DuringAnIterationExcludesTheEdgeFromTheRestOfTheRun) {
   using Add = bool (g2o::SparseOptimizer::*)(g2o::HyperGraphAction*);
   const Add kinds[] = {&g2o::SparseOptimizer::addPreIterationAction,
                        &g2o::SparseOptimizer::addPostIterationAction,

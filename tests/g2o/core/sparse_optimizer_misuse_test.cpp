@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The messages for misuse. Meant to run under AddressSanitizer.
+// Wrong use of the API is refused or reported with a message. Meant to run under AddressSanitizer.
 #include <gmock/gmock.h>
 
 #include <initializer_list>
@@ -25,7 +25,7 @@ using small_graph::add_pose;
 using small_graph::add_square;
 using small_graph::make_solver;
 
-/// Collects the messages of the library.
+/// A fixture that collects the messages of the library.
 class Misuse : public testing::Test {
  protected:
   void SetUp() override {
@@ -40,7 +40,7 @@ class Misuse : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(Misuse, TheCallerKeepsAVertexWhoseIdIsTaken) {
+TEST_F(Misuse, AVertexWhoseIdIsTakenIsRefusedAndBelongsToTheCaller) {
   add_pose(optimizer, 1, 0, 0, 0);
   auto second = std::make_unique<g2o::VertexSE2>();
   second->setId(1);
@@ -68,7 +68,7 @@ TEST_F(Misuse, AVertexWithoutAnIdIsReported) {
   expect_message("a vertex has id -2");
 }
 
-TEST_F(Misuse, TheCallerKeepsAnEdgeThatIsRefused) {
+TEST_F(Misuse, AnEdgeWithMissingOrEqualVerticesIsRefusedAndBelongsToTheCaller) {
   add_pose(optimizer, 0, 0, 0, 0);
   auto e = std::make_unique<g2o::EdgeSE2>();
   EXPECT_FALSE(optimizer.addEdge(e.get()));
@@ -115,7 +115,7 @@ TEST_F(Misuse, AMarginalizedVertexOfTheWrongDimensionIsRefused) {
       new g2o::BlockSolver_3_2(new g2o::LinearSolverEigen<g2o::BlockSolver_3_2::PoseMatrixType>())));
   optimizer.initializeOptimization();
   EXPECT_EQ(optimizer.optimize(1), 0);
-  expect_message("expected a marginalized vertex of 2 dimensions");
+  expect_message("marginalizes only vertices with 2 dimensions");
 }
 
 TEST_F(Misuse, TwoMarginalizedVerticesOfOneEdgeAreRefused) {
@@ -128,7 +128,7 @@ TEST_F(Misuse, TwoMarginalizedVerticesOfOneEdgeAreRefused) {
   expect_message("both marginalized");
 }
 
-TEST_F(Misuse, UnknownTagsAndNamesReturnNull) {
+TEST_F(Misuse, UnknownTagsNamesAndFilesAreReported) {
   EXPECT_EQ(g2o::Factory::instance()->construct("NO_SUCH_WORD"), nullptr);
   expect_message("tag NO_SUCH_WORD");
   EXPECT_EQ(g2o::RobustKernelFactory::instance()->construct("NoSuchKernel"), nullptr);
@@ -144,7 +144,7 @@ TEST_F(Misuse, UnknownTagsAndNamesReturnNull) {
   expect_message("cannot be opened");
 }
 
-TEST_F(Misuse, NullPointersAndForeignElementsAreRefused) {
+TEST_F(Misuse, NullPointersAndElementsOutsideOfTheGraphAreRefused) {
   add_square(optimizer);
   g2o::VertexSE2 stranger;
   EXPECT_FALSE(optimizer.addVertex(static_cast<g2o::OptimizableGraph::Vertex*>(nullptr)));
@@ -193,7 +193,7 @@ TEST_F(Misuse, OptimizingWithoutInitializationAlgorithmOrLinearSolverFails) {
   expect_message("the block solver has no linear solver");
 }
 
-TEST_F(Misuse, ElementsThatAreNotInTheGraphAndPositionsThatAreNotInTheEdgeAreReported) {
+TEST_F(Misuse, ElementsOutsideOfTheGraphAndInvalidPositionsAreReported) {
   add_square(optimizer);
   g2o::VertexSE2 v;
   g2o::EdgeSE2 e;
@@ -206,7 +206,7 @@ TEST_F(Misuse, ElementsThatAreNotInTheGraphAndPositionsThatAreNotInTheEdgeAreRep
   e.setVertex(5, &v);
   expect_message("setVertex: the edge has 2 vertices, got position 5");
   EXPECT_FALSE(e.setParameterId(7, 3));
-  expect_message("setParameterId: expected the index of one of 0 parameters");
+  expect_message("setParameterId: expected an index below 0 (the number of parameters)");
   optimizer.update(nullptr);
   expect_message("update: expected a step");
   EXPECT_EQ((*g2o::HyperGraphActionLibrary::instance()->actionByName("draw"))(
@@ -214,7 +214,7 @@ TEST_F(Misuse, ElementsThatAreNotInTheGraphAndPositionsThatAreNotInTheEdgeAreRep
             nullptr);
 }
 
-TEST_F(Misuse, AnErrorThatIsNotFiniteIsReportedWithItsEdge) {
+TEST_F(Misuse, AMessageNamesTheEdgeWhoseErrorIsNotFinite) {
   for (g2o::OptimizationAlgorithm* algorithm : std::initializer_list<g2o::OptimizationAlgorithm*>{
            new g2o::OptimizationAlgorithmGaussNewton(make_solver()),
            new g2o::OptimizationAlgorithmLevenberg(make_solver()),
@@ -296,7 +296,7 @@ TEST_F(Misuse, MarginalsAreOnlyAvailableForOptimizedVertices) {
   EXPECT_TRUE(optimizer.computeMarginals(covariance, optimizer.vertex(1)));
 }
 
-TEST_F(Misuse, SavingParametersAndDataWithoutATagIsReported) {
+TEST_F(Misuse, SavingAParameterWithoutATagIsReported) {
   struct Unregistered : g2o::ParameterSE2Offset {};
   auto* p = new Unregistered;
   p->setId(3);
@@ -307,7 +307,7 @@ TEST_F(Misuse, SavingParametersAndDataWithoutATagIsReported) {
   EXPECT_EQ(out.str(), "");
 }
 
-TEST_F(Misuse, SavingATypeWithoutATagIsReported) {
+TEST_F(Misuse, SavingAVertexWithoutATagIsReported) {
   struct Unregistered : g2o::VertexSE2 {};
   auto* v = new Unregistered;
   v->setId(3);
@@ -318,7 +318,7 @@ TEST_F(Misuse, SavingATypeWithoutATagIsReported) {
   EXPECT_EQ(out.str(), "");
 }
 
-TEST_F(Misuse, LinesThatCannotBeReadAreReportedAndTheOthersAreRead) {
+TEST_F(Misuse, LinesThatCannotBeReadAreReportedAndAllOtherLinesAreRead) {
   const std::vector<std::string> lines = {
       "VERTEX_SE2 1 1 2",
       "VERTEX_SE2 1 nan 2 3",

@@ -12,7 +12,7 @@ namespace {
 
 using small_graph::make_solver;
 
-/// Calls a function at its own n-th call.
+/// An action that calls a function when the action is called for the n-th time.
 class OnCall : public g2o::HyperGraphAction {
  public:
   OnCall(int n, std::function<void()> f) : left_(n), f_(std::move(f)) {}
@@ -37,7 +37,7 @@ class ReplacedAlgorithm : public testing::Test {
     optimizer.computeActiveErrors();
     return optimizer.activeChi2();
   }
-  /// chi2 of add_square() at its minimum.
+  /// The minimum chi2 of the graph that add_square() builds.
   double best_chi2() {
     g2o::SparseOptimizer other;
     small_graph::add_square(other);
@@ -50,7 +50,7 @@ class ReplacedAlgorithm : public testing::Test {
   g2o::SparseOptimizer optimizer;
 };
 
-TEST_F(ReplacedAlgorithm, FinishesItsIterationBeforeTheNewOneStarts) {
+TEST_F(ReplacedAlgorithm, FinishesItsIterationBeforeTheNewAlgorithmStarts) {
   for (int call = 1; call <= 4; ++call) {
     SCOPED_TRACE(call);
     OnCall replace(call,
@@ -65,7 +65,7 @@ TEST_F(ReplacedAlgorithm, FinishesItsIterationBeforeTheNewOneStarts) {
   }
 }
 
-TEST_F(ReplacedAlgorithm, StopsIfThereIsNoNewOne) {
+TEST_F(ReplacedAlgorithm, StopsIfThereIsNoNewAlgorithm) {
   OnCall remove(3, [&] { optimizer.setAlgorithm(nullptr); });
   ASSERT_TRUE(optimizer.addComputeErrorAction(&remove));
   const int done = optimizer.optimize(20);

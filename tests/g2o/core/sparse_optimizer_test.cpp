@@ -26,13 +26,14 @@ class Optimizer : public testing::Test {
   void use_levenberg() {
     optimizer.setAlgorithm(std::make_unique<g2o::OptimizationAlgorithmLevenberg>(make_solver()));
   }
+  /// Optimizes and returns the final chi2.
   double optimum() {
     optimizer.optimize(20);
     optimizer.computeActiveErrors();
     return optimizer.activeChi2();
   }
   const g2o::SE2& pose(int id) { return static_cast<g2o::VertexSE2*>(optimizer.vertex(id))->estimate(); }
-  /// H as a dense matrix, stored by columns.
+  /// The Hessian as a dense matrix.
   Eigen::MatrixXd dense_hessian(g2o::BlockSolverBase& solver) {
     const auto n = static_cast<Eigen::Index>(solver.vectorSize());
     Eigen::MatrixXd H(n, n);
@@ -63,7 +64,7 @@ TEST_F(Optimizer, AllAlgorithmsFindTheSameMinimum) {
   }
 }
 
-TEST_F(Optimizer, FixedVerticesStayAndHaveNoHessianIndex) {
+TEST_F(Optimizer, FixedVerticesDoNotMoveAndHaveNoHessianIndex) {
   add_square(optimizer);
   optimizer.vertex(2)->setFixed(true);
   const Eigen::Vector3d before = pose(2).toVector();
@@ -76,7 +77,7 @@ TEST_F(Optimizer, FixedVerticesStayAndHaveNoHessianIndex) {
   EXPECT_EQ(optimizer.activeVertices().size(), 4u);
 }
 
-TEST_F(Optimizer, OnlyTheEdgesOfALevelTakePart) {
+TEST_F(Optimizer, OnlyTheEdgesOfTheInitializedLevelTakePart) {
   add_square(optimizer);
   auto* wrong = add_motion(optimizer, 0, 2, g2o::SE2(9, 9, 0), 1000);
   wrong->setLevel(1);
@@ -91,7 +92,7 @@ TEST_F(Optimizer, OnlyTheEdgesOfALevelTakePart) {
   EXPECT_EQ(optimizer.activeEdges().size(), 5u);
 }
 
-TEST_F(Optimizer, InitializedBySomeVerticesUsesTheEdgesBetweenThem) {
+TEST_F(Optimizer, UsesTheEdgesBetweenTheVerticesThatItIsInitializedWith) {
   add_square(optimizer);
   use_gauss_newton();
   g2o::HyperGraph::VertexSet vertices{optimizer.vertex(0), optimizer.vertex(1), optimizer.vertex(2)};
@@ -102,7 +103,7 @@ TEST_F(Optimizer, InitializedBySomeVerticesUsesTheEdgesBetweenThem) {
   EXPECT_EQ(pose(3).toVector(), before);
 }
 
-TEST_F(Optimizer, InitializedBySomeEdgesUsesTheirVertices) {
+TEST_F(Optimizer, UsesTheVerticesOfTheEdgesThatItIsInitializedWith) {
   add_square(optimizer);
   use_gauss_newton();
   g2o::HyperGraph::EdgeSet edges;
@@ -114,7 +115,7 @@ TEST_F(Optimizer, InitializedBySomeEdgesUsesTheirVertices) {
   EXPECT_LT(optimum(), 1e-12);
 }
 
-TEST_F(Optimizer, KernelsReduceTheInfluenceOfOutliers) {
+TEST_F(Optimizer, RobustKernelsReduceTheInfluenceOfOutliers) {
   add_square(optimizer);
   auto* wrong = add_motion(optimizer, 0, 2, g2o::SE2(5, 5, 0), 10);
   auto* kernel = new g2o::RobustKernelHuber;
@@ -140,7 +141,7 @@ TEST_F(Optimizer, AStopFlagStopsTheRun) {
   EXPECT_EQ(optimizer.optimize(10), 10);
 }
 
-TEST_F(Optimizer, ActionsAreCalledBeforeAndAfterEveryIterationAndAtTheInitialization) {
+TEST_F(Optimizer, ActionsAreCalledAtTheInitializationAndBeforeAndAfterEachIteration) {
   struct Recorder : g2o::HyperGraphAction {
     std::vector<int> iterations;
     g2o::HyperGraphAction* operator()(const g2o::HyperGraph*, Parameters* parameters) override {
@@ -163,7 +164,7 @@ TEST_F(Optimizer, ActionsAreCalledBeforeAndAfterEveryIterationAndAtTheInitializa
   EXPECT_EQ(before.iterations.size(), 3u);
 }
 
-TEST_F(Optimizer, PushedEstimatesAreRestored) {
+TEST_F(Optimizer, PopRestoresPushedEstimatesAndDiscardTopKeepsTheCurrentEstimates) {
   add_square(optimizer);
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -203,7 +204,7 @@ TEST_F(Optimizer, StatisticsDescribeEveryIteration) {
   EXPECT_NEAR(optimizer.batchStatistics().back().chi2, optimizer.activeChi2(), 1e-12);
 }
 
-TEST_F(Optimizer, AStopInTheFirstIterationStopsTheRunDespiteATerminateAction) {
+TEST_F(Optimizer, AStopFlagThatIsSetInTheFirstIterationStopsTheRunDespiteATerminateAction) {
   add_square(optimizer);
   use_gauss_newton();
   bool stop = false;
@@ -225,7 +226,7 @@ TEST_F(Optimizer, AStopInTheFirstIterationStopsTheRunDespiteATerminateAction) {
   EXPECT_EQ(optimizer.optimize(20), 1);
 }
 
-TEST_F(Optimizer, MarginalsAreRefusedAfterTheStructureChanged) {
+TEST_F(Optimizer, MarginalsAreRefusedAfterTheStructureChangedUntilTheNextRun) {
   add_square(optimizer);
   auto* algorithm = new g2o::OptimizationAlgorithmGaussNewton(make_solver());
   optimizer.setAlgorithm(algorithm);
@@ -237,7 +238,8 @@ TEST_F(Optimizer, MarginalsAreRefusedAfterTheStructureChanged) {
   ASSERT_TRUE(optimizer.initializeOptimization());
   EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
   ASSERT_TRUE(algorithm->buildLinearStructure());
-  EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3))) << "nothing is linearized";
+  EXPECT_FALSE(optimizer.computeMarginals(marginals, optimizer.vertex(3)))
+      << "the new structure is not linearized yet";
   optimizer.optimize(1);
   EXPECT_TRUE(optimizer.computeMarginals(marginals, optimizer.vertex(3)));
 }
@@ -259,7 +261,7 @@ TEST_F(Optimizer, AnActiveVertexIsFoundAfterItsIdChanged) {
   EXPECT_EQ(optimizer.optimize(1), 1);
 }
 
-TEST_F(Optimizer, MarginalsAreTheInverseOfTheHessianWithoutDamping) {
+TEST_F(Optimizer, MarginalsAreBlocksOfTheInverseHessianWithoutDamping) {
   for (const bool marginalize : {false, true}) {
     g2o::SparseOptimizer graph;
     add_square(graph);
@@ -297,7 +299,7 @@ TEST_F(Optimizer, MarginalsAreTheInverseOfTheHessianWithoutDamping) {
     g2o::SparseBlockMatrix<g2o::MatrixX> one;
     ASSERT_TRUE(graph.computeMarginals(one, graph.vertex(1)));
     EXPECT_EQ(one.nonZeroBlocks(), 1u);
-    EXPECT_FALSE(graph.computeMarginals(one, graph.vertex(0))) << "a fixed vertex has none";
+    EXPECT_FALSE(graph.computeMarginals(one, graph.vertex(0))) << "a fixed vertex has no marginal covariance";
   }
 }
 
@@ -318,7 +320,7 @@ TEST_F(Optimizer, VerticesHaveTheirHessianBlockAndAZeroGradientAtTheMinimum) {
 
 TEST_F(Optimizer, TheHessianOfAVertexStaysReadableWhenTheSolverIsReplaced) {
   add_square(optimizer);
-  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0))) << "nothing was optimized";
+  EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessian(0, 0))) << "nothing was optimized yet";
   EXPECT_TRUE(std::isnan(optimizer.vertex(2)->hessianDeterminant()));
   use_gauss_newton();
   optimizer.initializeOptimization();
@@ -404,7 +406,7 @@ TEST_F(Optimizer, AClearedOptimizerCanBeUsedAgain) {
   }
 }
 
-TEST_F(Optimizer, InformationMatricesAreVerified) {
+TEST_F(Optimizer, VerifyInformationMatricesFindsIndefiniteAndAsymmetricMatrices) {
   add_square(optimizer);
   EXPECT_TRUE(optimizer.verifyInformationMatrices());
   auto* e = add_motion(optimizer, 0, 2, g2o::SE2());

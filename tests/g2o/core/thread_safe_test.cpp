@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs that are large enough for several threads: the sums are right, and types that are not declared as
-// thread-safe stay on the calling thread.
+// Graphs that are large enough for several threads. All threads together must compute the same sums as a
+// single thread, and only the calling thread may call types that are not declared as thread-safe.
 #include "g2o/core/thread_safe.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct ClientEdge : g2o::EdgeSE2 {
   Threads& threads;
 };
 
-/// The same, but safe to call on several threads at once.
+/// A client's edge that also records the threads, but that several threads may call at once.
 struct GuardedEdge : g2o::EdgeSE2 {
   explicit GuardedEdge(Threads& seen) : threads(seen) {}
   void computeError() override {
@@ -47,7 +47,7 @@ struct GuardedEdge : g2o::EdgeSE2 {
   Threads& threads;
 };
 
-/// A client's kernel: ρ(e²) = e²; records the threads that call it.
+/// A client's kernel, ρ(e²) = e², which records the threads that call it.
 struct ClientKernel : g2o::RobustKernel {
   explicit ClientKernel(Threads& seen) : threads(seen) {}
   void robustify(double e2, g2o::Vector3& rho) const override {
@@ -57,8 +57,8 @@ struct ClientKernel : g2o::RobustKernel {
   Threads& threads;
 };
 
-/// A drive that circles a block: each pose is measured from the previous pose and from the pose one round
-/// earlier.
+/// A graph of a robot that drives around a block in several rounds. Each pose has an edge from the previous
+/// pose, and an edge from the pose one round earlier.
 struct Drive {
   static constexpr int kPoses = 900, kRound = 50;
 
@@ -89,7 +89,8 @@ struct Drive {
     e->setInformation(omega);
     optimizer.addEdge(e);
   }
-  /// b, the diagonal blocks of H, and the solution, which depends on the other blocks.
+  /// The right-hand side b, the diagonal blocks of H, and the solution. The solution also depends on the
+  /// off-diagonal blocks of H.
   std::vector<double> system() {
     optimizer.computeActiveErrors();
     solver->init(&optimizer);
@@ -114,7 +115,7 @@ void expect_same_sums(const std::vector<double>& a, const std::vector<double>& b
   for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-11 * largest) << k;
 }
 
-TEST(ThreadSafe, ReadyMadeEdgesOnAllThreadsSumToTheSameAsClientEdgesOnOneThread) {
+TEST(ThreadSafe, LibraryEdgesOnAllThreadsGiveTheSameSystemAsClientEdgesOnOneThread) {
   Threads threads;
   Drive ours([] { return new g2o::EdgeSE2; });
   Drive theirs([&] { return new ClientEdge(threads); });
@@ -125,14 +126,14 @@ TEST(ThreadSafe, ReadyMadeEdgesOnAllThreadsSumToTheSameAsClientEdgesOnOneThread)
               1e-12 * ours.optimizer.activeChi2());
 }
 
-TEST(ThreadSafe, RepeatedSumsAreBitIdentical) {
+TEST(ThreadSafe, RepeatedComputationsOfTheSystemAreBitIdentical) {
   Drive first([] { return new g2o::EdgeSE2; }), second([] { return new g2o::EdgeSE2; });
   const std::vector<double> sums = first.system();
   EXPECT_EQ(sums, first.system());
   EXPECT_EQ(sums, second.system());
 }
 
-TEST(ThreadSafe, ReadyMadeKernelsRunOnAllThreadsAndClientKernelsOnTheCallingThread) {
+TEST(ThreadSafe, LibraryKernelsRunOnAllThreadsAndClientKernelsOnTheCallingThread) {
   Threads threads;
   Drive plain([] { return new g2o::EdgeSE2; }), robust([] { return new g2o::EdgeSE2; }),
       theirs([] { return new g2o::EdgeSE2; });
@@ -154,7 +155,7 @@ TEST(ThreadSafe, ReadyMadeKernelsRunOnAllThreadsAndClientKernelsOnTheCallingThre
 /// A client's edge that a test declares as thread-safe.
 struct DeclaredEdge : g2o::EdgeSE2 {};
 
-TEST(ThreadSafe, DeclaredClientEdgesSumToTheSame) {
+TEST(ThreadSafe, ClientEdgesThatAreDeclaredThreadSafeGiveTheSameSystem) {
   Drive alone([] { return new DeclaredEdge; });
   const std::vector<double> sums = alone.system();
   const g2o::ThreadSafe<DeclaredEdge> declaration;
@@ -163,7 +164,7 @@ TEST(ThreadSafe, DeclaredClientEdgesSumToTheSame) {
   EXPECT_EQ(together.system(), Drive([] { return new g2o::EdgeSE2; }).system());
 }
 
-TEST(ThreadSafe, WithdrawnDeclarationTakesEffectWithoutInitializingAgain) {
+TEST(ThreadSafe, AWithdrawnDeclarationTakesEffectWithoutANewInitialization) {
   Threads threads;
   Drive drive([&] { return new GuardedEdge(threads); });
   {
@@ -179,7 +180,7 @@ TEST(ThreadSafe, WithdrawnDeclarationTakesEffectWithoutInitializingAgain) {
   EXPECT_EQ(threads, Threads{std::this_thread::get_id()});
 }
 
-TEST(ThreadSafe, EdgesAddedLaterCountAndRemovedEdgesDoNot) {
+TEST(ThreadSafe, TheSystemIncludesEdgesThatWereAddedLaterAndExcludesRemovedEdges) {
   Drive grown([] { return new g2o::EdgeSE2; }), whole([] { return new g2o::EdgeSE2; });
   grown.system();
   auto* extra = new g2o::EdgeSE2;

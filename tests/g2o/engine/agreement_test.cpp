@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine and the g2o API compute the same chi2 for a file, and after each of five Gauss-Newton
-// iterations.
+// The engine and the g2o API compute the same chi2 for a graph, before the first and after each of five
+// Gauss-Newton iterations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ using Linear = g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>;
 
 constexpr int kIterations = 5;
 
-/// The initial chi2, and chi2 after each iteration.
+/// Optimizes with the engine. Returns the initial chi2 and the chi2 after each iteration.
 std::vector<double> engine_chi2(boxplus::Graph& graph) {
   boxplus::Options options;
   options.algorithm = boxplus::AlgorithmKind::kGaussNewton;
@@ -40,11 +40,13 @@ std::vector<double> engine_chi2(boxplus::Graph& graph) {
   const boxplus::Report report = boxplus::optimize(graph, options);
   std::vector<double> chi2{report.chi2_initial};
   for (const boxplus::IterationRecord& record : report.records) chi2.push_back(record.chi2);
-  // The engine stops when chi2 changes only by rounding, but g2o continues.
+  // The engine stops when only rounding errors change chi2, but g2o continues. The last chi2 fills the
+  // missing iterations.
   if (report.reason == boxplus::Report::Reason::kNoFurtherDecrease) chi2.resize(kIterations + 1, chi2.back());
   return chi2;
 }
 
+/// Optimizes with the g2o API. Returns the initial chi2 and the chi2 after each iteration.
 std::vector<double> g2o_chi2(g2o::SparseOptimizer& optimizer) {
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(
       std::make_unique<g2o::BlockSolverX>(std::make_unique<Linear>())));
@@ -60,9 +62,10 @@ std::vector<double> g2o_chi2(g2o::SparseOptimizer& optimizer) {
   return chi2;
 }
 
-/// The tolerance is 1e-9, relative to chi2 at the beginning and at the end. In between, it is relative to
-/// chi2 before the step, because a step from 1.3e6 to 771 (csail) leaves a rounding error of 1e-8 of 771 with
-/// any factorization.
+/// The relative tolerance is 1e-9. The first and the last chi2 are compared relative to their own size. In
+/// between, a chi2 is compared relative to the chi2 before the step if that is larger. The reason is the file
+/// csail.g2o: one step reduces chi2 from 1.3e6 to 771, and the rounding errors of any factorization then
+/// change 771 by a fraction of 1e-8.
 void expect_same(const std::vector<double>& engine, const std::vector<double>& api) {
   ASSERT_EQ(engine.size(), kIterations + 1u);
   ASSERT_EQ(api.size(), kIterations + 1u);
@@ -72,7 +75,7 @@ void expect_same(const std::vector<double>& engine, const std::vector<double>& a
   }
 }
 
-TEST(EngineAgreement, SimulatedGraphsHaveTheSameChi2) {
+TEST(EngineAgreement, SimulatedGraphsHaveTheSameChi2InTheEngineAndInTheG2oApi) {
   for (const boxplus::World world :
        {boxplus::World::kSphere, boxplus::World::kGrid, boxplus::World::kManhattan, boxplus::World::kCity}) {
     SCOPED_TRACE(boxplus::to_string(world));
@@ -91,7 +94,7 @@ TEST(EngineAgreement, SimulatedGraphsHaveTheSameChi2) {
 
 class EngineAgreementOnFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(EngineAgreementOnFile, HasTheSameChi2) {
+TEST_P(EngineAgreementOnFile, HasTheSameChi2InTheEngineAndInTheG2oApi) {
   const char* folder = std::getenv("BOXPLUS_DATA");
   const std::string path = std::string(folder ? folder : ".") + "/" + GetParam();
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "SKIPPED: no " << path;
@@ -102,8 +105,8 @@ TEST_P(EngineAgreementOnFile, HasTheSameChi2) {
   expect_same(engine_chi2(file.graph), g2o_chi2(optimizer));
 }
 
-// Files on which Gauss-Newton decreases chi2. On victoriaPark it diverges, and five iterations amplify
-// rounding to 3e-9 of chi2.
+// Gauss-Newton decreases chi2 on these files. victoriaPark is not among them, because Gauss-Newton diverges
+// on it, and five iterations amplify rounding errors to 3e-9 of chi2.
 INSTANTIATE_TEST_SUITE_P(Public, EngineAgreementOnFile,
                          testing::Values("posegraph2d/intel_1728.g2o", "posegraph2d/csail.g2o",
                                          "posegraph2d/M3500.g2o", "posegraph2d/city10000.g2o",
@@ -116,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Public, EngineAgreementOnFile,
                            return name;
                          });
 
-TEST(EngineAgreement, GaussNewtonFactorizesInDoubleAndLevenbergRefinesFloatSteps) {
+TEST(EngineAgreement, GaussNewtonFactorizesInDoubleAndLevenbergFactorizesInFloatAndRefines) {
   boxplus::GraphFile file;
   file.graph = boxplus::simulate(boxplus::World::kSphere, {.poses = 2500}).graph;
   std::istringstream text(boxplus::format_graph(file));
@@ -135,7 +138,7 @@ TEST(EngineAgreement, GaussNewtonFactorizesInDoubleAndLevenbergRefinesFloatSteps
   EXPECT_EQ(optimizer.batchStatistics().front().iterationsLinearSolver, 0);
 }
 
-TEST(EngineAgreement, AFileIsWrittenAsItWasRead) {
+TEST(EngineAgreement, TheG2oApiWritesAFileOfTheEngineAsItWasRead) {
   boxplus::GraphFile file;
   file.graph = boxplus::simulate(boxplus::World::kSphere, {.poses = 100}).graph;
   const std::string text = boxplus::format_graph(file);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// covariance() of the engine and computeMarginals() of the g2o API agree on public graphs.
+// The function covariance() of the engine and computeMarginals() of the g2o API agree on public graphs.
 #include "boxplus/optimize/covariance.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ namespace {
 
 using Linear = g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>;
 
-/// The change of tangent space from the engine's vertex to g2o's. A step adds to the translation of a
-/// VertexSE2 in the world frame, but to that of an SE2 in the body frame.
+/// The matrix that converts a step of the engine's vertex to a step of the g2o vertex. A step moves a
+/// VertexSE2 of g2o along the axes of the world, but an SE2 of the engine along the axes of the body.
 Eigen::MatrixXd tangent_change(const boxplus::Graph& graph, boxplus::VertexRef vertex) {
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(graph.tangent_dim(vertex), graph.tangent_dim(vertex));
   if (change.rows() == 3) {
@@ -39,7 +39,8 @@ Eigen::MatrixXd tangent_change(const boxplus::Graph& graph, boxplus::VertexRef v
 
 class EngineCovariance : public testing::TestWithParam<const char*> {};
 
-/// Both start at the optimum, so that the single g2o iteration has the same linearization as the engine.
+/// The engine and g2o start at the optimum. Therefore, the single iteration of g2o linearizes at the same
+/// estimates as the engine.
 TEST_P(EngineCovariance, AgreesWithComputeMarginals) {
   const char* folder = std::getenv("BOXPLUS_DATA");
   const std::string path = std::string(folder ? folder : ".") + "/" + GetParam();

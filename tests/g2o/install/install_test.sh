@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: installs the build, moves it, and builds clients of
-# find_package(g2o), and clients that know only include folders and libraries. IS_STATIC: the build also has static
-# libraries.
+# install_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: installs the build, moves the installed folder, and
+# builds clients of it. Some clients use find_package(g2o), and others know only the folders of the headers and
+# libraries. IS_STATIC is 1 if the build also has static libraries, else 0.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
@@ -20,7 +20,7 @@ configure() { # SOURCE BUILD OPTIONS...
 }
 library=$(dirname "$(find "$work/moved" -name libg2o_core.so)")
 for name in stuff core types_data incremental csparse_extension; do
-  [[ -e "$library/libg2o_$name.so" ]] || { echo "there is no libg2o_$name.so" >&2; exit 1; }
+  [[ -e "$library/libg2o_$name.so" ]] || { echo "libg2o_$name.so is not installed" >&2; exit 1; }
 done
 
 configure "$here/consumer" "$work/build" -DCMAKE_PREFIX_PATH="$work/moved"
@@ -29,7 +29,7 @@ configure "$here/consumer" "$work/build" -DCMAKE_PREFIX_PATH="$work/moved"
 "$work/build/old_consumer"
 configure "$here/consumer" "$work/by_folder" -Dg2o_DIR="$library/cmake/g2o"
 
-# Components, standards, targets, and algorithms whose libraries are missing.
+# Clients with components, an old C++ standard, all targets, and an algorithm whose library is missing.
 variants=(OFF)
 if [[ $is_static == 1 ]]; then variants+=(ON); fi
 for static in "${variants[@]}"; do
@@ -42,7 +42,7 @@ for static in "${variants[@]}"; do
   if [[ -x "$ways/algorithms_cholmod" ]]; then "$ways/algorithms_cholmod" lm_var_cholmod; fi
 done
 
-# Without CMake: bare libraries in any order, in the oldest standard.
+# A client that is compiled as C++14 without CMake, and linked with the libraries in any order.
 flags=(-I "$work/moved/include" -isystem /usr/include/eigen3)
 compile() { $launcher "$compiler" "${flags[@]}" "$@"; }
 compile -std=c++14 -w -DEIGEN_MAX_ALIGN_BYTES=16 -c "$here/ways/plain.cpp" -o "$work/plain.o"
@@ -52,10 +52,11 @@ for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d
   "$compiler" "$work/plain.o" -L "$library" $libraries -Wl,-rpath,"$library" -o "$work/plain" 2>"$work/err.txt" ||
     { cat "$work/err.txt" >&2; exit 1; }
   "$work/plain" >/dev/null 2>"$work/err.txt"
-  grep -q "g2o: .*parameter" "$work/err.txt" || { echo "no message about a refused edge on stderr" >&2; exit 1; }
+  grep -q "g2o: .*parameter" "$work/err.txt" || { echo "expected a message about the refused edge on stderr" >&2; exit 1; }
 done
 
-# If a client's flags give Eigen's types another alignment, it does not link, and the symbol names the remedy.
+# A client does not link if its flags change the alignment of Eigen's types. The name of the missing symbol says which
+# flag the client must add.
 compile -std=c++17 -DEIGEN_MAX_ALIGN_BYTES=64 -c "$here/ways/plain.cpp" -o "$work/plain.o"
 if "$compiler" "$work/plain.o" -L "$library" -lg2o_core -lg2o_stuff -lg2o_types_slam3d -o "$work/plain" 2>"$work/err.txt"; then exit 1; fi
 grep -q "g2o_abi_1_64_add_EIGEN_MAX_ALIGN_BYTES_16" "$work/err.txt"

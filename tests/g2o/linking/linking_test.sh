@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: types and algorithms that are only named are linked, and
-# so are the tags of types that are only used, despite link-time optimization and --gc-sections. Two copies of the g2o
-# API in one process do not interfere.
+# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: checks that the linker keeps the types of a group and the
+# algorithms of a library although a program names only the group and the library. It must also keep the file tags of
+# types if a program uses only their classes. This must hold with link-time optimization and --gc-sections. Moreover,
+# two copies of the g2o API in one process must not interfere. IS_STATIC is 1 if the build has static libraries, else 0.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"
@@ -20,6 +21,6 @@ if [[ $is_static == 1 ]]; then "$work/build/beside_another"; fi
 exported=$(objdump -T "$(find "$work/installed" -name libg2o_core.so)" | grep -v UND)
 grep -q "BOXPLUS_G2O_1.*SparseOptimizer8optimize" <<<"$exported"
 if grep "_ZN[0-9K]*7boxplus" <<<"$exported"; then
-  echo "the g2o API exports symbols of the engine" >&2
+  echo "libg2o_core.so exports symbols of the engine" >&2
   exit 1
 fi

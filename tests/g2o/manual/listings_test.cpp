@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The listings of the g2o document, typed in by a reader, give a working 2-D SLAM.
+// Tests the code that a reader of the g2o document writes from its listings: it must be a working 2-D SLAM.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 #include "g2o/manual/types.h"
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 
-// Both libraries are static, and nothing else refers to their contents.
+// The types and the algorithms are in static libraries that are linked only because of these macros.
 G2O_USE_TYPE_GROUP(slam2d);
 G2O_USE_OPTIMIZATION_LIBRARY(manual);
 
@@ -50,7 +50,8 @@ World make_world() {
 constexpr int kFirstLandmark = 1000;
 constexpr double kRange = 4;
 
-/// Adds the world with noisy measurements and with estimates from odometry.
+/// Adds the poses and the landmarks of the world with noisy measurements. The initial estimates of the poses
+/// come from odometry.
 void add_graph(const World& world, double noise, g2o::SparseOptimizer& optimizer) {
   std::mt19937 random(7);
   std::normal_distribution<double> standard(0, 1);
@@ -109,7 +110,7 @@ std::unique_ptr<g2o::BlockSolverX> make_solver() {
       std::make_unique<g2o::LinearSolverEigen<g2o::BlockSolverX::PoseMatrixType>>());
 }
 
-TEST(Listings, ASimulatedRobotFindsItsPathAndItsLandmarks) {
+TEST(Listings, ASimulatedRobotFindsItsPathDespiteNoise) {
   const World world = make_world();
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
@@ -121,7 +122,7 @@ TEST(Listings, ASimulatedRobotFindsItsPathAndItsLandmarks) {
   EXPECT_LT(largest_distance(world, optimizer), 0.2);
 }
 
-TEST(Listings, WithoutNoiseTheGroundTruthIsFoundExactly) {
+TEST(Listings, ARobotWithoutNoiseFindsItsPathExactly) {
   const World world = make_world();
   g2o::SparseOptimizer optimizer;
   optimizer.setAlgorithm(new g2o::OptimizationAlgorithmLevenberg(make_solver()));

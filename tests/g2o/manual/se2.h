@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The class that a reader of the g2o document writes after its listing 3.
+// The class SE2 that a reader writes from listing 3 of the g2o document.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library that registers algorithms as listing 2 of the g2o document does.
+// A library that registers algorithms with the macros of listing 2 of the g2o document.
 #include <memory>
 
 #include "g2o/core/block_solver.h"

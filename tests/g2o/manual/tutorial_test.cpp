@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of examples/tutorial_slam2d: group laws, Jacobians, files.
+// Tests the types in examples/tutorial_slam2d: group laws, Jacobians, files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ TEST(TutorialTypes, AStepOfAPoseIsAMotionInItsBodyFrame) {
   expect_equal(v.estimate(), SE2(1, 2, M_PI / 2));
   v.oplus(ahead);
   expect_equal(v.estimate(), SE2(1, 3, M_PI / 2));
-  v.oplus(turn);  // beyond π, so it is wrapped
+  v.oplus(turn);  // the angle exceeds π and is wrapped
   expect_equal(v.estimate(), SE2(1, 3, -M_PI / 2));
   v.setToOrigin();
   expect_equal(v.estimate(), SE2());
@@ -85,7 +85,7 @@ TEST(TutorialTypes, EachTagConstructsItsType) {
   }
 }
 
-TEST(TutorialTypes, LinesThatEndEarlyAreRefused) {
+TEST(TutorialTypes, IncompleteLinesAndUnknownParametersAreRefused) {
   for (const char* line :
        {"TUTORIAL_VERTEX_SE2 7 1 2\n", "TUTORIAL_VERTEX_POINT_XY 7 1\n", "TUTORIAL_PARAMS_SE2_OFFSET 7 1 2\n",
         "TUTORIAL_EDGE_SE2 0 1 1 0.3 3.1 10 1 0 20 0\n", "TUTORIAL_EDGE_SE2_POINT_XY 1 2 0 2.5\n",
@@ -95,7 +95,7 @@ TEST(TutorialTypes, LinesThatEndEarlyAreRefused) {
   }
 }
 
-TEST(TutorialTypes, TheSensorMeasuresFromItsMountingPose) {
+TEST(TutorialTypes, TheErrorOfALandmarkEdgeDependsOnTheMountingPoseOfTheSensor) {
   OptimizableGraph graph;
   ASSERT_TRUE(load(graph, kGraph));
   EdgeSE2PointXY* e = landmark_edge(graph);
@@ -106,7 +106,7 @@ TEST(TutorialTypes, TheSensorMeasuresFromItsMountingPose) {
   };
   e->computeError();
   EXPECT_LT((e->error() - error(SE2(1.1, 0.25, 3))).norm(), 1e-12);
-  // The cache follows every change of the estimate.
+  // The cache must be updated after every change of the estimate.
   auto* robot = static_cast<VertexSE2*>(graph.vertex(1));
   robot->push();
   robot->setEstimate(SE2(2, 1, 0));
@@ -119,7 +119,7 @@ TEST(TutorialTypes, TheSensorMeasuresFromItsMountingPose) {
   EXPECT_LT((e->error() - error(SE2(1.1, 0.25, 3) * SE2(0.1, 0.2, 0.3))).norm(), 1e-12);
 }
 
-TEST(TutorialTypes, TheJacobianOfALandmarkMatchesItsError) {
+TEST(TutorialTypes, TheJacobiansOfALandmarkEdgeMatchCentralDifferences) {
   OptimizableGraph graph;
   ASSERT_TRUE(load(graph, kGraph));
   EdgeSE2PointXY* e = landmark_edge(graph);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library that registers types as listing 1 of the g2o document does: same macros, same tags.
+// A library that registers types with the macros and the tags of listing 1 of the g2o document.
 #include "g2o/manual/types.h"
 
 #include "g2o/core/factory.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types that a reader of the g2o document writes after its listings 4 to 7.
+// The types that a reader writes from listings 4 to 7 of the g2o document.
 #pragma once
 
 #include <istream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs every algorithm of the factory on a small graph.
+// Tests of the algorithms that the factory constructs, on small graphs.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -31,7 +31,7 @@ std::unique_ptr<g2o::OptimizationAlgorithm> construct(const std::string& name) {
       g2o::OptimizationAlgorithmFactory::instance()->construct(name, property));
 }
 
-/// A square of poses that observe a point in the middle.
+/// Adds a square of poses, and a point in its middle that all poses observe.
 void add_square_with_point(g2o::SparseOptimizer& optimizer) {
   add_square(optimizer);
   auto* point = new g2o::VertexPointXY;
@@ -48,7 +48,8 @@ void add_square_with_point(g2o::SparseOptimizer& optimizer) {
   }
 }
 
-/// The final chi2 of an algorithm. The start is always the same.
+/// Optimizes the square with the point, always from the same estimates. Returns the final chi2, or -1 if the
+/// factory knows no algorithm with this name.
 double final_chi2(const std::string& name, bool marginalize) {
   g2o::SparseOptimizer optimizer;
   add_square_with_point(optimizer);
@@ -68,7 +69,7 @@ std::vector<std::string> names_with(const std::string& suffix) {
           "lm_fix6_3" + suffix, "lm_fix7_3" + suffix, "dl_var" + suffix};
 }
 
-TEST(Algorithms, AllAlgorithmsOfTheLibrariesAreRegistered) {
+TEST(Algorithms, TheFactoryListsAllAlgorithmsOfTheLinkedLibraries) {
   std::vector<std::string> wanted = {"2dlinear", "structure_only_2", "structure_only_3"};
   for (const char* linear : {"dense", "pcg"}) {
     for (const char* method : {"gn_", "lm_"}) {
@@ -94,13 +95,14 @@ TEST(Algorithms, AllAlgorithmsOfTheLibrariesAreRegistered) {
   EXPECT_THAT(found, testing::UnorderedElementsAreArray(wanted));
 }
 
-TEST(Algorithms, AnUnknownNameReturnsNull) {
+TEST(Algorithms, TheFactoryReturnsNullForAnUnknownName) {
   EXPECT_EQ(construct("lm_nonsense"), nullptr);
 }
 
+/// Algorithms with a linear solver of another library. The parameter is the suffix of their names.
 class ForeignSolver : public testing::TestWithParam<const char*> {};
 
-TEST_P(ForeignSolver, FindsTheSameMinimumAsTheEngine) {
+TEST_P(ForeignSolver, FindsTheSameMinimumAsTheSolverOfTheEngine) {
   const std::string suffix = GetParam();
   for (const std::string& name : {"gn_var" + suffix, "lm_var" + suffix, "dl_var" + suffix}) {
     SCOPED_TRACE(name);
@@ -112,7 +114,7 @@ TEST_P(ForeignSolver, FindsTheSameMinimumAsTheEngine) {
   EXPECT_NEAR(final_chi2("gn_fix3_2" + suffix, true), expected, 1e-9 * expected);
 }
 
-TEST_P(ForeignSolver, CannotSolveAnIndefiniteSystem) {
+TEST_P(ForeignSolver, SolvesAPositiveDefiniteSystemAndRefusesAnIndefiniteOne) {
   using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
   auto algorithm = construct(std::string("gn_var") + GetParam());
   auto& solver = static_cast<g2o::OptimizationAlgorithmWithHessian&>(*algorithm).solver();
@@ -152,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(CSparse, ForeignSolver, testing::Values("_csparse"));
 #endif
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ForeignSolver);
 
-TEST(LinearStart, FindsTheMinimumFromUninformativeEstimates) {
+TEST(LinearStart, FindsTheMinimumFromArbitraryEstimates) {
   double expected = 0;
   for (const std::string name : {"gn_var", "2dlinear"}) {
     SCOPED_TRACE(name);
@@ -181,7 +183,7 @@ TEST(LinearStart, RefusesUnsupportedGraphsWithAMessage) {
     optimizer.setAlgorithm(construct("2dlinear"));
     ASSERT_TRUE(optimizer.initializeOptimization());
     EXPECT_EQ(optimizer.optimize(1), 0);
-    EXPECT_THAT(messages.back(), testing::HasSubstr(point ? "EDGE_SE2" : "needs a fixed vertex"));
+    EXPECT_THAT(messages.back(), testing::HasSubstr(point ? "EDGE_SE2" : "needs a path from a fixed vertex"));
   }
   g2o::logging::setSink({});
 }

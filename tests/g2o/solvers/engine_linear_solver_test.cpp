@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linear solvers of the library, alone and inside a BlockSolver.
+// Tests of the linear solvers of the library, alone and inside a BlockSolver.
 #include <gmock/gmock.h>
 
 #include <memory>
@@ -15,7 +15,7 @@ using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
 using Pcg = g2o::LinearSolverPCG<g2o::MatrixX>;
 using Eigens = g2o::LinearSolverEigen<g2o::MatrixX>;
 
-/// A chain of `n` blocks of 2 × 2, given by its upper triangle.
+/// The upper triangle of a symmetric block-tridiagonal matrix with n × n blocks of 2 × 2.
 Matrix chain(int n) {
   std::vector<int> ends;
   for (int i = 1; i <= n; ++i) ends.push_back(2 * i);
@@ -42,7 +42,7 @@ Eigen::VectorXd solved(Solver& solver, const Matrix& A, const Eigen::VectorXd& b
   return x;
 }
 
-TEST(LinearSolvers, PcgWithAbsoluteToleranceStopsAtAResidualOfThatSize) {
+TEST(LinearSolvers, PcgStopsAtItsAbsoluteOrItsRelativeTolerance) {
   const Matrix A = chain(50);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(100, 1, 2) * 1e-4;
   Pcg pcg;
@@ -56,7 +56,7 @@ TEST(LinearSolvers, PcgWithAbsoluteToleranceStopsAtAResidualOfThatSize) {
   EXPECT_GT(absolute, 10 * relative);
 }
 
-TEST(LinearSolvers, PcgStopsEarlierInARunWithAnAbsoluteTolerance) {
+TEST(LinearSolvers, PcgNeedsFewerIterationsWithAnAbsoluteToleranceIfTheInformationIsSmall) {
   std::vector<int> iterations;
   for (const bool absolute : {true, false}) {
     g2o::SparseOptimizer optimizer;
@@ -76,7 +76,7 @@ TEST(LinearSolvers, PcgStopsEarlierInARunWithAnAbsoluteTolerance) {
   EXPECT_LT(iterations[0], iterations[1]);
 }
 
-TEST(LinearSolvers, BlockAndScalarOrderingsGiveTheSameResult) {
+TEST(LinearSolvers, BlockAndScalarOrderingsGiveTheSameSolution) {
   const Matrix A = chain(50);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(100, 1, 2);
   Eigens solver;
@@ -94,7 +94,7 @@ TEST(LinearSolvers, BlockAndScalarOrderingsGiveTheSameResult) {
   EXPECT_LT((*one.block(0, 1) - *other.block(0, 1)).norm(), 1e-12);
 }
 
-TEST(LinearSolvers, ScalarOrderingFindsTheSameMinimum) {
+TEST(LinearSolvers, BlockAndScalarOrderingsFindTheSameMinimum) {
   std::vector<double> chi2;
   for (const bool blocks : {true, false}) {
     g2o::SparseOptimizer optimizer;

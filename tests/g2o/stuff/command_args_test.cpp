@@ -5,14 +5,14 @@
 
 namespace {
 
-/// Reads and sets parameters as text.
+/// A subclass that reads and sets parameters as text.
 class TextArgs : public g2o::CommandArgs {
  public:
   std::string text(size_t i) const { return std::string(type2str(_args[i].type)) + ": " + arg2str(_args[i]); }
   void set(size_t i, const std::string& text) { str2arg(text, _args[i]); }
 };
 
-TEST(CommandArgs, AreReadAndSetAsTextBySubclasses) {
+TEST(CommandArgs, CanBeReadAndSetAsTextBySubclasses) {
   TextArgs args;
   int iterations = 0;
   bool verbose = false;

@@ -7,7 +7,7 @@
 
 namespace {
 
-TEST(Macros, WriteNamesValuesAndFixedNotation) {
+TEST(Macros, WriteValuesWithTheirNamesAndNumbersInFixedNotation) {
   std::ostringstream out;
   const double half_turn = 3.14159265358979323846;
   out << PVAR(2 * 3) << "; " << PVARA(half_turn) << "; " << FIXED(0.5) << "; " << 0.5;

@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Counts how often a property is deleted.
+/// A property that counts how many properties of this type were deleted.
 class CountedProperty : public g2o::IntProperty {
  public:
   CountedProperty(const std::string& name, int value) : g2o::IntProperty(name, value) {}
@@ -13,7 +13,7 @@ class CountedProperty : public g2o::IntProperty {
   static inline int deleted = 0;
 };
 
-TEST(PropertyMap, MakesPropertiesThatItDeletes) {
+TEST(PropertyMap, DeletesThePropertiesThatItMakes) {
   CountedProperty::deleted = 0;
   {
     g2o::PropertyMap map;
@@ -40,11 +40,11 @@ TEST(PropertyMap, OwnsAddedPropertiesUnlessTheirNameIsTaken) {
     EXPECT_FALSE(map.eraseProperty("width"));
     EXPECT_TRUE(map.addProperty(new CountedProperty("height", 3)));
   }
-  EXPECT_EQ(CountedProperty::deleted,
-            3);  // the refused property at the end of its scope, the others by the map
+  // The map deletes "width" and "height". The refused property is destroyed at the end of its scope.
+  EXPECT_EQ(CountedProperty::deleted, 3);
 }
 
-TEST(PropertyMap, WritesCommaSeparatedLinesWithoutACommaAtTheirEnds) {
+TEST(PropertyMap, WritesCommaSeparatedLinesWithoutATrailingComma) {
   g2o::PropertyMap map;
   map.makeProperty<g2o::IntProperty>("a", 1);
   map.makeProperty<g2o::StringProperty>("b", "two");

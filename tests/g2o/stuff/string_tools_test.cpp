@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(StringTools, TrimBlanksAtEitherEnd) {
+TEST(StringTools, TrimWhitespaceAtBothEnds) {
   EXPECT_EQ(g2o::trim(" \t a b\r\n"), "a b");
   EXPECT_EQ(g2o::trimLeft("  a "), "a ");
   EXPECT_EQ(g2o::trimRight("  a "), "  a");
@@ -33,14 +33,14 @@ TEST(StringTools, ConvertCaseAndFindPrefixesAndSuffixes) {
   EXPECT_FALSE(g2o::strEndsWith("g2o", ".g2o"));
 }
 
-TEST(StringTools, FormatTextAsPrintfDoes) {
+TEST(StringTools, FormatTextLikePrintf) {
   EXPECT_EQ(g2o::formatString("%d of %s", 3, "many"), "3 of many");
   std::string text;
   EXPECT_EQ(g2o::strPrintf(text, "%05.1f", 2.5), 5);
   EXPECT_EQ(text, "002.5");
 }
 
-TEST(StringTools, ParseNumbersWithoutTrailingText) {
+TEST(StringTools, ParseNumbersAndRefuseTrailingTextUnlessItIsAllowed) {
   int i = 7;
   EXPECT_FALSE(g2o::convertString("12x", i));
   EXPECT_EQ(i, 7);
@@ -75,7 +75,7 @@ TEST(StringTools, ExpandFileNames) {
   EXPECT_EQ(g2o::strExpandFilename("${G2O_TEST_FOLDER"), "${G2O_TEST_FOLDER");
 }
 
-TEST(StringTools, JoinTextByADelimiter) {
+TEST(StringTools, JoinTextWithADelimiter) {
   const std::vector<int> numbers{1, 2, 3};
   EXPECT_EQ(g2o::strJoin(numbers.begin(), numbers.end(), ", "), "1, 2, 3");
   EXPECT_EQ(g2o::strJoin(std::vector<std::string>{"one"}, ", "), "one");

@@ -9,7 +9,7 @@
 
 namespace {
 
-TEST(TicToc, MeasuresNamedPartsIfTheVariableIsSet) {
+TEST(TicToc, MeasuresNamedPartsIfTheEnvironmentVariableIsSet) {
   setenv("G2O_ENABLE_TICTOC", "1", 1);
   EXPECT_EQ(g2o::tictoc("sleep"), -1);
   std::this_thread::sleep_for(std::chrono::milliseconds(2));

@@ -11,10 +11,10 @@ void a_measured_function() {
   MEASURE_FUNCTION_TIME;
 }
 
-TEST(TimeUtil, ACommandRepeatsByTheClockOfTheCaller) {
+TEST(TimeUtil, RepeatsACommandByTheTimestampsOfTheCaller) {
   int runs = 0;
   for (double now : {10.0, 10.5, 11.0, 11.5, 3.0, 3.5}) DO_EVERY_TS(1, now, ++runs);
-  EXPECT_EQ(runs, 3);  // at 10, at 11, and when the clock was set back
+  EXPECT_EQ(runs, 3);  // at 10, at 11, and at 3, because the clock was set back
 }
 
 TEST(TimeUtil, PrintsTheTimeOfAFunction) {

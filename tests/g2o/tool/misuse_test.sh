@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# misuse_test.sh TOOL WORK_DIR: the messages and exit codes of the tool g2o for bad arguments, files and plug-ins.
+# misuse_test.sh TOOL WORK_DIR: checks the messages and exit codes of the tool g2o for bad arguments, files and
+# plug-ins.
 source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 
 # arguments
 expect 0 "no solver nonsense" -solver nonsense square.g2o
-expect 3 "does not suit vertices of these dimensions: 2 3" -solver lm_fix6_3 square.g2o
+expect 3 "does not support vertices of these dimensions: 2 3" -solver lm_fix6_3 square.g2o
 expect 1 "unknown parameter: -nonsense" -nonsense square.g2o
 expect 1 "too many arguments: b.g2o" square.g2o b.g2o
 expect 1 "parameter -i: expected an integer, got 'abc'" -i abc square.g2o
@@ -27,16 +28,16 @@ expect 2 "empty.g2o has no vertices" empty.g2o
 head -c 100000 "$tool" > binary.g2o
 expect 2 "binary.g2o has no vertices" binary.g2o
 is "unknown tag '\x7fELF" err.txt
-is "other unknown tags, skipped" err.txt
+is "other unknown tags" err.txt
 lines 7 err.txt
-if LC_ALL=C grep -q "$(printf '[\001-\010]')" err.txt; then complain "expected no control characters" err.txt; fi
+if LC_ALL=C grep -q "$(printf '[\001-\010]')" err.txt; then complain "expected no control characters in:" err.txt; fi
 
-# tags that are not UTF-8, and names that would control a terminal
+# tags that are not UTF-8, and file names with control characters
 (cat square.g2o; printf 'W\377\302\233 1\n') > bytes.g2o
-expect 0 "unknown tag 'W\\xff\\xc2\\x9b', skipped" bytes.g2o
+expect 0 "unknown tag 'W\\xff\\xc2\\x9b'" bytes.g2o
 expect 1 "g2o: no\\xff\\x1b[31m.g2o cannot be opened" "$(printf 'no\377\033[31m.g2o')"
 
-# lines
+# lines that cannot be read
 # broken TEXT LINE: checks that square.g2o with an additional LINE is refused with the message TEXT.
 broken() {
   (cat square.g2o; echo "$2") > broken.g2o
@@ -57,7 +58,7 @@ is "the edge needs parameter 5" err.txt
 broken "EDGE_SE2_XY: information" "EDGE_SE2_XY 0 7 1 0 1 2 1"
 broken "FIX: there is no vertex 99" "FIX 99"
 (cat square.g2o; echo "NONSENSE 1 2 3") > unknown.g2o
-expect 0 "line 12: unknown tag 'NONSENSE', skipped" unknown.g2o
+expect 0 "line 12: skipped this line with the unknown tag 'NONSENSE'" unknown.g2o
 is "final chi2 = 0.00189884" err.txt
 (echo "PARAMS_SE3OFFSET 5 0 0 0 0 0 0 1"; cat square.g2o; echo "EDGE_SE2_POINTXY_OFFSET 0 7 5 1 0 1 0 1") > parameter.g2o
 expect 2 "parameter 5 does not have the type" parameter.g2o
@@ -65,7 +66,7 @@ expect 2 "parameter 5 does not have the type" parameter.g2o
 # graphs that cannot be optimized are written unchanged
 (cat square.g2o; echo "FIX 0 1 2 3 7") > fixed.g2o
 expect 0 "nothing to optimize" -o written.g2o -gnudump fixed -summary fixed.csv -stats fixed.txt -computeMarginals fixed.g2o
-"$tool" -i 0 -o - written.g2o 2> /dev/null | diff -q written.g2o - > /dev/null || complain "expected the same graph" written.g2o
+"$tool" -i 0 -o - written.g2o 2> /dev/null | diff -q written.g2o - > /dev/null || complain "expected the same graph after reading and writing:" written.g2o
 is "FIX 7" written.g2o
 lines 5 fixed_vertices
 lines 18 fixed_edges
@@ -73,13 +74,13 @@ is "fixed.g2o, 5, 6, 4, 1, EDGE_SE2 EDGE_SE2_XY, 4.6827, 4.6827, 4.6827" fixed.c
 lines 0 fixed.txt
 grep VERTEX square.g2o > vertices.g2o
 expect 0 "nothing to optimize" -o - vertices.g2o
-lines 6 out.txt  # including a FIX line
+lines 6 out.txt  # five vertices and a FIX line
 
 # systems that cannot be solved
 sed -E 's/ 10 0 0 10 0 40$/ 0 0 0 0 0 0/; s/ 20 0 20$/ 0 0 0/' square.g2o > weightless.g2o
 (cat poses.g2o; printf 'VERTEX_XY 7 0.4 0.4\nEDGE_BEARING_SE2_XY 0 7 0.5 1\n') > singular.g2o
 for solver in gn_var gn_dense gn_pcg gn_var_cholmod gn_var_csparse; do
-  if ! "$tool" -listSolvers 2>&1 | grep -q "^$solver "; then continue; fi  # its plug-in was not built
+  if ! "$tool" -listSolvers 2>&1 | grep -q "^$solver "; then continue; fi  # the build does not have this solver
   for graph in weightless.g2o singular.g2o; do
     expect 0 "positive definite" -solver $solver -o unsolved.g2o $graph
     is "the algorithm failed" err.txt
@@ -94,7 +95,7 @@ is "the algorithm failed" err.txt
 (cat square.g2o; printf 'PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\nVERTEX_TRACKXYZ 8 1 1 1\n') > mixed.g2o
 expect 0 "final chi2 = 0.00189884" mixed.g2o
 
-# files that cannot be written: each is reported, and the other files are written
+# files that cannot be written: the tool reports each of them and writes the other files
 expect 1 "/no/such/folder/x cannot be written" -o /no/such/folder/x -stats written.txt square.g2o
 lines 5 written.txt
 for switch in -stats -gnudump -summary; do
@@ -107,9 +108,9 @@ if [[ -e /dev/full ]]; then
   if "$tool" -o - square.g2o > /dev/full 2> err.txt; then complain "expected exit code 1:" err.txt; fi
   is "cannot be written to standard output" err.txt
 fi
-[[ ! -e debug.txt ]] || complain "expected no such file" debug.txt
+[[ ! -e debug.txt ]] || complain "expected that the tool does not write debug.txt:" debug.txt
 
-# files that are not plug-ins: they are reported, and the program continues
+# files that are not plug-ins: the tool reports them and continues
 expect 0 "no_such_types_x.so cannot be loaded" -typeslib no_such_types_x.so square.g2o
 expect 0 "no_such_solver_x.so cannot be loaded" -solverlib no_such_solver_x.so square.g2o
 mkdir plugins
@@ -120,5 +121,5 @@ is "plugins/libtext_solver_x.so cannot be loaded" err.txt
 is_not "x.txt" err.txt
 is "final chi2 = 0.00189884" err.txt
 is "G2O_TYPES_DIR: there is no folder $PWD/no_such_folder" err.txt
-G2O_SOLVER_DIR="$PWD" expect 0 "final chi2" square.g2o  # the document's name of the variable
+G2O_SOLVER_DIR="$PWD" expect 0 "final chi2" square.g2o  # the name of the variable in the g2o document
 is "libtext_solver_x.so" err.txt

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: plug-ins that are built out of tree work in the
-# installed tool, and a plug-in with another ABI is refused.
+# plugin_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER PLUGINS: checks that the installed tool loads plug-ins that the
+# separate project in PLUGINS builds, and that it refuses plug-ins with a different ABI.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" plugins="$5"
 rm -rf "$work"
@@ -40,12 +40,13 @@ rm "$work/installed/lib/$(basename "$types")"
 G2O_TYPES_DIR="$work/nowhere" run > /dev/null
 grep -q "G2O_TYPES_DIR: there is no folder $work/nowhere" "$work/err.txt"
 
-refuses() { # SYMBOL FLAGS...
+# refuses SYMBOL FLAGS...: checks that the tool does not load a plug-in that is compiled with FLAGS, and names SYMBOL.
+refuses() {
   "$compiler" -std=c++17 -shared -fPIC "${@:2}" -I "$work/installed/include" -isystem /usr/include/eigen3 \
     "$plugins/range_types.cpp" -o "$work/other_types_abi.so"
   run -typeslib "$work/other_types_abi.so" > /dev/null || true
   grep -q "cannot be loaded.*$1" "$work/err.txt"
-  grep -q "unknown tag .VERTEX_BEACON" "$work/err.txt" # and the tool continues
+  grep -q "unknown tag .VERTEX_BEACON" "$work/err.txt" # the tool continues without the plug-in
 }
 refuses g2o_abi_1_32_add_EIGEN_MAX_ALIGN_BYTES_16 -DEIGEN_MAX_ALIGN_BYTES=32
 refuses g2o_abi_1_16_remove_EIGEN_MAX_STATIC_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MAX_STATIC_ALIGN_BYTES=0

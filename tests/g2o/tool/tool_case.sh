@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Common functions for the tests of the tool g2o. To be sourced with TOOL WORK_DIR. Enters WORK_DIR, which contains only
-# square.g2o, poses.g2o (the same without its landmark) and space.g2o.
+# Common functions for the tests of the tool g2o. Usage: source tool_case.sh TOOL WORK_DIR. Empties WORK_DIR, makes it
+# the current folder, and writes square.g2o, poses.g2o (which is square.g2o without its landmark) and space.g2o to it.
 set -uo pipefail
 tool="$1" work="$2"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
@@ -37,7 +37,7 @@ EDGE_SE3_TRACKXYZ 0 12 0 0 -1 1 20 0 0 20 0 20
 EDGE_SE3_TRACKXYZ 2 12 0 -2 -1.01 1 20 0 0 20 0 20
 END
 
-# complain MESSAGE FILE: prints the message and the file, and ends the test.
+# complain MESSAGE FILE: prints the message and the content of the file, and ends the test.
 complain() {
   echo "$(basename "$0"): $1" >&2
   cat -v "$2" >&2
@@ -53,13 +53,14 @@ expect() {
     complain "g2o $*: expected exit code $code and the message '$text'; got exit code $ended and:" err.txt
   fi
 }
-# is TEXT FILE: checks that FILE contains TEXT. is_not TEXT FILE: that it does not. lines COUNT FILE: that it
-# has COUNT lines.
+# is TEXT FILE: checks that FILE contains TEXT.
+# is_not TEXT FILE: checks that FILE does not contain TEXT.
+# lines COUNT FILE: checks that FILE has COUNT lines.
 is() { grep -qF -e "$1" "$2" || complain "expected '$1' in $2:" "$2"; }
-is_not() { if grep -qF -e "$1" "$2"; then complain "expected no '$1' in $2:" "$2"; fi; }
+is_not() { if grep -qF -e "$1" "$2"; then complain "expected that '$1' is not in $2:" "$2"; fi; }
 lines() { (($(wc -l < "$2") == $1)) || complain "expected $1 lines in $2:" "$2"; }
 # holds CONDITION: checks a numeric condition in awk's syntax.
-holds() { awk "BEGIN { exit !($1) }" || complain "expected $1, after" err.txt; }
-# initial, final: chi2 at the beginning and at the end of the last run.
+holds() { awk "BEGIN { exit !($1) }" || complain "expected $1; standard error of the last run:" err.txt; }
+# initial, final: print the initial and the final chi2 of the last run.
 initial() { sed -n 's/^# initial chi2 = //p' err.txt; }
 final() { sed -n 's/^# final chi2 = //p' err.txt; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tool_test.sh TOOL WORK_DIR: tests each switch of the tool g2o.
+# tool_test.sh TOOL WORK_DIR: tests each option of the tool g2o.
 source "$(dirname "$0")/tool_case.sh" "$1" "$2"
 
 # -h, -help, and no input
@@ -15,14 +15,14 @@ for switch in -h -help --help; do
   done
 done
 
-# -i: five iterations, any number, or none
+# -i: five iterations by default, or the given number, which may be 0
 expect 0 "iteration= 4" -v square.g2o
 is_not "iteration= 5" err.txt
 expect 0 "iteration= 9" -v -i 10 square.g2o
 expect 0 "final chi2 = 4.6827" -i 0 square.g2o
 is_not "failed" err.txt
 
-# -i < 0 with -gain and -ig: iterates until the gain is small, or chi2 no longer decreases
+# -i < 0, -gain, -ig: iterates until chi2 hardly decreases, or no longer decreases
 expect 0 "final chi2 = 0.00189884" -v -i -1 square.g2o
 is_not "iteration= 10" err.txt
 expect 0 "iteration= 1" -v -i -1 -gain 1e9 square.g2o
@@ -43,7 +43,7 @@ expect 0 "lm_dense7_3" -listSolvers
 expect 0 "2dlinear" -listSolvers
 expect 0 "maxTrialsAfterFailure	2" -solver lm_var -solverProperties maxTrialsAfterFailure=2 -printSolverProperties square.g2o
 expect 0 "lambda= 0.000100" -v -i 1 -solver lm_var -solverProperties initialLambda=0.0003,maxTrialsAfterFailure=2 square.g2o
-expect 0 "not all of the properties" -solverProperties nonsense=1 square.g2o
+expect 0 "could not set all of these properties" -solverProperties nonsense=1 square.g2o
 
 # -marginalize
 expect 0 "schur= 1" -v -marginalize square.g2o
@@ -60,7 +60,7 @@ expect 0 "final chi2" -i 0 -guessOdometry far.g2o
 along_odometry=$(initial)
 holds "$along_tree < $far / 10 && $along_odometry < $far / 10 && $along_tree != $along_odometry"
 
-# -gaugeId, -gaugeList, and the vertex that is fixed without them
+# -gaugeId, -gaugeList, and the vertex that the tool fixes without these options
 expect 0 "fixed by vertex 0" square.g2o
 expect 0 "final chi2" -gaugeId 2 -o - square.g2o
 is_not "fixed by" err.txt
@@ -74,7 +74,7 @@ expect 2 "no vertex 98" -gaugeId 98 square.g2o
 expect 0 "final chi2" prior.g2o
 is_not "fixed by" err.txt
 (cat square.g2o; printf 'VERTEX_SE2 20 0 0 0\nVERTEX_SE2 21 1 0 0\nEDGE_SE2 20 21 1 0 0 1 0 0 1 0 1\n') > island.g2o
-expect 0 "not connected to a fixed one: 2" -solver lm_var island.g2o
+expect 0 "not connected to a fixed vertex: 2" -solver lm_var island.g2o
 
 # -robustKernel, -robustKernelWidth, -nonSequential, -listRobustKernels
 for kernel in Huber PseudoHuber Cauchy GemanMcClure Welsch Fair Tukey Saturated DCS; do
@@ -92,7 +92,7 @@ without=$(chi2_with) wide=$(chi2_with -robustKernel Cauchy) narrow=$(chi2_with -
 loops=$(chi2_with -robustKernel Cauchy -robustKernelWidth 0.1 -nonSequential)
 holds "$wide < $without && $narrow < $wide && $narrow < $loops && $loops < $without"
 
-# -computeMarginals: the diagonal and its neighboring blocks, also if nothing was iterated or landmarks are eliminated
+# -computeMarginals: prints the diagonal blocks and the blocks beside them, also after 0 iterations or with -marginalize
 expect 0 "Vertices 1 1" -computeMarginals square.g2o
 is "Vertices 1 2" err.txt
 is "Vertices 7 7" err.txt
@@ -106,8 +106,8 @@ holds "($plain - $(covariance)) ^ 2 < 1e-6 * $plain ^ 2"
 expect 0 "Vertices 1 1" -computeMarginals -i 0 square.g2o
 expect 0 "covariances cannot be computed" -computeMarginals -solver structure_only_2 square.g2o
 
-# -inc, -update, -guiout: one iteration after each given number of vertices, or as many iterations as -i
-# requests
+# -inc, -update, -guiout: adds the vertices one by one; after the number of vertices given by -update, runs one
+# iteration, or as many as -i requests
 count() { grep -c "$1" "$2"; }
 expect 0 "final chi2 = 0.0018" -inc -update 2 -v square.g2o
 holds "$(count '^iteration= 0' err.txt) == 3 && $(count '^iteration= 1' err.txt) == 0"
@@ -123,7 +123,7 @@ expect 0 "final chi2" -inc -update 2 -guiout square.g2o
 holds "$(count '^plot ' out.txt) == 3 && $(count '^e$' out.txt) == 3"
 expect 0 "final chi2" -inc -guiout space.g2o
 is "splot" out.txt
-expect 0 "final chi2" -guiout square.g2o  # no effect without -inc
+expect 0 "final chi2" -guiout square.g2o  # -guiout has no effect without -inc
 lines 0 out.txt
 
 # -o, -stats, -summary, -gnudump
@@ -146,7 +146,7 @@ lines 18 plot_edges
 lines 6 plot_landmarks_edges
 lines 9 plot_odom_edges
 
-# -listTypes, -renameTypes, standard input (-typeslib and -solverlib: plugin_test.sh)
+# -listTypes, -renameTypes, standard input (plugin_test.sh tests -typeslib and -solverlib)
 for type in VERTEX_SE2 EDGE_SIM3:EXPMAP VERTEX_PLANE EDGE_V_V_GICP VERTEX_CAM; do expect 0 "$type" -listTypes; done
 sed 's/VERTEX_XY/POINT/; s/EDGE_SE2_XY/SEEN/' square.g2o > renamed.g2o
 expect 0 "final chi2 = 0.00189884" -renameTypes POINT=VERTEX_XY,SEEN=EDGE_SE2_XY renamed.g2o
@@ -155,14 +155,14 @@ expect 0 "expected a known tag after =, got NONSENSE" -renameTypes POINT=NONSENS
 "$tool" - < square.g2o 2> err.txt || exit 1
 is "final chi2 = 0.00189884" err.txt
 
-# An interrupt stops the iterations but not the program. The third one ends the program.
+# An interrupt signal stops the iterations, but the tool still writes its results.
 interrupt() {
   "$tool" -i 1000000000 "$@" square.g2o 2> err.txt &
   program=$!
   for _ in $(seq 100); do grep -q "initial chi2" err.txt && break; sleep 0.1; done
   sleep 0.2
   kill -INT $program
-  wait $program || complain "expected exit code 0 after the interrupt, g2o $*:" err.txt
+  wait $program || complain "g2o $*: expected exit code 0 after the interrupt signal; standard error:" err.txt
 }
 interrupt -o interrupted.g2o
 is "final chi2 = 0.00189884" err.txt

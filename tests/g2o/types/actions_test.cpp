@@ -32,7 +32,7 @@ using drawn_graph::Record;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// All planar elements that have an action.
+/// A graph with all planar types of elements that have an action.
 constexpr const char* kPlane =
     "PARAMS_SE2OFFSET 0 0.3 0 0.5\n"
     "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 2 0 1.2\nVERTEX_SE2 2 2.5 2 2.5\nVERTEX_SE2 3 0.2 0.1 0\n"
@@ -49,6 +49,7 @@ constexpr const char* kPlane =
     "EDGE_PRIOR_SE2_XY 1 2.1 -0.2 1 0 1\n"
     "EDGE_PRIOR_XY 10 1.1 0.8 1 0 1\n";
 
+/// A graph with 3-D types of elements that have an action.
 constexpr const char* kSpace =
     "PARAMS_SE3OFFSET 0 0.3 0 0.2 0 0 0 1\n"
     "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 2 0 0.5 0 0 0.6 0.8\n"
@@ -62,7 +63,7 @@ constexpr const char* kSpace =
     "EDGE_SE3_XYZ_PRIOR 1 0 2.1 -0.2 0.5 1 0 0 1 0 1\n"
     "EDGE_POINTXYZ_PRIOR 11 3 1.4 0 1 0 0 1 0 1\n";
 
-TEST(Actions, EveryElementOfAPlanarFileIsDrawnAndWrittenForGnuplot) {
+TEST(Actions, EveryElementOfAPlanarGraphIsDrawnAndWrittenForGnuplot) {
   const auto graph = read(kPlane);
   ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 17U);
   g2o::DrawAction::Parameters draw;
@@ -79,16 +80,16 @@ TEST(Actions, EveryElementOfAPlanarFileIsDrawnAndWrittenForGnuplot) {
   EXPECT_EQ(count(shapes, "point"), 2);
   EXPECT_THAT(shapes, HasSubstr("pose0.2x0.05 (2 0 0)"));
   EXPECT_THAT(shapes, HasSubstr("(2.5 2 0) (2.4 2.2 0)"));  // from the pose to the measurement of its prior
-  EXPECT_THAT(shapes,
-              Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));  // the pose of a sensor on a robot has no position
+  // There is no line to vertex 3, because it is the offset of a sensor and has no position in the world.
+  EXPECT_THAT(shapes, Not(HasSubstr("(2.5 2 0) (0.2 0.1 0)")));
   const std::string text = gnuplot(*graph);
   EXPECT_THAT(text, HasSubstr("0 0 0\n2 0 1.2\n\n"));
   EXPECT_THAT(text, HasSubstr("2.5 2\n2.4 2.2\n\n"));
-  EXPECT_THAT(text, HasSubstr("0 0\n1 1\n\n0 0\n3 1\n\n"));  // two points from one pose
+  EXPECT_THAT(text, HasSubstr("0 0\n1 1\n\n0 0\n3 1\n\n"));  // one pose observes two points
   EXPECT_EQ(count(text, "\n\n"), 12);
 }
 
-TEST(Actions, EveryElementOfASpatialFileIsDrawnAndWrittenForGnuplot) {
+TEST(Actions, EveryElementOfA3dGraphIsDrawnAndWrittenForGnuplot) {
   const auto graph = read(kSpace);
   ASSERT_EQ(graph->vertices().size() + graph->edges().size(), 12U);
   const std::string shapes = drawn(*graph);
@@ -101,7 +102,7 @@ TEST(Actions, EveryElementOfASpatialFileIsDrawnAndWrittenForGnuplot) {
   EXPECT_THAT(text, HasSubstr("0 0 0\n1 1 2\n\n"));
 }
 
-TEST(Actions, SensorsAreDrawnByTheCachesOfTheirPoses) {
+TEST(Actions, SensorsAreDrawnIfTheirPosesHaveCachesForThem) {
   const auto graph = read(kPlane);
   g2o::CacheSE2Offset* cache = nullptr;
   auto* v = static_cast<g2o::VertexSE2*>(graph->vertex(0));
@@ -112,7 +113,7 @@ TEST(Actions, SensorsAreDrawnByTheCachesOfTheirPoses) {
   EXPECT_EQ(count(drawn(*graph), "ring"), 2);
 }
 
-TEST(Actions, WithoutDrawingOrParametersNothingHappens) {
+TEST(Actions, NothingIsDrawnWithoutADrawingOrWithoutParameters) {
   const auto graph = read(kPlane);
   g2o::DrawAction::Parameters parameters;
   EXPECT_EQ((*action("draw"))(graph->vertex(0), &parameters), nullptr);
@@ -140,7 +141,7 @@ TEST(Actions, PropertiesHideAndScaleTheElementsOfAType) {
   EXPECT_EQ(count(record.out.str(), "point"), 2);
 }
 
-TEST(Actions, AnEdgeThatLacksAPoseShowsThePredictedPose) {
+TEST(Actions, AnEdgeWithoutItsSecondPoseIsDrawnToThePredictedPose) {
   const auto graph = read(kPlane);
   auto* e = new g2o::EdgeSE2;
   e->setVertex(0, graph->vertex(0));
@@ -152,7 +153,7 @@ TEST(Actions, AnEdgeThatLacksAPoseShowsThePredictedPose) {
   EXPECT_EQ(count(gnuplot(*graph), "\n\n"), 12);
 }
 
-TEST(Actions, AnEdgeThatLacksALandmarkShowsThePredictedLandmark) {
+TEST(Actions, AnEdgeWithoutItsLandmarkIsDrawnToThePredictedLandmark) {
   const auto plane = read(kPlane), space = read(kSpace);
   auto* in_plane = new g2o::EdgeSE2PointXY;
   in_plane->setVertex(0, plane->vertex(1));
@@ -203,7 +204,7 @@ TEST(Actions, UserDataIsDrawnWithItsVertexOrEdge) {
   EXPECT_THAT(shapes, HasSubstr("text measured\n"));
 }
 
-TEST(Actions, ActionsOfReadyMadeTypesHaveTheirOwnClasses) {
+TEST(Actions, ActionsOfLibraryTypesAreAvailableAsClasses) {
   const auto graph = read(kPlane);
   std::ostringstream expected, out;
   g2o::WriteGnuplotAction::Parameters parameters;
@@ -226,7 +227,7 @@ TEST(Actions, ActionsOfReadyMadeTypesHaveTheirOwnClasses) {
   EXPECT_EQ(count(record.out.str(), "line"), 1);  // there is one EDGE_SE2
 }
 
-/// A user's action for a type of the library.
+/// An action of a user for a type of the library.
 struct CountPoses : g2o::HyperGraphElementAction {
   struct Parameters : g2o::HyperGraphElementAction::Parameters {
     int poses = 0;
@@ -239,7 +240,7 @@ struct CountPoses : g2o::HyperGraphElementAction {
   }
 };
 
-TEST(Actions, UserActionsAreFoundByNameAndTypeWhileRegistered) {
+TEST(Actions, UserActionsAreAppliedOnlyWhileTheyAreRegistered) {
   const auto graph = read(kPlane);
   CountPoses::Parameters parameters;
   {
@@ -273,7 +274,7 @@ TEST(SvgDrawing, DrawsSmallGraphs) {
   }
 }
 
-TEST(SvgDrawing, ShowsPlanarGraphsFromAboveWithYUp) {
+TEST(SvgDrawing, ShowsPlanarGraphsFromAboveWithTheYAxisUp) {
   g2o::SvgDrawing picture(124);  // 100 pixels between the margins
   picture.point(g2o::Vector3(0, 0, 0), g2o::Color{1, 0, 0, 1}, 4);
   picture.point(g2o::Vector3(2, 1, 0), g2o::Color{1, 0, 0, 1}, 4);
@@ -284,13 +285,13 @@ TEST(SvgDrawing, ShowsPlanarGraphsFromAboveWithYUp) {
   EXPECT_THAT(out.str(), HasSubstr("stroke=\"#ff0000\""));
 }
 
-TEST(SvgDrawing, RotatesTheViewAndLeavesOutInfiniteCoordinates) {
+TEST(SvgDrawing, RotatesTheViewAndSkipsPointsWithInfiniteCoordinates) {
   g2o::SvgDrawing picture(124);
   EXPECT_TRUE(picture.empty());
   picture.line(g2o::Vector3(0, 0, 0), g2o::Vector3(0, 0, 2), g2o::Color(), 1);
   picture.point(g2o::Vector3(0, INFINITY, 0), g2o::Color(), 4);
   g2o::Matrix3 from_the_side;
-  from_the_side << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // the world's z points to the right
+  from_the_side << 0, 0, 1, 0, 1, 0, -1, 0, 0;  // the z axis of the world points to the right
   picture.setView(from_the_side);
   std::ostringstream out;
   ASSERT_TRUE(picture.write(out));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Graphs from text, and the output of the actions "draw" and "writeGnuplot" as text.
+// Functions that read graphs from text, and that return the output of the actions "draw" and "writeGnuplot"
+// as text.
 #pragma once
 
 #include <gtest/gtest.h>

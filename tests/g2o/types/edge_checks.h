@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Laws that hold for every edge and every file tag.
+// Checks that every edge type and every file tag must pass.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ inline double error_norm(g2o::OptimizableGraph::Edge& e) {
   return Eigen::Map<const g2o::VectorX>(e.errorData(), e.dimension()).norm();
 }
 
-/// The Jacobians of linearizeOplus() match central differences.
+/// Checks that the Jacobians that linearizeOplus() computes match central differences.
 inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
   g2o::JacobianWorkspace workspace;
   workspace.updateSize(&e);
@@ -49,8 +49,10 @@ inline void expect_exact_jacobians(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// constructQuadraticForm() adds JᵀΩJ and −JᵀΩe. It writes the block of each pair of vertices as it is or
-/// transposed. It leaves out the blocks of fixed vertices.
+/// Checks that constructQuadraticForm() adds JᵀΩJ to the Hessian blocks and −JᵀΩe to the right-hand side. If
+/// `transposed` is true, the edge must write the transposed block of each pair of vertices. `fixed` is the
+/// index of the only fixed vertex, whose blocks must not change. If `fixed` is the number of vertices, no
+/// vertex is fixed.
 inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transposed, size_t fixed) {
   SCOPED_TRACE(testing::Message() << "transposed " << transposed << ", fixed " << fixed);
   g2o::JacobianWorkspace workspace;
@@ -111,8 +113,8 @@ inline void expect_quadratic_form(g2o::OptimizableGraph::Edge& e, bool transpose
   }
 }
 
-/// Setting the measurement to its current value keeps the error. Setting it from the estimates makes the
-/// error zero.
+/// Checks that the error stays the same if the measurement is set to its current value, and that the error is
+/// zero if the measurement is computed from the estimates.
 inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
   const double before = error_norm(e);
   if (e.measurementDimension() > 0) {
@@ -126,7 +128,8 @@ inline void expect_measurement_laws(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// If an edge can derive the estimate of a vertex from the others, the derived estimate has no error.
+/// Checks initialEstimate(): if an edge can compute the estimate of a vertex from its other vertices, the
+/// error of the edge is zero afterwards.
 inline void expect_guesses(g2o::OptimizableGraph::Edge& e) {
   for (size_t i = 0; i < e.vertices().size(); ++i) {
     g2o::OptimizableGraph::VertexSet from(e.vertices().begin(), e.vertices().end());
@@ -140,11 +143,11 @@ inline void expect_guesses(g2o::OptimizableGraph::Edge& e) {
   }
 }
 
-/// Both texts have the same words, up to rounding of numbers.
+/// Checks that both texts have the same words. Numbers may differ by rounding errors.
 inline void expect_same_words(const std::string& expected, const std::string& actual) {
   std::istringstream a(expected), b(actual);
   for (std::string x, y; a >> x;) {
-    ASSERT_TRUE(b >> y) << "after " << x << " of\n" << expected;
+    ASSERT_TRUE(b >> y) << "the text ends before " << x << " of\n" << expected;
     if (x == y) continue;
     char *end_x = nullptr, *end_y = nullptr;
     const double p = std::strtod(x.c_str(), &end_x), q = std::strtod(y.c_str(), &end_y);
@@ -152,10 +155,10 @@ inline void expect_same_words(const std::string& expected, const std::string& ac
     EXPECT_NEAR(p, q, 1e-12 * std::max(1., std::abs(p)));
   }
   std::string rest;
-  EXPECT_FALSE(b >> rest) << rest;
+  EXPECT_FALSE(b >> rest) << "unexpected: " << rest;
 }
 
-/// Reads a graph and expects no message.
+/// Loads a graph from text and checks that no message is logged.
 inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
   std::string messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& message) { messages += message + "\n"; });
@@ -165,8 +168,9 @@ inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
   ASSERT_EQ(messages, "");
 }
 
-/// Reads a graph whose lines are in the order of writing. Checks that it is written unchanged, and all laws
-/// above.
+/// Loads a graph whose lines are in the order in which save() writes them. Checks that save() writes the same
+/// text again, that all edges pass the checks above, and that the estimate of each vertex survives if it is
+/// read as an array and set again.
 inline void expect_laws_of_file(const std::string& text) {
   g2o::SparseOptimizer optimizer;
   ASSERT_NO_FATAL_FAILURE(load(optimizer, text));
@@ -176,7 +180,8 @@ inline void expect_laws_of_file(const std::string& text) {
   for (g2o::HyperGraph::Edge* u : optimizer.edges()) {
     auto& e = *static_cast<g2o::OptimizableGraph::Edge*>(u);
     SCOPED_TRACE(g2o::Factory::instance()->tag(&e));
-    EXPECT_GT(error_norm(e), 1e-3) << "the error must not be zero, or wrong signs would go unnoticed";
+    EXPECT_GT(error_norm(e), 1e-3)
+        << "the error must not be zero, because a zero error would hide wrong signs";
     expect_exact_jacobians(e);
     for (size_t fixed = 0; fixed <= e.vertices().size(); ++fixed) {
       expect_quadratic_form(e, false, fixed);
@@ -209,7 +214,8 @@ inline void expect_laws_of_file(const std::string& text) {
   }
 }
 
-/// Checks the errors of the edges of a file, by tag.
+/// Loads a graph with one edge for each tag, and compares the error of each edge with the expected error for
+/// its tag.
 inline void expect_errors(const std::string& text,
                           const std::map<std::string, std::vector<double>>& expected) {
   g2o::SparseOptimizer optimizer;
@@ -226,7 +232,7 @@ inline void expect_errors(const std::string& text,
   }
 }
 
-/// Ω = 2 I in the format of files.
+/// The information matrix 2 I in the format of .g2o files: the upper triangle, row by row.
 inline std::string omega(int rows) {
   std::string text;
   for (int i = 0; i < rows; ++i) {

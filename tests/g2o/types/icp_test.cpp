@@ -20,14 +20,14 @@ g2o::Isometry3 motion(double size) {
   return g2o::internal::fromVectorMQT(size * v);
 }
 
-TEST(Icp, AllTypesObeyTheEdgeLaws) {
+TEST(Icp, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
       "EDGE_V_V_GICP 0 1 1 2 3 0 0.6 0.8 -1 0.5 2 0.6 0 0.8\n");
 }
 
-TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
+TEST(Icp, PrecisionAndCovarianceMatricesAreAlignedWithTheNormals) {
   g2o::EdgeGICP pair;
   pair.normal0 = g2o::Vector3(0, 0.6, 0.8);
   pair.normal1 = g2o::Vector3(0.6, 0, -0.8);
@@ -39,16 +39,16 @@ TEST(Icp, PrecisionAndCovarianceFollowTheNormals) {
   EXPECT_LT((pair.R1 * pair.normal1 - g2o::Vector3::UnitZ()).norm(), 1e-14);
 }
 
-TEST(Icp, TheFrameOfANormalEqualsThatOfG2o) {
+TEST(Icp, TheFrameOfANormalHasTheSameAxesAsInG2o) {
   g2o::EdgeGICP pair;
   pair.normal0 = g2o::Vector3(0.6, 0, 0.8);
   pair.makeRot0();
   g2o::Matrix3 expected;
-  expected << -0.8, 0, 0.6, 0, 1, 0, 0.6, 0, 0.8;  // n × y, y, n
+  expected << -0.8, 0, 0.6, 0, 1, 0, 0.6, 0, 0.8;  // rows: n × y, y, n
   EXPECT_LT((pair.R0 - expected).norm(), 1e-15);
   pair.normal1 = g2o::Vector3(0, 0, 2);
   pair.makeRot1();
-  expected << -2, 0, 0, 0, 1, 0, 0, 0, 2;  // the normal keeps its length
+  expected << -2, 0, 0, 0, 1, 0, 0, 0, 2;  // the normal is not normalized
   EXPECT_EQ(pair.R1, expected);
 }
 
@@ -65,7 +65,7 @@ TEST(Icp, AZeroNormalGivesAFiniteInformationMatrix) {
   EXPECT_TRUE(e->information().allFinite());
 }
 
-TEST(Icp, AnEdgeIsConstructedFromAnotherOne) {
+TEST(Icp, AnEdgeCanBeConstructedAsACopyOfAnotherEdge) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
@@ -80,14 +80,14 @@ TEST(Icp, AnEdgeIsConstructedFromAnotherOne) {
   EXPECT_TRUE(optimizer.addEdge(second));
 }
 
-TEST(Icp, TheHeaderIncludesTheTypesOfBundleAdjustment) {
+TEST(Icp, TheIcpHeaderIncludesTheTypesOfBundleAdjustment) {
   const g2o::SE3Quat pose(g2o::Quaternion::Identity(), g2o::Vector3(1, 2, 3));
   g2o::VertexCam camera;
   camera.setEstimate(pose);  // converts to an SBACam, as in g2o
   EXPECT_EQ(camera.estimate().translation(), g2o::Vector3(1, 2, 3));
 }
 
-TEST(Icp, PlaneToPlaneWeightsUseBothNormals) {
+TEST(Icp, PlaneToPlaneInformationMatricesCombineBothCovariances) {
   g2o::SparseOptimizer optimizer;
   for (int id : {0, 1}) {
     auto* v = new g2o::VertexSE3;
@@ -111,7 +111,7 @@ TEST(Icp, PlaneToPlaneWeightsUseBothNormals) {
   EXPECT_LT((e->error() - motion(1).translation()).norm(), 1e-14);
 }
 
-TEST(Icp, TwoScansAreAligned) {
+TEST(Icp, OptimizationAlignsTwoScans) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   g2o::SparseOptimizer optimizer;

@@ -23,7 +23,7 @@ namespace {
 
 using edge_checks::omega;
 
-TEST(Sba, CamerasObeyTheEdgeLaws) {
+TEST(Sba, CameraTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "VERTEX_CAM 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7 500 510 320 240 0.12\n"
       "VERTEX_CAM 1 1.1 0.1 0.3 0.5 -0.5 0.5 0.5 400 410 310 230 0.2\n"
@@ -45,7 +45,7 @@ TEST(Sba, CamerasObeyTheEdgeLaws) {
       omega(1) + "\n");
 }
 
-TEST(Sba, TypesWithTheExponentialMapObeyTheEdgeLaws) {
+TEST(Sba, TypesWithTheExponentialMapHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
       "VERTEX_SE3:EXPMAP 0 0.1 0.2 -0.3 0.1 -0.1 0.7 0.7\n"
@@ -74,7 +74,7 @@ TEST(Sba, TypesWithTheExponentialMapObeyTheEdgeLaws) {
       omega(3) + " 0.1 0.2 3 500 510 320 240 50\n");
 }
 
-TEST(Sba, SimilaritiesObeyTheEdgeLaws) {
+TEST(Sba, SimilarityTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SIM3:EXPMAP 0 0.3 -0.2 0.1 0.4 0.5 -0.2 0.1 500 510 320 240 400 410 310 230\n"
       "VERTEX_SIM3:EXPMAP 1 -0.3 0.4 0.2 0.1 -0.5 0.3 -0.2 500 510 320 240 400 410 310 230\n"
@@ -89,7 +89,7 @@ TEST(Sba, SimilaritiesObeyTheEdgeLaws) {
       omega(2) + "\n");
 }
 
-TEST(Sba, AFixedScaleHasNoDerivative) {
+TEST(Sba, JacobiansAreExactIfTheScaleIsFixed) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SIM3:EXPMAP 0 0.3 -0.2 0.1 0.4 0.5 -0.2 0.1 500 510 320 240\n"
@@ -109,7 +109,7 @@ TEST(Sba, AFixedScaleHasNoDerivative) {
     edge_checks::expect_exact_jacobians(*static_cast<g2o::OptimizableGraph::Edge*>(e));
 }
 
-TEST(Sba, ASimilarityRefusesAStepThatOverflowsAndCanBeSaved) {
+TEST(Sba, ASimilarityIgnoresAStepThatOverflowsAndCanStillBeSaved) {
   g2o::VertexSim3Expmap v;
   double overflow[] = {0, 0, 0, 0, 0, 0, 1000}, underflow[] = {0, 0, 0, 0, 0, 0, -1000};
   for (double* step : {overflow, underflow}) {
@@ -122,13 +122,13 @@ TEST(Sba, ASimilarityRefusesAStepThatOverflowsAndCanBeSaved) {
     EXPECT_TRUE(again.read(in));
   }
   std::istringstream huge("0 0 0 0 0 0 800 1 1 0 0");
-  EXPECT_FALSE(v.read(huge)) << "its inverse would overflow";
+  EXPECT_FALSE(v.read(huge)) << "the scale would overflow";
   g2o::EdgeSim3 e;
   std::istringstream huge_measurement("0 0 0 0 0 0 800" + omega(7));
   EXPECT_FALSE(e.read(huge_measurement));
 }
 
-/// A measurement of the logarithm of a scale. The scale itself may overflow.
+/// A measurement of the logarithm of a scale. It may be so large that the scale overflows.
 class ScaleEdge : public g2o::BaseUnaryEdge<1, double, g2o::VertexSim3Expmap> {
  public:
   void computeError() override { _error[0] = std::log(vertexXn<0>()->estimate().scale()) - _measurement; }
@@ -136,7 +136,7 @@ class ScaleEdge : public g2o::BaseUnaryEdge<1, double, g2o::VertexSim3Expmap> {
   bool write(std::ostream&) const override { return false; }
 };
 
-TEST(Sba, AnAlgorithmStopsBeforeAStepThatASimilarityRefuses) {
+TEST(Sba, AnAlgorithmDoesNotTakeAStepThatASimilarityRefuses) {
   for (const bool is_levenberg : {false, true}) {
     g2o::SparseOptimizer optimizer;
     auto solver = std::make_unique<g2o::BlockSolverX>(
@@ -165,7 +165,7 @@ TEST(Sba, AnAlgorithmStopsBeforeAStepThatASimilarityRefuses) {
     ASSERT_TRUE(optimizer.addEdge(prior));
     ASSERT_TRUE(optimizer.initializeOptimization());
     const int done = optimizer.optimize(10);
-    EXPECT_TRUE(is_levenberg || done == 0) << "Gauss-Newton has no alternative to the refused step";
+    EXPECT_TRUE(is_levenberg || done == 0) << "Gauss-Newton must stop, because it has no other step";
     std::ostringstream out;
     EXPECT_TRUE(optimizer.saveVertex(out, v));
     EXPECT_EQ(out.str().find("nan"), std::string::npos) << out.str();
@@ -173,7 +173,7 @@ TEST(Sba, AnAlgorithmStopsBeforeAStepThatASimilarityRefuses) {
   }
 }
 
-TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
+TEST(Sba, TheJacobiansOfAnInverseDepthPointAreExact) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "PARAMS_CAMERAPARAMETERS 0 450 300 200 0.1\n"
@@ -190,7 +190,8 @@ TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
   e->setMeasurement({300, 200});
   ASSERT_TRUE(optimizer.addEdge(e));
   edge_checks::expect_exact_jacobians(*e);
-  // The point (0.1, −0.2, 1)/0.3 in the frame of the anchor.
+  // The expected projection: the point (0.1, −0.2, 1) / 0.3 in the frame of the anchor, which is vertex 1, is
+  // moved to the frame of vertex 0.
   const auto pose = [&](int id) {
     return static_cast<g2o::VertexSE3Expmap*>(optimizer.vertex(id))->estimate();
   };
@@ -200,7 +201,7 @@ TEST(Sba, AnInverseDepthPointIsDifferentiatedExactly) {
   EXPECT_NEAR(e->error()[1], 200 - (450 * p.y() / p.z() + 200), 1e-9);
 }
 
-TEST(Sba, FilesStoreInverseMotions) {
+TEST(Sba, FilesStoreTheInversesOfEstimatesAndMeasurements) {
   g2o::VertexSE3Expmap v;
   std::istringstream in("1 2 3 0 0 0 1");
   ASSERT_TRUE(v.read(in));
@@ -286,7 +287,7 @@ TEST(Sba, ErrorsFollowTheSignConventionsOfTheFileFormat) {
        {"EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP", mono}});
 }
 
-TEST(Sba, ProjectsPointsAsPinholeCameras) {
+TEST(Sba, EdgesProjectPointsWithThePinholeModel) {
   g2o::VertexSBAPointXYZ point;
   point.setEstimate({1, 2, 3});
   g2o::VertexSE3Expmap pose;
@@ -310,7 +311,7 @@ TEST(Sba, ProjectsPointsAsPinholeCameras) {
   EXPECT_LT((camera.stereocam_uvu_map({1, 2, 4}) - g2o::Vector3(35, 70, 33)).norm(), 1e-12);
 }
 
-TEST(Sba, ACameraTranslatesInTheWorldFrameAndRotatesInItsBodyFrame) {
+TEST(Sba, AStepOfACameraTranslatesInTheWorldFrameAndRotatesInTheBodyFrame) {
   g2o::VertexCam v;
   const g2o::Quaternion quarter(std::sqrt(0.5), 0, 0, std::sqrt(0.5));
   g2o::SBACam cam(quarter, {1, 0, 0});
@@ -325,7 +326,7 @@ TEST(Sba, ACameraTranslatesInTheWorldFrameAndRotatesInItsBodyFrame) {
   EXPECT_NEAR(v.estimate().Kcam(0, 2), 320, 0);
 }
 
-TEST(Sba, ACameraInAFileMayLackItsMatrix) {
+TEST(Sba, ACameraHasADefaultMatrixIfTheFileDoesNotContainOne) {
   g2o::VertexCam v;
   std::istringstream without("1 2 3 0 0 0 1"), half("1 2 3 0 0 0 1 500 500");
   ASSERT_TRUE(v.read(without));
@@ -335,7 +336,7 @@ TEST(Sba, ACameraInAFileMayLackItsMatrix) {
   EXPECT_FALSE(v.read(half));
 }
 
-TEST(Sim3, TheExponentialAndTheLogarithmAreInverse) {
+TEST(Sim3, TheLogarithmIsTheInverseOfTheExponential) {
   g2o::Vector7 v;
   v << 0.3, -0.2, 0.5, 1, -2, 3, 0.4;
   for (const double size : {0., 1e-9, 1e-3, 1., 4.}) {
@@ -343,7 +344,7 @@ TEST(Sim3, TheExponentialAndTheLogarithmAreInverse) {
   }
 }
 
-TEST(Sim3, AProductAppliesBothMaps) {
+TEST(Sim3, AProductMapsPointsAsTheCompositionOfItsFactors) {
   g2o::Vector7 v;
   v << 0.3, -0.2, 0.5, 1, -2, 3, 0.4;
   const g2o::Sim3 a(v), b(g2o::Vector7(-0.7 * v.reverse()));

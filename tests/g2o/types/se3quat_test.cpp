@@ -43,7 +43,7 @@ TEST(SE3Quat, TheAdjointTransformsTangentVectors) {
   EXPECT_LT((left.to_homogeneous_matrix() - right.to_homogeneous_matrix()).norm(), 1e-12);
 }
 
-TEST(SE3Quat, VectorsConvertInBothDirections) {
+TEST(SE3Quat, ConvertsToVectorsAndToIsometriesAndBack) {
   const SE3Quat T = SE3Quat::exp(tangent(1));
   SE3Quat other;
   other.fromVector(T.toVector());

@@ -10,7 +10,7 @@ namespace {
 
 using edge_checks::omega;
 
-/// Overrides oplusImpl(double*), as older clients do.
+/// A vertex of an older client, which overrides oplusImpl(double*).
 class NonConstPoint : public g2o::VertexPointXY {
  public:
   int calls = 0;
@@ -22,6 +22,7 @@ class NonConstPoint : public g2o::VertexPointXY {
   }
 };
 
+/// A vertex of a newer client, which overrides oplusImpl(const double*).
 class ConstPoint : public g2o::VertexPointXY {
  public:
   int calls = 0;
@@ -43,7 +44,7 @@ void expect_oplus_of_the_subclass() {
   EXPECT_EQ(point.estimate(), g2o::Vector2(1.5, 1));
 }
 
-TEST(Slam2d, AllTypesObeyTheEdgeLaws) {
+TEST(Slam2d, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "PARAMS_SE2OFFSET 0 0.1 0.2 0.3\n"
       "PARAMS_SE2OFFSET 1 -0.3 0.1 1.2\n"
@@ -89,7 +90,7 @@ TEST(Slam2d, AllTypesObeyTheEdgeLaws) {
       omega(4) + "\n");
 }
 
-TEST(Slam2d, AnEdgeToLotsOfPointsEqualsAsManyEdgesToOnePoint) {
+TEST(Slam2d, AnEdgeToManyPointsHasTheSameErrorAsOneEdgeForEachPoint) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE2 0 1 2 0.5\nVERTEX_XY 1 4 5\nVERTEX_XY 2 -1 2\nVERTEX_XY 3 2 2\n"
@@ -111,7 +112,7 @@ TEST(Slam2d, AnEdgeToLotsOfPointsEqualsAsManyEdgesToOnePoint) {
   EXPECT_EQ((lots->error().segment<2>(2)), one->error());
 }
 
-TEST(Slam2d, AnEdgeToLotsOfPointsRefusesAWrongNumberOfPoints) {
+TEST(Slam2d, AnEdgeToManyPointsRefusesAWrongNumberOrTypeOfVertices) {
   for (const char* line :
        {"EDGE_SE2_LOTSOFXY 0 1 2 || 1 1 2 1 0 1\n", "EDGE_SE2_LOTSOFXY 0 1 || 2 1 2 3 4 1 0 1\n",
         "EDGE_SE2_LOTSOFXY 1 0 || 1 1 2 1 0 1\n", "EDGE_SE2_LOTSOFXY 0 1 || 1 1\n"}) {
@@ -123,7 +124,7 @@ TEST(Slam2d, AnEdgeToLotsOfPointsRefusesAWrongNumberOfPoints) {
   }
 }
 
-TEST(Slam2d, LotsOfPointsAreOptimizedWithTheirPose) {
+TEST(Slam2d, AnEdgeToManyFixedPointsDeterminesItsPose) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX_SE2 0 0.1 0.2 0.1\nVERTEX_XY 1 4 5\nVERTEX_XY 2 -1 2\nFIX 1 2\n"
@@ -145,7 +146,7 @@ TEST(Slam2d, LotsOfPointsAreOptimizedWithTheirPose) {
   EXPECT_LT(pose->estimate().toVector().norm(), 1e-9);
 }
 
-TEST(Slam2d, ASubclassOfAReadyMadeVertexMayOverrideEitherOplus) {
+TEST(Slam2d, ASubclassOfALibraryVertexMayOverrideEitherOverloadOfOplusImpl) {
   expect_oplus_of_the_subclass<NonConstPoint>();
   expect_oplus_of_the_subclass<ConstPoint>();
 }

@@ -22,7 +22,7 @@ Plane3D plane(double x, double y, double z, double distance) {
   return Plane3D(g2o::Vector4(n.x(), n.y(), n.z(), -distance));
 }
 
-TEST(Slam3dAddons, AllTypesObeyTheEdgeLaws) {
+TEST(Slam3dAddons, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "VERTEX_SE3:QUAT 0 1 2 3 0.5 0.5 0.5 0.5\n"
       "VERTEX_SE3:QUAT 1 0.3 0.1 -0.2 0.1 -0.1 0.7 0.7\n"
@@ -44,9 +44,9 @@ TEST(Slam3dAddons, AllTypesObeyTheEdgeLaws) {
       omega(6) + "\n");
 }
 
-// The edge's rotation error is half the (small) angle, but chi2 must weight the angle itself with the
-// information given in the file.
-TEST(Slam3dAddons, ToroEdgesWeightAngles) {
+// For a small rotation, the rotation error of the edge is half of the angle. The information matrix in the
+// file is for the angle itself, so chi2 must be the same as for an error that is the full angle.
+TEST(Slam3dAddons, TheInformationMatrixOfAToroEdgeWeightsAngles) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "VERTEX3 0 0 0 0 0 0 0\nVERTEX3 1 1 0 0 1e-4 0 0\nEDGE3 0 1 1.2 0 0 0 0 0 "
@@ -58,7 +58,7 @@ TEST(Slam3dAddons, ToroEdgesWeightAngles) {
 }
 
 TEST(Slam3dAddons, ErrorsFollowTheSignConventionsOfTheFileFormat) {
-  // The normal of the measured plane has an azimuth of 0.1.
+  // The azimuth of the normal that EDGE_SE3_PLANE_CALIB measures is 0.1.
   edge_checks::expect_errors(
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
       "VERTEX_SE3:QUAT 1 0.5 0 0 0 0 0 1\n"
@@ -84,7 +84,7 @@ TEST(Planes, AreNormalizedWhenSet) {
   EXPECT_LT((v.estimate().coeffs() - g2o::Vector4(0, 0.6, 0.8, 2)).norm(), 1e-15);
 }
 
-TEST(Planes, AZeroStepDoesNotMoveThem) {
+TEST(Planes, AreNotMovedByAZeroStep) {
   for (const Plane3D& p : {plane(1, 0, 0, 1), plane(0.3, -0.4, 0.5, -2), plane(0, 0, 1, 3)}) {
     Plane3D moved = p;
     moved.oplus(g2o::Vector3::Zero());
@@ -92,8 +92,8 @@ TEST(Planes, AZeroStepDoesNotMoveThem) {
   }
 }
 
-// ominus() returns the distance component with the opposite sign from the one that oplus() expects.
-TEST(Planes, OplusUndoesOminus) {
+// The distance that ominus() returns and the distance that oplus() expects have opposite signs.
+TEST(Planes, OplusUndoesOminusIfTheDistanceIsNegated) {
   const Plane3D from = plane(0.3, -0.4, 0.5, -2), to = plane(-0.1, 0.7, 0.2, 1.5);
   const g2o::Vector3 d = from.ominus(to);
   Plane3D moved = from;
@@ -102,7 +102,7 @@ TEST(Planes, OplusUndoesOminus) {
   EXPECT_NEAR(d[2], -3.5, 1e-15);
 }
 
-TEST(Planes, AMotionKeepsPointsOnTheirPlane) {
+TEST(Planes, AreMovedTogetherWithTheirPoints) {
   g2o::Vector6 v;
   v << 1, 2, 3, 0.1, -0.2, 0.3;
   const g2o::Isometry3 t = g2o::internal::fromVectorMQT(v);
@@ -112,7 +112,7 @@ TEST(Planes, AMotionKeepsPointsOnTheirPlane) {
   EXPECT_LT((p.coeffs() - plane(0.6, -0.8, 1, -2).coeffs()).norm(), 1e-15);
 }
 
-TEST(Planes, AreMappedWhileTheSensorIsCalibrated) {
+TEST(Planes, AreEstimatedTogetherWithTheOffsetOfTheSensor) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
   g2o::SparseOptimizer optimizer;

@@ -13,7 +13,7 @@ namespace {
 
 using edge_checks::omega;
 
-TEST(Slam3d, AllTypesObeyTheEdgeLaws) {
+TEST(Slam3d, AllTypesHaveExactJacobiansAndAreWrittenAsTheyWereRead) {
   edge_checks::expect_laws_of_file(
       "PARAMS_SE3OFFSET 0 0.1 0.2 0.3 0.5 -0.5 0.5 0.5\n"
       "PARAMS_SE3OFFSET 1 -0.3 0.1 1.2 0.1 -0.1 0.7 0.7\n"
@@ -57,7 +57,7 @@ TEST(Slam3d, AllTypesObeyTheEdgeLaws) {
       omega(3) + "\n");
 }
 
-TEST(Slam3d, DepthAndDisparityMatchACamera) {
+TEST(Slam3d, DepthAndDisparityEdgesProjectWithThePinholeModel) {
   edge_checks::expect_errors(
       "PARAMS_CAMERACALIB 0 0 0 -1 0 0 0 1 100 200 10 20\n"
       "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
@@ -82,7 +82,7 @@ TEST(Slam3d, AnEdgeRefusesAParameterThatIsNotACamera) {
   EXPECT_TRUE(optimizer.edges().empty());
 }
 
-/// An edge that projects through the cache, as older clients' edges do.
+/// An edge that projects a point with the camera in its cache, as edges of older clients do.
 class EdgeThroughCache : public g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::VertexSE3, g2o::VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -110,7 +110,7 @@ class EdgeThroughCache : public g2o::BaseBinaryEdge<2, g2o::Vector2, g2o::Vertex
   g2o::CacheCamera* cache = nullptr;
 };
 
-/// Edges of clients that read the caches of g2o's edges.
+/// Client edges that are derived from edges of the library and read the caches of their base classes.
 class PriorThroughCache : public g2o::EdgeSE3Prior {
  public:
   void computeError() override { _error = g2o::internal::toVectorMQT(_inverseMeasurement * _cache->n2w()); }
@@ -123,7 +123,7 @@ class OffsetThroughCaches : public g2o::EdgeSE3Offset {
   }
 };
 
-TEST(Slam3d, DerivedEdgesFindTheCachesOfTheirSensors) {
+TEST(Slam3d, DerivedEdgesCanReadTheCachesOfTheirBaseClasses) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "PARAMS_SE3OFFSET 0 0.1 0.2 0.3 0.5 -0.5 0.5 0.5\n"
@@ -163,7 +163,7 @@ TEST(Slam3d, APoseConvertsToAndFromSE3Quat) {
   EXPECT_LT((v.estimateAsSE3Quat().toVector() - pose.toVector()).norm(), 1e-15);
 }
 
-TEST(Slam3d, TheCacheOfACameraFollowsItsVertex) {
+TEST(Slam3d, TheCacheOfACameraIsUpdatedWhenItsVertexMoves) {
   g2o::SparseOptimizer optimizer;
   std::istringstream in(
       "PARAMS_CAMERACALIB 7 0.1 -0.2 0.3 0.1 -0.1 0.7 0.7 500 510 320 240\n"
@@ -187,7 +187,7 @@ TEST(Slam3d, TheCacheOfACameraFollowsItsVertex) {
   }
 }
 
-TEST(Slam3d, GradientsMatchTheJacobiansOfTheEdges) {
+TEST(Slam3d, GradientFunctionsOfPoseEdgesMatchCentralDifferences) {
   using g2o::internal::fromVectorMQT;
   g2o::Vector6 v;
   v << 1, 2, 3, 0.1, -0.2, 0.3;
@@ -214,7 +214,7 @@ TEST(Slam3d, GradientsMatchTheJacobiansOfTheEdges) {
   }
 }
 
-TEST(Slam3d, TheDerivativeOfAQuaternionByItsMatrixIsExact) {
+TEST(Slam3d, TheDerivativeOfAQuaternionWithRespectToItsRotationMatrixIsExact) {
   for (const g2o::Vector3& q : {g2o::Vector3(0.1, -0.2, 0.3), g2o::Vector3(0.9, 0.2, -0.1)}) {
     const g2o::Matrix3 R = g2o::internal::fromCompactQuaternion(q);
     Eigen::Matrix<double, 3, 9> dq_dR;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drawings of planes, cameras, similarities and pairs of points.
+// Tests how planes, cameras, similarities and pairs of points are drawn.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ const std::string kOmega1 = " 1\n", kOmega2 = " 1 0 1\n", kOmega3 = " 1 0 0 1 0 
                   kOmega6 = " 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n",
                   kOmega7 = " 1 0 0 0 0 0 0 1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1\n";
 
-/// A floor, a wall at x = 4, and a robot that observes both.
+/// A floor, a wall at x = 4, and two poses of a robot. The first pose observes the wall.
 const std::string kPlanes =
     "VERTEX_SE3:QUAT 0 1 1 1 0 0 0 1\nVERTEX_SE3:QUAT 1 2 1 1 0 0 0 1\n"
     "VERTEX_SE3:QUAT 9 0 0 0.5 0 0 0 1\n"
@@ -46,7 +46,8 @@ const std::string kPlanes =
     kOmega4 + "EDGE_SE3_PLANE_CALIB 0 11 9 -1 0 0 3 0 0 0" + kOmega3 + "EDGE_SE3_CALIB 0 1 9 1 0 0 0 0 0 1" +
     kOmega6;
 
-/// Cameras of both kinds at (0, 0, 0) and (1, 0, 0) that look along z, and a point in front of them.
+/// Cameras of two types (VERTEX_CAM and VERTEX_SE3:EXPMAP) at (0, 0, 0) and at (1, 0, 0), which look along
+/// the z axis, and a point in front of them.
 const std::string kCameras =
     "PARAMS_CAMERAPARAMETERS 0 100 50 50 0.1\n"
     "VERTEX_CAM 0 0 0 0 0 0 0 1 100 100 50 50 0.1\nVERTEX_CAM 1 1 0 0 0 0 0 1 100 100 50 50 0.1\n"
@@ -71,7 +72,7 @@ const std::string kScans =
     "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 1 0 0 0 0 0 1\n"
     "EDGE_V_V_GICP 0 1 2 0 0 0 0 1 1 0.5 0 0 0 1\n";
 
-TEST(SpaceActions, EveryElementOfTheFilesIsDrawn) {
+TEST(SpaceActions, EveryVertexAndEveryEdgeOfTheTestGraphsIsDrawn) {
   for (const std::string& text : {kPlanes, kCameras, kSimilarities, kScans}) {
     const auto graph = read(text);
     g2o::DrawAction::Parameters draw;
@@ -90,15 +91,15 @@ TEST(SpaceActions, EveryElementOfTheFilesIsDrawn) {
   }
 }
 
-TEST(SpaceActions, PlanesAreSquaresOfThreeMetersAroundTheirPointNearestToTheOrigin) {
+TEST(SpaceActions, PlanesAreDrawnAsSquaresOfThreeMetersAroundTheirPointNearestToTheOrigin) {
   const std::string shapes = drawn(*read(kPlanes));
   EXPECT_THAT(shapes, HasSubstr("ring1 (-1.5 -1.5 0) (1.5 -1.5 0) (1.5 1.5 0) (-1.5 1.5 0)"));
   EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (0 0 0.75)\n"));  // the normal of the floor
   EXPECT_THAT(shapes, HasSubstr("line1 (4 0 0) (3.25 0 0)\n"));  // the normal of the wall
-  EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (4 0 0)\n"));     // from plane to plane
+  EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (4 0 0)\n"));     // the edge between the planes
 }
 
-TEST(SpaceActions, AMeasuredPlaneIsHalfAMeterWideInFrontOfItsSensor) {
+TEST(SpaceActions, AMeasuredPlaneIsDrawnHalfAMeterWideInFrontOfItsSensor) {
   const auto graph = read(kPlanes);
   EXPECT_THAT(drawn(*graph), HasSubstr("line1 (1 1 1.5) (4 1 1.5)\n"));
   EXPECT_THAT(drawn(*graph), HasSubstr("(4 1.25 1.25)"));
@@ -116,7 +117,7 @@ TEST(SpaceActions, CalibrationEdgesAreDrawnAsTheMotionOfTheRobot) {
   EXPECT_THAT(drawn(*read(kPlanes)), HasSubstr("line1 (1 1 1) (2 1 1)\n"));
 }
 
-TEST(SpaceActions, CamerasArePyramidsInFrontOfTheirCenters) {
+TEST(SpaceActions, CamerasAreDrawnAsPyramidsInFrontOfTheirCenters) {
   const auto graph = read(kCameras);
   const std::string shapes = drawn(*graph);
   EXPECT_EQ(count(shapes, "ring"), 4);
@@ -131,27 +132,27 @@ TEST(SpaceActions, CamerasArePyramidsInFrontOfTheirCenters) {
   EXPECT_THAT(record.out.str(), HasSubstr("line1 (1 0 0) (1.125 0.125 0.5)\n"));
 }
 
-TEST(SpaceActions, ImagesAreLinesBetweenCamerasAndPoints) {
+TEST(SpaceActions, ProjectionsAreDrawnAsLinesBetweenCamerasAndPoints) {
   const std::string shapes = drawn(*read(kCameras));
   EXPECT_EQ(count(shapes, "line1 (0.5 0 2) (0 0 0)\n"), 3);
   EXPECT_EQ(count(shapes, "line1 (0.5 0 2) (1 0 0)\n"), 3);
   EXPECT_EQ(count(shapes, "line1 (0 0 0) (1 0 0)\n"), 3);
-  EXPECT_EQ(count(shapes, "line1 (0 0 0) (0.5 0.25 2)\n"), 1);  // to a known point
+  EXPECT_EQ(count(shapes, "line1 (0 0 0) (0.5 0.25 2)\n"), 1);  // to the point that an edge stores
   EXPECT_EQ(count(shapes, "point"), 1);
 }
 
-TEST(SpaceActions, SimilaritiesAreDrawnAsCamerasAtTheirInverse) {
+TEST(SpaceActions, SimilaritiesAreDrawnAsCamerasWithTheInversePose) {
   const std::string shapes = drawn(*read(kSimilarities));
   EXPECT_EQ(count(shapes, "ring"), 2);
   EXPECT_THAT(shapes, HasSubstr("line1 (0 0 0) (1 0 0)\n"));
   EXPECT_THAT(shapes, HasSubstr("line1 (0.5 0 2) (1 0 0)\n"));
 }
 
-TEST(SpaceActions, PairsOfPointsAreLinesBetweenThem) {
+TEST(SpaceActions, APairOfPointsIsDrawnAsALineBetweenThem) {
   EXPECT_THAT(drawn(*read(kScans)), HasSubstr("line1 (2 0 0) (2 0.5 0)\n"));
 }
 
-TEST(SpaceActions, StereoCamerasWithoutAFileTagAreDrawn) {
+TEST(SpaceActions, StereoCamerasAreDrawnAlthoughTheyHaveNoFileTag) {
   g2o::SparseOptimizer graph;
   auto* camera = new g2o::VertexSCam;
   camera->setId(0);
@@ -159,7 +160,7 @@ TEST(SpaceActions, StereoCamerasWithoutAFileTagAreDrawn) {
   EXPECT_EQ(count(drawn(graph), "ring"), 1);
 }
 
-TEST(SpaceActions, ACameraIsDrawnByTheCacheOfItsPose) {
+TEST(SpaceActions, ACameraIsDrawnIfItsPoseHasACacheForIt) {
   const auto graph = read(
       "PARAMS_CAMERACALIB 0 0 0 1 0 0 0 1 100 100 50 50\nVERTEX_SE3:QUAT 0 1 0 0 0 0 0 1\n"
       "VERTEX_TRACKXYZ 1 1 0 3\nEDGE_PROJECT_DEPTH 0 1 0 50 50 2" +

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The counterpart of the other files in this folder: it has no error, and compiles.
+// The counterpart of the other files in this folder: this file has no error, so it must compile.
 #include <span>
 #include <vector>
 
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
 
-/// Has an analytic Jacobian, and members with similar names.
+/// An edge with the analytic Jacobian jacobians(). The data member `jacobian` is not taken for a function.
 struct Square {
   boxplus::Matrix<double, 1, 1> jacobian;
   template <class S>
@@ -16,7 +16,7 @@ struct Square {
   void jacobians(double x, Eigen::Ref<boxplus::Matrix<double, 1, 1>> J) const { J(0, 0) = 2 * x; }
 };
 
-/// A linear error, whose matrix is data.
+/// A linear error. Its members with the names of Jacobian functions are data.
 struct Linear {
   double jacobian, jacobians;
   template <class S>
@@ -25,7 +25,7 @@ struct Linear {
   }
 };
 
-/// Has analytic Jacobians for one of its types only.
+/// An edge that has an analytic Jacobian only if T is double.
 template <class T>
 struct Doubled {
   static constexpr bool kJacobiansForSomeTypes = true;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest program that optimizes a graph with the installed library.
+// A minimal program that optimizes a graph with the installed library.
 #include <boxplus/boxplus.h>
 
-static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "boxplus::boxplus passes its definitions on");
+static_assert(EIGEN_MAX_ALIGN_BYTES == 16,
+              "the target boxplus::boxplus must pass this definition on to its clients");
 
 int main() {
   using namespace boxplus;

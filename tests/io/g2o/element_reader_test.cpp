@@ -42,7 +42,7 @@ TEST(ElementReader, RefusesBadEdges) {
   EXPECT_THAT(complaint(poses + "FIX"), HasSubstr("got the end of the line"));
 }
 
-TEST(ElementReader, RefusesAnIndefiniteInformationOfAnUnassignedEdge) {
+TEST(ElementReader, RefusesAnIndefiniteInformationEvenIfTheEdgeHasAnUnassignedVertex) {
   EXPECT_THAT(complaint(std::string(kTwoPoses) + "EDGE_SE2 0 -1 1 0 0 1 2 0 1 0 1\n"),
               StartsWith("g:3:21: information: expected a positive semi-definite matrix"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// At the estimates in their files, public graphs have the same chi2 as with other implementations of the same
-// error functions.
+// With the estimates of their files, public graphs have the chi2 that other implementations of the same error
+// functions report.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -18,7 +18,7 @@ struct Dataset {
   const char* file;
   std::size_t vertices, edges;
   double chi2;
-  double tolerance;  ///< relative; quaternions in files of 3-D graphs are rounded
+  double tolerance;  ///< relative; larger in 3-D, because the files contain rounded quaternions
 };
 
 void PrintTo(const Dataset& dataset, std::ostream* out) {
@@ -45,7 +45,7 @@ TEST_P(DatasetTest, HasTheKnownChi2) {
   EXPECT_THAT(file.notes, testing::IsEmpty());
 }
 
-TEST_P(DatasetTest, IsReadBackBitForBit) {
+TEST_P(DatasetTest, IsReadBackBitForBitAfterItIsWritten) {
   const GraphFile file = read_graph(path());
   const std::string text = format_graph(file);
   const GraphFile again = parse_graph(text, "again");
@@ -53,7 +53,7 @@ TEST_P(DatasetTest, IsReadBackBitForBit) {
   EXPECT_TRUE(format_graph(again) == text);
 }
 
-/// The values of the lines of edges, in order.
+/// All numbers of the lines that define edges, in the order of the text.
 std::vector<double> edge_numbers(const std::string& text) {
   std::vector<double> numbers;
   std::istringstream lines(text);
@@ -65,7 +65,7 @@ std::vector<double> edge_numbers(const std::string& text) {
   return numbers;
 }
 
-TEST_P(DatasetTest, KeepsTheDigitsOfMeasurementsAsTheyWerePrinted) {
+TEST_P(DatasetTest, WritesMeasurementsWithTheSameNumbersAsInTheFile) {
   std::ostringstream text;
   text << std::ifstream(path()).rdbuf();
   const std::vector<double> printed = edge_numbers(text.str());
@@ -73,8 +73,8 @@ TEST_P(DatasetTest, KeepsTheDigitsOfMeasurementsAsTheyWerePrinted) {
   EXPECT_EQ(edge_numbers(format_graph(read_graph(path()))), printed);
 }
 
-// The tables print 14 digits of the 2-D values, so the best possible accuracy is half a unit of the last
-// digit.
+// The published chi2 of 2-D graphs have 14 digits, so they are accurate to half a unit of the last digit at
+// best.
 INSTANTIATE_TEST_SUITE_P(
     Public, DatasetTest,
     testing::Values(Dataset{"posegraph2d/intel_1728.g2o", 1728, 2512, 551.73573084974, 1e-12},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The strict reader names each bad line, and the lenient reader skips and counts it.
+// The strict reader reports the first bad line. The lenient reader skips and counts bad lines.
 #include <gtest/gtest.h>
 
 #include "boxplus/base/error.h"
@@ -10,9 +10,9 @@ namespace {
 
 struct Malformed {
   const char* name;
-  std::string lines;      ///< follow kGood
-  std::string complaint;  ///< without the name of the file
-  int bad_lines = 1;
+  std::string lines;      ///< the lines that follow kGood
+  std::string complaint;  ///< the message of the strict reader, without the name of the file
+  int bad_lines = 1;      ///< the number of lines that the lenient reader skips
 };
 
 void PrintTo(const Malformed& malformed, std::ostream* out) {
@@ -35,15 +35,15 @@ const std::string kIdentity6 = "1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1";
 const Malformed kTable[] = {
     // Fields
     {"VertexWithoutId", "VERTEX_SE2", "9:11: expected the id of a vertex, got the end of the line"},
-    {"VertexIdThatIsNoInteger", "VERTEX_SE2 1.5 0 0 0",
+    {"VertexIdThatIsNotAnInteger", "VERTEX_SE2 1.5 0 0 0",
      "9:12: expected the id of a vertex (an integer), got '1.5'"},
     {"VertexIdThatIsAWord", "VERTEX_SE2 one 0 0 0",
      "9:12: expected the id of a vertex (an integer), got 'one'"},
-    {"VertexIdBeyondAllIntegers", "VERTEX_SE2 99999999999999999999 0 0 0",
+    {"VertexIdThatIsTooLargeForAnInteger", "VERTEX_SE2 99999999999999999999 0 0 0",
      "9:12: expected the id of a vertex (an integer), got '99999999999999999999'"},
     {"NegativeVertexId", "VERTEX_SE2 -1 0 0 0", "9:12: expected an id ≥ 0, got -1"},
     {"TruncatedVertex", "VERTEX_SE2 9 0 0", "9:17: expected the heading θ, got the end of the line"},
-    {"VertexWithAFieldTooMany", "VERTEX_SE2 9 0 0 0 7", "9:20: expected the end of the line, got '7'"},
+    {"VertexWithOneFieldTooMany", "VERTEX_SE2 9 0 0 0 7", "9:20: expected the end of the line, got '7'"},
     {"CoordinateThatIsAWord", "VERTEX_SE2 9 0 zero 0", "9:16: expected y (a finite number), got 'zero'"},
     {"CoordinateThatIsNotANumber", "VERTEX_SE2 9 nan 0 0", "9:14: expected x (a finite number), got 'nan'"},
     {"CoordinateThatIsInfinite", "VERTEX_SE2 9 0 -inf 0", "9:16: expected y (a finite number), got '-inf'"},
@@ -52,30 +52,30 @@ const Malformed kTable[] = {
     {"CoordinateWithADecimalComma", "VERTEX_SE2 9 0,5 0 0", "9:14: expected x (a finite number), got '0,5'"},
     {"CoordinateInHexadecimal", "VERTEX_SE2 9 0x10 0 0", "9:14: expected x (a finite number), got '0x10'"},
     {"NumberWithTwoSigns", "VERTEX_SE2 9 +-1 0 0", "9:14: expected x (a finite number), got '+-1'"},
-    {"NumberAndItsUnit", "VERTEX_SE2 9 1m 0 0", "9:14: expected x (a finite number), got '1m'"},
+    {"NumberWithAUnit", "VERTEX_SE2 9 1m 0 0", "9:14: expected x (a finite number), got '1m'"},
     {"ControlCharactersInAField", "VERTEX_SE2 9 \x01\x1b[31m 0 0",
      "9:14: expected x (a finite number), got '\\x01\\x1b[31m'"},
     {"OverlongField", "VERTEX_SE2 9 " + std::string(1000, 'x') + " 0 0",
      "9:14: expected x (a finite number), got '" + std::string(40, 'x') + "…'"},
-    {"FieldThatIsNoAscii", "VERTEX_SE2 9 " + std::string(39, 'x') + "ø 0 0",
+    {"OverlongFieldWithACharacterThatIsNotAscii", "VERTEX_SE2 9 " + std::string(39, 'x') + "ø 0 0",
      "9:14: expected x (a finite number), got '" + std::string(39, 'x') + "…'"},
-    {"BlanksOfAllSortsBeforeTheBadField", "\t VERTEX_SE2 \t9\t0 \tx 0\r",
+    {"BadFieldAfterAllKindsOfBlanks", "\t VERTEX_SE2 \t9\t0 \tx 0\r",
      "9:20: expected y (a finite number), got 'x'"},
-    {"TheLastLineIsCutOff", "VERTEX_XY 9 1\nVERTEX_XY 10 1",
+    {"LastLineThatIsCutOff", "VERTEX_XY 9 1\nVERTEX_XY 10 1",
      "9:14: expected a coordinate, got the end of the line", 2},
     // Quaternions
     {"QuaternionOfZeros", "VERTEX_SE3:QUAT 9 0 0 0 0 0 0 0",
      "9:25: expected a quaternion of length 1 (± 0.001), got one of length 0"},
     {"QuaternionThatIsTooLong", "VERTEX_SE3:QUAT 9 0 0 0 0 0 3 4",
      "9:25: expected a quaternion of length 1 (± 0.001), got one of length 5"},
-    {"QuaternionOfAMeasurementThatIsTooLong", "EDGE_SE3:QUAT 3 4 1 0 0 0 0 0 1.002 " + kIdentity6,
+    {"MeasurementWithAQuaternionThatIsTooLong", "EDGE_SE3:QUAT 3 4 1 0 0 0 0 0 1.002 " + kIdentity6,
      "9:25: expected a quaternion of length 1 (± 0.001), got one of length 1.002"},
-    {"QuaternionCutOff", "VERTEX_SE3:QUAT 9 0 0 0 0 0 1",
+    {"QuaternionThatIsCutOff", "VERTEX_SE3:QUAT 9 0 0 0 0 0 1",
      "9:30: expected a quaternion (qx qy qz qw), got the end of the line"},
     // Information
-    {"InformationCutOff", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0",
+    {"InformationThatIsCutOff", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0",
      "9:31: expected an entry of the information matrix, got the end of the line"},
-    {"InformationWithAnEntryTooMany", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0 1 1",
+    {"InformationWithOneEntryTooMany", "EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0 1 1",
      "9:34: expected the end of the line, got '1'"},
     {"InformationGivenAsAFullMatrix", "EDGE_SE2 0 1 1 0 0.5 1 0 0 0 1 0 0 0 1",
      "9:22: information: expected a positive semi-definite matrix, got the eigenvalue -1.000000"},
@@ -93,14 +93,14 @@ const Malformed kTable[] = {
     {"EdgeToAnUnknownVertex", "EDGE_SE2 0 77 1 0 0.5 1 0 0 1 0 1",
      "9:12: expected the id of a vertex, but there is no vertex 77"},
     {"EdgeToANegativeId", "EDGE_SE2 0 -7 1 0 0.5 1 0 0 1 0 1",
-     "9:12: expected the id of a vertex, which is ≥ 0, got -7"},
+     "9:12: expected the id of a vertex (a number ≥ 0), got -7"},
     {"EdgeToAnUnassignedVertexWithABadField", "EDGE_SE2 0 -1 1 0 0.5 1 0 0 1 0 x",
      "9:33: expected an entry of the information matrix (a finite number), got 'x'"},
-    {"EdgeWithAVertexTwice", "EDGE_SE2 1 1 1 0 0.5 1 0 0 1 0 1",
+    {"EdgeWithTheSameVertexTwice", "EDGE_SE2 1 1 1 0 0.5 1 0 0 1 0 1",
      "9:1: expected different vertices, but vertex 1 appears twice"},
     {"EdgeToAVertexOfTheWrongType", "EDGE_SE2 0 2 1 0 0.5 1 0 0 1 0 1",
      "9:12: expected the id of a vertex of type SE2, but vertex 2 is a Vector2"},
-    {"EdgeBetweenTwoAndThreeDimensions", "EDGE_SE3:QUAT 3 1 1 0 0 0 0 0 1 " + kIdentity6,
+    {"EdgeBetweenA3DAndA2DVertex", "EDGE_SE3:QUAT 3 1 1 0 0 0 0 0 1 " + kIdentity6,
      "9:17: expected the id of a vertex of type SE3, but vertex 1 is a SE2"},
     {"ObservationWithItsVerticesSwapped", "EDGE_SE2_XY 2 0 1 0 1 0 1",
      "9:13: expected the id of a vertex of type SE2, but vertex 2 is a Vector2"},
@@ -108,35 +108,35 @@ const Malformed kTable[] = {
      "9:29: expected the id of a parameter, but there is no parameter 9"},
     {"EdgeWithAParameterOfTheWrongType", "EDGE_SE2_POINTXY_OFFSET 0 2 1 1 0 1 0 1",
      "9:29: expected the id of a parameter of type SE2, but parameter 1 is a SE3"},
-    {"TailWithoutItsEnd", "EDGE_SE2_LOTSOFXY 0 2",
+    {"ListOfPointsWithoutAnEnd", "EDGE_SE2_LOTSOFXY 0 2",
      "9:22: expected the id of a vertex, got the end of the line"},
-    {"TailWithAWrongCount", "EDGE_SE2_LOTSOFXY 0 2 || 0 1 0 1",
-     "9:26: expected a number of points ≥ 1, got 0"},
-    {"TailWithAnAbsurdCount", "EDGE_SE2_LOTSOFXY 0 2 || 99999999999 1 1 1 0 1",
-     "9:26: expected a number of points ≥ 1, got 99999999999"},
+    {"ListOfPointsWithCountZero", "EDGE_SE2_LOTSOFXY 0 2 || 0 1 0 1",
+     "9:26: expected a number of points from 1 to 1000000, got 0"},
+    {"ListOfPointsWithAHugeCount", "EDGE_SE2_LOTSOFXY 0 2 || 99999999999 1 1 1 0 1",
+     "9:26: expected a number of points from 1 to 1000000, got 99999999999"},
     // Ids that are taken
-    {"VertexIdTwice", "VERTEX_SE2 1 0 0 0", "9:12: expected a new id, but vertex 1 is already defined"},
-    {"VertexIdTwiceWithOtherTypes", "VERTEX_XY 1 0 0",
+    {"VertexIdThatIsTaken", "VERTEX_SE2 1 0 0 0", "9:12: expected a new id, but vertex 1 is already defined"},
+    {"VertexIdThatIsTakenByAnotherType", "VERTEX_XY 1 0 0",
      "9:11: expected a new id, but vertex 1 is already defined"},
-    {"ParameterIdTwice", "PARAMS_SE2OFFSET 1 0 0 0",
+    {"ParameterIdThatIsTaken", "PARAMS_SE2OFFSET 1 0 0 0",
      "9:18: expected a new id, but parameter 1 is already defined"},
     // FIX
     {"FixWithoutId", "FIX", "9:4: expected the id of a vertex, got the end of the line"},
     {"FixOfAnUnknownVertex", "FIX 0 77", "9:7: expected the id of a vertex, but there is no vertex 77"},
     {"FixOfAWord", "FIX all", "9:5: expected the id of a vertex (an integer), got 'all'"},
     // Several
-    {"BadLinesInARow", "VERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1\nFIX x",
+    {"SeveralBadLinesInARow", "VERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1\nFIX x",
      "9:12: expected a new id, but vertex 1 is already defined", 3},
-    {"EdgesOfAVertexThatIsBad", "VERTEX_SE2 9 0 0\nEDGE_SE2 0 9 1 0 0.5 1 0 0 1 0 1",
+    {"EdgeOfABadVertex", "VERTEX_SE2 9 0 0\nEDGE_SE2 0 9 1 0 0.5 1 0 0 1 0 1",
      "9:17: expected the heading θ, got the end of the line", 2},
 };
 
 class MalformedLine : public testing::TestWithParam<Malformed> {};
 
-TEST_P(MalformedLine, IsNamedByTheStrictReader) {
+TEST_P(MalformedLine, IsReportedByTheStrictReader) {
   try {
     parse_graph(kGood + GetParam().lines, "g");
-    FAIL() << "read without complaint";
+    FAIL() << "the reader accepted the line";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(), "g:" + GetParam().complaint);
   }
@@ -151,7 +151,7 @@ TEST_P(MalformedLine, IsSkippedAndCountedByTheLenientReader) {
   EXPECT_EQ(std::ssize(file.notes), GetParam().bad_lines);
   EXPECT_EQ(file.graph.vertex_count(), 6u);
   EXPECT_EQ(file.graph.parameter_count(), 2u);
-  EXPECT_EQ(file.graph.edge_count(), 1u) << "good lines after bad ones are read";
+  EXPECT_EQ(file.graph.edge_count(), 1u) << "good lines after bad lines are read";
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, MalformedLine, testing::ValuesIn(kTable),

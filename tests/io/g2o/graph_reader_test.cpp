@@ -30,11 +30,11 @@ TEST(GraphReader, AcceptsEdgesBeforeTheirVertices) {
   EXPECT_EQ(parse_graph(std::string("EDGE_SE2 0 1 1 0 0.5 1 0 0 1 0 1\n") + kTwoPoses, "g").edges.size(), 1u);
 }
 
-TEST(GraphReader, ReadsTheSameForAnyNumberOfThreads) {
+TEST(GraphReader, ReadsTheSameGraphWithAnyNumberOfThreads) {
   Simulation simulation = simulate(World::kCity, {.poses = 3000});
   const GraphFile made{.graph = std::move(simulation.graph), .edges = std::move(simulation.edges)};
   const std::string text = format_graph(made);
-  ASSERT_GT(text.size(), 3 * 131072u) << "several blocks";
+  ASSERT_GT(text.size(), 3 * 131072u) << "the text must have several blocks";
   for (int threads : {1, 2, 5}) {
     ReadOptions options;
     options.threads = threads;
@@ -46,7 +46,7 @@ TEST(GraphReader, IgnoresAByteOrderMark) {
   EXPECT_EQ(parse_graph(std::string("\xEF\xBB\xBF") + kTwoPoses, "g").graph.vertex_count(), 2u);
 }
 
-TEST(GraphReader, ReadsTagsUnderOtherNames) {
+TEST(GraphReader, ReadsRenamedTags) {
   ReadOptions options;
   options.renames = {{"POSE", "VERTEX_SE2"}, {"VERTEX_SE2", "VERTEX_XY"}};
   const GraphFile file = parse_graph("POSE 0 0 0 0\nVERTEX_SE2 1 2 3\n", "g", options);
@@ -54,7 +54,7 @@ TEST(GraphReader, ReadsTagsUnderOtherNames) {
   EXPECT_EQ(format_graph(file), "VERTEX_SE2 0 0 0 0\nVERTEX_XY 1 2 3\n");
 }
 
-TEST(GraphReader, AppliesSensorOffsets) {
+TEST(GraphReader, ReadsSensorOffsetsAndAppliesThem) {
   const GraphFile file = parse_graph(
       "PARAMS_SE2OFFSET 5 1 0 0\nVERTEX_SE2 0 0 0 0\nVERTEX_XY 1 3 0\nEDGE_SE2_POINTXY_OFFSET 0 1 5 2 0 1 0 "
       "1\n",
@@ -63,7 +63,7 @@ TEST(GraphReader, AppliesSensorOffsets) {
   EXPECT_EQ(file.graph.chi2(), 0);
 }
 
-TEST(GraphReader, ReadsOneOffsetAtBothEndsOfAnEdge) {
+TEST(GraphReader, ReadsAnEdgeWithTheSameOffsetAtBothEnds) {
   const GraphFile file = parse_graph(
       std::string(kTwoPoses) + "PARAMS_SE2OFFSET 5 1 0 0\nEDGE_SE2_OFFSET 0 1 5 5 1 0 0.5 1 0 0 1 0 1\n",
       "g");
@@ -78,7 +78,7 @@ TEST(GraphReader, ReadsEdgesOverAnyNumberOfPoints) {
   EXPECT_NEAR(file.graph.chi2(), 1, 1e-15);
 }
 
-TEST(GraphReader, SkipsAndCountsBadLinesIfAskedTo) {
+TEST(GraphReader, SkipsAndCountsBadLinesIfItIsLenient) {
   ReadOptions lenient;
   lenient.lenient = true;
   const GraphFile file =

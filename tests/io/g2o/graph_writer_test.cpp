@@ -11,8 +11,8 @@
 namespace boxplus {
 namespace {
 
-/// A file with parameters, vertices by id with their FIX lines and data, and edges of several types in mixed
-/// order.
+/// A file in the order in which the writer writes: parameters, vertices by id with their FIX lines and data,
+/// then edges. Edges of several types alternate.
 constexpr const char* kCanonical =
     "PARAMS_SE2OFFSET 5 1 0 0.25\n"
     "PARAMS_SE3OFFSET 6 0 0 1 0 0 0 1\n"
@@ -46,11 +46,11 @@ std::string temporary(const char* name) {
   return (std::filesystem::temp_directory_path() / (std::string("boxplus_writer_test_") + name)).string();
 }
 
-TEST(GraphWriter, WritesAFileInItsOwnOrderByteForByte) {
+TEST(GraphWriter, WritesAFileByteForByteIfItIsInTheOrderOfTheWriter) {
   EXPECT_EQ(format_graph(parse_graph(kCanonical, "g")), kCanonical);
 }
 
-TEST(GraphWriter, WritesLinesThatAreNotElementsAtTheirOldPlaces) {
+TEST(GraphWriter, KeepsCommentsAndUnknownLinesNextToTheSameElements) {
   const std::string text =
       "# about this file\n"
       "VERTEX_SE2 0 0 0 0\n"
@@ -85,7 +85,7 @@ TEST(GraphWriter, KeepsUnknownLinesInPlaceIfAnEdgeBeforeThemWasRemoved) {
             "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nMATCH 1\nEDGE_SE2 1 0 -1 0 0 1 0 0 1 0 1\n");
 }
 
-TEST(GraphWriter, WritesEdgesThatWereAddedAfterThoseOfTheFile) {
+TEST(GraphWriter, WritesNewEdgesAfterTheEdgesOfTheFile) {
   GraphFile file = parse_graph("VERTEX_XY 0 0 0\nVERTEX_XY 1 1 0\nEDGE_POINTXY 0 1 1 0 1 0 1\n", "g");
   file.graph.add_edge(Prior(Vector2(0.5, 0)), 2.0, file.graph.vertex<Vector2>(0));
   EXPECT_THAT(format_graph(file),
@@ -107,7 +107,7 @@ TEST(GraphWriter, WritesAnOptimizedGraphThatIsReadBackBitForBit) {
   std::filesystem::remove(path);
 }
 
-TEST(GraphWriter, NamesTheTypeThatHasNoTag) {
+TEST(GraphWriter, ReportsTheTypeThatHasNoTag) {
   Graph graph;
   const auto a = graph.add_vertex(SE2()), b = graph.add_vertex(SE2(1, 0, 0));
   graph.add_edge(Range(1), a, b);

@@ -30,7 +30,7 @@ TEST(LineBlock, SplitsLinesIntoTagsAndValues) {
   EXPECT_EQ(block.lines()[4].kind, Line::Kind::kUnknown);
 }
 
-TEST(LineBlock, FindsTagsUnderOtherNames) {
+TEST(LineBlock, FindsRenamedTags) {
   LineBlock block;
   const Renames renames{{"POSE", "VERTEX_SE2"}};
   block.read(TextSource("POSE 7 1 0.5 -3", "g"), 0, {default_registry(), renames});

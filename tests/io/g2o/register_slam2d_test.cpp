@@ -6,7 +6,7 @@
 namespace boxplus {
 namespace {
 
-TEST(RegisterSlam2d, HasATypeForEachTagThatIsReadAndWritten) {
+TEST(RegisterSlam2d, ReadsAndWritesEachTag) {
   expect_round_trip(
       "PARAMS_SE2OFFSET 5 1 0 0.25\n"
       "PARAMS_SE2OFFSET 6 0 1 0\n"

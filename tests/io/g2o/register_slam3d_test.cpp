@@ -6,7 +6,7 @@
 namespace boxplus {
 namespace {
 
-TEST(RegisterSlam3d, HasATypeForEachTagThatIsReadAndWritten) {
+TEST(RegisterSlam3d, ReadsAndWritesEachTag) {
   expect_round_trip(
       "PARAMS_SE3OFFSET 5 0 0 1 0 0 0 1\n"
       "PARAMS_SE3OFFSET 6 0 1 0 0 0 0 1\n"

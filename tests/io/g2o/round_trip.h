@@ -9,7 +9,7 @@
 
 namespace boxplus {
 
-/// Reads a text whose tags all have types, and checks that it is written unchanged.
+/// Reads a text, and checks that each of its tags is known and that the text is written unchanged.
 inline void expect_round_trip(const std::string& text) {
   const GraphFile file = parse_graph(text, "g");
   EXPECT_TRUE(file.kept.empty());

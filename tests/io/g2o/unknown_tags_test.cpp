@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-TEST(UnknownTags, AreNamedIfTheirLineMayDefineTheMissingVertex) {
+TEST(UnknownTags, AreMentionedIfTheirLineMayDefineTheMissingVertex) {
   EXPECT_EQ(
       complaint("VERTEX_XY 7 2 3\nVERTEX_CAM 4 0 0 0 1 500\nEDGE_SE2_XY 4 7 2 3 1 0 1\n"),
       "g:3:13: expected the id of a vertex, but there is no vertex 4; line 2 has that id after the unknown "
@@ -22,13 +22,13 @@ TEST(UnknownTags, AreNamedIfTheirLineMayDefineTheMissingVertex) {
   EXPECT_THAT(complaint("VERTEX_CAM 4 0 0 0 1 500\nVERTEX_XY 7 2 3\nFIX 4\n"), HasSubstr("'VERTEX_CAM'"));
 }
 
-TEST(UnknownTags, AreNotNamedIfNoLineHasTheMissingVertex) {
+TEST(UnknownTags, AreNotMentionedIfNoLineCanDefineTheMissingVertex) {
   EXPECT_THAT(
       complaint("VERTEX_XY 7 2 3\nVERTEX_CAM 5 0\nEDGE_CAM 4 7 1\nVERTEX_CAM\nEDGE_SE2_XY 4 7 2 3 1 0 1\n"),
       testing::EndsWith("there is no vertex 4"));
 }
 
-TEST(UnknownTags, AreNotedOnceAndTheirLinesAreKept) {
+TEST(UnknownTags, GetOneNotePerTagAndTheirLinesAreKept) {
   const GraphFile file = parse_graph("VERTEX_SE2 0 0 0 0\nROBOTLASER1 x y\nROBOTLASER1 z\n", "g");
   EXPECT_THAT(file.kept, SizeIs(2));
   ASSERT_THAT(file.notes, SizeIs(1));

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(VertexIds, CreateTheVerticesOfAnEdgeWithAnUnassignedOne) {
+TEST(VertexIds, CreateTheOtherVertexOfAnEdgeWithAnUnassignedVertex) {
   const GraphFile file = parse_graph(
       "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n"
       "EDGE_SE2 -1 0 1 0 0 1 0 0 1 0 1\n",
@@ -31,13 +31,13 @@ TEST(VertexIds, CreateTheVerticesOfAFileWithEdgesOnly) {
   EXPECT_THAT(file.notes[0].text, HasSubstr("3 vertices were created"));
 }
 
-TEST(VertexIds, ExcludeAnEdgeWithUnassignedVertices) {
+TEST(VertexIds, KeepALineButAddNoEdgeIfAVertexIsUnassigned) {
   const GraphFile file = parse_graph("VERTEX_SE2 0 0 0 0\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\n", "g");
   EXPECT_THAT(file.edges, IsEmpty());
   EXPECT_THAT(file.kept, SizeIs(1));
 }
 
-TEST(VertexIds, CreateNoVerticesForLinesThatAreSkipped) {
+TEST(VertexIds, CreateNoVerticesForSkippedLines) {
   const GraphFile file = parse_graph(
       "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 7 1 0 0 1 0 0 1 0 x\nEDGE_SE2 9 9 1 0 0 1 0 0 1 0 1\n"
       "EDGE_SE2 1 8 1 0 0 1 2 0 1 0 1\n",

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-TEST(RegisterToro, ReadsTheInformationInTheOrderOfToro) {
+TEST(RegisterToro, ReadsTheEntriesOfTheInformationInTheOrderOfToro) {
   const GraphFile file =
       parse_graph("VERTEX2 0 0 0 0\nVERTEX2 1 1 0 0\nEDGE2 0 1 1 0 0 10 1 20 30 2 3\n", "g");
   const detail::InformationView omega = file.graph.information(file.edges[0]);
@@ -35,7 +35,7 @@ TEST(RegisterToro, ReadsRollPitchAndYaw) {
   EXPECT_LT(file.graph.chi2(), 1e-28);
   const detail::InformationView omega = file.graph.information(file.edges[0]);
   EXPECT_EQ(omega(1, 1), 2);
-  EXPECT_EQ(omega(0, 3), 2 * 5) << "an angle is twice its part of a quaternion";
+  EXPECT_EQ(omega(0, 3), 2 * 5) << "a small angle is twice its component of the quaternion";
   EXPECT_EQ(omega(3, 3), 4 * 100);
   EXPECT_EQ(omega(3, 5), 4 * 7);
 }

@@ -15,7 +15,7 @@ TEST(ToroFormat, IsRecognizedByTheTagOfTheFirstElement) {
   EXPECT_FALSE(toro.recognize(""));
 }
 
-TEST(ToroFormat, IsOnlyRead) {
+TEST(ToroFormat, IsReadOnly) {
   EXPECT_FALSE(toro_format().write);
 }
 

@@ -71,7 +71,7 @@ TEST(AutomaticSolver, SolvesAndStopsLikeTheSolverThatItChose) {
   }
 }
 
-TEST(AutomaticSolver, StopsPcgAtTheLeastToleranceOfItsOptions) {
+TEST(AutomaticSolver, StopsPcgAtTheMinimumToleranceOfItsOptions) {
   TestSystem system = random_system(200, 300, 1);
   const AssembledSystem view = system.view();
   int iterations[2];

@@ -24,7 +24,7 @@ class PhysicalMemory : public testing::Test {
       (std::string("boxplus_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(PhysicalMemory, IsThatOfTheMachineIfNothingLimitsIt) {
+TEST_F(PhysicalMemory, IsTheMemoryOfTheMachineIfNoControlGroupLimitsIt) {
   const std::uint64_t machine = physical_memory(root_);
   EXPECT_GT(machine, 1u << 20);
   write("proc/self/cgroup", "0::/user.slice\n");
@@ -41,7 +41,7 @@ TEST_F(PhysicalMemory, IsTheLimitOfTheContainer) {
   EXPECT_EQ(physical_memory(root_), 1048576u);
 }
 
-TEST_F(PhysicalMemory, IsTheSmallestLimitOfAllParentGroups) {
+TEST_F(PhysicalMemory, IsTheSmallestLimitOfTheGroupAndItsParents) {
   write("proc/self/cgroup", "0::/a/b/c\n");
   write("sys/fs/cgroup/a/b/c/memory.max", "max\n");
   write("sys/fs/cgroup/a/b/memory.max", "3000000\n");
@@ -51,9 +51,9 @@ TEST_F(PhysicalMemory, IsTheSmallestLimitOfAllParentGroups) {
 
 TEST_F(PhysicalMemory, IsLimitedByControlGroupsOfVersionOneToo) {
   write("proc/self/cgroup", "5:cpu:/x\n4:hugetlb,memory:/docker/0123\n0::/\n");
-  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "1000000\n");  // as seen inside the container
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "1000000\n");  // the path inside a container
   EXPECT_EQ(physical_memory(root_), 1000000u);
-  write("sys/fs/cgroup/memory/docker/0123/memory.limit_in_bytes", "500000\n");  // and outside
+  write("sys/fs/cgroup/memory/docker/0123/memory.limit_in_bytes", "500000\n");  // the path outside of it
   EXPECT_EQ(physical_memory(root_), 500000u);
 }
 

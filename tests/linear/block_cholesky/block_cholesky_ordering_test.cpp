@@ -28,7 +28,7 @@ TEST(Ordering, DoesNotChangeTheSolution) {
   EXPECT_LE((x[0] - x[1]).norm(), 1e-9 * x[0].norm());
 }
 
-TEST(AutomaticOrdering, IsNestedDissectionForLargeCubesAndMinimumDegreeForOtherGraphs) {
+TEST(AutomaticOrdering, IsNestedDissectionForALargeCubeAndMinimumDegreeForASmallCubeOrAPlanarGrid) {
   const auto taken = [](const BlockStructure& structure) {
     return outline_factor(structure, {}, {}, Ordering::kAutomatic).ordering;
   };

@@ -39,7 +39,7 @@ void expect_as_reference(const TestSystem& system, const AnalyzeHints& hints, co
   EXPECT_LT(difference(solve(fast, b), reference.solve(b)), 1e-9);
 }
 
-TEST(BlockCholesky, SolvesAsTheReferenceDoesOn200RandomStructures) {
+TEST(BlockCholesky, SolvesLikeTheReferenceOn200RandomStructures) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     const TestSystem system = random_system(1 + seed % 60, seed % 50, seed);
     SCOPED_TRACE(seed);
@@ -47,7 +47,7 @@ TEST(BlockCholesky, SolvesAsTheReferenceDoesOn200RandomStructures) {
   }
 }
 
-TEST(BlockCholesky, SolvesAsTheReferenceDoesForEveryAmalgamationRule) {
+TEST(BlockCholesky, SolvesLikeTheReferenceWhetherItMergesFrontsOrNot) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const TestSystem system = random_system(1 + seed, seed, seed);
     expect_as_reference(system, {}, {.max_zero_fraction = -1});
@@ -55,7 +55,7 @@ TEST(BlockCholesky, SolvesAsTheReferenceDoesForEveryAmalgamationRule) {
   }
 }
 
-TEST(BlockCholesky, SolvesAsTheReferenceDoesWithLastBlocks) {
+TEST(BlockCholesky, SolvesLikeTheReferenceIfSomeBlocksMustComeLast) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const TestSystem system = random_system(20 + seed, seed, seed);
     const std::vector<std::uint32_t> last{3, 11, 0, 19};
@@ -64,7 +64,7 @@ TEST(BlockCholesky, SolvesAsTheReferenceDoesWithLastBlocks) {
   }
 }
 
-TEST(BlockCholesky, HasResidualsOfRoundingSizeOnAnyGeneratedStructure) {
+TEST(BlockCholesky, HasResidualsAsSmallAsRoundingErrorsOnRandomStructures) {
   EXPECT_TRUE(rc::check([](std::uint32_t seed) {
     const auto blocks = *rc::gen::inRange<std::uint32_t>(1, 80);
     const auto loops = *rc::gen::inRange<std::uint32_t>(0, 80);
@@ -96,7 +96,7 @@ TestSystem large_grid() {
   return random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
 }
 
-TEST(BlockCholesky, UsesTheGivenOrder) {
+TEST(BlockCholesky, UsesTheOrderThatTheHintsGive) {
   std::mt19937 random(3);
   const TestSystem grid = random_system(std::vector<std::uint32_t>(100, 3), grid_edges(10, 10), random);
   BlockCholesky first({.ordering = Ordering::kNestedDissection}), second;
@@ -121,7 +121,7 @@ TEST(BlockCholesky, RefusesAnOrderThatIsNotAPermutationOfAllBlocks) {
   }
 }
 
-TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
+TEST(BlockCholesky, ComputesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   const TestSystem system = large_grid();
   const std::vector<double> b(system.structure.scalars(), 1.0);
   std::vector<std::vector<double>> solutions;
@@ -129,7 +129,8 @@ TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
     BlockCholesky solver;
     solver.analyze(system.structure, {.threads = threads});
     EXPECT_EQ(solver.symbolic().schedule.is_parallel(), threads > 1);
-    EXPECT_GT(solver.symbolic().panel_size, 200'000u) << "enough for threads to solve with";
+    EXPECT_GT(solver.symbolic().panel_size, 200'000u)
+        << "the factor must be large enough for a parallel solve";
     for (int repeat = 0; repeat < 2; ++repeat) {
       ASSERT_EQ(solver.factorize(system.view(), {}, {}).status, LinearStatus::kOk);
       solutions.push_back(solve(solver, b));
@@ -138,7 +139,7 @@ TEST(BlockCholesky, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   for (const auto& x : solutions) EXPECT_EQ(x, solutions.front());
 }
 
-TEST(BlockCholesky, NamesTheSameVertexOnAnyNumberOfThreads) {
+TEST(BlockCholesky, ReportsTheSameFailedBlockOnAnyNumberOfThreads) {
   TestSystem system = large_grid();
   for (const std::uint32_t bad : {100u, 450u, 700u}) system.block(bad, bad).diagonal().array() -= 1e3;
   std::vector<std::uint32_t> named;
@@ -156,7 +157,7 @@ TEST(BlockCholesky, NeverReportsAStopAsALostPivot) {
   for (const int threads : {1, 2, 3}) {
     BlockCholesky solver;
     solver.analyze(system.structure, {.threads = threads});
-    for (double seconds = 0; seconds < 0.01; seconds += 0.0005) {  // wherever the deadline falls
+    for (double seconds = 0; seconds < 0.01; seconds += 0.0005) {  // at any time of the factorization
       const StopToken stop(nullptr, StopToken::Clock::now(), seconds);
       const LinearStatus status = solver.factorize(system.view(), {}, {.stop = stop}).status;
       EXPECT_TRUE(status == LinearStatus::kStopped || (status == LinearStatus::kOk && seconds > 0));
@@ -164,13 +165,13 @@ TEST(BlockCholesky, NeverReportsAStopAsALostPivot) {
   }
 }
 
-TEST(BlockCholesky, SolvesWithThreadsAndLastBlocks) {
+TEST(BlockCholesky, SolvesLikeTheReferenceOnTwoThreadsIfSomeBlocksMustComeLast) {
   const TestSystem system = large_grid();
   const std::vector<std::uint32_t> last{400, 5, 899, 17};
   expect_as_reference(system, {.threads = 2, .last = last}, {});
 }
 
-TEST(BlockCholesky, GivesTheSameInverseByColumnsAndOnThePattern) {
+TEST(BlockCholesky, ComputesTheSameInverseByColumnsAndOnThePatternOfTheFactor) {
   const TestSystem system = large_grid();
   BlockCholesky solver;
   solver.analyze(system.structure, {});
@@ -178,14 +179,15 @@ TEST(BlockCholesky, GivesTheSameInverseByColumnsAndOnThePattern) {
   std::vector<BlockCoordinate> few{{450, 450}}, all;
   for (std::uint32_t block = 0; block < 900; ++block) all.push_back({block, block});
   std::vector<double> by_columns(36), on_pattern(std::size_t{900} * 36);
-  ASSERT_TRUE(solver.selected_inverse(few, by_columns.data()));  // one column is cheaper than the pattern
+  ASSERT_TRUE(solver.selected_inverse(few, by_columns.data()));  // a single block is cheaper by columns
   ASSERT_TRUE(solver.selected_inverse(all, on_pattern.data()));
   const auto same = on_pattern.begin() + std::ptrdiff_t{450} * 36;
   EXPECT_LT(difference(by_columns, std::vector(same, same + 36)), 1e-10);
-  EXPECT_NE(by_columns, std::vector(same, same + 36)) << "expected two ways of computing";
+  EXPECT_NE(by_columns, std::vector(same, same + 36))
+      << "the bits must differ, because the two calls compute in different ways";
 }
 
-TEST(BlockCholesky, NamesTheVertexWhosePivotIsNotPositive) {
+TEST(BlockCholesky, ReportsTheBlockWhosePivotIsNotPositive) {
   TestSystem system = random_system(40, 20, 3);
   for (const std::uint32_t bad : {0u, 13u, 39u}) {
     const std::vector<double> values = system.values;

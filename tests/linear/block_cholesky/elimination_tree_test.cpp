@@ -18,7 +18,7 @@ std::vector<std::uint32_t> natural(std::uint32_t blocks) {
   return order;
 }
 
-/// The rows of each column of L, by elimination of one column after the other.
+/// The nonzero rows of each column of L. This simple algorithm eliminates one column after the other.
 std::vector<std::vector<bool>> filled_pattern(const BlockStructure& s) {
   const std::uint32_t n = s.blocks();
   std::vector<std::vector<bool>> l(n, std::vector<bool>(n, false));
@@ -40,12 +40,12 @@ TEST(EliminationTree, OfAChainIsAPath) {
   EXPECT_THAT(elimination_tree(UpperPattern(s, natural(4))), ElementsAre(1, 2, 3, kNoParent));
 }
 
-TEST(EliminationTree, OfUnconnectedBlocksIsAForestOfRoots) {
+TEST(EliminationTree, OfUnconnectedBlocksHasOnlyRoots) {
   const auto s = make_block_structure({1, 1}, {});
   EXPECT_THAT(elimination_tree(UpperPattern(s, natural(2))), ElementsAre(kNoParent, kNoParent));
 }
 
-TEST(EliminationTree, HasTheShapeAndTheCountsOfEliminationOnRandomPatterns) {
+TEST(EliminationTree, AndItsCountsAgreeWithASimpleEliminationOnRandomPatterns) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     const BlockStructure s = random_system(2 + seed, seed, seed).structure;
     const auto l = filled_pattern(s);

@@ -12,7 +12,7 @@
 namespace boxplus {
 namespace {
 
-/// A structure that grows, with the growth of its last step.
+/// A structure that grows step by step. `growth` describes the last step.
 struct Growing {
   std::vector<std::uint32_t> dims;
   std::vector<BlockCoordinate> pairs;
@@ -44,7 +44,7 @@ struct Growing {
   }
 };
 
-/// Diagonally dominant.
+/// The values of a diagonally dominant matrix.
 std::vector<double> values_of(const BlockStructure& s) {
   std::mt19937 random(3);
   std::uniform_real_distribution<> number(-1, 1);
@@ -140,7 +140,7 @@ TEST(ExtendedFactor, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(solutions[0], solutions[2]);
 }
 
-TEST(ExtendedFactor, GivesTheInverseOnItsPattern) {
+TEST(ExtendedFactor, ComputesTheInverseOnItsPattern) {
   std::mt19937 random(5);
   Growing growing = random_structure(random, 60);
   BlockCholesky solver, fresh;
@@ -162,8 +162,8 @@ TEST(ExtendedFactor, GivesTheInverseOnItsPattern) {
   for (std::size_t i = 0; i < numbers; ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 
-TEST(ExtendedFactor, IsRefusedIfAnOldPairIsNotInThePattern) {
-  Growing growing;  // two chains
+TEST(ExtendedFactor, IsRefusedIfANewEdgeConnectsOldBlocksOutsideOfThePattern) {
+  Growing growing;  // two chains without a connection
   std::vector<BlockCoordinate> pairs;
   for (std::uint32_t k = 1; k < 40; ++k) {
     if (k != 20) pairs.push_back({k, k - 1});
@@ -174,7 +174,7 @@ TEST(ExtendedFactor, IsRefusedIfAnOldPairIsNotInThePattern) {
   EXPECT_FALSE(extend_factor(growing.structure, growing.growth, factor));
 }
 
-TEST(ExtendedFactor, IsAnalyzedAnewAfterAHundredExtensions) {
+TEST(ExtendedFactor, IsRefusedAfterAHundredExtensions) {
   Growing growing;
   growing.grow({3, 3}, {{1, 0}});
   BlockCholesky solver;

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-TEST(MemoryPlan, ReusesReleasedSpaceAndJoinsNeighbors) {
+TEST(MemoryPlan, ReusesReleasedSpaceAndMergesAdjacentGaps) {
   MemoryPlan plan;
   const auto a = plan.reserve(10), b = plan.reserve(5), c = plan.reserve(1);
   plan.release(a, 10);
@@ -20,7 +20,7 @@ TEST(MemoryPlan, ReusesReleasedSpaceAndJoinsNeighbors) {
   EXPECT_EQ(plan.peak(), 16u);
 }
 
-TEST(MemoryPlan, ExtendsAHoleAtTheEnd) {
+TEST(MemoryPlan, ExtendsAGapAtTheEnd) {
   MemoryPlan plan;
   plan.reserve(4);
   plan.release(plan.reserve(4), 4);
@@ -28,7 +28,7 @@ TEST(MemoryPlan, ExtendsAHoleAtTheEnd) {
   EXPECT_EQ(plan.peak(), 10u);
 }
 
-TEST(MemoryPlan, NeverOverlapsLivingBuffers) {
+TEST(MemoryPlan, NeverLetsReservedBuffersOverlap) {
   struct Buffer {
     std::uint64_t begin, end;
   };

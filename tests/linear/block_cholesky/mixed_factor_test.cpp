@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A grid that only a prior on one block holds. The smaller `prior`, the worse its condition.
+/// A grid with a prior on one block only. The smaller `prior` is, the worse is the condition of the matrix.
 TestSystem loose_grid(double prior) {
   const auto edges = grid_edges(12, 12);
   TestSystem system(std::vector<std::uint32_t>(144, 3), edges);
@@ -26,7 +26,7 @@ TestSystem loose_grid(double prior) {
 struct Solution {
   LinearStatistics statistics;
   SolveResult result;
-  double residual = 0;  // relative
+  double residual = 0;  ///< |A x − b| / |b|
 };
 
 Solution solve(TestSystem& system, Precision precision, const SolveControl& control = {}) {
@@ -63,7 +63,7 @@ TEST(MixedFactor, FallsBackToDoubleIfFloatHasTooFewDigits) {
   TestSystem system = loose_grid(1e-7);
   const Solution solution = solve(system, Precision::kMixed);
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
-  EXPECT_LT(solution.residual, 1e-6);  // the accuracy of a factor in double
+  EXPECT_LT(solution.residual, 1e-6);  // as accurate as a double-precision factor
   EXPECT_EQ(solution.statistics.precision, Precision::kDouble);
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
@@ -77,7 +77,7 @@ TEST(MixedFactor, FallsBackToDoubleIfValuesAreTooLargeForFloat) {
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
-TEST(MixedFactor, FallsBackToDoubleDuringASolveThatMissesItsTolerance) {
+TEST(MixedFactor, FallsBackToDoubleIfASolveMissesItsTolerance) {
   TestSystem system = loose_grid(1);
   const Solution solution = solve(system, Precision::kMixed, {.relative_tolerance = 1e-17});
   EXPECT_EQ(solution.result.status, LinearStatus::kOk);
@@ -85,12 +85,12 @@ TEST(MixedFactor, FallsBackToDoubleDuringASolveThatMissesItsTolerance) {
   EXPECT_TRUE(solution.statistics.fell_back_to_double);
 }
 
-TEST(MixedFactor, FallsBackToDoubleToNameTheBlockOfASingularMatrix) {
-  // A chain that only the translation of one block holds, so that it may rotate about that block.
+TEST(MixedFactor, FallsBackToDoubleToFindTheFailedBlockOfASingularMatrix) {
+  // The edge between blocks 200 and 201 measures only a translation, so the blocks behind it may rotate.
   TestSystem system(std::vector<std::uint32_t>(400, 3), chain_edges(400));
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d lever = identity;
-  lever(1, 2) = 1;  // x moves with the angle of its neighbor
+  lever(1, 2) = 1;  // the second coordinate depends on the angle of the block before
   for (std::uint32_t k = 0; k + 1 < 400; ++k) {
     if (k == 200) {
       system.add_edge(k, k + 1, identity.topRows(2), -identity.topRows(2));
@@ -138,10 +138,11 @@ TEST(MixedFactor, MayTakeMoreRefinementStepsIfTheFactorizationCostsMore) {
   const double few = steps_that_pay(2e-3, 1e7, 1e5, structure);
   EXPECT_GT(few, 0);
   EXPECT_GT(steps_that_pay(2e-2, 1e8, 1e5, structure), few);
-  EXPECT_EQ(steps_that_pay(1e-5, 1e5, 1e3, structure), 0) << "too little to gain";
+  EXPECT_EQ(steps_that_pay(1e-5, 1e5, 1e3, structure), 0)
+      << "a short factorization leaves no time for refinement";
 }
 
-TEST(MixedFactor, GivesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
+TEST(MixedFactor, ComputesTheSameBitsEveryTimeOnAnyNumberOfThreads) {
   std::mt19937 random(9);
   const TestSystem system = random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);
   const VectorXd b = VectorXd::Ones(system.structure.scalars());

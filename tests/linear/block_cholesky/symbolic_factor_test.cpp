@@ -26,13 +26,13 @@ TEST(SymbolicFactor, OfACompleteGraphIsOneFront) {
   EXPECT_EQ(f.fronts[0].below, 0u);
 }
 
-TEST(SymbolicFactor, OfTwoCliquesThatShareABlockHasOneWideSupernodePerClique) {
+TEST(SymbolicFactor, OfTwoCliquesThatShareABlockHasOneSupernodePerClique) {
   auto edges = complete_edges(0, 4);  // blocks 0–3 and 3–6: block 3 is shared
   for (const auto& edge : complete_edges(3, 7)) edges.push_back(edge);
   const auto s = make_block_structure(std::vector<std::uint32_t>(7, 2), edges);
   const SymbolicFactor f = analyze_structure(s, {}, {.max_zero_fraction = 0});
   ASSERT_EQ(f.fronts.size(), 2u);
-  EXPECT_EQ(f.fronts[0].columns, 6u);  // three blocks that only one clique has
+  EXPECT_EQ(f.fronts[0].columns, 6u);  // the three blocks that belong to one clique only
   EXPECT_EQ(f.fronts[0].below, 2u);
   EXPECT_EQ(f.fronts[1].columns, 8u);
   EXPECT_EQ(f.fronts[0].parent, 1u);
@@ -43,7 +43,7 @@ TEST(SymbolicFactor, CountsTheOperationsOfADenseMatrix) {
   EXPECT_EQ(analyze_structure(s, {}).flops, 16 + 9 + 4 + 1);
 }
 
-TEST(SymbolicFactor, MergesSmallFrontsOfAChainWithinTheCap) {
+TEST(SymbolicFactor, MergesSmallFrontsOfAChainUpToTheMaximumFractionOfZeros) {
   const auto s = make_block_structure(std::vector<std::uint32_t>(200, 3), chain_edges(200));
   const SymbolicFactor separate = analyze_structure(s, {}, kNoMerging), merged = analyze_structure(s, {});
   EXPECT_LT(merged.fronts.size(), separate.fronts.size());
@@ -55,7 +55,7 @@ TEST(SymbolicFactor, MergesSmallFrontsOfAChainWithinTheCap) {
   EXPECT_LE(entries(merged) * (1 - AmalgamationRule{}.max_zero_fraction), entries(separate));
 }
 
-TEST(SymbolicFactor, KeepsLastBlocksLastInTheirOrder) {
+TEST(SymbolicFactor, PutsTheLastBlocksAtTheEndInTheGivenOrder) {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     const BlockStructure s = random_system(40, 30, seed).structure;
     const std::vector<std::uint32_t> last{5, 39, 0, 17};
@@ -64,7 +64,7 @@ TEST(SymbolicFactor, KeepsLastBlocksLastInTheirOrder) {
   }
 }
 
-TEST(SymbolicFactor, PutsEveryFrontInsideItsParent) {
+TEST(SymbolicFactor, MapsTheRowsOfEveryFrontIntoItsParent) {
   for (std::uint32_t seed = 0; seed < 30; ++seed) {
     const BlockStructure s = random_system(60, 50, seed).structure;
     const SymbolicFactor f = analyze_structure(s, {});
@@ -87,7 +87,7 @@ TEST(SymbolicFactor, PutsEveryFrontInsideItsParent) {
   }
 }
 
-/// The prediction is for one thread. The factor is larger, because leading dimensions are rounded up.
+/// The prediction is for one thread. The factor is a bit larger, because leading dimensions are rounded up.
 TEST(FactorOutline, PredictsTheSizeOfTheFactor) {
   for (const std::uint32_t side : {3u, 10u, 25u}) {
     const BlockStructure structure =

@@ -20,12 +20,12 @@ double load_of(const std::vector<TreeSchedule::Subtree>& share) {
 
 constexpr int kAll = 1000;
 
-/// The owner of each front: one thread, or all threads together at the end.
+/// The owner of each front: the index of a thread, or kAll if all threads process the front at the end.
 std::vector<int> owners(const SymbolicFactor& f) {
   constexpr int kNobody = -1;
   std::vector<int> owner(f.fronts.size(), kNobody);
   const auto give = [&](std::uint32_t front, int to) {
-    EXPECT_EQ(owner[front], kNobody) << "front " << front << " is done twice";
+    EXPECT_EQ(owner[front], kNobody) << "front " << front << " is scheduled twice";
     owner[front] = to;
   };
   for (std::size_t t = 0; t < f.schedule.threads.size(); ++t) {
@@ -43,8 +43,9 @@ void expect_valid(const SymbolicFactor& f) {
   for (std::uint32_t s = 0; s < f.fronts.size(); ++s) {
     const std::uint32_t parent = f.fronts[s].parent;
     if (parent == kNoParent) continue;
-    EXPECT_GE(owner[parent], owner[s]) << "a front is done with or after its children";
-    EXPECT_TRUE(owner[parent] == kAll || owner[parent] == owner[s]) << "one thread does a whole subtree";
+    EXPECT_GE(owner[parent], owner[s]) << "a front must not come before its children";
+    EXPECT_TRUE(owner[parent] == kAll || owner[parent] == owner[s])
+        << "one thread must process a whole subtree";
   }
   EXPECT_TRUE(std::is_sorted(f.schedule.top.begin(), f.schedule.top.end()));
 }
@@ -53,7 +54,7 @@ TEST(TreeSchedule, ProcessesEachFrontOnceAfterItsChildren) {
   for (const int threads : {2, 3, 7}) expect_valid(analyze_structure(cube(9, 6), {}, {}, threads));
 }
 
-TEST(TreeSchedule, SharesTheWorkEvenlyAndKeepsTheTopSmall) {
+TEST(TreeSchedule, DividesTheWorkEvenlyAndLeavesFewFrontsForAllThreads) {
   const auto grid = make_block_structure(std::vector<std::uint32_t>(1600, 6), grid_edges(40, 40));
   const SymbolicFactor f = analyze_structure(grid, {}, {}, 2);
   ASSERT_EQ(f.schedule.threads.size(), 2u);
@@ -62,7 +63,7 @@ TEST(TreeSchedule, SharesTheWorkEvenlyAndKeepsTheTopSmall) {
   EXPECT_LT(f.schedule.top.size(), 8u);
 }
 
-TEST(TreeSchedule, HasNoTopIfThePartsOfAGraphAreEqual) {
+TEST(TreeSchedule, LeavesNoFrontsForAllThreadsIfTheGraphConsistsOfEqualParts) {
   constexpr std::uint32_t kSide = 20, kPieces = 4;
   std::vector<BlockCoordinate> edges;
   for (std::uint32_t piece = 0; piece < kPieces; ++piece) {
@@ -75,13 +76,13 @@ TEST(TreeSchedule, HasNoTopIfThePartsOfAGraphAreEqual) {
   EXPECT_THAT(f.schedule.top, ::testing::IsEmpty());
 }
 
-TEST(TreeSchedule, IsValidAboveKeptBlocks) {
+TEST(TreeSchedule, IsValidIfManyBlocksMustComeLast) {
   std::vector<std::uint32_t> last(300);
   std::iota(last.begin(), last.end(), 200u);
   expect_valid(analyze_structure(cube(9, 6), last, {}, 3));
 }
 
-TEST(TreeSchedule, UsesOneThreadForASmallGraphAndAllForALargeOne) {
+TEST(TreeSchedule, UsesOneThreadForASmallGraphAndAllThreadsForALargeGraph) {
   const auto workers = [](std::uint32_t side) {
     const auto grid =
         make_block_structure(std::vector<std::uint32_t>(side * side, 6), grid_edges(side, side));
@@ -93,7 +94,7 @@ TEST(TreeSchedule, UsesOneThreadForASmallGraphAndAllForALargeOne) {
   EXPECT_EQ(workers(4), 1);
 }
 
-TEST(TreeSchedule, LeavesLittleWorkToOneThread) {
+TEST(TreeSchedule, IsNotParallelIfThereIsLittleWork) {
   const auto chain = make_block_structure(std::vector<std::uint32_t>(50, 3), chain_edges(50));
   EXPECT_FALSE(analyze_structure(chain, {}, {}, 4).schedule.is_parallel());
 }

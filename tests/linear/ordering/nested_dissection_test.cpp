@@ -15,7 +15,7 @@ namespace {
 std::vector<BlockStructure> shapes() {
   std::vector<BlockStructure> all{BlockStructure{}, make_block_structure({3}, {}), cube(9, 6),
                                   random_system(900, 1500, 5).structure,
-                                  make_block_structure(std::vector<std::uint32_t>(1500, 3), {})};  // no edge
+                                  make_block_structure(std::vector<std::uint32_t>(1500, 3), {})};  // no edges
   std::vector<BlockCoordinate> star, complete, chain;
   for (std::uint32_t k = 1; k < 1000; ++k) star.push_back({k, 0}), chain.push_back({k, k - 1});
   for (std::uint32_t i = 0; i < 250; ++i) {
@@ -25,7 +25,7 @@ std::vector<BlockStructure> shapes() {
   all.push_back(make_block_structure(std::vector<std::uint32_t>(1000, 3), chain));
   all.push_back(make_block_structure(std::vector<std::uint32_t>(250, 2), complete));
   std::vector<std::uint32_t> dims(1000, 1);
-  dims[500] = 5000;  // heavier than all others
+  dims[500] = 5000;  // heavier than all other blocks together
   all.push_back(make_block_structure(dims, chain));
   return all;
 }
@@ -34,14 +34,14 @@ TEST(NestedDissection, ContainsEveryBlockOnceForGraphsOfAllShapes) {
   for (const BlockStructure& structure : shapes()) {
     std::vector<std::uint32_t> order = nested_dissection(structure), all(structure.blocks());
     std::iota(all.begin(), all.end(), 0u);
-    EXPECT_EQ(order, nested_dissection(structure)) << "another order in the second run";
+    EXPECT_EQ(order, nested_dissection(structure)) << "the order differs between two runs";
     for (const int threads : {2, 3}) EXPECT_EQ(order, nested_dissection(structure, {}, threads));
     std::sort(order.begin(), order.end());
     EXPECT_EQ(order, all);
   }
 }
 
-TEST(NestedDissection, PutsTheBlocksThatMustBeLastAtTheEndInTheirOrder) {
+TEST(NestedDissection, PutsTheBlocksThatMustBeLastAtTheEndInTheGivenOrder) {
   const BlockStructure structure = cube(8, 3);
   const std::vector<std::uint32_t> last{7, 300, 20};
   const auto order = nested_dissection(structure, last);
@@ -50,7 +50,7 @@ TEST(NestedDissection, PutsTheBlocksThatMustBeLastAtTheEndInTheirOrder) {
   EXPECT_THROW(nested_dissection(structure, std::vector<std::uint32_t>{1, 1}), InvalidArgument);
 }
 
-TEST(NestedDissection, NeedsFewerOperationsThanMinimumDegreeInThreeDimensions) {
+TEST(NestedDissection, NeedsFewerOperationsThanMinimumDegreeForALargeCube) {
   const BlockStructure structure = cube(14, 6);
   const auto flops = [&](Ordering ordering) { return outline_factor(structure, {}, {}, ordering).flops; };
   EXPECT_LT(flops(Ordering::kNestedDissection), 0.8 * flops(Ordering::kMinimumDegree));

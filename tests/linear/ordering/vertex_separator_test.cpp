@@ -11,7 +11,7 @@
 namespace boxplus {
 namespace {
 
-TEST(VertexSeparator, DividesAGridIntoHalvesByAboutOneRow) {
+TEST(VertexSeparator, DividesAWideGridIntoHalvesByAboutOneColumn) {
   const std::uint32_t height = 30, width = 50;
   WeightedGraph graph;
   std::vector<std::vector<std::uint32_t>> neighbors(height * width);

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// A system without block values.
+/// A system without block values: it only offers products with vectors and its diagonal blocks.
 class OperatorOnly final : public BlockSystem {
  public:
   explicit OperatorOnly(const AssembledSystem& system) : system_(system) {}
@@ -70,7 +70,7 @@ TEST_F(PcgTest, ObeysTheStopToken) {
   EXPECT_EQ(solver.solve(b.data(), 1, x.data(), {.stop = StopToken(&stop)}).status, LinearStatus::kStopped);
 }
 
-TEST_F(PcgTest, DetectsNegativeCurvatureThatTheDiagonalBlocksHide) {
+TEST_F(PcgTest, DetectsAnIndefiniteMatrixEvenIfItsDiagonalBlocksArePositive) {
   TestSystem indefinite({1, 1}, {{1, 0}});
   indefinite.block(0, 0) << 1;
   indefinite.block(1, 0) << -2;

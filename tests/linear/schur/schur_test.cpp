@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares elimination with the dense Schur complement of the dense H.
+// Compares the elimination with a dense Schur complement of a dense H.
 #include "linear/schur/schur.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@
 namespace boxplus {
 namespace {
 
-/// The linearized problem, its damping, and the dense counterpart.
+/// A linearized problem, its damping, and its Hessian as a dense matrix with and without damping.
 struct Problem {
   Bundle bundle;
   Plan plan;
@@ -38,7 +38,7 @@ struct Problem {
   Problem(const Problem&) = delete;
 
   Eigen::Index kept() const { return hessian.rows() - eliminated; }
-  /// U − W (V + λD)⁻¹ Wᵀ, without the damping of the kept blocks.
+  /// The Schur complement U − W (V + λD)⁻¹ Wᵀ. The kept blocks U are not damped.
   Eigen::MatrixXd complement() const {
     const Eigen::MatrixXd W = hessian.bottomLeftCorner(kept(), eliminated);
     const Eigen::MatrixXd V = damped.topLeftCorner(eliminated, eliminated);
@@ -90,7 +90,8 @@ void check_solution(Problem& problem, Schur& schur) {
 void check_elimination(Problem& problem, bool explicit_values) {
   const std::vector<double> before(problem.linearizer.values().begin(), problem.linearizer.values().end());
   Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values);
-  for (int round = 0; round < 2; ++round) {  // the second elimination starts from used memory
+  // The second elimination must overwrite the results of the first one.
+  for (int round = 0; round < 2; ++round) {
     ASSERT_EQ(schur.eliminate(problem.linearizer.values(), problem.damping).status, LinearStatus::kOk);
     EXPECT_EQ(schur.reduced_values().empty(), !explicit_values);
     if (explicit_values) check_values(problem, schur);
@@ -122,7 +123,7 @@ TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
   check_elimination(problem, false);
 }
 
-TEST(Schur, AcceptsEdgesOfSeveralPoolsToTheSamePoints) {
+TEST(Schur, AcceptsEdgesOfSeveralTypesAtTheSamePoints) {
   Bundle bundle = make_bundle(3, 20, true);
   const auto size = bundle.graph.add_vertex(1.0);
   for (std::size_t k = 0; k < bundle.points.size(); ++k) {
@@ -139,7 +140,7 @@ TEST(Schur, AcceptsEdgesOfSeveralPoolsToTheSamePoints) {
   check_elimination(problem, false);
 }
 
-TEST(Schur, NamesThePointThatTooFewCamerasSee) {
+TEST(Schur, ReportsThePointThatOnlyOneCameraSees) {
   Bundle bundle = make_bundle(3, 20, true);
   const auto lonely = bundle.graph.add_vertex(Eigen::Vector3d(1, 0.5, 8));
   bundle.graph.set_eliminated(lonely, true);
@@ -153,7 +154,7 @@ TEST(Schur, NamesThePointThatTooFewCamerasSee) {
   EXPECT_EQ(schur.eliminate(problem.linearizer.values(), {1e-3, nullptr}).status, LinearStatus::kOk);
 }
 
-TEST(Schur, NamesTheVertexWhoseBlockIsNotFinite) {
+TEST(Schur, ReportsTheBlockThatIsNotFinite) {
   Problem problem(make_bundle(2, 5, true), 0, false);
   std::vector<double> values(problem.linearizer.values().begin(), problem.linearizer.values().end());
   values[problem.plan.structure.value_start[problem.plan.structure.column_start[3]]] = std::nan("");
@@ -207,7 +208,7 @@ TEST(Schur, EqualsTheDenseComplementForBlocksOfAllSizes) {
   }
 }
 
-TEST(Schur, OfAllVerticesIsEmpty) {
+TEST(Schur, IsEmptyIfAllVerticesAreEliminated) {
   Bundle bundle = make_bundle(2, 20, true);
   for (const auto& camera : bundle.cameras) bundle.graph.fix(camera);
   Problem problem(std::move(bundle), 0, false);
@@ -220,7 +221,7 @@ TEST(Schur, OfAllVerticesIsEmpty) {
   EXPECT_LE((problem.hessian * x - r).norm(), 1e-9 * r.norm());
 }
 
-TEST(Schur, OfNoVertexIsTheHessian) {
+TEST(Schur, IsTheHessianIfNoVertexIsEliminated) {
   Problem problem(make_bundle(3, 5, false), 0, false);
   ASSERT_EQ(problem.plan.eliminated_blocks, 0u);
   Schur schur(problem.plan.structure, 0, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gauss-Newton without damping finds the best known minimum of every public graph from the chordal guess.
+// From the chordal guess, undamped Gauss-Newton reaches the best known minimum of every public graph.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -18,15 +18,15 @@ namespace {
 
 struct PublicGraph {
   const char* file;
-  double guess;  ///< at most this chi2 after the guess
-  double best;   ///< after Gauss-Newton, within 1e-6
+  double guess;  ///< an upper bound of chi2 after the guess
+  double best;   ///< the best known chi2; Gauss-Newton must reach it up to 1e-6 (relative)
 };
 
 void PrintTo(const PublicGraph& graph, std::ostream* out) {
   *out << graph.file;
 }
 
-/// The chi2 after `iterations` full steps.
+/// The chi2 after `iterations` full Gauss-Newton steps.
 double gauss_newton(Graph& graph, const Plan& plan, int iterations) {
   Linearizer linearizer(graph, plan);
   const auto solver = make_linear_solver(LinearSolverKind::kBlockCholesky);
@@ -50,7 +50,7 @@ class ChordalGuessOfPublicGraphs : public ::testing::TestWithParam<PublicGraph> 
 TEST_P(ChordalGuessOfPublicGraphs, LeadsGaussNewtonToTheBestKnownMinimum) {
   const char* folder = std::getenv("BOXPLUS_DATA");
   const std::filesystem::path path = std::filesystem::path(folder ? folder : "") / GetParam().file;
-  if (!folder || !std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  if (!folder || !std::filesystem::exists(path)) GTEST_SKIP() << path << " does not exist";
   GraphFile file = read_graph(path.string());
   const Plan plan = make_plan(file.graph, {});
   ASSERT_TRUE(guess_chordal(file.graph, plan).made);

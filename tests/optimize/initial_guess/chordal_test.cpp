@@ -18,7 +18,7 @@ template <class World>
 class ChordalGuess : public ::testing::Test {};
 TYPED_TEST_SUITE(ChordalGuess, Worlds);
 
-TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseThatIsNotFullyMeasured) {
+TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseInDirectionsThatAreNotMeasured) {
   Scene<TypeParam> scene;
   const auto poses = add_loop(scene);
   scene.fix(poses[0]);
@@ -29,10 +29,10 @@ TYPED_TEST(ChordalGuess, KeepsTheEstimateOfAPoseThatIsNotFullyMeasured) {
   const GuessResult result = scene.apply(2);
   EXPECT_TRUE(result.made);
   EXPECT_FALSE(result.note.empty());
-  EXPECT_LT(scene.graph.chi2(), 1e-6);  // the rest is as exact as its measurements
+  EXPECT_LT(scene.graph.chi2(), 1e-6);  // the measurements are exact, and the guess fits them
 }
 
-TYPED_TEST(ChordalGuess, SpreadsTheErrorOfALoopThatOtherGuessesLeaveInOneEdge) {
+TYPED_TEST(ChordalGuess, DistributesTheErrorOfALoopThatOtherGuessesLeaveInOneEdge) {
   constexpr int kPoses = 8;
   std::array<double, 3> chi2{};
   for_each_guess([&](std::size_t k) {
@@ -55,7 +55,7 @@ TYPED_TEST(ChordalGuess, SpreadsTheErrorOfALoopThatOtherGuessesLeaveInOneEdge) {
   EXPECT_LT(chi2[2], 0.5 * chi2[1]);
 }
 
-/// Raises a flag when measurements have been read `at` times.
+/// Counts how often measurements are read (`asked`), and raises a flag at the reading with the number `at`.
 struct Alarm {
   std::size_t at = 0, asked = 0;
   std::atomic<bool> raised = false;
@@ -70,7 +70,7 @@ struct AlarmingBetween : Between<Plane> {
   }
 };
 
-TEST(StoppedChordalGuess, StopsAmongItsMeasurementsWithoutMovingAnything) {
+TEST(StoppedChordalGuess, StopsWhileItReadsMeasurementsWithoutChangingAnEstimate) {
   constexpr std::size_t kMeasurements = 20000, kSoon = 5000;
   Graph graph;
   Alarm alarm;
@@ -81,7 +81,7 @@ TEST(StoppedChordalGuess, StopsAmongItsMeasurementsWithoutMovingAnything) {
   }
   const Plan plan = make_plan(graph, {});
   const double before = graph.chi2();
-  // They are read when they are collected, for the joint problem, and for the positions.
+  // Measurements are read three times: when they are collected, for the joint problem, and for the positions.
   for (const std::size_t at : {std::size_t{1}, kMeasurements + 1, 2 * kMeasurements + 1}) {
     alarm.at = at;
     alarm.asked = 0;

@@ -9,7 +9,7 @@
 
 namespace boxplus::test {
 
-/// The plane and space: the motion of a pose, and its dimension.
+/// The two worlds of the tests, the plane and space: the type of a motion, and the dimensions.
 struct Plane {
   using Motion = SE2;
   static constexpr int kDim = 2, kPoseDim = 3;
@@ -88,7 +88,7 @@ PoseError<World> difference(const typename World::Motion& y, const typename Worl
   return e;
 }
 
-/// Pose to pose.
+/// Measures a pose relative to another pose.
 template <class World>
 struct Between {
   typename World::Motion z;
@@ -100,7 +100,7 @@ struct Between {
   }
 };
 
-/// Pose to pose, between sensors mounted on them.
+/// Measures a sensor relative to another sensor. The two sensors have the same mount on their poses.
 template <class World>
 struct MountedBetween {
   typename World::Motion z;
@@ -113,7 +113,7 @@ struct MountedBetween {
   }
 };
 
-/// A pose sees a point.
+/// Measures a point relative to a pose.
 template <class World>
 struct Sighting {
   PointError<World> z;
@@ -125,7 +125,7 @@ struct Sighting {
   }
 };
 
-/// A pose measures the direction of a point, which is not a relative frame.
+/// Measures only the direction of a point relative to a pose, so the edge has no relative frame.
 template <class World>
 struct Direction {
   PointError<World> z;
@@ -134,7 +134,7 @@ struct Direction {
   }
 };
 
-/// Point to point, along the axes of the world.
+/// Measures a point relative to another point, along the axes of the world.
 template <class World>
 struct Offset {
   PointError<World> z;
@@ -146,7 +146,7 @@ struct Offset {
   }
 };
 
-/// The pose, its position only, or the point, in the world.
+/// Measures a pose in the world frame.
 template <class World>
 struct Prior {
   typename World::Motion z;
@@ -155,6 +155,7 @@ struct Prior {
     return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
 };
+/// Measures the position of a pose in the world frame.
 template <class World>
 struct PositionPrior {
   PointError<World> z;
@@ -163,6 +164,7 @@ struct PositionPrior {
     return relative<World>(detail::RelativeFrame::kWorld, 0, frame_of<World>(z));
   }
 };
+/// Measures a point in the world frame.
 template <class World>
 struct PointPrior {
   PointError<World> z;

@@ -17,13 +17,13 @@ SmallMatrix plane_rotation(double angle) {
   return r;
 }
 
-TEST(NearestRotation, KeepsARotationAndUndoesItsScale) {
+TEST(NearestRotation, OfAScaledRotationIsTheRotation) {
   const SmallMatrix r = plane_rotation(2.5);
   EXPECT_LT((*nearest_rotation(r) - r).norm(), 1e-15);
   EXPECT_LT((*nearest_rotation(1e-8 * r) - r).norm(), 1e-15);
 }
 
-TEST(NearestRotation, IsTheOrthogonalFactorOfAnyMatrix) {
+TEST(NearestRotation, IsTheRotationInThePolarDecompositionOfRandomMatrices) {
   std::srand(1);
   for (int k = 0; k < 200; ++k) {
     const SmallMatrix m = SmallMatrix::Random(3, 3);
@@ -31,20 +31,19 @@ TEST(NearestRotation, IsTheOrthogonalFactorOfAnyMatrix) {
     EXPECT_LT((r.transpose() * r - SmallMatrix::Identity(3, 3)).norm(), 1e-14);
     EXPECT_NEAR(Eigen::Matrix3d(r).determinant(), 1, 1e-14);
     EXPECT_LT((stretch - stretch.transpose()).norm(), 1e-13) << "M = R S with a symmetric S";
-    // It has the largest trace(Rᵀ M) of all rotations: no other sign of an eigenvalue of S gives a larger
-    // one.
+    // No rotation has a larger trace(RᵀM), because opposite signs of two eigenvalues of S do not increase it.
     const Eigen::Vector3d s = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stretch).eigenvalues();
     EXPECT_GE(s[0] + s[1], -1e-13);
   }
 }
 
-TEST(NearestRotation, TurnsAReflectionIntoTheClosestProperRotation) {
+TEST(NearestRotation, OfAReflectionIsTheClosestProperRotation) {
   SmallMatrix m = SmallMatrix::Identity(3, 3);
   m(2, 2) = -0.5;
   EXPECT_LT((*nearest_rotation(m) - SmallMatrix::Identity(3, 3)).norm(), 1e-15);
 }
 
-TEST(NearestRotation, CompletesTwoDirectionsOfSpace) {
+TEST(NearestRotation, OfAMatrixOfRankTwoCompletesTheThirdAxis) {
   SmallMatrix m = SmallMatrix::Identity(3, 3);
   m(2, 2) = 0;
   EXPECT_LT((*nearest_rotation(m) - SmallMatrix::Identity(3, 3)).norm(), 1e-15);

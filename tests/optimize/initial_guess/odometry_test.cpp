@@ -18,10 +18,10 @@ TYPED_TEST(OdometryGuess, FollowsConsecutiveIdsAndBridgesGaps) {
              d = scene.add_pose(3, 21);
   scene.fix(a);
   scene.join(a, b);
-  scene.join(b, d);  // the only way across the gap between 11 and 20
+  scene.join(b, d);  // the correct edge across the gap between the ids 11 and 20
   scene.join(c, d);
-  scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1e6, a,
-                       d);  // crosses as many gaps, and is longer
+  // This wrong edge crosses the same gap, but its ids are farther apart.
+  scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1e6, a, d);
   EXPECT_TRUE(scene.apply(0).made);
   EXPECT_LT(scene.error(b), 1e-9);
   scene.graph.set_enabled(scene.graph.all_edges().back(), false);

@@ -17,7 +17,7 @@
 
 namespace boxplus::test {
 
-/// A graph whose vertices have a true pose or position; measurements are perfect, estimates are not.
+/// A graph whose true poses and positions are known. Its measurements are exact, and its estimates arbitrary.
 template <class World>
 class Scene {
  public:
@@ -27,12 +27,12 @@ class Scene {
 
   PoseHandle add_pose(double seed, std::optional<Id> id = std::nullopt) {
     truth_.push_back(World::motion(seed));
-    poses_.push_back(graph.add_vertex(Pose<World>{garbage(poses_.size())}, id));
+    poses_.push_back(graph.add_vertex(Pose<World>{arbitrary_motion(poses_.size())}, id));
     return poses_.back();
   }
   PointHandle add_point(double seed, std::optional<Id> id = std::nullopt) {
     positions_.push_back(World::motion(seed).translation());
-    points_.push_back(graph.add_vertex(Point<World>{garbage(points_.size()).translation()}, id));
+    points_.push_back(graph.add_vertex(Point<World>{arbitrary_motion(points_.size()).translation()}, id));
     return points_.back();
   }
   EdgeHandle<Between<World>> join(PoseHandle a, PoseHandle b, Information information = 1.0) {
@@ -56,7 +56,7 @@ class Scene {
   GuessResult apply(std::size_t k, const PlanRequest& request = {}) {
     return every_guess()[k].guess(graph, make_plan(graph, request), {});
   }
-  /// The k-th guess finds the truth.
+  /// Expects that the k-th initial guess finds the true poses and positions.
   void expect_truth_from(std::size_t k, const PlanRequest& request = {}) {
     EXPECT_TRUE(apply(k, request).made);
     EXPECT_LT(largest_error(), 1e-9);
@@ -79,7 +79,9 @@ class Scene {
   Graph graph;
 
  private:
-  static Motion garbage(std::size_t k) { return World::motion(100.0 + 7.3 * static_cast<double>(k)); }
+  static Motion arbitrary_motion(std::size_t k) {
+    return World::motion(100.0 + 7.3 * static_cast<double>(k));
+  }
   template <class H>
   static std::size_t index(const std::vector<H>& handles, const H& handle) {
     return static_cast<std::size_t>(std::find(handles.begin(), handles.end(), handle) - handles.begin());
@@ -91,7 +93,7 @@ class Scene {
   std::vector<PointError<World>> positions_;
 };
 
-/// Runs `body(k)` for each method.
+/// Runs `body(k)` for each kind of initial guess.
 template <class F>
 void for_each_guess(F&& body) {
   for (std::size_t k = 0; k < every_guess().size(); ++k) {
@@ -100,7 +102,7 @@ void for_each_guess(F&& body) {
   }
 }
 
-/// Five poses in a chain with loop closures, and three points, with mixed ids.
+/// Five poses in a chain with loop closures, and three points. The ids of poses and points alternate.
 template <class World>
 std::array<typename Scene<World>::PoseHandle, 5> add_loop(Scene<World>& scene, double seed = 0) {
   std::array<typename Scene<World>::PoseHandle, 5> poses;

@@ -25,7 +25,7 @@ SmallMatrix numbers(int rows, int cols, double first) {
   return m;
 }
 
-TEST(SeparableLeastSquares, AgreesWithADenseQrOfTheStackedTerms) {
+TEST(SeparableLeastSquares, AgreesWithADenseQrDecompositionOfAllTerms) {
   const std::vector<std::uint32_t> dims{3, 1, 3}, offsets{0, 3, 4};
   const SmallVector weight3 = SmallVector::Constant(3, 2.0), weight1 = SmallVector::Constant(1, 0.5);
   const std::vector<Term> terms{

@@ -12,7 +12,7 @@ template <class World>
 class SpanningTreeGuess : public ::testing::Test {};
 TYPED_TEST_SUITE(SpanningTreeGuess, Worlds);
 
-TYPED_TEST(SpanningTreeGuess, PrefersTwoCertainEdgesToAnUncertainOne) {
+TYPED_TEST(SpanningTreeGuess, PrefersTwoAccurateEdgesToOneInaccurateEdge) {
   Scene<TypeParam> scene;
   const auto a = scene.add_pose(0), b = scene.add_pose(1), c = scene.add_pose(2);
   scene.fix(a);

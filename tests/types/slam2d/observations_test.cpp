@@ -45,12 +45,12 @@ TEST(Observations2, OfPointsHaveAnalyticJacobians) {
   EXPECT_TRUE((detail::kAnalytic<OffsetPointObservation2, SE2, Vector2, SE2>));
 }
 
-TEST(BearingObservation2, WrapsItsError) {
+TEST(BearingObservation2, HasAnErrorBetweenMinusPiAndPi) {
   EXPECT_NEAR(BearingObservation2(3).error(SE2(), Vector2(-1, -0.1)), 3 - (std::atan2(-0.1, -1) + 2 * kPi),
               1e-14);
 }
 
-TEST(Range, IsTheDistanceLessTheMeasurement) {
+TEST(Range, IsTheDistanceMinusTheMeasurement) {
   EXPECT_DOUBLE_EQ(Range(3).error(SE2(1, 1, 2), Vector2(4, 5)), 2);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drawing surface for pictures: lines, boxes and text, for every file format. Coordinates are pixels
-// (points in PDF), x to the right and y downwards.
+// The drawing surface for pictures in each file format. It draws lines, boxes and text. Coordinates are in
+// pixels (in PDF, points); x points to the right and y points down.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Rgb {
   std::uint8_t red = 0, green = 0, blue = 0;
   bool operator==(const Rgb&) const = default;
 };
-/// "#rrggbb".
+/// Returns the color as "#rrggbb".
 std::string hex(Rgb color);
 
 struct Point {
@@ -34,7 +34,7 @@ struct Stroke {
   double width = 1, opacity = 1;
 };
 
-/// A set of polylines. A polyline of a single point is a round dot.
+/// A set of polylines. A polyline with a single point is drawn as a round dot.
 class Path {
  public:
   void move_to(Point point) {
@@ -72,11 +72,12 @@ struct TextStyle {
 class Canvas {
  public:
   virtual ~Canvas() = default;
-  /// Draws lines with round ends and joins. Crossings within one path do not become darker.
+  /// Draws a path with round ends and joins. Where lines of one path cross, the color does not become darker.
   virtual void stroke(const Path& path, const Stroke& stroke) = 0;
   /// Draws a filled rectangle with round corners.
   virtual void fill(const Box& box, double radius, Rgb color) = 0;
-  /// Draws one line of text (UTF-8) whose baseline starts, has its middle, or ends at the point.
+  /// Draws one line of UTF-8 text. The anchor of the style says whether the point is the start, the middle or
+  /// the end of the baseline.
   virtual void text(Point point, const TextStyle& style, std::string_view words) = 0;
   /// Returns the bytes of the file. Nothing can be drawn afterwards.
   virtual std::string finish() = 0;
@@ -85,10 +86,10 @@ class Canvas {
   void dot(Point at, double diameter, Rgb color);
 };
 
-/// `title` names the picture for programs that show the file; it is not drawn.
+/// `title` is the name of the picture for programs that show the file. It is not drawn.
 std::unique_ptr<Canvas> make_svg_canvas(double width, double height, std::string_view title);
 std::unique_ptr<Canvas> make_pdf_canvas(double width, double height, std::string_view title);
-/// A PNG on white, with `resolution` pixels of the file per pixel of the picture.
+/// Makes a PNG canvas with a white background. The file has `resolution` pixels per pixel of the picture.
 std::unique_ptr<Canvas> make_png_canvas(double width, double height, double resolution);
 
 }  // namespace boxplus::app

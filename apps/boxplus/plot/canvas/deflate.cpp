@@ -10,7 +10,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Writes bits, beginning with the lowest of each byte.
+/// Writes bits to a string of bytes. The bits fill each byte from its lowest bit to its highest bit.
 class BitWriter {
  public:
   void bits(std::uint32_t value, int count) {
@@ -35,7 +35,8 @@ class BitWriter {
   int used_ = 0;
 };
 
-/// Writes a symbol in the fixed code of literals, the end (256) and lengths (RFC 1951, section 3.2.6).
+/// Writes a symbol (a literal, the end of the block, or a length) in the fixed Huffman code. The symbol of
+/// the end is 256 (RFC 1951, section 3.2.6).
 void write_symbol(BitWriter& out, std::uint32_t symbol) {
   if (symbol < 144) {
     out.code(0x30 + symbol, 8);
@@ -48,8 +49,9 @@ void write_symbol(BitWriter& out, std::uint32_t symbol) {
   }
 }
 
-/// The code of lengths from 3 and of distances from 1. Their ranges double in size after every 2^`shift` of
-/// them: the symbol is the index of the range, and the extra bits are the position within it (section 3.2.5).
+/// The code of a length minus 3 or of a distance minus 1. All values are divided into ranges, whose size
+/// doubles after every 2^`shift` ranges. The symbol is the index of the range, and the extra bits are the
+/// position in the range (RFC 1951, section 3.2.5).
 struct Ranged {
   std::uint32_t symbol, extra;
   int extra_bits;
@@ -64,7 +66,7 @@ constexpr std::size_t kWindow = 32768, kShortest = 3, kLongest = 258;
 
 void write_match(BitWriter& out, std::size_t length, std::size_t distance) {
   const Ranged l = ranged(static_cast<std::uint32_t>(length - kShortest), 2);
-  const bool is_longest = length == kLongest;  // it has its own symbol
+  const bool is_longest = length == kLongest;  // the longest match has its own symbol
   write_symbol(out, 257 + (is_longest ? 28 : l.symbol));
   if (!is_longest) out.bits(l.extra, l.extra_bits);
   const Ranged d = ranged(static_cast<std::uint32_t>(distance - 1), 1);
@@ -72,7 +74,7 @@ void write_match(BitWriter& out, std::size_t length, std::size_t distance) {
   out.bits(d.extra, d.extra_bits);
 }
 
-/// Finds earlier positions with the same three bytes.
+/// Finds earlier positions with the same three bytes, and the longest match among them.
 class Matches {
  public:
   explicit Matches(std::string_view bytes)
@@ -130,9 +132,9 @@ std::uint32_t adler32(std::string_view bytes) {
 
 std::string zlib_compressed(std::string_view bytes) {
   BitWriter out;
-  out.bits(0x0178, 16);  // deflate with a window of 32 KiB: the bytes 78 01
-  out.bits(1, 1);        // the last block
-  out.bits(1, 2);        // fixed codes
+  out.bits(0x0178, 16);  // the bytes 78 01: deflate with a window of 32 KiB
+  out.bits(1, 1);        // the block that follows is the last one
+  out.bits(1, 2);        // the block has the fixed Huffman codes
   Matches matches(bytes);
   for (std::size_t at = 0; at < bytes.size();) {
     const Matches::Match match = matches.longest(at);

@@ -7,7 +7,8 @@
 namespace boxplus::app {
 namespace {
 
-using Widths = std::array<std::uint16_t, 95>;  // from the blank to the tilde
+/// The widths of the ASCII characters from the blank to the tilde.
+using Widths = std::array<std::uint16_t, 95>;
 
 constexpr Widths kRegular{278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
                           556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text letter by letter, for canvases that place letters themselves.
+// Splits text into letters, for canvases that place each letter themselves.
 #pragma once
 
 #include <string_view>
@@ -9,13 +9,14 @@ namespace boxplus::app {
 
 struct Letter {
   char32_t code = 0;
-  bool is_raised = false;  ///< the digit of an exponent: smaller, and above the others
+  bool is_raised = false;  ///< true for a digit of an exponent, which is smaller and higher
 };
 
-/// The scale of raised letters, and their height above the baseline, relative to the text size.
+/// The size of raised letters and their height above the baseline, both relative to the text size.
 inline constexpr double kRaisedSize = 0.66, kRaisedBy = 0.36;
 
-/// Splits UTF-8 into letters; superscript digits become raised ones. Bytes that are not UTF-8 become U+FFFD.
+/// Splits UTF-8 text into letters. Superscript digits become raised digits. Bytes that are not valid UTF-8
+/// become U+FFFD.
 std::vector<Letter> letters_of(std::string_view text);
 
 }  // namespace boxplus::app

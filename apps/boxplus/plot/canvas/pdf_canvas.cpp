@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PDF 1.4 (Adobe, PDF Reference, third edition): one page, with text in Helvetica, which every reader has.
+// Writes PDF 1.4 (Adobe, PDF Reference, third edition): one page, with text in Helvetica, a font that every
+// PDF reader has.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +16,18 @@
 namespace boxplus::app {
 namespace {
 
-/// The byte of a letter in WinAnsiEncoding, or that of a question mark.
+/// Returns the code of a letter in WinAnsiEncoding, or the code of a question mark if there is none.
 unsigned char win_ansi(char32_t code) {
   constexpr unsigned char kEnDash = 0x96, kEmDash = 0x97, kEllipsis = 0x85;
   if ((code >= 0x20 && code < 0x7F) || (code >= 0xA0 && code <= 0xFF))
     return static_cast<unsigned char>(code);
   if (code == 0x2212 || code == 0x2013)
-    return kEnDash;  // used for the minus sign, which WinAnsiEncoding lacks
+    return kEnDash;  // also for the minus sign, which WinAnsiEncoding lacks
   if (code == 0x2014) return kEmDash;
   return code == 0x2026 ? kEllipsis : '?';
 }
 
-/// A string literal; special characters, and those outside ASCII, become octal codes.
+/// Returns a PDF string literal. Special characters and characters outside of ASCII become octal codes.
 std::string literal(std::string_view bytes) {
   std::string result = "(";
   for (const char byte : bytes) {
@@ -55,7 +56,7 @@ class PdfCanvas final : public Canvas {
  public:
   PdfCanvas(double width, double height, std::string_view title)
       : width_(width), height_(height), title_(title) {
-    add("1 0 0 -1 0 {:.2f} cm 1 J 1 j\n", height);  // y downwards, round ends and joins
+    add("1 0 0 -1 0 {:.2f} cm 1 J 1 j\n", height);  // y points down; ends and joins of lines are round
   }
 
   void stroke(const Path& path, const Stroke& stroke) override {
@@ -142,7 +143,7 @@ class PdfCanvas final : public Canvas {
     file_ += fmt::format("{} 0 obj\n", offsets_.size()) + body + "\nendobj\n";
   }
 
-  /// Appends the table with the offset of each object, which readers need first.
+  /// Appends the table with the offset of each object, which PDF readers read first.
   std::string with_index() {
     const std::size_t begin = file_.size(), count = offsets_.size() + 1;
     file_ += fmt::format("xref\n0 {}\n0000000000 65535 f \n", count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures in pixels. The distance of a pixel from a line determines its coverage, as with a box filter of
-// one pixel; all lines of a path are combined before they are blended.
+// Draws pictures in pixels. How much of a pixel a line covers depends on the distance between them, as with a
+// box filter that is one pixel wide. The coverages of all lines of a path are combined before the path is
+// blended with the picture.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -55,7 +56,7 @@ class PngCanvas final : public Canvas {
 
   std::string finish() override {
     std::string file = "\x89PNG\r\n\x1a\n";
-    constexpr char kTrueColor[] = {8, 2, 0, 0, 0};  // bits, RGB; deflate, filters, rows from top to bottom
+    constexpr char kTrueColor[] = {8, 2, 0, 0, 0};  // 8 bits, RGB, deflate, usual filters, no interlacing
     chunk(file, "IHDR", number(columns_) + number(rows_) + std::string(kTrueColor, sizeof kTrueColor));
     chunk(file, "IDAT", zlib_compressed(image()));
     chunk(file, "IEND", "");
@@ -74,7 +75,7 @@ class PngCanvas final : public Canvas {
     return static_cast<int>(std::clamp(std::ceil(at + 1), 0.0, double(end)));
   }
 
-  /// Adds the coverage of a line between two points (of the picture).
+  /// Adds the coverage of a line between two points, whose coordinates are in pixels of the picture.
   void cover(Point from, Point to, double width) {
     const Point a{from.x * resolution_, from.y * resolution_}, b{to.x * resolution_, to.y * resolution_};
     const double half = width * resolution_ / 2, reach = half + 0.5,
@@ -83,7 +84,7 @@ class PngCanvas final : public Canvas {
     for (int row = first(std::min(a.y, b.y) - reach); row < last(std::max(a.y, b.y) + reach, rows_); ++row) {
       const double y = row + 0.5 - a.y;
       double low = std::min(a.x, b.x) - reach, high = std::max(a.x, b.x) + reach;
-      if (std::abs(along.y) > 1e-6) {  // the interval of the row inside the strip around the line
+      if (std::abs(along.y) > 1e-6) {  // only the part of the row that is inside the strip around the line
         const double middle = a.x + y * along.x / along.y, half_crossing = reach / std::abs(along.y);
         low = std::max(low, middle - half_crossing);
         high = std::min(high, middle + half_crossing);
@@ -111,7 +112,7 @@ class PngCanvas final : public Canvas {
     mix(colors_[at].blue, color.blue);
   }
 
-  /// Each row begins with its filter type: none.
+  /// Returns the bytes of the image. Each row begins with the type of its filter, which is 0 (none).
   std::string image() const {
     std::string bytes;
     bytes.reserve(size() * 3 + static_cast<std::size_t>(rows_));
@@ -141,7 +142,7 @@ class PngCanvas final : public Canvas {
   double resolution_;
   int columns_, rows_;
   std::vector<Rgb> colors_;
-  std::vector<float> coverage_;  ///< of the path being drawn
+  std::vector<float> coverage_;  ///< the coverage of each pixel by the path that is being drawn
   std::vector<std::size_t> touched_;
 };
 

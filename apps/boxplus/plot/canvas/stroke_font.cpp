@@ -11,15 +11,16 @@
 namespace boxplus::app {
 namespace {
 
-/// A letter on a grid of 20 units per text size: capitals are 14 high, small letters 10. "Mx,y" starts a line
-/// (a dot, if nothing follows), "Lx,y" continues straight, and "Kcx,cy x,y" continues with a quarter of an
-/// ellipse that is tangent to the lines to and from the corner c.
+/// A letter on a grid of 20 units per text size. Capital letters are 14 units high, small letters 10. "Mx,y"
+/// starts a line; if no other command follows, the line is a dot. "Lx,y" continues with a straight line to
+/// (x, y). "Kcx,cy x,y" continues with a quarter of an ellipse to (x, y). At its ends, this arc is tangent to
+/// the lines to the corner (cx, cy).
 struct Glyph {
   double advance;
   const char* lines;
 };
 
-constexpr double kGrid = 20, kTracking = 0.6;  // between letters
+constexpr double kGrid = 20, kTracking = 0.6;  // kTracking: the space between letters
 
 const std::unordered_map<char32_t, Glyph>& glyphs() {
   static const std::unordered_map<char32_t, Glyph> kGlyphs{
@@ -193,7 +194,7 @@ class Pen {
  private:
   Point placed(Point p) const { return {origin_.x + scale_ * p.x, origin_.y - scale_ * p.y}; }
 
-  /// Removes "x,y " from the front, and returns the point.
+  /// Removes "x,y " from the front of the text, and returns the point.
   static Point point(const char*& lines) {
     Point result;
     for (double* value : {&result.x, &result.y}) {

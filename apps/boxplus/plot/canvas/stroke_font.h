@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A font made of lines, so that pictures in pixels need no font file: letters are stroked like any path.
+// A font made of lines. Its letters are drawn like any other path, so that PNG pictures need no font file.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace boxplus::app {
 
-/// The lines of `words`, and the width of the pen that draws them. The font has ASCII and a few more
-/// characters; any other character becomes a box.
+/// Text as lines, and the width of the pen that draws them. The font contains ASCII and a few more
+/// characters. All other characters become boxes.
 struct StrokedText {
   Path path;
   double pen = 1;

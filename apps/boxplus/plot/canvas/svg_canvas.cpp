@@ -10,8 +10,8 @@
 namespace boxplus::app {
 namespace {
 
-/// Control characters are left out. Bytes that are not UTF-8 become replacement characters, because no XML
-/// parser accepts them.
+/// Returns the text with escapes for XML. Because XML parsers reject control characters and bytes that are
+/// not valid UTF-8, control characters are left out and invalid bytes become U+FFFD.
 std::string escaped_xml(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of a functor over arrays of scalars.
+// Derivatives of a functor that takes arrays of scalars.
 #pragma once
 #ifndef G2O_AUTODIFF_H
 #define G2O_AUTODIFF_H
@@ -15,7 +15,7 @@ namespace g2o {
 namespace ceres {
 namespace internal {
 
-/// Calls functor(x₀, x₁, …, error). Each x is an array; Dims are their sizes.
+/// Differentiates a functor that is called as functor(x₀, x₁, …, error). Dims are the sizes of the arrays x.
 template <int Rows, int... Dims>
 class AutoDiff {
  public:
@@ -23,8 +23,8 @@ class AutoDiff {
   using JetType = Jet<double, kColumns>;
   static constexpr std::size_t kArguments = sizeof...(Dims);
 
-  /// error ← f(x). Writes the Rows × Dims[k] derivatives with respect to x_k to jacobians[k], by columns,
-  /// unless it is null. Returns false if the functor does.
+  /// Computes error = f(x). Unless jacobians[k] is null, also writes the derivatives with respect to x_k to
+  /// jacobians[k], a column-major Rows × Dims[k] matrix. Returns false if the functor returns false.
   template <typename Functor>
   static bool Differentiate(const Functor& functor, const double* const* parameters, double* error,
                             double** jacobians) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forward-mode dual numbers: a value and its derivative in N directions. A function template that is called
-// with Jets returns its value and its exact derivatives (Griewank & Walther, "Evaluating Derivatives", 2008,
-// §3.1).
+// Forward-mode dual numbers: a value and its derivatives in N directions. If a function template is called
+// with Jets, it returns its value and its exact derivatives (Griewank & Walther, "Evaluating Derivatives",
+// 2008, §3.1).
 //
-// Comparisons use only the value. If a derivative is infinite (sqrt at 0, log at 0), it stays zero in the
-// directions in which the argument does not change.
+// Comparisons use only the values. If the slope of a function is infinite (sqrt at 0, log at 0), the
+// derivative of the result is still zero in each direction in which the argument does not change.
 #pragma once
 #ifndef G2O_JET_H
 #define G2O_JET_H
@@ -24,7 +24,7 @@ template <typename T, int N>
 struct Jet {
   enum { DIMENSION = N };
   using Scalar = T;
-  /// Unaligned, so that Jets may lie in any array.
+  /// Unaligned, so that an array of Jets needs no special alignment.
   using Derivative = Eigen::Matrix<T, N, 1, Eigen::DontAlign>;
 
   T a;           ///< value
@@ -33,10 +33,10 @@ struct Jet {
   /// Zero.
   Jet() : a(0), v(Derivative::Zero()) {}
   /// A constant.
-  Jet(const T& value) : a(value), v(Derivative::Zero()) {}  // NOLINT: so that constants mix with Jets
+  Jet(const T& value) : a(value), v(Derivative::Zero()) {}  // NOLINT: lets constants convert to Jets
   template <typename U,
             typename = std::enable_if_t<std::is_arithmetic<U>::value && !std::is_same<U, T>::value>>
-  Jet(U value) : Jet(static_cast<T>(value)) {}  // NOLINT: so that constants mix with Jets
+  Jet(U value) : Jet(static_cast<T>(value)) {}  // NOLINT: lets constants convert to Jets
   /// The independent variable k. Its derivative in direction k is one.
   Jet(const T& value, int k) : a(value), v(Derivative::Unit(k)) {}
   template <typename D>
@@ -86,7 +86,7 @@ struct Jet {
 
 namespace internal {
 
-/// g(f) from the value of g and its slope at f. 0 · ∞ counts as 0.
+/// Returns g(f), given the value and the slope of g at f.a. Treats 0 · ∞ as 0.
 template <typename T, int N>
 Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
   using std::isfinite;
@@ -96,7 +96,7 @@ Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
 
 }  // namespace internal
 
-// Overloads for unqualified calls on doubles: clients call `ceres::sin(x)` and the like on doubles and Jets.
+// The same functions for doubles. Clients call `ceres::sin(x)`, for example, with doubles and with Jets.
 using std::abs;
 using std::acos;
 using std::asin;
@@ -205,7 +205,7 @@ Jet<T, N> atan2(const Jet<T, N>& y, const Jet<T, N>& x) {
   const T inverse = T(1) / (x.a * x.a + y.a * y.a);
   return Jet<T, N>(atan2(y.a, x.a), y.v * (x.a * inverse) - x.v * (y.a * inverse));
 }
-/// The derivative at the origin is zero.
+/// At the origin, the derivative is defined as zero.
 template <typename T, int N>
 Jet<T, N> hypot(const Jet<T, N>& x, const Jet<T, N>& y) {
   const T length = hypot(x.a, y.a);
@@ -283,7 +283,7 @@ bool IsNormal(const Jet<T, N>& f) {
   return isnormal(f);
 }
 
-// The traits that Eigen's algorithms need for a scalar.
+// The functions that Eigen's algorithms need for a scalar type.
 template <typename T, int N>
 const Jet<T, N>& ei_conj(const Jet<T, N>& x) {
   return x;
@@ -331,7 +331,7 @@ struct NumTraits<g2o::ceres::Jet<T, N>> {
   static int digits10() { return NumTraits<T>::digits10(); }
 };
 
-// Products of matrices of Jets with matrices of plain scalars.
+// Lets Eigen multiply matrices of Jets by matrices of plain scalars.
 template <typename BinaryOp, typename T, int N>
 struct ScalarBinaryOpTraits<g2o::ceres::Jet<T, N>, T, BinaryOp> {
   using ReturnType = g2o::ceres::Jet<T, N>;

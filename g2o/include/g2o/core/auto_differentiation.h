@@ -8,8 +8,8 @@
 //       G2O_MAKE_AUTO_AD_FUNCTIONS
 //     };
 //
-// The template receives the estimate of each vertex as an array with as many values as the vertex has
-// dimensions. oplus() of the vertex must add to these values.
+// For each vertex, the template receives an array that holds the estimate. The array has as many values as
+// the vertex has dimensions. The vertex's oplusImpl() must add the increment to these values.
 #pragma once
 #ifndef G2O_AUTO_DIFFERENTIATION_H
 #define G2O_AUTO_DIFFERENTIATION_H
@@ -26,12 +26,12 @@
 namespace g2o {
 namespace internal {
 
-/// The types that follow from the dimensions of a BaseFixedSizedEdge and its vertices.
+/// The types that depend on the dimensions of a BaseFixedSizedEdge and its vertices.
 template <typename Edge, std::size_t... K>
 struct AutoDifferentiationLayout {
-  static_assert(Edge::Dimension > 0, "the number of rows of the error must be known to the compiler");
+  static_assert(Edge::Dimension > 0, "the number of rows of the error must be known at compile time");
   static_assert(((Edge::template VertexXnType<K>::Dimension > 0) && ...),
-                "the dimensions of the vertices must be known to the compiler");
+                "the dimensions of the vertices must be known at compile time");
   using AutoDiff = ceres::internal::AutoDiff<Edge::Dimension, Edge::template VertexXnType<K>::Dimension...>;
   using Estimates = std::tuple<std::array<double, Edge::template VertexXnType<K>::Dimension>...>;
 };
@@ -40,7 +40,7 @@ AutoDifferentiationLayout<Edge, K...> autoDifferentiationLayout(std::index_seque
 
 }  // namespace internal
 
-/// Passes the memory of an estimate to the template: estimate().data(), or the address of a scalar estimate.
+/// Passes the template a pointer to the estimate: estimate().data(), or the address of a scalar estimate.
 template <typename EdgeType>
 class EstimateAccessor {
  public:
@@ -55,8 +55,8 @@ class EstimateAccessor {
   }
 };
 
-/// Passes a copy of the estimate: the values of getEstimateData() if there are as many as the vertex has
-/// dimensions, else those of getMinimalEstimateData().
+/// Passes the template a pointer to a copy of the estimate: the values of getEstimateData() if there is one
+/// value per dimension of the vertex, otherwise the values of getMinimalEstimateData().
 template <typename EdgeType>
 class EstimateAccessorGet {
  public:
@@ -73,7 +73,7 @@ class EstimateAccessorGet {
       ok = v->getMinimalEstimateData(copy.data());
     }
     if (!ok) {
-      G2O_ERROR("vertex {}: expected getEstimateData() with {} values", v->id(), kDimension);
+      G2O_ERROR("vertex {}: expected {} values from getEstimateData()", v->id(), kDimension);
       copy.fill(0);
     }
     return copy.data();
@@ -88,14 +88,14 @@ class EstimateAccessorGet {
 template <typename Edge, typename EstimateAccess = EstimateAccessor<Edge>>
 class AutoDifferentiation {
  public:
-  /// edge.error() ← edge(x₀, x₁, …).
+  /// Computes edge.error() by calling edge(x₀, x₁, …, error).
   static void computeError(Edge* that) {
     EstimateAccess access;
     const Arguments x = arguments(access, that, Indices());
     static_cast<void>(call(*that, x, that->errorData(), Indices()));
   }
 
-  /// Computes the Jacobians of the vertices that are not fixed. They are zero if the template returns false.
+  /// Computes the Jacobians of all non-fixed vertices. The Jacobians are zero if the template returns false.
   static void linearize(Edge* that) {
     if (that->allVerticesFixed()) return;
     EstimateAccess access;
@@ -144,15 +144,15 @@ class AutoDifferentiation {
     g2o::AutoDifferentiation<G2OEdge_, Access<G2OEdge_>>::linearize(this);       \
   }
 
-/// Inside an edge class: implements computeError() and linearizeOplus() with operator(), which receives
-/// estimate().data().
+/// Use these macros in an edge class. They implement computeError(), linearizeOplus(), or both by calling
+/// operator() with estimate().data() of each vertex.
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessor)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessor)
 #define G2O_MAKE_AUTO_AD_FUNCTIONS \
   G2O_MAKE_AUTO_AD_COMPUTEERROR    \
   G2O_MAKE_AUTO_AD_LINEARIZEOPLUS
 
-/// The same with getEstimateData(), for vertices whose estimate has no data().
+/// The same macros with getEstimateData(), for vertices whose estimate has no data().
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_FUNCTIONS_BY_GET \

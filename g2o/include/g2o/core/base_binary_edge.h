@@ -42,7 +42,7 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
   using Base::_measurement;
   using Base::_vertices;
 
-  /// The block of the two vertices is _hessianTransposed if _hessianRowMajor is true, else _hessian.
+  /// The Hessian block of the vertices is _hessianTransposed if _hessianRowMajor is true, otherwise _hessian.
   bool& _hessianRowMajor;
   HessianBlockType& _hessian;
   HessianBlockTransposedType& _hessianTransposed;

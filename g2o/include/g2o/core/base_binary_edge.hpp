@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// g2o also has this header. The definitions are in the .h file.
+// This header exists because g2o has a header with this name. The definitions are in the .h file.
 #pragma once
 
 #include "g2o/core/base_binary_edge.h"

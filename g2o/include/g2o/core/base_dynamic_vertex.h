@@ -8,12 +8,12 @@
 
 namespace g2o {
 
-/// A vertex whose number of dimensions is chosen, and may change, at run time.
+/// A vertex whose number of dimensions is chosen at run time and can change later.
 template <typename T>
 class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
  public:
-  /// Changes the number of dimensions and resizes the estimate by setDimensionImpl(). The next optimization
-  /// must be initialized again.
+  /// Changes the number of dimensions and calls setDimensionImpl() to resize the estimate. Afterwards, call
+  /// initializeOptimization() again before you call optimize().
   bool setDimension(int newDimension) {
     if (newDimension < 0) return false;
     const int before = this->_dimension;

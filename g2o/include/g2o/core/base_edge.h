@@ -14,17 +14,17 @@
 namespace g2o {
 namespace internal {
 
-/// A number of rows that is known at compile time.
+/// The number of rows of an edge's error, or Eigen::Dynamic.
 template <int D>
 struct BaseEdgeTraits {
   static constexpr int Dimension = D;
 };
 
-/// jacobian ← ∂e/∂v through ⊞ by central differences (the g2o document, eq. 34), column by column.
+/// Computes jacobian = ∂e/∂v (stored by columns) by central differences through ⊞ (g2o document, eq. 34).
 G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
                                   double* jacobian);
 
-/// Makes the Jacobian workspace of the edge's graph large enough for the edge.
+/// Enlarges the Jacobian workspace of the edge's graph if it is too small for the edge.
 G2O_CORE_API void roomForJacobians(OptimizableGraph::Edge& edge);
 
 /// normalProducts() computes JᵀΩJ in one call for edges with at most this many columns.
@@ -33,8 +33,8 @@ constexpr bool hasNormalProducts(int rows, int cols) {
   return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
 }
 
-/// Copies the upper triangle of Ω by rows. Returns false if Ω is not symmetric up to rounding, because it is
-/// then unclear which triangle is meant.
+/// Copies the upper triangle of Ω row by row. Returns false if Ω is not symmetric up to rounding, because it
+/// is then unclear which of the two triangles is correct.
 template <int D, class Omega>
 bool upperTriangle(const Omega& omega, double* triangle) {
   const double rounding = 1e-12 * std::abs(omega.trace());
@@ -47,15 +47,15 @@ bool upperTriangle(const Omega& omega, double* triangle) {
   return true;
 }
 
-/// products ← JᵀΩJ and gradient ← JᵀΩe, from the columns of J and the upper triangle of Ω by rows. Uses the
-/// fastest instruction set available. Returns the column stride (leading dimension) of `products`. `products`
-/// must have room for kMostProductColumns columns of this stride.
+/// Computes products = JᵀΩJ and gradient = JᵀΩe from the columns of J and the rows of the upper triangle of
+/// Ω. Uses the fastest available instruction set. Returns the column stride (leading dimension) of
+/// `products`. `products` must have room for kMostProductColumns columns of this stride.
 G2O_CORE_API int normalProducts(int rows, int cols, const double* const* jacobian, const double* omega,
                                 const double* error, double* products, double* gradient);
 
 }  // namespace internal
 
-/// An edge with a measurement of type E and an error of D rows (Eigen::Dynamic: chosen at run time).
+/// An edge with a measurement of type E and an error with D rows (Eigen::Dynamic: chosen at run time).
 template <int D, typename E>
 class BaseEdge : public OptimizableGraph::Edge {
  public:
@@ -95,7 +95,7 @@ class BaseEdge : public OptimizableGraph::Edge {
 
   virtual int rank() const { return _dimension; }
 
-  /// Only for D = Eigen::Dynamic.
+  /// Available only if D is Eigen::Dynamic.
   void setDimension(int dimension) {
     static_assert(D == Eigen::Dynamic, "setDimension() is for edges whose number of rows is Eigen::Dynamic");
     _dimension = dimension;
@@ -113,10 +113,10 @@ class BaseEdge : public OptimizableGraph::Edge {
   InformationType _information;
   ErrorVector _error;
 
-  /// ρ′Ω. A negative ρ′ counts as 0, because it would make the Hessian indefinite.
+  /// Returns ρ′Ω, or zero if ρ′ is negative, because a negative ρ′ would make the Hessian indefinite.
   InformationType robustInformation(const Vector3& rho) const { return std::max(0.0, rho[1]) * _information; }
 
-  /// Reads and writes the upper triangle of Ω, row by row.
+  /// These two functions read and write the upper triangle of Ω, row by row.
   bool readInformationMatrix(std::istream& is) {
     for (int i = 0; i < information().rows(); ++i) {
       for (int j = i; j < information().cols(); ++j) {

@@ -16,14 +16,14 @@
 #include "g2o/core/base_edge.h"
 #include "g2o/stuff/logger.h"
 
-/// In a pack expansion over the VertexTypes of an edge, expands to the dimension of each vertex. The name is
-/// that of g2o.
+/// The dimension of each vertex, for pack expansions over the VertexTypes of an edge. g2o has a macro with
+/// the same name.
 #define G2O_VERTEX_DIM VertexTypes::Dimension
 
 namespace g2o {
 namespace internal {
 
-/// The number of the pair of positions i < j, counted as (0,1) (0,2) (1,2) (0,3) …
+/// The index of the pair of positions (i, j) with i < j, in the order (0,1), (0,2), (1,2), (0,3), …
 constexpr int pair_to_index(int i, int j) {
   return j * (j - 1) / 2 + i;
 }
@@ -38,7 +38,7 @@ constexpr int pair_second(int k) {
   return j;
 }
 
-/// The positions of pair k: the inverse of pair_to_index().
+/// Two positions of vertices. index_to_pair() is the inverse of pair_to_index().
 struct TrivialPair {
   int first = 0, second = 0;
   constexpr TrivialPair(int f, int s) : first(f), second(s) {}
@@ -50,7 +50,7 @@ constexpr TrivialPair index_to_pair(int k) {
   return TrivialPair(pair_first(k), pair_second(k));
 }
 
-/// A Jacobian of Rows × Cols, stored by columns. Row vectors are stored by rows, which is the same layout.
+/// A Rows × Cols Jacobian, stored by columns. Row vectors are declared RowMajor, because Eigen requires it.
 template <int Rows, int Cols>
 using JacobianMatrix =
     Eigen::Matrix<double, Rows, Cols, (Rows == 1 && Cols != 1) ? Eigen::RowMajor : Eigen::ColMajor>;
@@ -93,7 +93,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   VertexXnType<VertexN>* vertexXn() {
     return static_cast<VertexXnType<VertexN>*>(this->_vertices[VertexN]);
   }
-  /// The number of dimensions of a vertex, which may be chosen at run time.
+  /// The number of dimensions of a vertex. Some vertex types choose it at run time.
   template <int VertexN>
   int vertexDimension() const {
     constexpr int kDimension = VertexXnType<VertexN>::Dimension;
@@ -115,8 +115,8 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   void resize(size_t size) override {
     if (size != _nr_of_vertices) {
       constexpr std::size_t kVertices =
-          _nr_of_vertices;  // a copy, because the member has no address in C++14
-      G2O_ERROR("resize: the edge has a fixed number of {} vertices, got {}", kVertices, size);
+          _nr_of_vertices;  // a copy, because the member has no definition in C++14
+      G2O_ERROR("resize: the edge always has {} vertices, got {}", kVertices, size);
       return;
     }
     BaseEdge<D, E>::resize(size);
@@ -127,12 +127,12 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     return allVerticesFixed(std::index_sequence_for<VertexTypes...>());
   }
 
-  /// Places the Jacobians in the workspace and fills them by linearizeOplus().
+  /// Maps the Jacobians to memory of the workspace and calls linearizeOplus() to compute them.
   void linearizeOplus(JacobianWorkspace& jacobianWorkspace) override {
     mapJacobians(jacobianWorkspace, std::index_sequence_for<VertexTypes...>());
     linearizeOplus();
   }
-  /// Fills the Jacobians of the vertices that are not fixed. The default is numeric.
+  /// Computes the Jacobians of the vertices that are not fixed. By default, differentiates numerically.
   virtual void linearizeOplus() { linearizeNumerically(std::index_sequence_for<VertexTypes...>()); }
 
   void constructQuadraticForm() override {
@@ -153,7 +153,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   OptimizableGraph::Vertex* createVertex(int i) override {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>());
   }
-  /// The same with constructor arguments. Returns nullptr if the type at position i has no such constructor.
+  /// Passes arguments to the constructor. Returns nullptr if the type at position i has no such constructor.
   template <typename First, typename... Rest>
   OptimizableGraph::Vertex* createVertex(int i, First&& first, Rest&&... rest) {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>(), std::forward<First>(first),
@@ -223,12 +223,12 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
     internal::numericJacobian(*this, *vertexXn<N>(), std::get<N>(_jacobianOplus).data());
   }
 
-  /// The number of columns of all Jacobians together, or −1 if it is chosen at run time.
+  /// The total number of columns of all Jacobians, or −1 if it is known only at run time.
   static constexpr int kColumns =
       ((VertexTypes::Dimension >= 0) && ...) ? (VertexTypes::Dimension + ... + 0) : -1;
   static constexpr bool kMultipliedAtOnce =
       ((VertexTypes::Dimension > 1) && ...) && internal::hasNormalProducts(D, kColumns);
-  /// The first column of vertex N.
+  /// The first column of the Jacobian of vertex N if all Jacobians are side by side.
   template <int N>
   static constexpr int columnOf() {
     if constexpr (N == 0) {
@@ -264,13 +264,13 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
                                                 products, gradient);
     (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
   }
-  /// The block of the products that starts at this row and column.
+  /// The block of `products` that starts at `row` and `column`.
   template <int Rows, int Cols>
   static auto productBlock(const double* products, int stride, int row, int column) {
     return Eigen::Map<const internal::JacobianMatrix<Rows, Cols>, 0, Eigen::OuterStride<>>(
         products + column * stride + row, Eigen::OuterStride<>(stride));
   }
-  /// Adds the blocks of vertex N with itself and with the vertices after it.
+  /// Adds the products to the diagonal block of vertex N and to its blocks with the vertices after N.
   template <int N, std::size_t... M>
   void addColumn(const double* products, int stride, const double* gradient, std::index_sequence<M...>) {
     VertexXnType<N>* from = vertexXn<N>();
@@ -295,7 +295,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
         block += productBlock<kFirst, kSecond>(products, stride, columnOf<N>(), columnOf<M>());
     }
   }
-  /// Adds the blocks of vertex N with itself and with the vertices after it.
+  /// Computes and adds the diagonal block of vertex N and its blocks with the vertices after N.
   template <int N, std::size_t... M>
   void constructColumn(const InformationType& omega, const ErrorVector& weightedError,
                        std::index_sequence<M...>) {

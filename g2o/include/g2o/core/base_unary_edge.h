@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// An edge over one vertex: a prior, or a measurement of something that is not estimated.
+/// An edge with one vertex, for example a prior or an observation of a known landmark.
 template <int D, typename E, typename VertexXi>
 class BaseUnaryEdge : public BaseFixedSizedEdge<D, E, VertexXi> {
  public:
@@ -23,7 +23,7 @@ class BaseUnaryEdge : public BaseFixedSizedEdge<D, E, VertexXi> {
 
   const JacobianXiOplusType& jacobianOplusXi() const { return _jacobianOplusXi; }
 
-  /// Does nothing: an edge over one vertex cannot derive an estimate from other vertices.
+  /// Does nothing, because an edge with one vertex cannot derive an estimate from other vertices.
   void initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) override {}
 
  protected:

@@ -12,12 +12,12 @@
 
 namespace g2o {
 
-/// Call resize() with the number of vertices. A derived class implements computeError(), read() and write(),
-/// and linearizeOplus() if it has analytic Jacobians.
+/// Call resize() to set the number of vertices. A derived class implements computeError(), read() and
+/// write(). It also implements linearizeOplus() if it has analytic Jacobians.
 template <int D, typename E>
 class BaseVariableSizedEdge : public BaseEdge<D, E> {
  public:
-  /// The block of two vertices, in the memory of the solver.
+  /// The Hessian block of two vertices, mapped to memory of the solver.
   struct HessianHelper {
     Eigen::Map<MatrixX> matrix;
     bool transposed;
@@ -35,7 +35,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     const bool same = size == _vertices.size() && size == _jacobianOplus.size();
     BaseEdge<D, E>::resize(size);
     if (same) return;
-    // Maps are rebuilt, because assigning to one copies the values.
+    // Create new maps, because an assignment to an Eigen::Map copies values.
     _hessian.clear();
     _hessian.resize(size * (size - (size > 0 ? 1 : 0)) / 2);
     _jacobianOplus.clear();
@@ -59,7 +59,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     }
     linearizeOplus();
   }
-  /// Fills the Jacobians of the vertices that are not fixed. The default is numeric.
+  /// Computes the Jacobians of the vertices that are not fixed. By default, differentiates numerically.
   virtual void linearizeOplus() {
     for (size_t i = 0; i < _vertices.size(); ++i) {
       if (!at(i)->fixed()) internal::numericJacobian(*this, *at(i), _jacobianOplus[i].data());

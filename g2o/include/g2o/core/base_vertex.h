@@ -17,7 +17,7 @@
 namespace g2o {
 namespace internal {
 
-/// Every entry of a block that is not mapped to memory.
+/// The value (NaN) that stands for each entry of a Hessian block while the block is not mapped to memory.
 inline double& unmappedEntry() {
   thread_local double entry;
   entry = std::numeric_limits<double>::quiet_NaN();
@@ -34,7 +34,7 @@ class BaseVertex : public OptimizableGraph::Vertex {
   using EstimateType = T;
   using BackupStackType = std::stack<EstimateType, std::vector<EstimateType>>;
   static constexpr int Dimension = D;
-  /// The block of the Hessian, in the memory of the solver.
+  /// The vertex's diagonal block of the Hessian, mapped to memory of the solver.
   using HessianBlockType = Eigen::Map<Eigen::Matrix<double, D, D, Eigen::ColMajor>>;
   using BVector = Eigen::Matrix<double, D, 1, Eigen::ColMajor>;
 

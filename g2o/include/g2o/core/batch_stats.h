@@ -21,25 +21,25 @@ struct G2O_CORE_API G2OBatchStatistics {
   double chi2 = -1;
 
   double timeResiduals = 0;
-  double timeLinearize = 0;      // 0: included in timeQuadraticForm
-  double timeQuadraticForm = 0;  // Jacobians, H and b
+  double timeLinearize = 0;      // always 0, because timeQuadraticForm includes it
+  double timeQuadraticForm = 0;  // time to compute the Jacobians, H and b
   int levenbergIterations = 0;
   double timeSchurComplement = 0;
   double timeSymbolicDecomposition = 0;
   double timeNumericDecomposition = 0;
-  double timeLinearSolution = 0;  // including the Schur complement
-  double timeLinearSolver = 0;    // without the Schur complement
+  double timeLinearSolution = 0;  // time to solve the linear system, including the Schur complement
+  double timeLinearSolver = 0;    // time to solve the linear system, without the Schur complement
   int iterationsLinearSolver = 0;
   double timeUpdate = 0;
   double timeIteration = 0;
-  double timeMarginals = 0;  // of computeMarginals() after this iteration
+  double timeMarginals = 0;  // time of computeMarginals() after this iteration
 
   size_t hessianDimension = 0;
   size_t hessianPoseDimension = 0;
   size_t hessianLandmarkDimension = 0;
   size_t choleskyNNZ = 0;
 
-  /// The statistics into which the optimizer of this thread writes, or nullptr if it collects none.
+  /// The statistics that the optimizer of this thread fills, or nullptr if it does not collect statistics.
   static G2OBatchStatistics* globalStats();
   static void setGlobalStats(G2OBatchStatistics* b);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundaries of the blocks of a block matrix, and its scalars in compressed columns.
+// Helpers for block matrices: the boundaries of blocks, and scalars in compressed column storage (CCS).
 #pragma once
 #ifndef G2O_BLOCK_LAYOUT_H
 #define G2O_BLOCK_LAYOUT_H
@@ -21,9 +21,9 @@ inline int blockBase(const std::vector<int>& ends, int i) {
   return i > 0 ? ends[static_cast<std::size_t>(i - 1)] : 0;
 }
 
-/// Visits the scalars of a block matrix column by column. `begin` receives the number of each column, and
-/// `take` the row and value of each scalar. `rowOf` returns the row of an entry of a column of blocks, and
-/// `blockOf` its block. If `upperTriangle` is true, scalars below the diagonal are left out.
+/// Visits the scalars of a block matrix column by column. Calls `begin` with the index of each column, and
+/// `take` with the row and value of each scalar. For an entry of a block column, `rowOf` returns the block
+/// row, and `blockOf` returns the block. If `upperTriangle` is true, skips scalars below the diagonal.
 template <class Columns, class RowOf, class BlockOf, class Begin, class Take>
 void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const std::vector<int>& colEnds,
                   bool upperTriangle, RowOf&& rowOf, BlockOf&& blockOf, Begin&& begin, Take&& take) {
@@ -43,7 +43,7 @@ void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const
   }
 }
 
-/// Writes the scalars that `visit(begin, take)` visits as compressed columns and returns their number.
+/// `visit(begin, take)` visits the scalars of a matrix. Writes them to CCS arrays and returns their number.
 template <class Visit>
 int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
   int count = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Solver of the library: a block Hessian, the Schur complement, and a LinearSolver for the remaining
-// blocks.
+// The library's implementation of Solver: a block Hessian, the Schur complement, and a LinearSolver for the
+// blocks that remain.
 #pragma once
 #ifndef G2O_BLOCK_SOLVER_H
 #define G2O_BLOCK_SOLVER_H
@@ -17,7 +17,7 @@
 
 namespace g2o {
 
-/// The dimensions of poses and of landmarks. Landmarks that are marginalized are eliminated.
+/// The dimensions of poses and landmarks. The solver eliminates the landmarks that are marginalized.
 template <int _PoseDim, int _LandmarkDim>
 struct BlockSolverTraits {
   static constexpr int PoseDim = _PoseDim;
@@ -34,7 +34,7 @@ struct BlockSolverTraits {
   using LinearSolverType = LinearSolver<PoseMatrixType>;
 };
 
-/// Dimensions that are known at run time.
+/// For dimensions that are known only at run time.
 template <>
 struct BlockSolverTraits<Eigen::Dynamic, Eigen::Dynamic> {
   static constexpr int PoseDim = Eigen::Dynamic;
@@ -54,12 +54,12 @@ struct BlockSolverTraits<Eigen::Dynamic, Eigen::Dynamic> {
 class G2O_CORE_API BlockSolverBase : public Solver {
  public:
   ~BlockSolverBase() override;
-  /// dest ← H src.
+  /// Computes dest = H · src.
   virtual void multiplyHessian(double* dest, const double* src) const = 0;
 };
 
-/// Solves with H in the memory of the engine, for all traits. The traits determine the type of the
-/// LinearSolver and the dimension of marginalized vertices. Owns the linear solver.
+/// The engine stores H in the same way for all traits. The traits determine the type of the LinearSolver and
+/// the dimension of marginalized vertices. A BlockSolver owns its linear solver.
 template <typename Traits>
 class BlockSolver : public BlockSolverBase {
  public:
@@ -77,7 +77,7 @@ class BlockSolver : public BlockSolverBase {
 
   explicit BlockSolver(std::unique_ptr<LinearSolverType> linearSolver)
       : _linearSolver(std::move(linearSolver)) {}
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The block solver takes ownership.
   explicit BlockSolver(LinearSolverType* linearSolver) : _linearSolver(linearSolver) {}
 
   bool init(SparseOptimizer* optimizer, bool online = false) override;
@@ -121,33 +121,33 @@ class BlockSolver : public BlockSolverBase {
   std::unique_ptr<LinearSolverType> _linearSolver;
   bool _doSchur = true;
 
-  /// For derived classes: copies of the blocks of H, without damping, after buildSystem(). _Hpp is the upper
-  /// triangle of the poses, _Hll the marginalized landmarks, and _Hpl the blocks between poses (rows) and
-  /// landmarks (columns). An object of type BlockSolver itself has none. Writing to them does not change H.
+  /// Copies of the blocks of H without damping. buildSystem() makes them, but only in derived classes. _Hpp
+  /// has the upper triangle of the poses, _Hll the marginalized landmarks, and _Hpl the blocks between poses
+  /// (rows) and landmarks (columns). Writing to a copy does not change H.
   std::unique_ptr<PoseHessianType> _Hpp;
   std::unique_ptr<LandmarkHessianType> _Hll;
   std::unique_ptr<PoseLandmarkHessianType> _Hpl;
-  /// The damped matrix that solve() passed to the linear solver: the upper triangle of the Schur complement
-  /// on the poses. An object of type BlockSolver itself has none, unless the linear solver is a client's.
+  /// The damped matrix for the linear solver: the upper triangle of the Schur complement of the poses. It
+  /// exists if a client implemented the linear solver, or if a derived class has landmarks.
   std::unique_ptr<PoseHessianType> _Hschur;
-  int _numPoses = 0, _numLandmarks = 0;    ///< blocks
-  int _sizePoses = 0, _sizeLandmarks = 0;  ///< scalars
+  int _numPoses = 0, _numLandmarks = 0;    ///< numbers of blocks
+  int _sizePoses = 0, _sizeLandmarks = 0;  ///< numbers of scalars
 
  private:
   bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
-  /// The settings of the linear solver, and `exact` if steps must be exact.
+  /// The settings of the linear solver. Also sets `exact` if the algorithm needs exact steps.
   internal::EngineSettings engineSettings() const;
   using EngineBlocks = std::vector<internal::EngineBlock>;
   bool solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks, double* x, double* b);
   bool layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks);
 
   internal::BlockSolverEngine engine_;
-  std::vector<PoseMatrixType*> reduced_blocks_;  ///< of _Hschur, in the order of the engine's blocks
+  std::vector<PoseMatrixType*> reduced_blocks_;  ///< blocks of _Hschur in the order of the engine's blocks
   double lambda_ = 0;
 };
 
-/// Blocks of P × P for poses and L × L for landmarks.
+/// A solver with p × p blocks for poses and l × l blocks for landmarks.
 template <int p, int l>
 using BlockSolverPL = BlockSolver<BlockSolverTraits<p, l>>;
 using BlockSolverX = BlockSolverPL<Eigen::Dynamic, Eigen::Dynamic>;

@@ -35,8 +35,8 @@ bool BlockSolver<Traits>::buildStructure(bool) {
     const bool fits =
         LandmarkDim == Eigen::Dynamic || !_doSchur || !v->marginalized() || v->dimension() == LandmarkDim;
     if (!fits) {
-      G2O_ERROR("vertex {}: expected a marginalized vertex of {} dimensions for this block solver, it has {}",
-                v->id(), static_cast<int>(LandmarkDim), v->dimension());
+      G2O_ERROR("vertex {}: this block solver marginalizes only vertices with {} dimensions, got {}", v->id(),
+                static_cast<int>(LandmarkDim), v->dimension());
       return false;
     }
   }
@@ -88,14 +88,14 @@ bool BlockSolver<Traits>::solve() {
                               double* b) { return solveByLinearSolver(dims, blocks, x, b); });
 }
 
-/// Makes the matrix for the linear solver, once per structure.
+/// Creates the matrix for the linear solver. Called once per structure.
 template <typename Traits>
 bool BlockSolver<Traits>::layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks) {
   std::vector<int> ends;
   int end = 0;
   for (int dim : dims) {
     if (PoseDim != Eigen::Dynamic && dim != PoseDim) {
-      G2O_ERROR("expected vertices of {} dimensions for this linear solver, one has {}",
+      G2O_ERROR("expected vertices with {} dimensions for this linear solver, got one with {}",
                 static_cast<int>(PoseDim), dim);
       return false;
     }

@@ -18,15 +18,15 @@ class SparseOptimizer;
 
 namespace internal {
 
-/// Solves a system, given by the lower triangle of its blocks, whose sizes are `dims`. May change b. A
-/// BlockSolver makes this function from the LinearSolver of its client.
+/// Solves a linear system. `blocks` is the lower triangle of the matrix, and `dims` are the sizes of the
+/// blocks. May change b. A BlockSolver creates this function from the LinearSolver of its client.
 using ClientLinearSolver = std::function<bool(const std::vector<int>& dims,
                                               const std::vector<EngineBlock>& blocks, double* x, double* b)>;
 
-/// The matrix H of the engine. Vertices and edges are mapped to its blocks (mapHessianMemory), so that
-/// constructQuadraticForm() adds to them in place. λ is an argument of solve() and is never written into H.
+/// The matrix H of the engine. mapHessianMemory() maps vertices and edges to the blocks of H, and then
+/// constructQuadraticForm() adds to the blocks in place. λ is an argument of solve() and is never added to H.
 ///
-/// Vectors are in the order of Hessian indices, with marginalized vertices last.
+/// Vectors are in the order of Hessian indices. Marginalized vertices are last.
 class G2O_CORE_API BlockSolverEngine {
  public:
   BlockSolverEngine();
@@ -34,7 +34,7 @@ class G2O_CORE_API BlockSolverEngine {
   BlockSolverEngine& operator=(const BlockSolverEngine&) = delete;
   ~BlockSolverEngine();
 
-  /// Returns false, with a message, if two marginalized vertices share an edge.
+  /// Returns false, and logs a message, if two marginalized vertices share an edge.
   bool buildStructure(SparseOptimizer& optimizer, bool schur, const EngineSettings& settings);
   bool hasStructure() const;
   /// Whether the structure was built for the vertices and edges that are active now.
@@ -44,20 +44,20 @@ class G2O_CORE_API BlockSolverEngine {
   size_t scalars() const;
   /// Linearizes the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);
-  /// x ← (H + λI)⁻¹ b. Returns false if the matrix is not positive definite or not finite. With
-  /// EngineSolver::kNone, `client` solves the system that remains after the elimination.
+  /// Computes x = (H + λI)⁻¹ b. Returns false if the matrix is not positive definite or not finite. If the
+  /// settings say EngineSolver::kNone, `client` solves the system that remains after the elimination.
   bool solve(double lambda, const double* b, double* x, const EngineSettings& settings,
              const ClientLinearSolver& client);
-  /// dest ← H src.
+  /// Computes dest = H · src.
   void multiply(double* dest, const double* src) const;
-  /// Computes blocks of H⁻¹, by Hessian index.
+  /// Computes the blocks of H⁻¹ with these Hessian indices.
   bool inverse(const std::vector<std::pair<int, int>>& blockIndices, SparseBlockMatrix<MatrixX>& spinv);
   bool save(const std::string& fileName) const;
-  /// The end of each block (one past its last scalar), by Hessian index.
+  /// The end of each block (one past its last scalar), in the order of Hessian indices.
   std::vector<int> blockEnds() const;
   /// The number of blocks that are not eliminated. They have the first Hessian indices.
   int keptBlocks() const;
-  /// Calls take(i, j, block) for every block (i, j) of H, i ≤ j, by Hessian index.
+  /// Calls take(i, j, block) for every block of H with i ≤ j. i and j are Hessian indices.
   void visitBlocks(const std::function<void(int, int, const MatrixX&)>& take) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantities that many edges derive from one vertex and some parameters. They are computed once per estimate.
+// Caches: quantities that many edges derive from a vertex and some parameters, computed once per estimate.
 #pragma once
 #ifndef G2O_CACHE_HH_
 #define G2O_CACHE_HH_
@@ -41,16 +41,16 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
   OptimizableGraph* graph();
   CacheContainer* container();
   ParameterVector& parameters();
-  /// Updates the caches that this one depends on and calls updateImpl(), once per estimate.
+  /// If the estimate has changed, updates the caches that this cache depends on and calls updateImpl().
   void update();
   HyperGraph::HyperGraphElementType elementType() const override { return HyperGraph::HGET_CACHE; }
 
  protected:
   virtual void updateImpl() = 0;
-  /// Returns the cache of the same vertex that this cache depends on, and creates it if there is none.
-  /// `parameterIndices` selects its parameters among those of this cache.
+  /// Returns another cache of the same vertex, creates it if necessary, and makes this cache depend on it.
+  /// `parameterIndices` selects the parameters of the other cache from the parameters of this cache.
   Cache* installDependency(const std::string& type, const std::vector<int>& parameterIndices);
-  /// Called when parameters and container are known. Returns false if they do not fit.
+  /// Called when the parameters and the container are known. Returns false if they do not fit the cache.
   virtual bool resolveDependencies();
 
   bool _updateNeeded = true;
@@ -59,7 +59,7 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
   CacheContainer* _container = nullptr;
 };
 
-/// The caches of a vertex; owns them.
+/// Owns the caches of a vertex.
 class G2O_CORE_API CacheContainer : public std::map<Cache::CacheKey, Cache*> {
  public:
   explicit CacheContainer(OptimizableGraph::Vertex* vertex);
@@ -71,7 +71,7 @@ class G2O_CORE_API CacheContainer : public std::map<Cache::CacheKey, Cache*> {
   const OptimizableGraph::Vertex* vertex() const;
   OptimizableGraph* graph();
   Cache* findCache(const Cache::CacheKey& key);
-  /// Returns a new cache, or nullptr if the Factory does not know the tag or the parameters do not fit.
+  /// Returns a new cache, or nullptr if the Factory does not know the tag or if the parameters do not fit.
   Cache* createCache(const Cache::CacheKey& key);
   void setUpdateNeeded(bool needUpdate = true);
   void update();

@@ -11,14 +11,14 @@
 
 namespace g2o {
 
-/// Makes elements of one type.
+/// Creates elements of one type.
 class G2O_CORE_API AbstractHyperGraphElementCreator {
  public:
   AbstractHyperGraphElementCreator();
   virtual ~AbstractHyperGraphElementCreator();
   /// Returns a new element. The caller owns it.
   virtual HyperGraph::HyperGraphElement* construct() = 0;
-  /// typeid(T).name().
+  /// Returns typeid(T).name() for the type T of the elements.
   virtual const std::string& name() const = 0;
 };
 

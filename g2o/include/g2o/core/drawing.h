@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The target of the action "draw". SvgDrawing writes files; a viewer implements the same four functions.
+// The canvas of the action "draw". SvgDrawing writes files. A viewer can implement the same four functions.
 #pragma once
 #ifndef G2O_DRAWING_H
 #define G2O_DRAWING_H
@@ -29,8 +29,8 @@ class G2O_CORE_API Drawing {
                         double width) = 0;
   /// Draws a dot. The diameter is in pixels.
   virtual void point(const Vector3& at, const Color& color, double diameter) = 0;
-  /// Draws an arrowhead in the xy-plane of a pose, with its tip at (length, 0) and its back at (−length/2,
-  /// ±width).
+  /// Draws an arrowhead in the xy-plane of a pose. Its tip is at (length, 0), and its back corners are at
+  /// (−length/2, ±width).
   virtual void pose(const Isometry3& pose, const Color& color, double length, double width) = 0;
   /// Draws text that begins at a point and is `height` meters high.
   virtual void text(const Vector3& at, const std::string& words, const Color& color, double height) = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Initial estimates that are propagated from vertex to vertex along the cheapest edges.
+// Propagates initial estimates from vertex to vertex along the cheapest edges.
 #pragma once
 #ifndef G2O_ESTIMATE_PROPAGATOR_H
 #define G2O_ESTIMATE_PROPAGATOR_H
@@ -13,8 +13,8 @@
 
 namespace g2o {
 
-/// The cost of estimating a vertex from others through an edge, or std::numeric_limits<double>::max() if that
-/// is impossible. The default asks active edges for the cost.
+/// The cost of estimating a vertex from other vertices through an edge. The cost is
+/// std::numeric_limits<double>::max() if that is impossible. By default, active edges determine the cost.
 class G2O_CORE_API EstimatePropagatorCost {
  public:
   explicit EstimatePropagatorCost(SparseOptimizer* graph);
@@ -27,7 +27,7 @@ class G2O_CORE_API EstimatePropagatorCost {
   SparseOptimizer* _graph;
 };
 
-/// Uses only edges between consecutive ids.
+/// Uses only edges between vertices with consecutive ids.
 class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCost {
  public:
   explicit EstimatePropagatorCostOdometry(SparseOptimizer* graph);
@@ -36,10 +36,10 @@ class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCos
   const char* name() const override { return "odometry"; }
 };
 
-/// Dijkstra's algorithm over hyper-edges.
+/// Dijkstra's algorithm for hyper-edges.
 class G2O_CORE_API EstimatePropagator {
  public:
-  /// Called for each vertex that is reached. The default calls Edge::initialEstimate() unless the vertex is
+  /// Called for each vertex that is reached. By default, calls Edge::initialEstimate() unless the vertex is
   /// fixed.
   struct G2O_CORE_API PropagateAction {
     virtual ~PropagateAction();
@@ -50,7 +50,7 @@ class G2O_CORE_API EstimatePropagator {
   };
   using PropagateCost = EstimatePropagatorCost;
 
-  /// The path by which a vertex was reached.
+  /// The last step of the cheapest path to a vertex.
   class G2O_CORE_API AdjacencyMapEntry {
    public:
     friend class EstimatePropagator;

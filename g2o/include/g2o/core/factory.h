@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The registry of element types by file tag.
+// The registry of element types. Each type has a tag that identifies it in files.
 #pragma once
 #ifndef G2O_FACTORY_H
 #define G2O_FACTORY_H
@@ -19,22 +19,22 @@
 
 namespace g2o {
 
-/// Has one tag per type. Refuses, with a message, a second type under the same tag and a second tag for the
-/// same type. The same type may be registered again under its tag, for example by another copy of a library;
-/// that registration takes effect when the first one is withdrawn.
+/// Has one tag per type. Logs an error and rejects a second type with the same tag or a second tag for the
+/// same type. A type may be registered again with its own tag, for example by another copy of a library. The
+/// new registration takes effect when the first registration is withdrawn.
 class G2O_CORE_API Factory {
  public:
   static Factory* instance();
   static void destroy();
 
   void registerType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The factory takes ownership.
   void registerType(const std::string& tag, AbstractHyperGraphElementCreator* c);
   void unregisterType(const std::string& tag);
-  /// Withdraws exactly the registration that was made with this creator (not in g2o).
+  /// Withdraws only the registration that was made with this creator. g2o does not have this overload.
   void unregisterType(const std::string& tag, const std::shared_ptr<AbstractHyperGraphElementCreator>& c);
-  /// Returns a new element, which the caller owns. Returns nullptr if the tag is unknown or its kind of
-  /// element is not in `elemsToConstruct`.
+  /// Returns a new element, which the caller owns. Returns nullptr if the tag is unknown or if
+  /// `elemsToConstruct` does not contain the kind of the element.
   HyperGraph::HyperGraphElement* construct(const std::string& tag) const;
   HyperGraph::HyperGraphElement* construct(const std::string& tag,
                                            const HyperGraph::GraphElemBitset& elemsToConstruct) const;
@@ -56,8 +56,8 @@ class G2O_CORE_API Factory {
   Factory();
   ~Factory();
 
-  CreatorMap _creator;   ///< by tag
-  TagLookup _tagLookup;  ///< from typeid(T).name() to the tag
+  CreatorMap _creator;   ///< creators by tag
+  TagLookup _tagLookup;  ///< tags by typeid(T).name()
 
  private:
   internal::Shadowed<AbstractHyperGraphElementCreator> shadowed_;
@@ -94,11 +94,11 @@ constexpr bool isValidTag(const char* text) {
 
 #define G2O_FACTORY_EXPORT G2O_API_EXPORT
 
-/// Registers a type for files: G2O_REGISTER_TYPE_NAME("VERTEX_SE2", VertexSE2). If the tag is an identifier,
-/// G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2) does the same.
-#define G2O_REGISTER_TYPE_NAME(name, classname)                                            \
-  static_assert(g2o::internal::isValidTag(name), "the tag of a type must have no blanks"); \
-  extern "C" void G2O_FACTORY_EXPORT g2o_type_##classname(void) {}                         \
+/// Registers a type and its tag for files: G2O_REGISTER_TYPE_NAME("VERTEX_SE2", VertexSE2). If the tag is an
+/// identifier, G2O_REGISTER_TYPE(VERTEX_SE2, VertexSE2) does the same.
+#define G2O_REGISTER_TYPE_NAME(name, classname)                                                             \
+  static_assert(g2o::internal::isValidTag(name), "the tag of a type must not be empty or have whitespace"); \
+  extern "C" void G2O_FACTORY_EXPORT g2o_type_##classname(void) {}                                          \
   static g2o::RegisterTypeProxy<classname> g_type_proxy_##classname(name);
 #define G2O_REGISTER_TYPE(name, classname) G2O_REGISTER_TYPE_NAME(#name, classname)
 
@@ -106,7 +106,7 @@ constexpr bool isValidTag(const char* text) {
   extern "C" void g2o_type_##classname(void); \
   static g2o::ForceLinker proxy_##classname(g2o_type_##classname);
 
-/// Names the types of a library, so that a program can request that they are linked.
+/// Names the types of a library, so that G2O_USE_TYPE_GROUP() can force a program to link them.
 #define G2O_REGISTER_TYPE_GROUP(type_group_name) \
   extern "C" void G2O_FACTORY_EXPORT g2o_type_group_##type_group_name(void) {}
 

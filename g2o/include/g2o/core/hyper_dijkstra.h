@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shortest paths.
+// Shortest paths in a hyper-graph.
 #pragma once
 #ifndef G2O_AIS_GENERAL_DIJKSTRA_HH
 #define G2O_AIS_GENERAL_DIJKSTRA_HH
@@ -14,8 +14,8 @@
 namespace g2o {
 
 struct G2O_CORE_API HyperDijkstra {
-  /// The cost of going from one vertex of an edge to another. Returns std::numeric_limits<double>::max() if
-  /// that is impossible.
+  /// The cost of going from one vertex of an edge to another vertex of the same edge. Returns
+  /// std::numeric_limits<double>::max() if that is impossible.
   struct G2O_CORE_API CostFunction {
     virtual double operator()(HyperGraph::Edge* e, HyperGraph::Vertex* from, HyperGraph::Vertex* to) = 0;
     virtual ~CostFunction();
@@ -29,7 +29,7 @@ struct G2O_CORE_API HyperDijkstra {
                            double distance);
   };
 
-  /// The path by which a vertex was reached.
+  /// The last step of the shortest path to a vertex.
   class G2O_CORE_API AdjacencyMapEntry {
    public:
     friend struct HyperDijkstra;
@@ -57,9 +57,9 @@ struct G2O_CORE_API HyperDijkstra {
   AdjacencyMap& adjacencyMap() { return _adjacencyMap; }
   HyperGraph* graph() { return _graph; }
 
-  /// Computes the paths from one vertex, or from the nearest of several, to all vertices at a distance of at
-  /// most maxDistance. A new path replaces another one if it is shorter by more than comparisonConditioner.
-  /// If `directed` is true, edges are followed only from their first vertex.
+  /// Computes the shortest paths from one vertex, or from the nearest of several vertices, to all vertices at
+  /// a distance below maxDistance. A new path replaces a known path if it is shorter by more than
+  /// comparisonConditioner. If `directed` is true, follows edges only from their first vertex.
   void shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunction* cost,
                      double maxDistance = std::numeric_limits<double>::max(),
                      double comparisonConditioner = 1e-3, bool directed = false,
@@ -69,11 +69,11 @@ struct G2O_CORE_API HyperDijkstra {
                      double comparisonConditioner = 1e-3, bool directed = false,
                      double maxEdgeCost = std::numeric_limits<double>::max());
 
-  /// Fills children() from parent().
+  /// Fills children() of all entries according to their parent().
   static void computeTree(AdjacencyMap& amap);
   /// Calls the action from the roots to the leaves. Passes the distance if useDistance is true.
   static void visitAdjacencyMap(AdjacencyMap& amap, TreeAction* action, bool useDistance = false);
-  /// `connected` receives the vertices that can be reached from v within startingSet.
+  /// Adds the vertices of startingSet that can be reached from v to `connected`.
   static void connectedSubset(HyperGraph::VertexSet& connected, HyperGraph::VertexSet& visited,
                               HyperGraph::VertexSet& startingSet, HyperGraph* g, HyperGraph::Vertex* v,
                               HyperDijkstra::CostFunction* cost, double distance,

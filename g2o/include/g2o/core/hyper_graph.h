@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A directed hyper-graph: vertices by integer id, edges by pointer.
+// A directed hyper-graph. An integer id identifies a vertex, and a pointer identifies an edge.
 #pragma once
 #ifndef G2O_AIS_HYPER_GRAPH_HH
 #define G2O_AIS_HYPER_GRAPH_HH
@@ -16,8 +16,8 @@
 
 namespace g2o {
 
-/// Owns its vertices and edges: remove…(), clear() and the destructor delete them. The caller keeps an
-/// element that was refused (add…() returned false).
+/// Owns its vertices and edges: remove…(), clear() and the destructor delete them. If add…() returns false,
+/// the caller still owns the element.
 class G2O_CORE_API HyperGraph {
  public:
   enum HyperGraphElementType {
@@ -53,7 +53,7 @@ class G2O_CORE_API HyperGraph {
   using VertexContainer = std::vector<Vertex*>;
   using EdgeContainer = std::vector<Edge*>;
 
-  /// User data that is attached to an element: a list, linked by next().
+  /// User data that is attached to an element. All user data of an element form a list, linked by next().
   class G2O_CORE_API Data : public HyperGraphElement {
     friend struct OptimizableGraph;
 
@@ -75,7 +75,7 @@ class G2O_CORE_API HyperGraph {
     DataContainer* _dataContainer = nullptr;
   };
 
-  /// An element that can hold user data. Owns it.
+  /// An element that can hold user data, which it owns.
   class G2O_CORE_API DataContainer {
    public:
     DataContainer() = default;
@@ -84,12 +84,12 @@ class G2O_CORE_API HyperGraph {
     virtual ~DataContainer();
     const Data* userData() const { return _userData; }
     Data* userData() { return _userData; }
-    /// Replaces the list. The caller owns the previous one.
+    /// Replaces the list of user data. The caller then owns the previous list.
     void setUserData(Data* data) {
       _userData = data;
       for (Data* d = data; d != nullptr; d = d->next()) d->setDataContainer(this);
     }
-    /// Puts `data` in front of the list.
+    /// Puts `data` at the front of the list.
     void addUserData(Data* data) {
       if (data == nullptr) return;
       data->setNext(_userData);
@@ -106,7 +106,7 @@ class G2O_CORE_API HyperGraph {
     explicit Vertex(int id = InvalidId);
     ~Vertex() override;
     int id() const { return _id; }
-    /// Only for vertices that are not in a graph; see HyperGraph::changeId().
+    /// Only for vertices that are not in a graph. For other vertices, use HyperGraph::changeId().
     virtual void setId(int newId) { _id = newId; }
     const EdgeSet& edges() const { return _edges; }
     EdgeSet& edges() { return _edges; }
@@ -126,7 +126,7 @@ class G2O_CORE_API HyperGraph {
     VertexContainer& vertices() { return _vertices; }
     const Vertex* vertex(size_t i) const { return _vertices[i]; }
     Vertex* vertex(size_t i) { return _vertices[i]; }
-    /// Only for edges that are not in a graph; see HyperGraph::setEdgeVertex().
+    /// Only for edges that are not in a graph. For other edges, use HyperGraph::setEdgeVertex().
     void setVertex(size_t i, Vertex* v);
     int id() const { return _id; }
     void setId(int id) { _id = id; }
@@ -143,12 +143,12 @@ class G2O_CORE_API HyperGraph {
   HyperGraph& operator=(const HyperGraph&) = delete;
   virtual ~HyperGraph();
 
-  /// The vertex with this id, or nullptr.
+  /// Returns the vertex with this id, or nullptr if there is none.
   Vertex* vertex(int id);
   const Vertex* vertex(int id) const;
 
-  /// Removes an element and deletes it. Returns false if it is not in the graph. `detach` keeps the edges of
-  /// a vertex and leaves its position in them empty.
+  /// Removes an element and deletes it. Returns false if the element is not in the graph. If `detach` is
+  /// true, keeps the edges of the vertex and leaves its position in these edges empty.
   virtual bool removeVertex(Vertex* v, bool detach = false);
   virtual bool removeEdge(Edge* e);
   /// Deletes all vertices and edges.
@@ -161,14 +161,14 @@ class G2O_CORE_API HyperGraph {
 
   /// Returns false if the id of the vertex is taken.
   virtual bool addVertex(Vertex* v);
-  /// Returns false if the edge is already in the graph, lacks a vertex, or has the same vertex twice.
+  /// Returns false if the edge is already in the graph, has an empty position, or has the same vertex twice.
   virtual bool addEdge(Edge* e);
   /// Sets position `pos` of an edge to `v`, which may be nullptr.
   virtual bool setEdgeVertex(Edge* e, int pos, Vertex* v);
-  /// Replaces `small` by `big` in all edges and removes the edges between the two. `erase` also removes
-  /// `small`. Returns false and changes nothing if an edge does not accept `big`.
+  /// Replaces `small` by `big` in all edges and removes the edges between the two vertices. If `erase` is
+  /// true, also removes `small`. Returns false and changes nothing if an edge does not accept `big`.
   virtual bool mergeVertices(Vertex* big, Vertex* small, bool erase);
-  /// Sets the position of `v` to nullptr in all its edges.
+  /// Sets the position of `v` in each of its edges to nullptr.
   virtual bool detachVertex(Vertex* v);
   /// Returns false if `newId` is taken.
   virtual bool changeId(Vertex* v, int newId);
@@ -178,7 +178,7 @@ class G2O_CORE_API HyperGraph {
   EdgeSet _edges;
 
  private:
-  /// Whether the graph has `v`. If not, prints a message in the name of the caller.
+  /// Returns whether `v` is in the graph. If not, logs an error that names the caller.
   bool has(const Vertex* v, const char* caller) const;
 };
 

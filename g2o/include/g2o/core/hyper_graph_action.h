@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions over a graph, called before and after iterations, and functions over its elements, found by name
-// and type.
+// Actions on a graph, which are called before and after iterations, and actions on elements of a graph, which
+// are found by name and type.
 #pragma once
 #ifndef G2O_HYPER_GRAPH_ACTION_H
 #define G2O_HYPER_GRAPH_ACTION_H
@@ -22,7 +22,7 @@ namespace g2o {
 
 class CacheContainer;
 
-/// Called with a graph. Returns itself if it succeeded, else nullptr.
+/// An action on a graph. Returns itself if it succeeded, otherwise nullptr.
 class G2O_CORE_API HyperGraphAction {
  public:
   class G2O_CORE_API Parameters {
@@ -40,14 +40,14 @@ class G2O_CORE_API HyperGraphAction {
   virtual HyperGraphAction* operator()(const HyperGraph* graph, Parameters* parameters = nullptr);
 };
 
-/// Implements the action name() for elements of one type. Returns itself if it did something, else nullptr.
+/// The action name() for elements of one type. Returns itself if it did something, otherwise nullptr.
 class G2O_CORE_API HyperGraphElementAction {
  public:
   struct G2O_CORE_API Parameters {
     virtual ~Parameters();
   };
   using HyperGraphElementActionPtr = std::shared_ptr<HyperGraphElementAction>;
-  /// By typeid(T).name().
+  /// Maps typeid(T).name() to an action, or (in the library) a name to a collection of actions.
   using ActionMap = std::map<std::string, HyperGraphElementActionPtr>;
 
   explicit HyperGraphElementAction(const std::string& typeName_ = "");
@@ -67,7 +67,7 @@ class G2O_CORE_API HyperGraphElementAction {
 
 using HyperGraphElementActionPtr = HyperGraphElementAction::HyperGraphElementActionPtr;
 
-/// The actions with one name, for elements of several types.
+/// All actions with the same name, for elements of several types.
 class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementAction {
  public:
   explicit HyperGraphElementActionCollection(const std::string& name_);
@@ -76,8 +76,8 @@ class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementA
   HyperGraphElementAction* operator()(const HyperGraph::HyperGraphElement* element,
                                       Parameters* parameters) override;
   ActionMap& actionMap() { return _actionMap; }
-  /// Returns false if the action has another name. Replaces the action for its type, if there is one, until
-  /// it is unregistered.
+  /// Returns false if the action has a different name. If its type already has an action, the new action
+  /// replaces the old action until the new action is unregistered.
   bool registerAction(const HyperGraphElementActionPtr& action);
   bool unregisterAction(const HyperGraphElementActionPtr& action);
 
@@ -88,7 +88,7 @@ class G2O_CORE_API HyperGraphElementActionCollection : public HyperGraphElementA
   internal::Shadowed<HyperGraphElementAction> shadowed_;
 };
 
-/// All registered actions.
+/// The collections of all registered actions.
 class G2O_CORE_API HyperGraphActionLibrary {
  public:
   static HyperGraphActionLibrary* instance();
@@ -106,9 +106,9 @@ class G2O_CORE_API HyperGraphActionLibrary {
   HyperGraphElementAction::ActionMap _actionMap;
 };
 
-/// Calls an action on all elements, or on those whose typeid name is typeName: vertices by id, then edges in
-/// the order in which they were added. Does nothing if the action is nullptr, which actionByName() returns
-/// for unknown names.
+/// Calls an action on all elements, or only on elements of the type whose typeid name is `typeName`. Visits
+/// vertices by id, then edges in the order in which they were added. Does nothing if the action is nullptr
+/// (actionByName() returns nullptr for unknown names).
 G2O_CORE_API void applyAction(HyperGraph* graph, HyperGraphElementAction* action,
                               HyperGraphElementAction::Parameters* parameters = nullptr,
                               const std::string& typeName = "");
@@ -127,7 +127,7 @@ class RegisterActionProxy {
   HyperGraphElementActionPtr _action;
 };
 
-/// Writes elements as text for gnuplot: the action "writeGnuplot".
+/// The action "writeGnuplot", which writes elements as text for gnuplot.
 class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
  public:
   struct G2O_CORE_API Parameters : public HyperGraphElementAction::Parameters {
@@ -136,12 +136,12 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
   explicit WriteGnuplotAction(const std::string& typeName_);
 };
 
-/// Draws elements: the action "draw". The action for a type draws its elements, their user data, and the
-/// caches of its vertices. Elements whose type has no action are not drawn.
+/// The action "draw", which draws elements. The action for a type draws the elements of the type, their user
+/// data, and the caches of vertices. Elements are not drawn if their type has no action.
 ///
-/// Properties in the parameters set the appearance of each type: `<typeName>::SHOW` (bool, by default true),
-/// and further properties of the type's action, such as `<typeName>::POINT_SIZE`. The first drawing creates
-/// each missing property with its default. To set one earlier, create it before the first drawing:
+/// The parameters have properties that set the appearance of each type: `<typeName>::SHOW` (bool, true by
+/// default) and further properties of the type's action, such as `<typeName>::POINT_SIZE`. The first drawing
+/// creates each missing property with its default value. To set a value earlier, create the property:
 ///
 ///     parameters.makeProperty<g2o::BoolProperty>(std::string(typeid(Edge).name()) + "::SHOW", false);
 class G2O_CORE_API DrawAction : public HyperGraphElementAction {
@@ -150,7 +150,7 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
    public:
     Parameters();
     ~Parameters() override;
-    /// The target. Nothing is drawn while it is nullptr. Not owned.
+    /// The canvas, which the caller owns. If it is nullptr, nothing is drawn.
     Drawing* drawing = nullptr;
   };
 
@@ -158,24 +158,24 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
   ~DrawAction() override;
 
  protected:
-  /// Points the property members at the properties of `params_`, and creates missing properties. Returns
+  /// Points the property members to the properties of `params_`, and creates missing properties. Returns
   /// false if `params_` is not a DrawAction::Parameters or has no drawing. Must be called before every
   /// drawing.
   virtual bool refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_);
-  /// Draw the caches of a vertex or the user data of an element with the actions for their types.
+  /// Draw the caches of a vertex, or the user data of an element, with the actions for their types.
   void drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_);
   void drawUserData(HyperGraph::Data* data, HyperGraphElementAction::Parameters* params_);
 
   /// Returns the property `name` of this type. If it does not exist, creates it with the value `otherwise`.
   float property(const std::string& name, float otherwise);
 
-  Parameters* _previousParams = nullptr;  ///< those of the last refreshPropertyPtrs()
-  BoolProperty* _show = nullptr;          ///< of _previousParams
+  Parameters* _previousParams = nullptr;  ///< the parameters of the last refreshPropertyPtrs()
+  BoolProperty* _show = nullptr;          ///< the property SHOW in _previousParams
 };
 
 namespace internal {
 
-/// An action for a type, under the class name that it has in g2o. Forwards to `action`.
+/// Gives the action for a type the class name that it has in g2o. Forwards calls to `action`.
 template <class Base>
 class NamedAction : public Base {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors in streams, for read() and write() of clients' types.
+// Functions that read and write vectors, for read() and write() of clients' types.
 #pragma once
 #ifndef G2O_CORE_IO_HELPER_H
 #define G2O_CORE_IO_HELPER_H

@@ -13,8 +13,8 @@ namespace g2o {
 
 struct OptimizableGraph;
 
-/// The memory into which edges write their Jacobians, one part per vertex of an edge. Each edge overwrites
-/// the Jacobians of the edge before.
+/// The memory into which edges write their Jacobians. It has one part for each vertex of an edge. Each edge
+/// overwrites the Jacobians of the previous edge.
 class G2O_CORE_API JacobianWorkspace {
  public:
   using WorkspaceVector = std::vector<VectorX>;
@@ -25,7 +25,7 @@ class G2O_CORE_API JacobianWorkspace {
   /// Allocates the memory that updateSize() requested.
   bool allocate();
   /// Requests memory for an edge, for all edges of a graph, or for `numVertices` Jacobians of `dimension`
-  /// values each. `reset` drops earlier requests.
+  /// values each. If `reset` is true, drops earlier requests.
   void updateSize(const HyperGraph::Edge* e, bool reset = false);
   void updateSize(const OptimizableGraph& graph, bool reset = false);
   void updateSize(int numVertices, int dimension, bool reset = false);

@@ -15,24 +15,24 @@
 namespace g2o {
 namespace internal {
 
-/// kScalarCholesky orders scalars, and kCholesky orders blocks.
+/// kCholesky computes an ordering of blocks, and kScalarCholesky computes an ordering of scalars.
 enum class EngineSolver { kNone, kCholesky, kScalarCholesky, kDense, kPcg };
 
 struct EngineSettings {
   EngineSolver solver = EngineSolver::kNone;
-  double tolerance = 1e-10;        ///< kPcg: relative to the right-hand side
-  bool absoluteTolerance = false;  ///< kPcg: an absolute residual of `tolerance` is also small enough
-  int maxIterations = 0;           ///< kPcg; 0: the default of the engine
-  bool exact = false;              ///< kCholesky: never use a factor in float
+  double tolerance = 1e-10;        ///< kPcg: the largest accepted residual, relative to the right-hand side
+  bool absoluteTolerance = false;  ///< kPcg: also stop at an absolute residual of `tolerance`
+  int maxIterations = 0;           ///< kPcg: the limit; 0 selects the default of the engine
+  bool exact = false;              ///< kCholesky: never use a single-precision factor
 };
 
-/// A block of a symmetric matrix, row ≥ column: rows × cols values, column by column.
+/// A block of a symmetric matrix with row ≥ column. Its rows × cols values are stored by columns.
 struct EngineBlock {
   int row, column;
   const double* values;
 };
 
-/// Factorizes and solves. Keeps the analysis while the structure does not change.
+/// Factorizes and solves. Reuses the symbolic analysis while the structure does not change.
 class G2O_CORE_API LinearEngine {
  public:
   explicit LinearEngine(const EngineSettings& settings);
@@ -43,18 +43,18 @@ class G2O_CORE_API LinearEngine {
   /// Forgets the structure.
   void reset();
   void setSettings(const EngineSettings& settings);
-  /// `blocks`: the lower triangle, sorted by column and row, with every diagonal block.
+  /// `blocks` is the lower triangle, sorted by column and row. It must have every diagonal block.
   bool factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks);
-  /// Requires a factorize() before. b and x may be the same memory.
+  /// Call factorize() first. b and x may point to the same memory.
   bool solve(const double* b, double* x);
-  /// Calls `take` with the blocks (row, column) of the inverse, in the requested order.
+  /// Calls `take` with these blocks (row, column) of the inverse, in this order.
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
                const std::function<void(size_t, const MatrixX&)>& take);
   int iterations() const;
-  /// Writes the matrix of the last factorize() for Octave. Returns false if there was none.
+  /// Writes the matrix of the last factorize() for Octave. Returns false if there is no matrix yet.
   bool save(const std::string& fileName) const;
 
-  /// The same for the upper triangle of blocks of A.
+  /// Factorizes A, which is given by its upper triangle of blocks.
   template <class MatrixType>
   bool factorize(const SparseBlockMatrix<MatrixType>& A) {
     using Block = typename SparseBlockMatrix<MatrixType>::SparseMatrixBlock;
@@ -90,7 +90,7 @@ class G2O_CORE_API LinearEngine {
   std::vector<double> transposed_;
 };
 
-/// spinv ← the blocks (i, j) of the inverse of the matrix that `engine` factorized last.
+/// Fills `spinv` with the blocks (i, j) of the inverse of the matrix that `engine` factorized last.
 G2O_CORE_API bool fillInverse(LinearEngine& engine, const std::vector<int>& dims,
                               const std::vector<std::pair<int, int>>& blockIndices,
                               SparseBlockMatrix<MatrixX>& spinv);

@@ -74,12 +74,12 @@ class LinearSolver {
     }
   }
 
-  /// The settings with which the engine can solve in place of this solver, so that a BlockSolver does not
-  /// build a SparseBlockMatrix. By default the engine does not replace the solver.
+  /// The settings with which the engine can replace this solver, so that a BlockSolver does not need to build
+  /// a SparseBlockMatrix. By default, the engine does not replace the solver.
   virtual internal::EngineSettings engine() const { return {}; }
 };
 
-/// A solver over compressed columns. A derived class that factorizes A implements solveBlocks_impl() to
+/// A solver that uses compressed columns. A derived class that factorizes A implements solveBlocks_impl() to
 /// provide marginals.
 template <typename MatrixType>
 class LinearSolverCCS : public LinearSolver<MatrixType> {
@@ -98,20 +98,20 @@ class LinearSolverCCS : public LinearSolver<MatrixType> {
   }
 
   bool blockOrdering() const { return _blockOrdering; }
-  /// If true, the ordering permutes blocks, otherwise scalars.
+  /// If true, the ordering permutes blocks. Otherwise, it permutes scalars.
   virtual void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
   bool writeDebug() const override { return _writeDebug; }
   void setWriteDebug(bool b) override { _writeDebug = b; }
 
  protected:
-  /// Calls `compute` with the Cholesky factor of A. Returns false if there is none.
+  /// Calls `compute` with the Cholesky factor of A. Returns false if A has no Cholesky factor.
   virtual bool solveBlocks_impl(const SparseBlockMatrix<MatrixType>& A,
                                 std::function<void(MarginalCovarianceCholesky&)> compute) {
     (void)A;
     (void)compute;
     return false;
   }
-  /// Makes _ccsMatrix list the blocks of A, which must outlive it.
+  /// Makes _ccsMatrix a view of the blocks of A. A must outlive _ccsMatrix.
   void initMatrixStructure(const SparseBlockMatrix<MatrixType>& A) {
     _ccsMatrix = std::make_unique<SparseBlockMatrixCCS<MatrixType>>(A.rowBlockIndices(), A.colBlockIndices());
     A.fillSparseBlockMatrixCCS(*_ccsMatrix);

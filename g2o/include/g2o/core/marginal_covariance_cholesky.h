@@ -12,18 +12,18 @@
 
 namespace g2o {
 
-/// Entries of the inverse of A = Pᵀ L Lᵀ P, given the Cholesky factor L.
+/// Computes entries of the inverse of A = Pᵀ L Lᵀ P from the Cholesky factor L.
 ///
-/// One backward sweep (Takahashi, Fagan, Chin, 1973) computes all entries on the pattern of L. Other entries
-/// cost two triangular solves per column.
+/// One backward sweep (Takahashi, Fagan, Chin, 1973) computes all entries on the pattern of L. For other
+/// entries, each column of the inverse costs two triangular solves.
 class G2O_CORE_API MarginalCovarianceCholesky {
  public:
   MarginalCovarianceCholesky();
   ~MarginalCovarianceCholesky();
 
-  /// L has n compressed columns. Each column begins with its diagonal entry and has every entry that the
-  /// elimination fills. permInv[i] is the row of scalar i of A in L; if permInv is null, L has the order of
-  /// A. All four arrays must live until the last computation.
+  /// L has n compressed columns. Each column begins with its diagonal entry and must have all fill-in of the
+  /// elimination. permInv[i] is the row of L for scalar i of A. If permInv is null, L has the same order as
+  /// A. All four arrays must stay valid until the last computation.
   void setCholeskyFactor(int n, int* Lp, int* Li, double* Lx, int* permInv);
 
   /// Computes the diagonal blocks, stored by columns. Block i ends at scalar blockIndices[i] and is written
@@ -45,8 +45,8 @@ class G2O_CORE_API MarginalCovarianceCholesky {
   double entry(int row, int column);
   const VectorX& column(int c);
 
-  std::vector<double> inverse_;               ///< on the pattern of L; empty until the first use
-  std::unordered_map<int, VectorX> columns_;  ///< of the inverse, for entries outside the pattern
+  std::vector<double> inverse_;               ///< entries on the pattern of L; empty until the first use
+  std::unordered_map<int, VectorX> columns_;  ///< columns of the inverse, for entries outside the pattern
 };
 
 }  // namespace g2o

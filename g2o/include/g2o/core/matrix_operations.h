@@ -16,7 +16,7 @@ inline void axpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int xo
   y.segment(yoff, A.rows()).noalias() += A * x.segment(xoff, A.cols());
 }
 
-/// The same with Aᵀ.
+/// Adds Aᵀ times the part of x that begins at xoff to the part of y that begins at yoff.
 template <typename MatrixType>
 inline void atxpy(const MatrixType& A, const Eigen::Map<const VectorX>& x, int xoff, Eigen::Map<VectorX>& y,
                   int yoff) {

@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The pattern of a sparse matrix in compressed columns. The rows of column c are Aii[k] for Ap[c] ≤ k < Ap[c
-/// + 1].
+/// The pattern of a sparse matrix in compressed columns.
+/// Column c has the rows Aii[k] for Ap[c] ≤ k < Ap[c + 1].
 class G2O_CORE_API MatrixStructure {
  public:
   MatrixStructure();
@@ -22,12 +22,12 @@ class G2O_CORE_API MatrixStructure {
   /// Allocates n_ columns with nz entries.
   void alloc(int n_, int nz);
   void free();
-  /// Writes the pattern as a list of rows and columns, counted from 1.
+  /// Writes the pattern as a list of rows and columns, which are counted from 1.
   bool write(const char* filename) const;
   int nzMax() const { return maxNz; }
 
-  int n = 0;          ///< columns
-  int m = 0;          ///< rows
+  int n = 0;          ///< number of columns
+  int m = 0;          ///< number of rows
   int* Ap = nullptr;  ///< n + 1 offsets
   int* Aii = nullptr;
 

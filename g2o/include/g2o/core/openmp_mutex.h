@@ -7,8 +7,8 @@
 
 namespace g2o {
 
-/// Locks nothing. Edges are linearized on one thread unless their type is declared as thread-safe, and edges
-/// on several threads never write to the same block.
+/// Locks nothing, because no lock is necessary: edges are linearized on one thread unless their type is
+/// declared thread-safe, and edges on different threads never write to the same block.
 class OpenMPMutex {
  public:
   void lock() {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hyper-graph as an optimization problem: vertices with an estimate, edges with an error.
+// A hyper-graph as an optimization problem: vertices have estimates, and edges have errors.
 #pragma once
 #ifndef G2O_AIS_OPTIMIZABLE_GRAPH_HH_
 #define G2O_AIS_OPTIMIZABLE_GRAPH_HH_
@@ -35,7 +35,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   enum ActionType {
     AT_PREITERATION,
     AT_POSTITERATION,
-    AT_NUM_ELEMENTS,  // keep as last elements
+    AT_NUM_ELEMENTS,  // must be the last element
   };
 
   using HyperGraphActionSet = std::set<HyperGraphAction*>;
@@ -48,7 +48,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     bool operator()(const Vertex* v1, const Vertex* v2) const { return v1->id() < v2->id(); }
   };
 
-  /// Orders edges in the order in which they were added to the graph.
+  /// Orders edges by the time at which they were added to the graph.
   struct EdgeIDCompare {
     bool operator()(const Edge* e1, const Edge* e2) const { return e1->internalId() < e2->internalId(); }
     bool operator()(const HyperGraph::Edge* e1, const HyperGraph::Edge* e2) const {
@@ -59,7 +59,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   using VertexContainer = std::vector<Vertex*>;
   using EdgeContainer = std::vector<Edge*>;
 
-  /// A variable on a manifold. BaseVertex implements everything but oplusImpl(), setToOriginImpl(), read()
+  /// A variable on a manifold. BaseVertex implements everything except oplusImpl(), setToOriginImpl(), read()
   /// and write().
   class G2O_CORE_API Vertex : public HyperGraph::Vertex {
     friend struct OptimizableGraph;
@@ -73,26 +73,26 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       updateCache();
     }
 
-    /// The (i, j) entry of the vertex's diagonal block of the Hessian, the determinant of the block, and its
-    /// memory. They are NaN and null until optimize() allocates the Hessian, and valid until the next
-    /// initializeOptimization().
+    /// The (i, j) entry, the determinant, and the memory of the vertex's diagonal block of the Hessian. The
+    /// values are NaN and the memory is null until optimize() allocates the Hessian. They are valid until the
+    /// next initializeOptimization().
     virtual const double& hessian(int i, int j) const = 0;
     virtual double& hessian(int i, int j) = 0;
     virtual double hessianDeterminant() const = 0;
     virtual double* hessianData() = 0;
-    /// Places the block at `d`, stored by columns.
+    /// Maps the diagonal block to the memory at `d`, stored by columns.
     virtual void mapHessianMemory(double* d) = 0;
-    /// Copies b = −Jᵀ Ω e to `b_` and returns its number of entries.
+    /// Copies b = −Jᵀ Ω e to `b_` and returns the number of entries.
     virtual int copyB(double* b_) const = 0;
     virtual const double& b(int i) const = 0;
     virtual double& b(int i) = 0;
     virtual double* bData() = 0;
     virtual void clearQuadraticForm() = 0;
-    /// Moves only this vertex, by the solution of (A + λ I) x = b. Returns the determinant of the matrix.
+    /// Moves only this vertex, by the solution of (A + λ I) x = b. Returns the determinant of A + λ I.
     virtual double solveDirect(double lambda = 0) = 0;
 
-    /// The estimate as an array of estimateDimension() values. Returns false if the type does not support
-    /// this.
+    /// Set or get the estimate as an array of estimateDimension() values. These functions return false if the
+    /// type does not support this.
     bool setEstimateData(const double* estimate);
     bool setEstimateData(const std::vector<double>& estimate) {
       const int dim = estimateDimension();
@@ -122,7 +122,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     }
     virtual int estimateDimension() const;
 
-    /// The same with minimalEstimateDimension() values.
+    /// Set or get the estimate as an array of minimalEstimateDimension() values.
     bool setMinimalEstimateData(const double* estimate);
     bool setMinimalEstimateData(const std::vector<double>& estimate) {
       const int dim = minimalEstimateDimension();
@@ -152,29 +152,29 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     }
     virtual int minimalEstimateDimension() const;
 
-    /// Save, restore and drop a copy of the estimate.
+    /// push() saves a copy of the estimate, pop() restores the last copy, and discardTop() drops it.
     virtual void push() = 0;
     virtual void pop() = 0;
     virtual void discardTop() = 0;
     virtual int stackSize() const = 0;
 
-    /// x ← x ⊞ v.
+    /// Replaces the estimate x by x ⊞ v.
     void oplus(const double* v) {
       oplusImpl(v);
       updateCache();
     }
 
-    /// The block row of this vertex in the Hessian of the last initializeOptimization(), or −1 if it has
-    /// none.
+    /// The block row of this vertex in the Hessian of the last initializeOptimization(), or −1 if the vertex
+    /// is not in the Hessian.
     int hessianIndex() const { return _hessianIndex; }
     int G2O_ATTRIBUTE_DEPRECATED(tempIndex() const) { return hessianIndex(); }
     void setHessianIndex(int ti) { _hessianIndex = ti; }
     void G2O_ATTRIBUTE_DEPRECATED(setTempIndex(int ti)) { setHessianIndex(ti); }
 
-    /// A fixed vertex keeps its estimate.
+    /// The optimization does not change the estimate of a fixed vertex.
     bool fixed() const { return _fixed; }
     void setFixed(bool fixed) { _fixed = fixed; }
-    /// A marginalized vertex is eliminated by the Schur complement.
+    /// The Schur complement eliminates a marginalized vertex.
     bool marginalized() const { return _marginalized; }
     void setMarginalized(bool marginalized) { _marginalized = marginalized; }
 
@@ -204,8 +204,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     OpenMPMutex _quadraticFormMutex;
     std::unique_ptr<CacheContainer> _cacheContainer;
 
-    /// Implements ⊞. Override one of the two. The default of the first calls the second, which the ready-made
-    /// types override.
+    /// Implements ⊞. Override one of the two overloads. By default, the first overload calls the second one.
+    /// The library's types override the second one.
     virtual void oplusImpl(const double* v);
     virtual void oplusImpl(double* v);
     virtual void setToOriginImpl() = 0;
@@ -213,10 +213,10 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool setMinimalEstimateDataImpl(const double*) { return false; }
 
    private:
-    int addedAs_ = InvalidId;  // the id with which the graph lists it
+    int addedAs_ = InvalidId;  // the id under which the graph lists the vertex
   };
 
-  /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement everything but computeError(), read() and
+  /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement everything except computeError(), read() and
   /// write().
   class G2O_CORE_API Edge : public HyperGraph::Edge {
     friend struct OptimizableGraph;
@@ -231,7 +231,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual double* errorData() = 0;
     virtual const double* informationData() const = 0;
     virtual double* informationData() = 0;
-    /// eᵀΩe of the last computeError(), without the robust kernel.
+    /// eᵀΩe with the error of the last computeError(), without the robust kernel.
     virtual double chi2() const = 0;
 
     /// Sets the measurement from an array of measurementDimension() values.
@@ -245,12 +245,12 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     /// Takes ownership and deletes the previous kernel.
     void setRobustKernel(RobustKernel* ptr);
 
-    /// Adds JᵀΩJ to the mapped blocks of the Hessian, and −JᵀΩe to b of the vertices.
+    /// Adds JᵀΩJ to the mapped blocks of the Hessian, and −JᵀΩe to b of each vertex.
     virtual void constructQuadraticForm() = 0;
-    /// Places the block of the vertices at positions i < j at `d`: block (i, j) by columns, or block (j, i)
-    /// if `rowMajor`.
+    /// Maps the Hessian block of the vertices at positions i < j to the memory at `d`: block (i, j), stored
+    /// by columns, or block (j, i) if `rowMajor` is true.
     virtual void mapHessianMemory(double* d, int i, int j, bool rowMajor) = 0;
-    /// Writes the Jacobians into the workspace.
+    /// Writes the Jacobians to the workspace.
     virtual void linearizeOplus(JacobianWorkspace& jacobianWorkspace) = 0;
 
     /// Sets the estimate of `to` from the estimates of `from`.
@@ -263,7 +263,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       return -1.;
     }
 
-    /// Only edges of the same level take part in an optimization.
+    /// An optimization uses only the edges of one level.
     int level() const { return _level; }
     void setLevel(int l) { _level = l; }
     /// The number of rows of the error.
@@ -271,7 +271,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 
     G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createFrom()) { return createVertex(0); }
     G2O_ATTRIBUTE_DEPRECATED(virtual Vertex* createTo()) { return createVertex(1); }
-    /// Returns a new vertex of the type at position i.
+    /// Returns a new vertex of the type that the edge expects at position i.
     virtual Vertex* createVertex(int) { return nullptr; }
 
     virtual bool read(std::istream& is) = 0;
@@ -280,13 +280,13 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     /// Whether the assigned vertices have the types that the edge expects.
     virtual bool verticesFit() const { return true; }
 
-    /// Counts up with each edge that is added to the graph.
+    /// A number that increases with each edge that is added to the graph.
     long long internalId() const { return _internalId; }
     OptimizableGraph* graph();
     const OptimizableGraph* graph() const;
 
     bool setParameterId(int argNum, int paramId);
-    /// nullptr if there is none.
+    /// Returns nullptr if there is no such parameter.
     const Parameter* parameter(int argNo) const {
       const auto at = static_cast<size_t>(argNo);
       return argNo < 0 || at >= _parameters.size() || _parameters[at] == nullptr ? nullptr : *_parameters[at];
@@ -302,7 +302,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     long long _internalId = -1;
     std::vector<int> _cacheIds;
 
-    /// From addEdge() on, `p` points to parameter `argNo` of this edge.
+    /// Makes addEdge() point `p` to parameter `argNo` of this edge.
     template <typename ParameterType>
     bool installParameter(ParameterType*& p, size_t argNo, int paramId = -1) {
       if (argNo >= _parameters.size()) return false;
@@ -342,28 +342,28 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   Vertex* vertex(int id) { return static_cast<Vertex*>(HyperGraph::vertex(id)); }
   const Vertex* vertex(int id) const { return static_cast<const Vertex*>(HyperGraph::vertex(id)); }
 
-  /// Returns false if the id of the vertex is taken or the vertex is in another graph. `userData` is attached
-  /// to the vertex.
+  /// Returns false if the id of the vertex is taken or if the vertex is already in a graph. Attaches
+  /// `userData` to the vertex.
   bool addVertex(HyperGraph::Vertex* v) override;
   virtual bool addVertex(HyperGraph::Vertex* v, Data* userData);
   bool addVertex(OptimizableGraph::Vertex* v, Data* userData);
   bool addVertex(OptimizableGraph::Vertex* v) { return addVertex(v, nullptr); }
 
-  /// Returns false if the edge lacks a vertex or a parameter, has the same vertex twice, or has a vertex of
-  /// the wrong type.
+  /// Returns false if a vertex or a parameter of the edge is missing, if the same vertex appears twice, or if
+  /// a vertex has the wrong type.
   bool addEdge(HyperGraph::Edge* e) override;
   bool addEdge(OptimizableGraph::Edge* e);
 
-  /// Adds an edge that still lacks vertices (data without association, id −1 in files). save() writes it, but
-  /// it takes no part in the optimization until setEdgeVertex() has set all its vertices.
+  /// Adds an edge that does not have all its vertices yet (data without association, id −1 in files). save()
+  /// writes the edge, but the optimization ignores it until setEdgeVertex() has set all its vertices.
   bool addUnassignedEdge(OptimizableGraph::Edge* e);
 
-  /// Returns false and changes nothing if the edge already has the vertex, if the vertex is not in the graph
-  /// or has the wrong type, or if a parameter is missing.
+  /// Returns false and changes nothing if the vertex is already at another position of the edge, is not in
+  /// the graph, or has the wrong type, or if a parameter is missing.
   bool setEdgeVertex(HyperGraph::Edge* e, int pos, HyperGraph::Vertex* v) override;
   bool changeId(HyperGraph::Vertex* v, int newId) override;
 
-  /// Σ eᵀΩe over all edges, without robust kernels, from the errors as last computed.
+  /// The sum of eᵀΩe over all edges, without robust kernels. Uses the errors that were computed last.
   double chi2() const;
   int maxDimension() const;
   /// The distinct dimensions of the vertices.
@@ -372,13 +372,13 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   virtual int optimize(int iterations, bool online = false);
   virtual void preIteration(int);
   virtual void postIteration(int);
-  /// The caller keeps the ownership of actions.
+  /// The caller still owns the action.
   bool addPreIterationAction(HyperGraphAction* action);
   bool addPostIterationAction(HyperGraphAction* action);
   bool removePreIterationAction(HyperGraphAction* action);
   bool removePostIterationAction(HyperGraphAction* action);
 
-  /// Save, restore and drop copies of the estimates of all vertices, or of some.
+  /// Save, restore and drop copies of the estimates of all vertices, or of the vertices in `vset`.
   virtual void push();
   virtual void pop();
   virtual void discardTop();
@@ -387,8 +387,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   virtual void discardTop(HyperGraph::VertexSet& vset);
   virtual void setFixed(HyperGraph::VertexSet& vset, bool fixed);
 
-  /// Reads a .g2o file with the types of the Factory. Returns false if the file cannot be opened or a line
-  /// cannot be read. In the latter case it reports the line to the log sink and still reads the other lines.
+  /// Reads a .g2o file with the types of the Factory. Returns false if the file cannot be opened or if a line
+  /// cannot be read. Logs an error for each line that cannot be read, and still reads the other lines.
   virtual bool load(std::istream& is);
   bool load(const char* filename);
   bool load(const std::string& filename) { return load(filename.c_str()); }
@@ -403,29 +403,29 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool saveEdge(std::ostream& os, Edge* e) const;
   bool saveUserData(std::ostream& os, HyperGraph::Data* v) const;
 
-  /// "A=B,C=D": tag A in a file means tag B of the factory. An empty string removes all renamings.
+  /// With "A=B,C=D", tag A in a file means tag B of the factory, and C means D. "" removes all renamings.
   void setRenamedTypesFromString(const std::string& types);
 
-  /// Whether an algorithm supports vertices of these dimensions (by default, those of the graph).
+  /// Whether an algorithm supports vertices with these dimensions. By default, checks the graph's vertices.
   bool isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
                         const std::set<int>& vertDims = std::set<int>()) const;
 
-  /// Deletes the parameters and everything else, because edges use the parameters.
+  /// Deletes the parameters. Also deletes all vertices and edges, because edges use the parameters.
   virtual void clearParameters();
   bool addParameter(Parameter* p) { return _parameters.addParameter(p); }
   Parameter* parameter(int id) { return _parameters.getParameter(id); }
   ParameterContainer& parameters() { return _parameters; }
   const ParameterContainer& parameters() const { return _parameters; }
 
-  /// Whether Ω is symmetric and positive semi-definite for all edges. Reports to the log sink each edge for
-  /// which it is not.
+  /// Returns whether Ω is finite, symmetric and positive semi-definite for all edges. If `verbose` is true,
+  /// logs a warning for each edge for which this does not hold.
   bool verifyInformationMatrices(bool verbose = false) const;
 
   JacobianWorkspace& jacobianWorkspace() { return _jacobianWorkspace; }
   const JacobianWorkspace& jacobianWorkspace() const { return _jacobianWorkspace; }
   void recomputeJacobianWorkspaceSize();
 
-  /// Does nothing: g2o needs it, but here no initialization is necessary.
+  /// Does nothing. The function exists in g2o, but here, no initialization is necessary.
   static bool initMultiThreading();
 
   void forEachVertex(const std::function<void(OptimizableGraph::Vertex*)>& fn);
@@ -433,7 +433,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 
  protected:
   bool addAction(int type, HyperGraphAction* action);
-  /// Calls the actions of a type. An action may remove itself and others, and delete those that it removed.
+  /// Calls the actions of a type. An action may remove itself or others, and may delete the removed actions.
   void callActions(int type, HyperGraphAction::Parameters* parameters = nullptr);
 
   std::map<std::string, std::string> _renamedTypesLookup;

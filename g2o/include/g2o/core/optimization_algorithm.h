@@ -16,7 +16,7 @@ namespace g2o {
 
 class SparseOptimizer;
 
-/// A nonlinear method; solve() makes one step.
+/// A method for nonlinear optimization. Each solve() performs one iteration.
 class G2O_CORE_API OptimizationAlgorithm {
  public:
   enum SolverResult { Terminate = 2, OK = 1, Fail = -1 };
@@ -33,7 +33,7 @@ class G2O_CORE_API OptimizationAlgorithm {
                                 const std::vector<std::pair<int, int>>& blockIndices) = 0;
   virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
                                const HyperGraph::EdgeSet& edges) = 0;
-  /// Appends the part of a verbose line that describes this method's iteration.
+  /// Appends the method's own values to the verbose line about an iteration.
   virtual void printVerbose(std::ostream& os) const { (void)os; }
 
   const SparseOptimizer* optimizer() const { return _optimizer; }
@@ -41,7 +41,7 @@ class G2O_CORE_API OptimizationAlgorithm {
   void setOptimizer(SparseOptimizer* optimizer) { _optimizer = optimizer; }
 
   const PropertyMap& properties() const { return _properties; }
-  /// Sets properties from "name=value,name=value".
+  /// Sets properties from a string such as "name=value,name=value".
   bool updatePropertiesFromString(const std::string& propString);
   void printProperties(std::ostream& os) const;
 

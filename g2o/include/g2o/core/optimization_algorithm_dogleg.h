@@ -10,17 +10,17 @@
 
 namespace g2o {
 
-/// Powell's dogleg.
+/// Powell's dogleg method.
 class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWithHessian {
  public:
   enum { STEP_UNDEFINED, STEP_SD, STEP_GN, STEP_DL };
 
   explicit OptimizationAlgorithmDogleg(std::unique_ptr<BlockSolverBase> solver);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The algorithm takes ownership.
   explicit OptimizationAlgorithmDogleg(BlockSolverBase* solver);
   ~OptimizationAlgorithmDogleg() override;
 
-  /// Returns false, with a message, if a property has an invalid value.
+  /// Logs an error and returns false if a property has an invalid value.
   bool init(bool online = false) override;
   SolverResult solve(int iteration, bool online = false) override;
   void printVerbose(std::ostream& os) const override;
@@ -30,14 +30,14 @@ class G2O_CORE_API OptimizationAlgorithmDogleg : public OptimizationAlgorithmWit
   static const char* stepType2Str(int stepType);
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like those below
+  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like the next three members
   Property<double>* _userDeltaInit;
   Property<double>* _initialLambda;
   Property<double>* _lamdbaFactor;
 
   VectorX _hsd;        ///< steepest descent step
   VectorX _hdl;        ///< dogleg step
-  VectorX _auxVector;  ///< scratch
+  VectorX _auxVector;  ///< scratch memory
   double _currentLambda = 0;
   double _delta = 1e4;  ///< trust-region radius
   bool _wasPDInAllIterations = true;

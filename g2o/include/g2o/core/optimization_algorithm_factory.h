@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Algorithms by name: "gn_var", "lm_fix6_3", …
+// Creates algorithms by name: "gn_var", "lm_fix6_3", …
 #pragma once
 #ifndef G2O_OPTMIZATION_ALGORITHM_FACTORY_H
 #define G2O_OPTMIZATION_ALGORITHM_FACTORY_H
@@ -35,13 +35,13 @@ class G2O_CORE_API OptimizationAlgorithmFactory {
   static OptimizationAlgorithmFactory* instance();
   static void destroy();
 
-  /// If the name is already registered, replaces its creator until this one is withdrawn.
+  /// If the name is already registered, `c` replaces the registered creator until `c` is withdrawn.
   void registerSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
   void registerSolver(AbstractOptimizationAlgorithmCreator* c);
   void unregisterSolver(const std::shared_ptr<AbstractOptimizationAlgorithmCreator>& c);
-  /// Returns a new algorithm, which the caller owns, and sets its property. Returns nullptr if the name is
-  /// unknown. If a name ends in _cholmod or _csparse and that library is missing, returns the algorithm
-  /// without that suffix and warns.
+  /// Returns a new algorithm, which the caller owns, and sets `solverProperty`. Returns nullptr if the name
+  /// is unknown. If the name ends in _cholmod or _csparse and that library is missing, logs a warning and
+  /// returns the algorithm with the same name without this suffix.
   OptimizationAlgorithm* construct(const std::string& tag,
                                    OptimizationAlgorithmProperty& solverProperty) const;
   void listSolvers(std::ostream& os) const;
@@ -78,7 +78,7 @@ class RegisterOptimizationAlgorithmProxy {
 
 #define G2O_OAF_EXPORT G2O_API_EXPORT
 
-/// Names the algorithms of a library, so that a program can request that they are linked.
+/// Names the algorithms of a library. G2O_USE_OPTIMIZATION_LIBRARY() can then force a program to link them.
 #define G2O_REGISTER_OPTIMIZATION_LIBRARY(libraryname) \
   extern "C" void G2O_OAF_EXPORT g2o_optimization_library_##libraryname(void) {}
 

@@ -9,11 +9,11 @@
 
 namespace g2o {
 
-/// Takes every Gauss-Newton step. If H is not positive definite, keeps the estimates and returns Fail.
+/// Accepts every Gauss-Newton step. If H is not positive definite, keeps the estimates and returns Fail.
 class G2O_CORE_API OptimizationAlgorithmGaussNewton : public OptimizationAlgorithmWithHessian {
  public:
   explicit OptimizationAlgorithmGaussNewton(std::unique_ptr<Solver> solver);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The algorithm takes ownership.
   explicit OptimizationAlgorithmGaussNewton(Solver* solver);
   ~OptimizationAlgorithmGaussNewton() override;
 

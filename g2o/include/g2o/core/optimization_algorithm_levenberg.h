@@ -9,11 +9,11 @@
 
 namespace g2o {
 
-/// Levenberg-Marquardt with λI and Nielsen's rule for λ.
+/// Levenberg-Marquardt with the damping term λI and Nielsen's rule for λ.
 class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithmWithHessian {
  public:
   explicit OptimizationAlgorithmLevenberg(std::unique_ptr<Solver> solver);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The algorithm takes ownership.
   explicit OptimizationAlgorithmLevenberg(Solver* solver);
   ~OptimizationAlgorithmLevenberg() override;
 
@@ -21,17 +21,17 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   void printVerbose(std::ostream& os) const override;
 
   double currentLambda() const { return _currentLambda; }
-  /// The largest number of steps that one iteration tries before it returns Terminate.
+  /// The maximum number of steps that one iteration tries before it returns Terminate.
   void setMaxTrialsAfterFailure(int max_trials);
   int maxTrialsAfterFailure() const { return _maxTrialsAfterFailure->value(); }
-  /// The first λ. If it is ≤ 0, λ starts at 1e-5 times the largest diagonal entry of H.
+  /// The initial λ. If it is ≤ 0, the initial λ is 1e-5 times the largest diagonal entry of H.
   double userLambdaInit() { return _userLambdaInit->value(); }
   void setUserLambdaInit(double lambda);
   /// The number of steps that the last iteration tried.
   int levenbergIteration() { return _levenbergIterations; }
 
  protected:
-  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like the next one
+  Property<int>* _maxTrialsAfterFailure;  ///< owned by _properties, like the next member
   Property<double>* _userLambdaInit;
   double _currentLambda = -1;
   double _tau = 1e-5;

@@ -10,7 +10,7 @@
 
 namespace g2o {
 
-/// Describes an algorithm of the factory and the vertices that it supports (−1: any dimension).
+/// Describes an algorithm of the factory and the dimensions of the vertices that it supports (−1: any).
 struct G2O_CORE_API OptimizationAlgorithmProperty {
   std::string name;
   std::string desc;

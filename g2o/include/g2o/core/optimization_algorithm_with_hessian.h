@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// A method that uses a Solver.
+/// An algorithm that uses a Solver.
 class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
  public:
   explicit OptimizationAlgorithmWithHessian(Solver& solver);
@@ -34,16 +34,16 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
 
  protected:
   Solver& _solver;
-  Property<bool>* _writeDebug;  ///< in _properties
+  Property<bool>* _writeDebug;  ///< owned by _properties
 
-  /// Computes errors and Jacobians, and in the first iteration also the structure.
+  /// Computes errors and Jacobians. In the first iteration, builds the structure of the linear system, too.
   bool linearize(int iteration, bool online);
-  /// Returns its argument. If it is false because the sum of the errors is not finite, reports the edge that
-  /// causes it.
+  /// Returns `finite`. If it is false, logs an error. The message names an edge if the error of that edge is
+  /// not finite.
   bool reportUnlessFinite(bool finite) const;
-  /// Solves the system and measures the time.
+  /// Solves the system and records the time.
   bool solveSystem();
-  /// Solves with λ added to the diagonal of H, and restores the diagonal.
+  /// Adds λ to the diagonal of H, solves the system, and restores the diagonal.
   bool solveDamped(double lambda);
 
  private:

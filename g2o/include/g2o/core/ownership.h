@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// Deletes an object that a container owns by a raw pointer. Does nothing if
+/// Deletes an object that a container owns through a raw pointer. Does nothing if
 /// G2O_NO_IMPLICIT_OWNERSHIP_OF_OBJECTS is defined, because the client then owns such objects.
 template <typename T>
 void release(T* object) {

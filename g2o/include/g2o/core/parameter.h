@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// A constant that edges share: a sensor offset, a camera.
+/// A constant that edges share, for example a sensor offset or a camera.
 class G2O_CORE_API Parameter : public HyperGraph::HyperGraphElement {
  public:
   Parameter();

@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// The parameters of a graph by id.
+/// The parameters of a graph, sorted by id.
 class G2O_CORE_API ParameterContainer : protected std::map<int, Parameter*> {
  public:
   using BaseClass = std::map<int, Parameter*>;
@@ -22,13 +22,13 @@ class G2O_CORE_API ParameterContainer : protected std::map<int, Parameter*> {
   ParameterContainer& operator=(const ParameterContainer&) = delete;
   virtual ~ParameterContainer();
 
-  /// Returns false if the id is negative or taken. The caller then keeps the parameter.
+  /// Returns false if the id is negative or taken. The caller then still owns the parameter.
   bool addParameter(Parameter* p);
   Parameter* getParameter(int id) const;
-  /// Removes the parameter without deleting it. Returns nullptr if there is none.
+  /// Removes the parameter without deleting it. Returns nullptr if no parameter has this id.
   Parameter* detachParameter(int id);
-  /// Reads lines of parameters and skips lines with other tags. `renameMap` maps tags of the file to tags of
-  /// the factory.
+  /// Reads the lines that describe parameters and skips all other lines. `renameMap` maps tags of the file to
+  /// tags of the factory.
   virtual bool read(std::istream& is, const std::map<std::string, std::string>* renameMap = nullptr);
   virtual bool write(std::ostream& os) const;
   bool isMainStorage() const { return _isMainStorage; }

@@ -8,8 +8,8 @@
 namespace g2o {
 namespace internal {
 
-/// For oplusImpl() of a vertex whose step would make the estimate infinite or NaN. The vertex keeps its
-/// estimate and calls this function. The log then names the vertex, and the algorithm rejects the step or
+/// A vertex calls this function in oplusImpl() if the step would make its estimate infinite or NaN. The
+/// vertex keeps its estimate. The log then names the vertex, and the algorithm rejects the step or
 /// stops.
 G2O_CORE_API void refuseStep(const OptimizableGraph::Vertex& v);
 

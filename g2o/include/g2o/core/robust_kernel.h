@@ -10,13 +10,13 @@
 
 namespace g2o {
 
-/// Replaces eᵀΩe of an edge by ρ(eᵀΩe).
+/// Replaces the chi2 of an edge, eᵀΩe, by ρ(eᵀΩe).
 class G2O_CORE_API RobustKernel {
  public:
   RobustKernel();
   explicit RobustKernel(double delta);
   virtual ~RobustKernel();
-  /// rho ← ρ, ρ′, ρ″ of the squared error.
+  /// Sets rho to the values of ρ, ρ′ and ρ″ at the squared error.
   virtual void robustify(double squaredError, Vector3& rho) const = 0;
   virtual void setDelta(double delta);
   double delta() const { return _delta; }

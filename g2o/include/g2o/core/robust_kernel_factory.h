@@ -27,18 +27,18 @@ class RobustKernelCreator : public AbstractRobustKernelCreator {
   RobustKernel* construct() override { return new T; }
 };
 
-/// Robust kernels by name: "Huber", "Cauchy", …
+/// Creates robust kernels by name: "Huber", "Cauchy", …
 class G2O_CORE_API RobustKernelFactory {
  public:
   static RobustKernelFactory* instance();
   static void destroy();
 
-  /// If the name is already registered, replaces its creator until this one is withdrawn.
+  /// If the name is already registered, `c` replaces the registered creator until `c` is withdrawn.
   void registerRobustKernel(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The factory takes ownership.
   void registerRobustKernel(const std::string& tag, AbstractRobustKernelCreator* c);
   void unregisterType(const std::string& tag);
-  /// Withdraws exactly the registration that was made with this creator (not in g2o).
+  /// Withdraws only the registration that was made with this creator. g2o does not have this overload.
   void unregisterType(const std::string& tag, const AbstractRobustKernelCreator::Ptr& c);
   /// Returns a new kernel, which the caller owns, or nullptr if the name is unknown.
   RobustKernel* construct(const std::string& tag) const;

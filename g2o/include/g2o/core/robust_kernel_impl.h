@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the library. boxplus/robust computes their values.
+// The robust kernels of the library. The code in boxplus/robust computes their values.
 #pragma once
 #ifndef G2O_ROBUST_KERNEL_IMPL_H
 #define G2O_ROBUST_KERNEL_IMPL_H
@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// Scales the argument of another kernel: δ² ρ(e²/δ²).
+/// Scales another kernel ρ: δ² ρ(e²/δ²).
 class G2O_CORE_API RobustKernelScaleDelta : public RobustKernel {
  public:
   explicit RobustKernelScaleDelta(const RobustKernelPtr& kernel, double delta = 1.);
@@ -21,42 +21,42 @@ class G2O_CORE_API RobustKernelScaleDelta : public RobustKernel {
   RobustKernelPtr _kernel;
 };
 
-/// Quadratic up to δ, linear beyond.
+/// Quadratic up to δ, and linear beyond δ.
 class G2O_CORE_API RobustKernelHuber : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// A smooth transition from quadratic to linear.
+/// Changes smoothly from quadratic to linear growth.
 class G2O_CORE_API RobustKernelPseudoHuber : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Grows logarithmically.
+/// Grows logarithmically for large errors.
 class G2O_CORE_API RobustKernelCauchy : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded. δ is in units of the squared error.
+/// Bounded. δ has the unit of the squared error.
 class G2O_CORE_API RobustKernelGemanMcClure : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded, with an exponential.
+/// Bounded. Approaches its bound exponentially.
 class G2O_CORE_API RobustKernelWelsch : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Grows between quadratically and linearly.
+/// Almost quadratic for small errors, and almost linear for large errors.
 class G2O_CORE_API RobustKernelFair : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
@@ -70,14 +70,14 @@ class G2O_CORE_API RobustKernelTukey : public RobustKernel {
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Quadratic up to δ, constant beyond.
+/// Quadratic up to δ, and constant beyond δ.
 class G2O_CORE_API RobustKernelSaturated : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Dynamic covariance scaling. δ is the parameter Φ, in units of the squared error.
+/// Dynamic covariance scaling. δ is the parameter Φ, which has the unit of the squared error.
 class G2O_CORE_API RobustKernelDCS : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registrations that another registration of the same name hides.
+// Registrations that are hidden by another registration with the same name.
 #pragma once
 #ifndef G2O_SHADOWED_H
 #define G2O_SHADOWED_H
@@ -13,15 +13,15 @@
 namespace g2o {
 namespace internal {
 
-/// Several copies of a library in one process may share one registry and register the same names in it. Each
-/// copy withdraws its registrations when it is unloaded. The registrations of the other copies stay, hidden
-/// or not.
+/// Several copies of a library in one process may share one registry and register the same names. Each copy
+/// withdraws its own registrations when it is unloaded. The registrations of the other copies then remain,
+/// whether they are hidden or not.
 template <class T>
 class Shadowed {
  public:
   using Ptr = std::shared_ptr<T>;
 
-  /// Makes `one` the `current` registration of the name and hides the previous one.
+  /// Makes `one` the current registration of the name and hides the previous registration.
   void replace(const std::string& name, Ptr& current, const Ptr& one) {
     if (current == one) return;
     remove(name, one);
@@ -32,8 +32,8 @@ class Shadowed {
     remove(name, one);
     hidden_.emplace_back(name, one);
   }
-  /// Withdraws `one`. If it was current, `current` becomes the registration that was hidden last, or nullptr.
-  /// Returns false if `one` was neither hidden nor current.
+  /// Withdraws `one`. If `one` was current, sets `current` to the registration that was hidden last, or to
+  /// nullptr. Returns false if `one` was neither hidden nor current.
   bool take_back(const std::string& name, Ptr& current, const Ptr& one) {
     if (current == one) {
       current = last(name);

@@ -32,16 +32,16 @@ class G2O_CORE_API Solver {
   virtual bool init(SparseOptimizer* optimizer, bool online = false) = 0;
   /// Allocates H for the active vertices and edges.
   virtual bool buildStructure(bool zeroBlocks = false) = 0;
-  /// Extends the structure by vertices and edges that were added.
+  /// Adds new vertices and edges to the structure.
   virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
                                const HyperGraph::EdgeSet& edges) = 0;
-  /// Linearizes the active edges, whose errors must be computed, and fills H and b.
+  /// Linearizes the active edges and fills H and b. The errors of the edges must be up to date.
   virtual bool buildSystem() = 0;
   virtual bool solve() = 0;
-  /// Computes the blocks (i, j) of H⁻¹, by Hessian index.
+  /// Computes the blocks (i, j) of H⁻¹. i and j are Hessian indices.
   virtual bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                                 const std::vector<std::pair<int, int>>& blockIndices) = 0;
-  /// Adds λ to the diagonal of H. If `backup` is true, restoreDiagonal() can undo it.
+  /// Adds λ to the diagonal of H. If `backup` is true, restoreDiagonal() can undo this.
   virtual bool setLambda(double lambda, bool backup = false) = 0;
   virtual void restoreDiagonal() = 0;
 
@@ -57,14 +57,14 @@ class G2O_CORE_API Solver {
   bool levenberg() const { return _isLevenberg; }
   void setLevenberg(bool levenberg);
 
-  /// Whether steps may be inexact. Levenberg-Marquardt and dogleg allow this, because they compare the actual
-  /// decrease with the predicted one. If this is false, the library's direct solvers use only double
-  /// precision (not in g2o).
+  /// Whether steps may be inexact. Levenberg-Marquardt and dogleg allow inexact steps, because they compare
+  /// the actual decrease with the predicted decrease. If steps must be exact, the library's direct solvers
+  /// use only double precision. g2o does not have this setting.
   bool inexactSteps() const { return inexact_steps_; }
   void setInexactSteps(bool inexactSteps);
 
   virtual bool supportsSchur() { return false; }
-  /// Whether marginalized vertices are eliminated first.
+  /// Whether the Schur complement eliminates marginalized vertices first.
   virtual bool schur() = 0;
   virtual void setSchur(bool s) = 0;
 

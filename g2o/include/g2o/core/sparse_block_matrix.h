@@ -22,16 +22,16 @@
 
 namespace g2o {
 
-/// Column c of blocks is a map from the row of blocks to the block. Row r spans the scalars
-/// [rowBaseOfBlock(r), rowBaseOfBlock(r) + rowsOfBlock(r)), and likewise for columns.
+/// Block column c is a map from block rows to blocks. Block row r spans the scalar rows [rowBaseOfBlock(r),
+/// rowBaseOfBlock(r) + rowsOfBlock(r)). The same holds for columns.
 template <class MatrixType = MatrixX>
 class SparseBlockMatrix {
  public:
   using SparseMatrixBlock = MatrixType;
   using IntBlockMap = std::map<int, SparseMatrixBlock*>;
 
-  /// rbi[r] (cbi[c]) is one past the last scalar of row r (column c) of blocks. If `hasStorage` is true, the
-  /// matrix owns its blocks.
+  /// rbi[r] is one past the last scalar of block row r, and cbi[c] is one past the last scalar of block
+  /// column c. If `hasStorage` is true, the matrix owns its blocks.
   SparseBlockMatrix(const int* rbi, const int* cbi, int rb, int cb, bool hasStorage = true)
       : _rowBlockIndices(rbi, rbi + rb),
         _colBlockIndices(cbi, cbi + cb),
@@ -66,7 +66,7 @@ class SparseBlockMatrix {
     }
   }
 
-  /// The block at (r, c). If there is none, returns a new zero block if `alloc` is true, else nullptr.
+  /// Returns the block at (r, c) or nullptr. If `alloc` is true, a missing block is created and set to zero.
   SparseMatrixBlock* block(int r, int c, bool alloc = false) {
     IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
     const auto found = column.find(r);
@@ -100,7 +100,7 @@ class SparseBlockMatrix {
     return count;
   }
 
-  /// Returns a copy. The caller owns it.
+  /// Returns a copy, which the caller owns.
   SparseBlockMatrix* clone() const {
     auto* copy = new SparseBlockMatrix(_rowBlockIndices.data(), _colBlockIndices.data(),
                                        static_cast<int>(_rowBlockIndices.size()),
@@ -108,8 +108,8 @@ class SparseBlockMatrix {
     for_each([&](int r, int c, const SparseMatrixBlock& b) { *copy->block(r, c, true) = b; });
     return copy;
   }
-  /// Returns rows [rmin, rmax) and columns [cmin, cmax) of blocks, which the caller owns. The blocks are
-  /// copied if `alloc` is true, else shared.
+  /// Returns a new matrix with the block rows [rmin, rmax) and block columns [cmin, cmax). The caller owns
+  /// the matrix. It has copies of the blocks if `alloc` is true. Otherwise, it shares the blocks.
   SparseBlockMatrix* slice(int rmin, int rmax, int cmin, int cmax, bool alloc = true) const {
     std::vector<int> rowEnds, colEnds;
     for (int r = rmin; r < rmax; ++r)
@@ -127,7 +127,7 @@ class SparseBlockMatrix {
     return part;
   }
 
-  /// dest ← thisᵀ. Returns false if dest has other block sizes. Afterwards, dest owns its blocks.
+  /// Sets dest = thisᵀ. Returns false if the block sizes of `dest` do not match.
   template <class MatrixTransposedType>
   bool transpose(SparseBlockMatrix<MatrixTransposedType>& dest) const {
     if (dest.rowBlockIndices() != _colBlockIndices || dest.colBlockIndices() != _rowBlockIndices)
@@ -149,7 +149,7 @@ class SparseBlockMatrix {
     return result;
   }
 
-  /// dest ← dest + this. Returns false if the block sizes differ.
+  /// Adds this matrix to `dest`. Returns false if the block sizes differ.
   bool add(SparseBlockMatrix& dest) const {
     if (dest._rowBlockIndices != _rowBlockIndices || dest._colBlockIndices != _colBlockIndices) return false;
     for_each([&](int r, int c, const SparseMatrixBlock& b) { *dest.block(r, c, true) += b; });
@@ -164,7 +164,7 @@ class SparseBlockMatrix {
   }
   std::unique_ptr<SparseBlockMatrix> added() const { return std::unique_ptr<SparseBlockMatrix>(clone()); }
 
-  /// dest ← dest + this · M. Returns false if the block sizes do not match.
+  /// Adds this · M to `dest`. Returns false if the block sizes do not match.
   template <class MatrixResultType, class MatrixFactorType>
   bool multiply(SparseBlockMatrix<MatrixResultType>*& dest,
                 const SparseBlockMatrix<MatrixFactorType>* M) const {
@@ -186,7 +186,7 @@ class SparseBlockMatrix {
     return true;
   }
 
-  /// dest ← dest + this · src. A null dest is allocated with new[].
+  /// Adds this · src to `dest`. If `dest` is null, allocates it with new[].
   void multiply(double*& dest, const double* src) const {
     allocate(dest, rows());
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
@@ -194,7 +194,7 @@ class SparseBlockMatrix {
           b * Eigen::Map<const VectorX>(src + colBaseOfBlock(c), b.cols());
     });
   }
-  /// The same for a symmetric matrix that is given by its upper triangle of blocks.
+  /// Does the same for a symmetric matrix that stores only its upper triangle of blocks.
   void multiplySymmetricUpperTriangle(double*& dest, const double* src) const {
     allocate(dest, rows());
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
@@ -206,7 +206,7 @@ class SparseBlockMatrix {
           b.transpose() * Eigen::Map<const VectorX>(src + rowBaseOfBlock(r), b.rows());
     });
   }
-  /// dest ← dest + thisᵀ · src.
+  /// Adds thisᵀ · src to `dest`.
   void rightMultiply(double*& dest, const double* src) const {
     allocate(dest, cols());
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
@@ -220,8 +220,8 @@ class SparseBlockMatrix {
     }
   }
 
-  /// dest ← P this Pᵀ for a symmetric matrix: block i becomes block pinv[i]. If `onlyUpper` is true, only the
-  /// upper triangle of blocks is read and written. Returns false if a block would change its size.
+  /// Sets dest = P · this · Pᵀ for a symmetric matrix: block i becomes block pinv[i]. If `onlyUpper` is true,
+  /// both store only the upper triangle of blocks. Returns false if the block sizes of `dest` do not match.
   bool symmPermutation(SparseBlockMatrix*& dest, const int* pinv, bool onlyUpper = false) const {
     const size_t n = _rowBlockIndices.size();
     std::vector<int> ends(n);
@@ -243,8 +243,8 @@ class SparseBlockMatrix {
     return true;
   }
 
-  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, leaves
-  /// out the scalars below the diagonal.
+  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, skips the
+  /// scalars below the diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
@@ -252,7 +252,7 @@ class SparseBlockMatrix {
   int fillCCS(double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), Cx);
   }
-  /// The pattern of the upper triangle of blocks.
+  /// Writes the pattern of the upper triangle of blocks.
   void fillBlockStructure(MatrixStructure& ms) const {
     int count = 0;
     for (size_t c = 0; c < _blockCols.size(); ++c)
@@ -273,8 +273,8 @@ class SparseBlockMatrix {
     return count;
   }
 
-  /// Fills `blockCCS`, which has the same block boundaries, with the blocks of this matrix. Returns the
-  /// number of blocks.
+  /// Fills `blockCCS` with pointers to the blocks of this matrix. `blockCCS` must have the same block
+  /// boundaries. Returns the number of blocks.
   int fillSparseBlockMatrixCCS(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_blockCols.size(), {});
@@ -282,7 +282,7 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(c)].emplace_back(r, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// The same by rows: row r of this matrix becomes column r of `blockCCS`. The blocks are not transposed.
+  /// Does the same by rows: block row r becomes column r of `blockCCS`. The blocks are not transposed.
   int fillSparseBlockMatrixCCSTransposed(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_rowBlockIndices.size(), {});
@@ -290,8 +290,8 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(r)].emplace_back(c, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// Replaces the blocks of this matrix by those of `hashMatrix`, which has the same block boundaries and is
-  /// empty afterwards.
+  /// Moves the blocks of `hashMatrix` into this matrix, in place of its own blocks. `hashMatrix` must have
+  /// the same block boundaries. It is empty afterwards.
   void takePatternFromHash(SparseBlockMatrixHashMap<MatrixType>& hashMatrix) {
     clear(true);
     _blockCols.resize(_colBlockIndices.size());
@@ -302,12 +302,12 @@ class SparseBlockMatrix {
     }
   }
 
-  /// Writes a sparse matrix for Octave. If `upperTriangle` is true, writes the lower triangle as its mirror
-  /// image.
+  /// Writes the matrix for Octave. If `upperTriangle` is true, the matrix stores only its upper triangle, and
+  /// the lower triangle is written as its mirror image.
   bool writeOctave(const char* filename, bool upperTriangle = true) const {
     std::ofstream out(filename);
     if (!out) return false;
-    std::map<std::pair<int, int>, double> entries;  // (column, row)
+    std::map<std::pair<int, int>, double> entries;  // keys: (column, row)
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
       for (int i = 0; i < b.rows(); ++i) {
         for (int j = 0; j < b.cols(); ++j) {
@@ -358,7 +358,7 @@ class SparseBlockMatrix {
   void for_each(F&& f) const {
     for_each_block([&](int r, int c, const SparseMatrixBlock* b) { f(r, c, *b); });
   }
-  /// The visitor of the scalars that internal::fillCCS() expects.
+  /// Returns the function with which internal::fillCCS() visits the scalars.
   auto scalars(bool upperTriangle) const {
     return [this, upperTriangle](auto&& begin, auto&& take) {
       internal::visitScalars(

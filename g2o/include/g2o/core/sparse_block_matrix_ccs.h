@@ -14,8 +14,8 @@
 
 namespace g2o {
 
-/// A view of blocks that it does not own. Refers to the block boundaries of another matrix, which must
-/// outlive it.
+/// A view that does not own its blocks. It refers to the block boundaries of another matrix, which must
+/// outlive the view.
 template <class MatrixType>
 class SparseBlockMatrixCCS {
  public:
@@ -45,7 +45,7 @@ class SparseBlockMatrixCCS {
   const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
   const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
 
-  /// dest ← dest + thisᵀ · src. A null dest is allocated with new[].
+  /// Adds thisᵀ · src to `dest`. If `dest` is null, allocates it with new[].
   void rightMultiply(double*& dest, const double* src) const {
     const int size = cols();
     if (dest == nullptr) dest = new double[static_cast<size_t>(size)]();
@@ -63,8 +63,8 @@ class SparseBlockMatrixCCS {
     for (SparseColumn& column : _blockCols) std::sort(column.begin(), column.end());
   }
 
-  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, leaves
-  /// out the scalars below the diagonal.
+  /// Writes the scalars as compressed columns and returns their number. If `upperTriangle` is true, skips the
+  /// scalars below the diagonal.
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
@@ -89,14 +89,14 @@ class SparseBlockMatrixCCS {
   }
 };
 
-/// A matrix whose pattern is still growing. Finds its blocks by hashing.
+/// A matrix whose pattern can still grow. It finds its blocks by hashing.
 template <class MatrixType>
 class SparseBlockMatrixHashMap {
  public:
   using SparseMatrixBlock = MatrixType;
   using SparseColumn = std::unordered_map<int, MatrixType*>;
 
-  /// Refers to the block boundaries of another matrix, which must outlive it. Owns its blocks until
+  /// Refers to the block boundaries of another matrix, which must outlive this matrix. Owns its blocks until
   /// SparseBlockMatrix::takePatternFromHash() takes them.
   SparseBlockMatrixHashMap(const std::vector<int>& rowIndices, const std::vector<int>& colIndices)
       : _rowBlockIndices(rowIndices), _colBlockIndices(colIndices) {}
@@ -120,8 +120,8 @@ class SparseBlockMatrixHashMap {
   const std::vector<int>& rowBlockIndices() const { return _rowBlockIndices; }
   const std::vector<int>& colBlockIndices() const { return _colBlockIndices; }
 
-  /// The block at (r, c). If there is none, makes one, which is zero if `zeroBlock` is true, else
-  /// uninitialized.
+  /// Returns the block at (r, c). If there is none, creates the block. A new block is zero if `zeroBlock` is
+  /// true. Otherwise, it is uninitialized.
   MatrixType* addBlock(int r, int c, bool zeroBlock = false) {
     if (_blockCols.size() <= static_cast<size_t>(c)) _blockCols.resize(_colBlockIndices.size());
     MatrixType*& block = _blockCols[static_cast<size_t>(c)][r];

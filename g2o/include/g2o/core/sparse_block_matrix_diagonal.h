@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A block-diagonal matrix. Refers to the block boundaries of another matrix, which must outlive it.
+/// A block-diagonal matrix. Refers to the block boundaries of another matrix, which must outlive this matrix.
 template <class MatrixType>
 class SparseBlockMatrixDiagonal {
  public:
@@ -29,7 +29,7 @@ class SparseBlockMatrixDiagonal {
   DiagonalVector& diagonal() { return _diagonal; }
   const std::vector<int>& blockIndices() const { return _blockIndices; }
 
-  /// dest ← dest + this · src. A null dest is allocated with new[].
+  /// Adds this · src to `dest`. If `dest` is null, allocates it with new[].
   void multiply(double*& dest, const double* src) const {
     const int size = cols();
     if (dest == nullptr) dest = new double[static_cast<size_t>(size)]();

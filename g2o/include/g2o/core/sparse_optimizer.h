@@ -24,7 +24,7 @@ class BlockSolverEngine;
 class EdgeParts;
 }  // namespace internal
 
-/// A graph that can be optimized: set an algorithm, call initializeOptimization(), call optimize().
+/// A graph that can be optimized. Set an algorithm, call initializeOptimization(), then call optimize().
 class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
  public:
   enum { AT_COMPUTEACTIVERROR = OptimizableGraph::AT_NUM_ELEMENTS, AT_NUM_ELEMENTS };
@@ -32,37 +32,37 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   SparseOptimizer();
   ~SparseOptimizer() override;
 
-  /// Selects the active edges and vertices: the given edges and their vertices; or the given vertices and the
-  /// edges of a level between them; or all edges of a level (if it is negative, of all levels). Returns false
-  /// if there is nothing to optimize.
+  /// Selects the active edges and vertices: the given edges and their vertices, the edges of a level between
+  /// the given vertices, or all edges of a level. A negative level selects the edges of all levels. Returns
+  /// false if there is nothing to optimize.
   virtual bool initializeOptimization(HyperGraph::EdgeSet& eset);
   virtual bool initializeOptimization(HyperGraph::VertexSet& vset, int level = 0);
   virtual bool initializeOptimization(int level = 0);
-  /// Adds new vertices and edges to the active ones. Returns false if a new vertex is marginalized.
+  /// Makes more vertices and edges active. Returns false if a new vertex is marginalized.
   virtual bool updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset);
 
-  /// Propagates the estimates of fixed vertices along edges that support initialEstimate().
+  /// Propagates the estimates of fixed vertices and of priors along edges that support initialEstimate().
   virtual void computeInitialGuess();
   virtual void computeInitialGuess(EstimatePropagatorCost& propagator);
   virtual void setToOrigin();
 
-  /// Runs at most `iterations` iterations. Returns the number of iterations, 0 if the last one failed, or −1
-  /// if the optimization is not initialized.
+  /// Runs at most `iterations` iterations. Returns the number of iterations, 0 if the last iteration failed,
+  /// or −1 if the optimization could not start.
   int optimize(int iterations, bool online = false) override;
 
-  /// Computes blocks of the inverse of H by Hessian index, or the diagonal blocks of vertices. H is undamped
-  /// and stems from the last linearization.
+  /// Computes the blocks of H⁻¹ with these Hessian indices, or the diagonal blocks of vertices. H is the
+  /// Hessian of the last linearization, without damping.
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                         const std::vector<std::pair<int, int>>& blockIndices);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const VertexContainer& vertices);
 
-  /// The vertex of largest dimension with the lowest id, or nullptr if the graph is empty.
+  /// The vertex with the lowest id among the vertices of the largest dimension, or nullptr if there is none.
   virtual Vertex* findGauge();
-  /// Returns true if neither a fixed vertex nor a prior of full dimension determines the gauge.
+  /// Returns true if neither a fixed vertex nor a prior of full dimension fixes the gauge.
   bool gaugeFreedom();
 
-  /// Σ eᵀΩe, or Σ ρ(eᵀΩe), over the active edges, from the errors as last computed.
+  /// The sum of eᵀΩe, or of ρ(eᵀΩe), over the active edges. Uses the errors that were computed last.
   double activeChi2() const;
   double activeRobustChi2() const;
 
@@ -70,12 +70,12 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   bool verbose() const { return _verbose; }
   void setVerbose(bool verbose);
 
-  /// optimize() stops when *flag is true. The caller owns the flag; nullptr removes it.
+  /// optimize() stops when *flag is true. The caller owns the flag. Pass nullptr to remove the flag.
   void setForceStopFlag(bool* flag);
   bool* forceStopFlag() const { return _forceStopFlag; }
   bool terminate() { return _forceStopFlag != nullptr && *_forceStopFlag; }
 
-  /// The active vertices that are not fixed, by Hessian index.
+  /// The active vertices that are not fixed, in the order of Hessian indices.
   const VertexContainer& indexMapping() const { return _ivMap; }
   const VertexContainer& activeVertices() const { return _activeVertices; }
   const EdgeContainer& activeEdges() const { return _activeEdges; }
@@ -90,8 +90,8 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   const OptimizationAlgorithm* algorithm() const { return _algorithm; }
   OptimizationAlgorithm* solver() { return _algorithm; }
   /// Takes ownership and deletes the previous algorithm. If an action calls this during optimize(), the
-  /// previous algorithm finishes its iteration and is deleted when optimize() ends. The new algorithm starts
-  /// with the next iteration; if it is nullptr, optimize() stops there.
+  /// previous algorithm finishes its iteration and is deleted when optimize() ends. The next iteration uses
+  /// the new algorithm. If the new algorithm is nullptr, optimize() stops instead.
   void setAlgorithm(OptimizationAlgorithm* algorithm);
   void setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm);
 
@@ -115,7 +115,7 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   void computeActiveErrors();
   G2O_ATTRIBUTE_DEPRECATED(void linearizeSystem()) {}
 
-  /// Moves the vertices of indexMapping() by ⊞.
+  /// Moves the vertices of indexMapping() by the increments in `update`.
   void update(const double* update);
 
   const BatchStatisticsContainer& batchStatistics() const { return _batchStatistics; }
@@ -134,34 +134,34 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   VertexContainer _activeVertices;
   EdgeContainer _activeEdges;
 
-  OptimizationAlgorithm* _algorithm = nullptr;  ///< deleted with the optimizer
+  OptimizationAlgorithm* _algorithm = nullptr;  ///< owned by the optimizer
   BatchStatisticsContainer _batchStatistics;
   bool _computeBatchStatistics = false;
 
   void sortVectorContainers();
-  /// Numbers the vertices that are not fixed. Marginalized vertices come last; each group keeps the given
-  /// order.
+  /// Assigns Hessian indices to the vertices that are not fixed. Marginalized vertices come last. Apart from
+  /// that, the vertices keep the order of `vlist`.
   bool buildIndexMapping(SparseOptimizer::VertexContainer& vlist);
   void clearIndexMapping();
 
  private:
   friend class SparseOptimizerTerminateAction;
   friend class internal::BlockSolverEngine;
-  /// The flag that actions raise if the client set none. It is a member because an action may be destroyed
-  /// before the optimizer.
+  /// The stop flag that actions set if the client has not set a flag. It is a member, because an action may
+  /// be destroyed before the optimizer.
   bool own_stop_flag_ = false;
-  /// Counts the changes of the active vertices and edges and of their numbering.
+  /// The number of changes to the active vertices and edges, and to their numbering.
   std::uint64_t structure_revision_ = 0;
   /// The memory to which the active vertices are mapped. It outlives the solver, so that hessian() of the
-  /// vertices stays readable.
+  /// vertices can still be read.
   std::shared_ptr<const void> hessian_memory_;
-  /// The edges that several threads may evaluate. Outdated if parts_revision_ differs from
+  /// The edges that several threads may evaluate. They are outdated if parts_revision_ differs from
   /// structure_revision_.
   std::unique_ptr<internal::EdgeParts> edge_parts_;
   std::uint64_t parts_revision_ = 0;
 
-  /// The number of nested optimize() calls, because an action may call it again. Replaced algorithms are kept
-  /// until the outermost call ends.
+  /// The number of nested optimize() calls (an action may call optimize() again). Replaced algorithms are
+  /// kept until the outermost call ends.
   int optimize_depth_ = 0;
   std::vector<std::unique_ptr<OptimizationAlgorithm>> replaced_algorithms_;
   class OptimizeScope;

@@ -26,7 +26,7 @@ class G2O_CORE_API SparseOptimizerTerminateAction : public HyperGraphAction {
  protected:
   double _gainThreshold = 1e-6;
   double _lastChi = 0;
-  bool _auxTerminateFlag = false;  ///< the last value given to setOptimizerStopFlag()
+  bool _auxTerminateFlag = false;  ///< the last value passed to setOptimizerStopFlag()
   int _maxIterations = std::numeric_limits<int>::max();
 
   void setOptimizerStopFlag(const SparseOptimizer* optimizer, bool stop);

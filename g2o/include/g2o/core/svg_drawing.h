@@ -11,13 +11,13 @@
 
 namespace g2o {
 
-/// Collects shapes and writes them as an SVG picture: lines at the bottom, then poses and points, then text.
+/// Collects shapes and writes them as an SVG picture: first lines, then poses and points, then text.
 ///
-/// If everything has z = 0, the picture is a view from above, with x to the right and y up. Otherwise it is a
-/// parallel projection from the south-east and above. setView() chooses another direction.
+/// If all shapes have z = 0, the picture is a view from above, with x to the right and y up. Otherwise, it is
+/// a parallel projection, seen from the south-east and from above. setView() chooses another direction.
 class G2O_CORE_API SvgDrawing : public Drawing {
  public:
-  /// `size` is the longer side of the picture in pixels; at least 16.
+  /// `size` is the longer side of the picture in pixels. It is at least 16.
   explicit SvgDrawing(int size = 800);
   ~SvgDrawing() override;
 
@@ -27,14 +27,14 @@ class G2O_CORE_API SvgDrawing : public Drawing {
   void pose(const Isometry3& pose, const Color& color, double length, double width) override;
   void text(const Vector3& at, const std::string& words, const Color& color, double height) override;
 
-  /// The rotation from the world to the viewer. The x-axis of the viewer points right, y up, and z towards
-  /// the viewer.
+  /// Sets the rotation from the world to the viewer. The viewer's x-axis points right, the y-axis points up,
+  /// and the z-axis points towards the viewer.
   void setView(const Matrix3& view);
   bool empty() const { return _shapes.empty(); }
   void clear();
 
-  /// Returns false if the stream or the file cannot be written. Leaves out shapes whose coordinates are not
-  /// finite.
+  /// Returns false if the stream or the file cannot be written. Leaves out shapes with coordinates that are
+  /// not finite.
   bool write(std::ostream& os) const;
   bool save(const std::string& path) const;
 
@@ -45,7 +45,7 @@ class G2O_CORE_API SvgDrawing : public Drawing {
     std::vector<Vector3> corners;
     bool isClosed = false;
     Color color;
-    double size = 1;  ///< the width of lines, the diameter of points, the height of text
+    double size = 1;  ///< the width of a line, the diameter of a point, or the height of text
     std::string words;
   };
   class Page;

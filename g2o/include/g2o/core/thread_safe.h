@@ -3,8 +3,8 @@
 //
 //     const g2o::ThreadSafe<MyEdge> kMyEdgeIsThreadSafe;
 //
-// Types that are not declared are evaluated on the thread that calls optimize(). A subclass of a ready-made
-// type needs its own declaration.
+// Objects of other types are evaluated on the thread that calls optimize(). A class that derives from one of
+// the library's types needs its own declaration.
 #pragma once
 #ifndef G2O_THREAD_SAFE_H
 #define G2O_THREAD_SAFE_H
@@ -20,10 +20,10 @@ G2O_CORE_API void declare_thread_safe(const std::type_info& type, bool declared)
 
 }  // namespace internal
 
-/// As long as this declaration lives, objects of type T (not of its subclasses) may be evaluated on several
-/// threads at once. computeError() and linearizeOplus() of such an edge read the edge, its vertices and its
-/// parameters, and change only the edge. An edge with numeric Jacobians is not thread-safe, because they move
-/// its vertices. If T is a robust kernel, robustify() only reads the kernel.
+/// While this declaration exists, objects of type T may be evaluated on several threads at once. This does
+/// not include objects of derived classes. computeError() and linearizeOplus() of such an edge may read the
+/// edge, its vertices and its parameters, but may change only the edge. An edge with numeric Jacobians is not
+/// thread-safe, because it moves its vertices. If T is a robust kernel, robustify() may only read the kernel.
 template <class T>
 class ThreadSafe {
  public:

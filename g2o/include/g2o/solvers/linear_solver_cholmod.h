@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forwards to cholmod/, because older clients include this path.
+// Forwards to the header of this name in cholmod/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/cholmod/linear_solver_cholmod.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forwards to csparse/, because older clients include this path.
+// Forwards to the header of this name in csparse/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/csparse/linear_solver_csparse.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forwards to eigen/, because older clients include this path.
+// Forwards to the header of this name in eigen/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/eigen/linear_solver_eigen.h"

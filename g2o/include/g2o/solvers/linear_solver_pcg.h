@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forwards to pcg/, because older clients include this path.
+// Forwards to the header of this name in pcg/, because older clients include this path.
 #pragma once
 
 #include "g2o/solvers/pcg/linear_solver_pcg.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Terminal colors as ANSI escape sequences: CL_RED("text") in a stream, or FG_RED, which applies until
-// FG_NORM.
+// ANSI escape sequences for terminal colors. CL_RED("text") colors one text in a stream. FG_RED colors all
+// text until FG_NORM.
 #pragma once
 #ifndef G2O_COLOR_MACROS_H
 #define G2O_COLOR_MACROS_H
@@ -16,7 +16,7 @@
 #define FT_BOLD ATTR_BOLD
 #define FT_UNDERLINE ATTR_UNDERSCORE
 
-// LIGHTBLUE is the terminal's blue, and BLUE its cyan.
+// LIGHTBLUE is the blue of the terminal, and BLUE is the cyan of the terminal.
 #define FG_BLACK "\033[30m"
 #define FG_RED "\033[31m"
 #define FG_GREEN "\033[32m"

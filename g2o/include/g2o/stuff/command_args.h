@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Command lines with parameters -name value and positional arguments.
+// Parses command lines with parameters (-name value) and positional arguments.
 #pragma once
 #ifndef G2O_COMMAND_ARGS_H
 #define G2O_COMMAND_ARGS_H
@@ -13,8 +13,8 @@
 
 namespace g2o {
 
-/// Declare parameters, then parse. A flag (a bool) takes no value and inverts its default. Lists of numbers
-/// are separated by commas, other lists by semicolons.
+/// Declare all parameters, then call parseArgs(). A flag (a bool parameter) takes no value and inverts its
+/// default. The numbers of a list are separated by commas or semicolons.
 class G2O_STUFF_API CommandArgs {
  public:
   CommandArgs();
@@ -31,25 +31,25 @@ class G2O_STUFF_API CommandArgs {
              const std::string& desc);
   void param(const std::string& name, std::vector<double>& p, const std::vector<double>& defValue,
              const std::string& desc);
-  /// Declares a positional argument. They are filled in the order of declaration.
+  /// Declares a positional argument. Positional arguments are read in the order of their declarations.
   void paramLeftOver(const std::string& name, std::string& p, const std::string& defValue,
                      const std::string& desc, bool optional = false);
 
-  /// Returns false if a name is unknown, a value is missing or invalid, or -h or -help was given. If
-  /// `exitOnError` is true, it prints the help to standard error (for -help, to standard output) and exits
-  /// instead.
+  /// Returns false if the command line is invalid or has -h or -help. If `exitOnError` is true, prints the
+  /// help and exits instead. The help goes to standard error if the command line is invalid, or to standard
+  /// output if it was requested.
   bool parseArgs(int argc, char** argv, bool exitOnError = true);
   bool parseArgs(const std::vector<std::string>& args, bool exitOnError = true);
   const std::string& getBanner() const { return _banner; }
   void setBanner(const std::string& banner);
   void printHelp(std::ostream& os);
-  /// Whether the last command line had this parameter.
+  /// Whether the last command line contained this parameter.
   bool parsedParam(const std::string& paramFlag) const;
   /// The reason why parseArgs() failed, or an empty string if help was requested.
   const std::string& error() const { return error_; }
 
  protected:
-  /// A declared parameter. `data` points to a variable whose type has the number `type`; see type2str().
+  /// A declared parameter. `data` points to its variable. `type` is the number of its type. See type2str().
   struct CommandArgument {
     std::string name;
     std::string description;
@@ -57,17 +57,17 @@ class G2O_STUFF_API CommandArgs {
     void* data = nullptr;
     bool parsed = false;
     bool optional = true;
-    std::string default_text = {};  ///< the default value in the help
+    std::string default_text = {};  ///< the default value as text for the help
   };
   std::vector<CommandArgument> _args;
   std::vector<CommandArgument> _leftOvers;
   std::string _banner;
   std::string _progName;
 
-  /// The name of a type in the help. Types are numbered from 0 on: double, float, int, std::string, bool,
-  /// std::vector<int>, std::vector<double>. Returns an empty string for other numbers.
+  /// The text for a type in the help. Types have these numbers, beginning with 0: double, float, int,
+  /// std::string, bool, std::vector<int>, std::vector<double>. Returns an empty string for other numbers.
   const char* type2str(int t) const;
-  /// Sets a parameter from text. Invalid text changes nothing.
+  /// Sets a parameter from text. If the text is invalid, does not change the parameter.
   void str2arg(const std::string& input, CommandArgument& ca) const;
   /// Returns the current value of a parameter as text.
   std::string arg2str(const CommandArgument& ca) const;

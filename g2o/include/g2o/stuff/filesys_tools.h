@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File names and files.
+// Functions for file names and files.
 #pragma once
 #ifndef G2O_FILESYS_TOOLS_H
 #define G2O_FILESYS_TOOLS_H
@@ -13,30 +13,30 @@
 
 namespace g2o {
 
-/// The parts of a file name. "/a/b.tar.gz" has the extension "gz", the pure filename "/a/b.tar", the base
-/// name "b.tar.gz" and the directory "/a". Missing parts are empty.
+/// Return the parts of a file name. "/a/b.tar.gz" has the extension "gz", the pure filename "/a/b.tar", the
+/// base name "b.tar.gz" and the directory "/a". A missing part is empty.
 G2O_STUFF_API std::string getFileExtension(const std::string& filename);
 G2O_STUFF_API std::string getPureFilename(const std::string& filename);
 G2O_STUFF_API std::string getBasename(const std::string& filename);
 G2O_STUFF_API std::string getDirname(const std::string& filename);
-/// Replaces the extension, if there is one. newExt may begin with a dot; if `stripDot` is true, it must.
+/// Replaces the extension if there is one. newExt may begin with a dot. If `stripDot` is true, it must do so.
 G2O_STUFF_API std::string changeFileExtension(const std::string& filename, const std::string& newExt,
                                               bool stripDot = false);
 
-/// Whether a file or folder of this name exists. If `regular` is true, folders do not count.
+/// Whether a file or folder with this name exists. If `regular` is true, only regular files count.
 G2O_STUFF_API bool fileExists(const char* filename, bool regular = false);
 inline bool fileExists(const std::string& filename, bool regular = false) {
   return fileExists(filename.c_str(), regular);
 }
 
-/// The sorted files whose names match a shell pattern with * ? [ ]. Only the last part of the path may be a
-/// pattern.
+/// Returns the sorted names of all files that match a shell pattern with * ? [ ]. Only the last part of the
+/// path may be a pattern.
 G2O_STUFF_API std::vector<std::string> getFilesByPattern(const char* pattern);
 inline std::vector<std::string> getFilesByPattern(const std::string& pattern) {
   return getFilesByPattern(pattern.c_str());
 }
-/// The sorted paths of the files in a folder for which the pattern matches the whole file name, or the whole
-/// path including the folder.
+/// Returns the sorted paths of all files in a folder that match the pattern. The pattern must match the whole
+/// file name, or the whole path including the folder.
 G2O_STUFF_API std::vector<std::string> getFilesByPattern(const std::string& directory,
                                                          const std::regex& pattern);
 

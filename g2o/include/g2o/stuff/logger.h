@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages go to a sink that the program sets. Before that, errors go to std::cerr and other messages are
-// dropped.
+// Sends messages to a sink that the program sets. Until the program sets a sink, errors go to std::cerr and
+// other messages are dropped.
 //
 //     g2o::logging::setSink([](g2o::logging::Level, const std::string& text) { std::cerr << text << '\n'; });
 //     G2O_ERROR("vertex {} is missing", id);
@@ -24,8 +24,8 @@ using Sink = std::function<void(Level, const std::string&)>;
 /// Replaces the sink. An empty function drops all messages, including errors. Not thread-safe: no other
 /// thread may log at the same time.
 G2O_STUFF_API void setSink(Sink sink);
-/// Drops messages below this level, which is initially kWarn. Without a sink, drops all messages below
-/// kError.
+/// Drops messages below this level. The initial level is kWarn. Without a sink, all messages below kError are
+/// dropped.
 G2O_STUFF_API void setLevel(Level level);
 G2O_STUFF_API bool wanted(Level level);
 G2O_STUFF_API void log(Level level, const std::string& text);
@@ -36,7 +36,7 @@ inline void append(std::ostringstream& out, const char* format) {
   out << format;
 }
 
-/// Replaces {} (or {:…}) in `format` by the arguments, one after the other.
+/// Replaces each {} (or {:…}) in `format` by the next argument.
 template <typename T, typename... Rest>
 void append(std::ostringstream& out, const char* format, const T& first, const Rest&... rest) {
   while (*format != '\0' && *format != '{') out << *format++;

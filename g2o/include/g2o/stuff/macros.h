@@ -7,12 +7,12 @@
 #include <iomanip>
 #include <iostream>
 
-/// For use after `stream <<`. Write the text of an expression and its value; PVARA converts the value from
-/// radians to degrees.
+/// Use these macros after `stream <<`. They write the text of an expression and its value. PVARA converts the
+/// value from radians to degrees.
 #define PVAR(s) #s << " = " << (s) << std::flush
 #define PVARA(s) #s << " = " << RAD2DEG(s) << "deg" << std::flush
-/// For use after `stream <<`. Writes a value in fixed notation, then returns the stream to its default
-/// notation.
+/// Use this macro after `stream <<`. It writes a value in fixed notation, then returns the stream to its
+/// default notation.
 #define FIXED(s) std::fixed << (s) << std::resetiosflags(std::ios_base::fixed)
 
 #define DEG2RAD(x) ((x)*0.01745329251994329575)

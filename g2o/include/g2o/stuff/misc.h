@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small functions that clients use: angles, signs, intervals.
+// Small functions that clients use: for angles, signs and intervals.
 #pragma once
 #ifndef G2O_STUFF_MISC_H
 #define G2O_STUFF_MISC_H
@@ -18,7 +18,7 @@ inline constexpr double const_pi() {
   return 3.14159265358979323846;
 }
 
-using std::make_unique;  // clients use it from both namespaces
+using std::make_unique;  // clients use it from both namespaces, std and g2o
 
 template <typename T>
 inline T square(T x) {
@@ -43,7 +43,7 @@ inline double rad2deg(double rad) {
   return rad * (180 / const_pi());
 }
 
-/// The angle in (−π, π]. An angle in that range is returned unchanged, bit for bit.
+/// Returns the same angle in (−π, π]. If the angle is already in this range, not a single bit changes.
 inline double normalize_theta(double theta) {
   if (theta > -const_pi() && theta <= const_pi()) return theta;
   const double turns = std::ceil((theta - const_pi()) / (2 * const_pi()));
@@ -82,7 +82,7 @@ inline T wrap(T lower, T x, T upper) {
   return x < lower ? x + length : x;
 }
 
-/// Whether an array contains a NaN.
+/// Whether an array contains a NaN. `nan_index` receives the index of the first NaN.
 template <typename T>
 inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   for (int i = 0; i < size; ++i) {
@@ -93,7 +93,7 @@ inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   return false;
 }
 
-/// Declares a class; using it forces the linker to include the library that registers it.
+/// Calls a function of a library, so that the linker includes the part of the library that has the function.
 struct ForceLinker {
   explicit ForceLinker(void (*function)(void)) { (function)(); }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions that draw shapes around the origin with OpenGL, including normals. Lengths are in units of the
-// current matrix.
+// Functions that draw shapes around the origin with OpenGL, including normals. Lengths are in the units of
+// the current matrix.
 #pragma once
 #ifndef G2O_OPENGL_PRIMITIVES_H
 #define G2O_OPENGL_PRIMITIVES_H
@@ -15,7 +15,7 @@ namespace g2o {
 namespace opengl {
 namespace internal {
 
-constexpr int kSegments = 32;  // of a full circle
+constexpr int kSegments = 32;  // number of segments in a full circle
 
 inline GLfloat angle_of(int i, int segments) {
   return static_cast<GLfloat>(2 * const_pi() * i / segments);
@@ -34,7 +34,7 @@ inline void draw_side(GLfloat bottom, GLfloat top, GLfloat height) {
   glEnd();
 }
 
-/// A segment of a ring in the xy-plane, centered on the x-axis; `angle` is in radians.
+/// Draws a segment of a ring in the xy-plane. The x-axis bisects the segment. `angle` is in radians.
 inline void draw_ring(GLfloat inner, GLfloat outer, GLfloat angle, GLfloat z, GLfloat normal) {
   const int segments = std::max(1, static_cast<int>(std::ceil(kSegments * angle / (2 * const_pi()))));
   glNormal3f(0, 0, normal);
@@ -63,7 +63,7 @@ inline void drawPoint(float pointSize) {
   glEnd();
 }
 
-/// A disk in the xy-plane, seen from z > 0.
+/// A disk in the xy-plane, visible from z > 0.
 inline void drawDisk(GLfloat radius) {
   internal::draw_ring(0, radius, static_cast<GLfloat>(2 * const_pi()), 0, 1);
 }
@@ -117,7 +117,7 @@ inline void drawSphere(GLfloat radius) {
   drawEllipsoid(radius, radius, radius);
 }
 
-/// A cone and a cylinder with their bottom in the xy-plane.
+/// A cone and a cylinder with their base in the xy-plane.
 inline void drawCone(GLfloat radius, GLfloat height) {
   internal::draw_side(radius, 0, height);
   internal::draw_ring(0, radius, static_cast<GLfloat>(2 * const_pi()), 0, -1);
@@ -142,13 +142,13 @@ inline void drawArrow2D(float len, float head_width, float head_len) {
   glEnd();
 }
 
-/// A box for a pose, 0.5 long, with an arrow along x.
+/// A box that represents a pose. The box is 0.5 long and has an arrow along x.
 inline void drawPoseBox() {
   drawBox(0.5F, 0.25F, 0.1F);
   drawArrow2D(0.5F, 0.2F, 0.2F);
 }
 
-/// The field of view (degrees) of a sensor along x, at a range.
+/// A ring segment that shows the field of view (degrees) of a sensor along x, at distance `range`.
 inline void drawRangeRing(GLfloat range, GLfloat fov, GLfloat range_width = 0.05F) {
   internal::draw_ring(range - range_width / 2, range + range_width / 2, static_cast<GLfloat>(deg2rad(fov)), 0,
                       1);

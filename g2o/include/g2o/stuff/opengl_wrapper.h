@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Includes the headers of OpenGL, for programs that draw. Only opengl_primitives.h includes this header.
+// Includes the OpenGL headers, for programs that draw. Only opengl_primitives.h includes this header.
 #pragma once
 #ifndef G2O_OPENGL_WRAPPER_H
 #define G2O_OPENGL_WRAPPER_H

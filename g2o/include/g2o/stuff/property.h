@@ -63,12 +63,12 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
   PropertyMap(const PropertyMap&) = delete;
   PropertyMap& operator=(const PropertyMap&) = delete;
   ~PropertyMap();
-  /// Takes ownership. If the name is taken, returns false, and the caller keeps the property.
+  /// Takes ownership. If the name is taken, returns false, and the caller still owns the property.
   bool addProperty(BaseProperty* p);
-  /// Deletes the property. Returns false if there is none with this name.
+  /// Deletes the property. Returns false if there is no property with this name.
   bool eraseProperty(const std::string& name);
 
-  /// The property with this name and type, or nullptr.
+  /// Returns the property with this name and type, or nullptr.
   template <typename P>
   P* getProperty(const std::string& name) {
     const auto found = find(name);
@@ -79,8 +79,8 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
     const auto found = find(name);
     return found == end() ? nullptr : dynamic_cast<const P*>(found->second);
   }
-  /// The property with this name, which the map owns. Makes it if there is none. Returns nullptr if there is
-  /// one of another type.
+  /// Returns the property with this name, which the map owns. Creates the property if it does not exist.
+  /// Returns nullptr if a property of another type has this name.
   template <typename P>
   P* makeProperty(const std::string& name, const typename P::ValueType& v) {
     const auto found = find(name);
@@ -92,7 +92,7 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
 
   /// Sets the property `name` from text. Returns false if it does not exist or the text is invalid.
   bool updatePropertyFromString(const std::string& name, const std::string& value);
-  /// Sets properties from "name=value,name=value".
+  /// Sets properties from a string such as "name=value,name=value".
   bool updateMapFromString(const std::string& values);
   /// Writes a line of names and a line of values, separated by ", ".
   void writeToCSV(std::ostream& os) const;

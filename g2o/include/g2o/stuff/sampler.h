@@ -12,8 +12,8 @@
 
 namespace g2o {
 
-/// A normally (uniformly) distributed value from a generator. If `generator` is nullptr, uses the generator
-/// of the calling thread.
+/// Return a random value from a normal or a uniform distribution. If `generator` is nullptr, the functions
+/// use the generator of the calling thread.
 G2O_STUFF_API double sampleGaussian(std::mt19937* generator = nullptr);
 G2O_STUFF_API double sampleUniform(double min = 0., double max = 1., std::mt19937* generator = nullptr);
 
@@ -41,14 +41,14 @@ class GaussianSampler {
   std::mt19937 _generator;
 };
 
-/// The random generator of a thread.
+/// Uses the random generator of the calling thread.
 class G2O_STUFF_API Sampler {
  public:
   static double gaussRand(double mean, double sigma) { return mean + sampleGaussian() * sigma; }
   static double uniformRand(double lowerBndr, double upperBndr) {
     return sampleUniform(lowerBndr, upperBndr);
   }
-  /// Seed the generator from the clock, or with a given value.
+  /// Seed the generator from the clock, or with the given value.
   static void seedRand();
   static void seedRand(unsigned int seed);
 };

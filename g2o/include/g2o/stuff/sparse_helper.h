@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors and sparse matrices as text files that Octave loads.
+// Writes vectors and sparse matrices to text files that Octave can load.
 #pragma once
 #ifndef G2O_SPARSE_HELPER_H
 #define G2O_SPARSE_HELPER_H
@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// An entry of a sparse matrix. Rows and columns count from 0.
+/// An entry of a sparse matrix. Row and column indices begin with 0.
 struct TripletEntry {
   int r, c;
   double x;
@@ -24,11 +24,11 @@ struct TripletColSort {
   }
 };
 
-/// Writes n values, one per line. Returns false if the file cannot be written, as do all functions below.
+/// Writes n values, one per line. Like all functions below, returns false if the file cannot be written.
 G2O_STUFF_API bool writeVector(const std::string& filename, const double* v, int n);
 
-/// Writes a matrix in compressed columns: column c has the entries p[c] ≤ k < p[c + 1] with rows i[k] and
-/// values v[k]. If `upperTriangle` is true, the entries below the diagonal mirror those above.
+/// Writes a matrix in compressed columns. Column c has the rows i[k] and values v[k] for p[c] ≤ k < p[c + 1].
+/// If `upperTriangle` is true, also writes a mirrored copy of each entry, so that the matrix is symmetric.
 G2O_STUFF_API bool writeCCSMatrix(const std::string& filename, int rows, int cols, const int* p, const int* i,
                                   const double* v, bool upperTriangle = true);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text functions: trimming, splitting, case, conversion, lines.
+// Functions for text: trimming, splitting, case, conversion, lines.
 #pragma once
 #ifndef G2O_STRING_TOOLS_H
 #define G2O_STRING_TOOLS_H
@@ -21,7 +21,7 @@
 
 namespace g2o {
 
-/// Removes blanks (space, tab, line feed, carriage return) at both ends, or at one.
+/// Remove blanks (space, tab, line feed, carriage return) at both ends, on the left, or on the right.
 G2O_STUFF_API std::string trim(const std::string& s);
 G2O_STUFF_API std::string trimLeft(const std::string& s);
 G2O_STUFF_API std::string trimRight(const std::string& s);
@@ -34,7 +34,7 @@ G2O_STUFF_API std::string strToUpper(const std::string& s);
 G2O_STUFF_API std::string formatString(const char* fmt, ...) G2O_ATTRIBUTE_FORMAT12;
 G2O_STUFF_API int strPrintf(std::string& str, const char* fmt, ...) G2O_ATTRIBUTE_FORMAT23;
 
-/// The parts between characters of `delim`. Empty parts count, except one at the end.
+/// Splits a string at each character of `delim`. Keeps empty parts, except an empty part at the end.
 G2O_STUFF_API std::vector<std::string> strSplit(const std::string& s, const std::string& delim);
 
 /// Writes the elements of a range as text, separated by a delimiter.
@@ -55,18 +55,18 @@ std::string strJoin(const Range& range, const std::string& delimiter) {
 G2O_STUFF_API bool strStartsWith(const std::string& s, const std::string& start);
 G2O_STUFF_API bool strEndsWith(const std::string& s, const std::string& end);
 
-/// Expands a leading ~ to the home directory, and $NAME and ${NAME} to environment variables (to nothing if
-/// not set).
+/// Expands a leading ~ to the home directory. Replaces $NAME and ${NAME} by the values of environment
+/// variables, or by nothing if a variable is not set.
 G2O_STUFF_API std::string strExpandFilename(const std::string& filename);
 
-/// Reads the next line, without its end, into currentLine, which is cleared first. Returns the number of
-/// characters, or −1 at the end of the stream.
+/// Reads the next line, without the line break, into currentLine. Clears currentLine first. Returns the
+/// number of characters, or −1 at the end of the stream.
 G2O_STUFF_API int readLine(std::istream& is, std::stringstream& currentLine);
 /// Skips the rest of the line.
 G2O_STUFF_API void skipLine(std::istream& is);
 
-/// Reads x from text. Returns false if there is no value or, if failIfLeftoverChars is true, if text is left
-/// after it.
+/// Reads x from text. Returns false if the text does not begin with a value. If failIfLeftoverChars is true,
+/// also returns false if other text follows the value.
 template <typename T>
 bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) {
   std::istringstream in(s);
@@ -78,7 +78,7 @@ bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) 
   return true;
 }
 
-/// The same, but throws std::runtime_error if it fails.
+/// Returns the value instead. Throws std::runtime_error if the conversion fails.
 template <typename T>
 T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
   T x{};
@@ -88,7 +88,7 @@ T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
 }
 
 #if __cplusplus >= 201703L
-// Overloads for std::string_view. A string literal still calls the std::string version.
+// Overloads for std::string_view. For a string literal, the compiler still chooses the std::string version.
 namespace internal {
 template <typename View>
 using IfView = std::enable_if_t<std::is_same<View, std::string_view>::value, int>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures named parts of a program if the environment variable G2O_ENABLE_TICTOC is set.
+// Measures the time of named parts of a program if the environment variable G2O_ENABLE_TICTOC is set.
 #pragma once
 #ifndef G2O_TICTOC_H
 #define G2O_TICTOC_H
@@ -10,15 +10,15 @@
 
 namespace g2o {
 
-/// The first call with a name starts a clock. The second call stops it and returns the seconds between the
-/// two calls. The third starts it again, and so on. Returns −1 if the call starts a clock or if the
-/// environment variable is not set.
+/// The first call with a name starts a clock. The second call stops the clock and returns the seconds between
+/// the two calls. The third call starts the clock again, and so on. Returns −1 if the call starts a clock or
+/// if the environment variable is not set.
 G2O_STUFF_API double tictoc(const char* algorithmPart);
 
-/// The results of tictoc() so far, one line per name: name, number, total, shortest, mean and longest time.
+/// All results of tictoc(), one line per name: the count, and the total, shortest, mean and longest time.
 G2O_STUFF_API std::string tictocReport();
 
-/// Measures the time of a scope.
+/// Measures the time that a scope takes.
 class ScopeTicToc {
  public:
   explicit ScopeTicToc(const std::string& s) : _s(s) { tictoc(_s.c_str()); }

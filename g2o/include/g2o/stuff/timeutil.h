@@ -25,10 +25,10 @@ inline double get_monotonic_time() {
 
 /// The local date and time as digits: "20120131_235959".
 G2O_STUFF_API std::string getTimeAsString(std::time_t time);
-/// The same for the current time.
+/// Does the same for the current time.
 G2O_STUFF_API std::string getCurrentTimeAsString();
 
-/// The destructor writes the title and the lifetime to std::cerr.
+/// The destructor writes the title and the lifetime of the object to std::cerr.
 class G2O_STUFF_API ScopeTime {
  public:
   explicit ScopeTime(std::string title) : _title(std::move(title)), _startTime(get_monotonic_time()) {}
@@ -43,7 +43,7 @@ class G2O_STUFF_API ScopeTime {
 
 namespace internal {
 
-/// Adds the lifetime to a variable, unless it is nullptr.
+/// Adds the lifetime of the object to `*total`, unless `total` is nullptr.
 class AddedTime {
  public:
   explicit AddedTime(double* total) : total_(total), begin_(get_monotonic_time()) {}
@@ -61,8 +61,8 @@ class AddedTime {
 }  // namespace internal
 }  // namespace g2o
 
-/// Runs a statement the first time this line is reached, and again if at least `seconds` have passed since
-/// its last run.
+/// Runs a statement when this line is reached for the first time, and later if at least `seconds` have passed
+/// since its last run.
 #define DO_EVERY(seconds, ...)                                      \
   do {                                                              \
     static double doEveryLast = -1;                                 \
@@ -73,7 +73,7 @@ class AddedTime {
     }                                                               \
   } while (false)
 
-/// The same with a clock of the caller, in seconds. Starts again if the clock was set back.
+/// Does the same with a clock of the caller, in seconds. Also runs the statement if the clock was set back.
 #define DO_EVERY_TS(seconds, currentTime, ...)                               \
   do {                                                                       \
     static double doEveryLast = (currentTime) - (seconds);                   \
@@ -96,7 +96,7 @@ class AddedTime {
 #else
 #define G2O_FUNCTION_NAME __func__
 #endif
-/// Writes the name of the function and the time from here to its end to std::cerr.
+/// Writes the name of the function, and the time between this line and the end of the function, to std::cerr.
 #define MEASURE_FUNCTION_TIME const g2o::ScopeTime measuredFunctionTime(G2O_FUNCTION_NAME)
 
 #endif  // G2O_TIMEUTIL_H

@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// A sample, and its weights for the mean and for the covariance.
+/// A sample with two weights: `_wi` for the mean, and `_wp` for the covariance.
 template <class SampleType>
 struct SigmaPoint {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -23,8 +23,8 @@ struct SigmaPoint {
   double _wp;
 };
 
-/// Computes the mean and two points along each column of the Cholesky factor. Returns false if the covariance
-/// is not positive definite.
+/// Computes the sigma points: the mean, and two points along each column of the Cholesky factor. Returns
+/// false if the covariance is not positive definite.
 template <class SampleType, class CovarianceType>
 bool sampleUnscented(std::vector<SigmaPoint<SampleType>>& sigmaPoints, const SampleType& mean,
                      const CovarianceType& covariance) {
@@ -45,7 +45,7 @@ bool sampleUnscented(std::vector<SigmaPoint<SampleType>>& sigmaPoints, const Sam
   return true;
 }
 
-/// Computes the Gaussian with the same mean and covariance.
+/// Computes the mean and the covariance of weighted sigma points.
 template <class SampleType, class CovarianceType>
 void reconstructGaussian(SampleType& mean, CovarianceType& covariance,
                          const std::vector<SigmaPoint<SampleType>>& sigmaPoints) {

@@ -29,7 +29,7 @@ CholmodFactor::CholmodFactor() {
   cholmod_start(&common_);
   common_.print = 0;
   common_.nmethods = 1;
-  common_.final_ll = 1;  // LLᵀ even if simplicial, because LDLᵀ would accept indefinite matrices
+  common_.final_ll = 1;  // always LLᵀ, because LDLᵀ would accept indefinite matrices
 }
 
 CholmodFactor::~CholmodFactor() {
@@ -59,7 +59,7 @@ bool CholmodFactor::solve(const double* b, double* x) {
   cholmod_dense right{};
   right.nrow = right.nzmax = right.d = n;
   right.ncol = 1;
-  right.x = const_cast<double*>(b);  // CHOLMOD only reads it
+  right.x = const_cast<double*>(b);  // CHOLMOD only reads b
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_, &right, &common_);

@@ -10,7 +10,8 @@
 namespace g2o {
 namespace internal {
 
-/// A CHOLMOD factor. CHOLMOD chooses between simplicial and supernodal.
+/// A Cholesky factor that CHOLMOD computes. CHOLMOD chooses between a simplicial and a supernodal
+/// factorization.
 class CholmodFactor {
  public:
   CholmodFactor();
@@ -27,7 +28,7 @@ class CholmodFactor {
  private:
   cholmod_common common_;
   cholmod_factor* factor_ = nullptr;
-  cholmod_factor* simplicial_ = nullptr;  // a copy for lower()
+  cholmod_factor* simplicial_ = nullptr;  // a simplicial copy of factor_ for lower()
   std::vector<int> place_;
 };
 

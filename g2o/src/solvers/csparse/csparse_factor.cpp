@@ -6,7 +6,7 @@ namespace internal {
 namespace {
 
 constexpr int kCompressed = -1;    // marks a cs_di with compressed columns instead of triplets
-constexpr int kMinimumDegree = 1;  // orders by minimum degree of A + Aᵀ
+constexpr int kMinimumDegree = 1;  // selects a minimum-degree order of A + Aᵀ
 
 /// A read-only view of the matrix for CSparse.
 cs_di view(const UpperTriangle& A) {
@@ -20,7 +20,8 @@ cs_di view(const UpperTriangle& A) {
   return m;
 }
 
-/// Analyzes the matrix in a given order: elimination tree and column counts of the permuted matrix.
+/// Analyzes the matrix in a given order: computes the elimination tree and the column counts of the permuted
+/// matrix.
 cs_dis* analyze_in_order(const cs_di& A, const std::vector<int>& order) {
   auto* S = static_cast<cs_dis*>(cs_di_calloc(1, sizeof(cs_dis)));
   if (S == nullptr) return nullptr;

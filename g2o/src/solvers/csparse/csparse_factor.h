@@ -10,7 +10,7 @@
 namespace g2o {
 namespace internal {
 
-/// A CSparse (CXSparse) factor: up-looking and simplicial.
+/// A Cholesky factor that CSparse (CXSparse) computes with an up-looking simplicial algorithm.
 class CSparseFactor {
  public:
   CSparseFactor() = default;

@@ -19,7 +19,8 @@
 namespace g2o {
 namespace {
 
-/// Gives active edges the cost 1, so that paths use only active edges.
+/// Gives the cost 1 to active edges and an infinite cost to all other edges, so that paths use only active
+/// edges.
 class ActiveEdgeCost : public HyperDijkstra::CostFunction {
  public:
   explicit ActiveEdgeCost(const SparseOptimizer& optimizer) : optimizer_(optimizer) {}
@@ -34,7 +35,7 @@ class ActiveEdgeCost : public HyperDijkstra::CostFunction {
   const SparseOptimizer& optimizer_;
 };
 
-/// Adds up the measured rotations along a tree, without wrapping.
+/// Adds up the measured rotations along a tree, without wrapping the sums at ±π.
 class AddTurns : public HyperDijkstra::TreeAction {
  public:
   explicit AddTurns(std::vector<double>& headings) : headings_(headings) {}
@@ -57,7 +58,7 @@ class AddTurns : public HyperDijkstra::TreeAction {
   std::vector<double>& headings_;
 };
 
-/// Returns false, with a message, if the method does not support these edges.
+/// If the method does not support an active edge, prints a message and returns false.
 bool fits(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (dynamic_cast<const EdgeSE2*>(e) != nullptr) continue;
@@ -79,7 +80,7 @@ bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   paths.shortestPaths(fixed, &cost);
   for (OptimizableGraph::Vertex* v : optimizer.indexMapping()) {
     if (paths.visited().count(v) > 0) continue;
-    G2O_ERROR("the linear 2-D solver needs a fixed vertex that reaches vertex {}", v->id());
+    G2O_ERROR("the linear 2-D solver needs a path from a fixed vertex to vertex {}", v->id());
     return false;
   }
   HyperDijkstra::computeTree(paths.adjacencyMap());
@@ -88,14 +89,14 @@ bool follow_tree(SparseOptimizer& optimizer, std::vector<double>& headings) {
   return true;
 }
 
-/// The least-squares problem over the headings. It is linear, because the rotations are unwrapped along the
-/// tree, and its matrix is a Laplacian.
+/// The least-squares problem whose unknowns are the headings. It is linear, because the rotations are
+/// unwrapped along the tree. Its matrix is a graph Laplacian.
 class Headings {
  public:
   explicit Headings(size_t count) : diagonal_(count, 0.0), b_(count, 0.0) {}
 
-  /// Adds ω (θj − θi − turn)². `r` is the residual at the current headings. An index of −1 means a fixed
-  /// vertex.
+  /// Adds the cost ω (θj − θi − turn)². `r` is the residual at the current headings. An index of −1 means a
+  /// fixed vertex.
   void add(int i, int j, double omega, double r) {
     if (i >= 0) diagonal_[static_cast<size_t>(i)] += omega;
     if (j >= 0) diagonal_[static_cast<size_t>(j)] += omega;
@@ -118,7 +119,7 @@ class Headings {
 
  private:
   std::vector<double> diagonal_, b_;
-  std::map<std::pair<int, int>, double> couplings_;  // (column, row), row > column
+  std::map<std::pair<int, int>, double> couplings_;  // by (column, row), with row > column
 };
 
 }  // namespace
@@ -159,9 +160,9 @@ bool SolverSLAM2DLinear::solveOrientation() {
 namespace {
 
 AbstractOptimizationAlgorithmCreator* creator() {
-  const OptimizationAlgorithmProperty property("2dlinear",
-                                               "a linear start, then Gauss-Newton, for poses in the plane",
-                                               "sparse Cholesky", false, 3, 3);
+  const OptimizationAlgorithmProperty property(
+      "2dlinear", "a linear initial guess, then Gauss-Newton, for poses in the plane", "sparse Cholesky",
+      false, 3, 3);
   return new internal::SolverCreator(property, [] {
     return new SolverSLAM2DLinear(
         std::make_unique<BlockSolverX>(std::make_unique<LinearSolverEigen<BlockSolverX::PoseMatrixType>>()));

@@ -15,8 +15,8 @@ namespace {
 
 using Native = boxplus::PointObservation3;
 
-/// The matrix with rows n × y, y, n. y is the part of e_y orthogonal to the normal n, normalized; it is zero
-/// if n is parallel to e_y.
+/// The matrix with the rows n × y, y and n. Here, y is the normalized component of e_y that is orthogonal to
+/// the normal n. If n is parallel to e_y, y is zero.
 Matrix3 frame_of_normal(const Vector3& normal) {
   const Vector3 y = (Vector3::UnitY() - normal.y() * normal).normalized();
   Matrix3 R;
@@ -30,7 +30,7 @@ Matrix3 turned(const Matrix3& R, double across, double along) {
   return R.transpose() * Vector3(across, across, along).asDiagonal() * R;
 }
 
-constexpr double kAcross = 0.01;  // for Ω, which files do not store
+constexpr double kAcross = 0.01;  // the information across the normal; files do not store Ω
 
 }  // namespace
 
@@ -74,7 +74,7 @@ void Edge_V_V_GICP::computeError() {
   _information = (cov0 + R * cov1 * R.transpose()).inverse();
 }
 
-// A step (Δt, u) of x₁ moves x₁ p₁ by R₁ (Δt − 2 [p₁]× u).
+// A step (Δt, u) of the second pose x₁ moves the point x₁ p₁ by R₁ (Δt − 2 [p₁]× u).
 void Edge_V_V_GICP::linearizeOplus() {
   const boxplus::SE3 first = adapters::pose(*vertexXn<0>()), second = adapters::pose(*vertexXn<1>());
   const boxplus::Vector3 point = second * _measurement.pos1;
@@ -113,7 +113,8 @@ double baseline_times_focal_length() {
   return VertexSCam::Kcam(0, 0) * VertexSCam::baseline;
 }
 
-/// An observation of zero: its error is the point in the frame of the camera.
+/// An observation with the measurement zero. Its error is the position of the point in the frame of the
+/// camera.
 const Native kInCamera{boxplus::Vector3(0, 0, 0)};
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in an SBACam or a stereo pair.
+// Edges for the image of a point in an SBACam, as a single camera or as a stereo pair.
 #include "g2o/types/sba/edge_project_p2mc.h"
 #include "g2o/types/sba/edge_project_p2sc.h"
 #include "types/images.h"

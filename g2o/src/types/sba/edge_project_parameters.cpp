@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in cameras that are parameters.
+// Edges for the image of a point in a camera whose intrinsics are a parameter of the graph.
 #include "g2o/types/sba/edge_project_psi2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uv.h"
 #include "g2o/types/sba/edge_project_xyz2uvu.h"
@@ -14,7 +14,7 @@ formulas::Pinhole pinhole(const CameraParameters& cam) {
   return {cam.focal_length, cam.focal_length, cam.principle_point[0], cam.principle_point[1]};
 }
 
-/// Converts a point to ψ = (x/depth, y/depth, 1/depth). The inverse function is the same.
+/// Converts a point to ψ = (x/depth, y/depth, 1/depth). The function is its own inverse.
 Vector3 invert_depth(const Vector3& x) {
   return x.head<2>().homogeneous() / x[2];
 }
@@ -88,8 +88,8 @@ void EdgeProjectPSI2UV::computeError() {
   _error = _measurement - _cam->cam_map(motion.map(invert_depth(vertexXn<0>()->estimate())));
 }
 
-// With q = p(ψ) in the frame of the anchor, the point in the frame of the camera is p = A q with A = T
-// T_anchor⁻¹. A step δ of the anchor changes it to A exp(−δ) q.
+// Let q be the point of ψ in the frame of the anchor. In the frame of the camera, the point is p = A q with A
+// = T T_anchor⁻¹. A step δ of the anchor changes p to A exp(−δ) q.
 void EdgeProjectPSI2UV::linearizeOplus() {
   const Vector3& psi = vertexXn<0>()->estimate();
   const SE3Quat motion = vertexXn<1>()->estimate() * vertexXn<2>()->estimate().inverse();

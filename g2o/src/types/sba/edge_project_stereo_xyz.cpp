@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images in a stereo camera, of points that are vertices and of known points.
+// Edges for the image of a point in a stereo camera. The point is either a vertex or known.
 #include "g2o/types/sba/edge_project_stereo_xyz.h"
 
 #include "g2o/types/sba/edge_project_stereo_xyz_onlypose.h"

@@ -30,8 +30,8 @@ void EdgeSBACam::computeError() {
                .error(adapters::pose(vertexXn<0>()->estimate()), adapters::pose(vertexXn<1>()->estimate()));
 }
 
-// A step adds to the translation of a camera in the world frame, but to that of an engine pose in its body
-// frame.
+// A step changes the translation of a camera in the world frame. For a pose of the engine, a step changes the
+// translation in the body frame.
 void EdgeSBACam::linearizeOplus() {
   const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
   adapters::linearize(Native(adapters::pose(_measurement)),

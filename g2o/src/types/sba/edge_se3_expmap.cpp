@@ -14,8 +14,8 @@ void EdgeSE3Expmap::computeError() {
   _error = (vertexXn<1>()->estimate().inverse() * _measurement * vertexXn<0>()->estimate()).log();
 }
 
-// With E = T₂⁻¹ z T₁, a step δ of T₁ gives exp(Ad δ) E with Ad of T₂⁻¹ z. A step δ of T₂ gives exp(−Ad δ) E
-// with Ad of T₂⁻¹.
+// Let E = T₂⁻¹ z T₁. A step δ of T₁ changes E to exp(Ad δ) E with the adjoint Ad of T₂⁻¹ z. A step δ of T₂
+// changes E to exp(−Ad δ) E with the adjoint Ad of T₂⁻¹.
 void EdgeSE3Expmap::linearizeOplus() {
   const SE3Quat inverse = vertexXn<1>()->estimate().inverse(), left = inverse * _measurement;
   const Matrix6 J = formulas::left_jacobian_of_log(left * vertexXn<0>()->estimate());

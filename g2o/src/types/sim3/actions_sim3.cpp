@@ -42,7 +42,7 @@ struct Similarities {
     return internal::sketch_of_edge<Similarities>(e, internal::kObservationColor);
   }
 
-  /// Writes the pose as for VertexSE3, then the scale.
+  /// Writes the pose in the same way as for VertexSE3, and then the scale.
   static bool write(const VertexSim3Expmap& v, std::ostream& os) {
     Vector7 numbers;
     numbers << internal::toVectorMQT(pose_of(v.estimate())), v.estimate().inverse().scale();

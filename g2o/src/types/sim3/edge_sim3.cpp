@@ -6,12 +6,12 @@
 #include "types/exponential.h"
 #include "types/sim3/usable_sim3.h"
 
-G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 
 namespace g2o {
 namespace {
 
-/// The adjoint Ad with exp(Ad δ) = S exp(δ) S⁻¹.
+/// The adjoint of S: the matrix Ad with exp(Ad δ) = S exp(δ) S⁻¹.
 Matrix7 adjoint(const Sim3& S) {
   const Matrix3 R = S.rotation().toRotationMatrix();
   Matrix7 Ad = Matrix7::Zero();
@@ -31,8 +31,8 @@ void EdgeSim3::computeError() {
   _error = (_measurement * vertexXn<0>()->estimate() * vertexXn<1>()->estimate().inverse()).log();
 }
 
-// With E = z S₁ S₂⁻¹, a step δ of S₁ gives exp(Ad_z δ) E, and a step δ of S₂ gives E exp(−δ) = exp(−Ad_E δ)
-// E.
+// Let E = z S₁ S₂⁻¹. A step δ of S₁ changes E to exp(Ad_z δ) E. A step δ of S₂ changes E to E exp(−δ) =
+// exp(−Ad_E δ) E.
 void EdgeSim3::linearizeOplus() {
   const VertexSim3Expmap *first = vertexXn<0>(), *second = vertexXn<1>();
   const Sim3 E = _measurement * first->estimate() * second->estimate().inverse();

@@ -6,7 +6,7 @@
 #include "types/exponential.h"
 #include "types/images.h"
 
-G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 
 namespace g2o {
 namespace {
@@ -19,7 +19,7 @@ formulas::Pinhole second_camera(const VertexSim3Expmap& v) {
   return {v._focal_length2[0], v._focal_length2[1], v._principle_point2[0], v._principle_point2[1]};
 }
 
-/// ∂(exp(δ) p)/∂δ for a point p, without the scale if it is fixed.
+/// ∂(exp(δ) p)/∂δ for a point p. If the scale is fixed, the column for the scale is zero.
 Eigen::Matrix<double, 3, 7> motion_of_point(const VertexSim3Expmap& v, const Vector3& p) {
   Eigen::Matrix<double, 3, 7> J;
   J << formulas::motion_of_point(p), v._fix_scale ? Vector3::Zero() : p;
@@ -65,7 +65,7 @@ void EdgeInverseSim3ProjectXYZ::computeError() {
       _measurement - formulas::image(second_camera(v), v.estimate().inverse().map(vertexXn<0>()->estimate()));
 }
 
-// A step δ changes the point to S⁻¹ exp(−δ) p.
+// A step δ of S changes the point in the camera to S⁻¹ exp(−δ) p.
 void EdgeInverseSim3ProjectXYZ::linearizeOplus() {
   const VertexSim3Expmap& v = *vertexXn<1>();
   const Sim3 inverse = v.estimate().inverse();

@@ -6,7 +6,7 @@
 #include "types/adapters.h"
 #include "types/sim3/usable_sim3.h"
 
-G2O_USE_TYPE_GROUP(sim3)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(sim3)  // registers the tags for clients that use only these types
 
 namespace g2o {
 
@@ -20,7 +20,7 @@ void VertexSim3Expmap::oplusImpl(double* update) {
   _estimate = moved;
 }
 
-// Files of g2o end after the first camera.
+// In files that g2o writes, the line ends after the first camera. The second camera then keeps its values.
 bool VertexSim3Expmap::read(std::istream& is) {
   boxplus::Vector<double, 11> v;
   if (!adapters::read_value(is, 11, v)) return false;

@@ -59,7 +59,7 @@ double EdgeSE2PointXYBearing::initialEstimatePossible(const OptimizableGraph::Ve
 }
 
 void EdgeSE2PointXYBearing::initialEstimate(const OptimizableGraph::VertexSet&, OptimizableGraph::Vertex*) {
-  constexpr double kDistance = 2;  // arbitrary, because a bearing does not measure it
+  constexpr double kDistance = 2;  // arbitrary, because a bearing does not measure the distance
   const Vector2 seen(kDistance * std::cos(_measurement), kDistance * std::sin(_measurement));
   vertexXn<1>()->setEstimate(vertexXn<0>()->estimate() * seen);
 }

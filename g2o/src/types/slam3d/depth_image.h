@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The common part of EDGE_PROJECT_DEPTH and EDGE_PROJECT_DISPARITY: the image of a point in a camera on a
-// robot, and a function of its depth.
+// robot, and a function of the depth of the point.
 #pragma once
 
 #include "types/images.h"
@@ -9,10 +9,11 @@
 namespace g2o {
 namespace adapters {
 
-/// An observation of zero: its error is the point in the frame of the camera.
+/// An observation with the measurement zero. Its error is the position of the point in the frame of the
+/// camera.
 inline const boxplus::OffsetPointObservation3 kInCamera{boxplus::Vector3(0, 0, 0)};
 
-/// (u, v, Third::of(depth)) of a point in the frame of the camera.
+/// Returns (u, v, Third::of(depth)) of a point p in the frame of the camera.
 template <class Third>
 Vector3 depth_image(const Matrix3& K, const Vector3& p) {
   Vector3 z;

@@ -8,7 +8,7 @@
 namespace g2o {
 namespace {
 
-/// The depth itself.
+/// The third value of the measurement: the depth.
 struct Depth {
   static double of(double depth) { return depth; }
   static double derivative(double) { return 1; }

@@ -8,7 +8,7 @@
 namespace g2o {
 namespace {
 
-/// The inverse of the depth.
+/// The third value of the measurement: the inverse of the depth.
 struct Disparity {
   static double of(double depth) { return 1 / depth; }
   static double derivative(double depth) { return -1 / (depth * depth); }

@@ -11,7 +11,8 @@ namespace {
 
 using internal::Sketch;
 
-/// The point of a plane that is nearest to `viewer`, as a frame with the normal as z-axis and a level x-axis.
+/// A frame at the point of a plane that is nearest to `viewer`. The z-axis is the normal of the plane, and
+/// the x-axis is horizontal.
 Isometry3 piece(const Plane3D& plane, const Vector3& viewer) {
   const Vector3 z = plane.normal();
   const Vector3 level = Vector3::UnitZ().cross(z);
@@ -49,8 +50,8 @@ struct Slam3dAddons {
   static Sketch sketch(const EdgePlane& e) {
     return internal::sketch_of_edge<Slam3dAddons>(e, internal::kObservationColor);
   }
-  /// The plane as the sensor measures it, in front of the sensor. The third vertex is the pose of the sensor
-  /// on the robot.
+  /// The measured plane, drawn at the point of the plane that is nearest to the sensor. The third vertex is
+  /// the pose of the sensor on the robot.
   static Sketch sketch(const EdgeSE3PlaneSensorCalib& e) {
     if (e.vertex(0) == nullptr || e.vertex(2) == nullptr) return {};
     const Isometry3 sensor = e.vertexXn<0>()->estimate() * e.vertexXn<2>()->estimate();

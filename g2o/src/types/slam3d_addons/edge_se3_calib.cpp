@@ -6,7 +6,7 @@
 #include "g2o/core/factory.h"
 #include "types/slam3d/adapters_slam3d.h"
 
-G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(slam3d_addons)  // registers the tags for clients that use only these types
 
 namespace g2o {
 namespace {

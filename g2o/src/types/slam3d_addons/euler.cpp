@@ -4,7 +4,7 @@
 #include "g2o/types/slam3d_addons/vertex_se3_euler.h"
 #include "types/slam3d/adapters_slam3d.h"
 
-G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(slam3d_addons)  // registers the tags for clients that use only these types
 
 namespace g2o {
 namespace {

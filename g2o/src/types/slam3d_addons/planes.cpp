@@ -6,7 +6,7 @@
 #include "g2o/types/slam3d_addons/edge_se3_plane_calib.h"
 #include "types/adapters.h"
 
-G2O_USE_TYPE_GROUP(slam3d_addons)  // for clients that use only these types
+G2O_USE_TYPE_GROUP(slam3d_addons)  // registers the tags for clients that use only these types
 
 namespace g2o {
 

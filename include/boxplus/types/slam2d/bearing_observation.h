@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The direction of a point of the plane, seen from a pose.
+// The direction of a point in the plane, seen from a pose.
 #pragma once
 
 #include "boxplus/types/pose_math.h"

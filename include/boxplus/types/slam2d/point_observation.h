@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point of the plane, seen from a pose, with or without a sensor offset.
+// A point in the plane, seen from a pose, with or without a sensor offset.
 //
-// With b = X⁻¹ l the point in the body, X ⊞ δ moves it to R(Δθ)ᵀ (b − Δt) ≈ b − Δt + Δθ (y_b, −x_b), and
-// likewise p = P⁻¹ b for the offset P:
+// Let b = X⁻¹ l be the point in the body frame. X ⊞ δ moves b to R(Δθ)ᵀ (b − Δt) ≈ b − Δt + Δθ (y_b, −x_b).
+// In the same way, P ⊞ δ moves p = P⁻¹ b for the offset P:
 //   ∂b/∂X = [ −I  (y_b, −x_b)ᵀ ]    ∂p/∂X = R_Pᵀ ∂b/∂X    ∂p/∂P = [ −I  (y_p, −x_p)ᵀ ]    ∂p/∂l = R_Pᵀ R_Xᵀ
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several points of the plane, seen at once from one pose, with correlated noise.
+// Several points in the plane, seen at once from one pose, with correlated noise.
 #pragma once
 
 #include <span>
@@ -26,8 +26,8 @@ struct TwoPointsObservation2 {
   }
 };
 
-/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the number
-/// of points is not that of the measurement. EDGE_SE2_LOTSOFXY.
+/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the
+/// measurement has another number of points. EDGE_SE2_LOTSOFXY.
 struct PointsObservation2 {
   static constexpr std::string_view kName = "PointsObservation2";
   Vector<double, kDynamic> measurement;  ///< x1, y1, x2, y2, …

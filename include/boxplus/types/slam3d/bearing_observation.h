@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The direction of a point of space, seen from a pose.
+// The direction of a point in space, seen from a pose.
 #pragma once
 
 #include "boxplus/types/pose_math.h"
@@ -7,8 +7,8 @@
 namespace boxplus {
 
 /// z measures the unit vector towards the point l in the frame of the pose X. Error: b/|b| − z with b = X⁻¹
-/// l. This is the chord, which approximates the angle if it is small, and has no singular direction. Three
-/// rows of rank two.
+/// l. Its length is the chord between both directions, which is about their angle if that is small. No
+/// direction is singular. The three rows have rank two.
 struct BearingObservation3 {
   static constexpr std::string_view kName = "BearingObservation3";
   Vector3 measurement;

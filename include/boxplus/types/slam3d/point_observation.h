@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A point of space, seen from a pose, with or without a sensor offset.
+// A point in space, seen from a pose, with or without a sensor offset.
 //
-// With b = X⁻¹ l the point in the body, X ⊞ δ, δ = (Δt, u), moves it to b − Δt − 2 u × b = b − Δt + 2 [b]× u
-// (the quaternion (u, 1) turns by about 2u), and likewise p = P⁻¹ b for the offset P:
+// Let b = X⁻¹ l be the point in the body frame. X ⊞ (Δt, u) moves b to b − Δt − 2 u × b = b − Δt + 2 [b]× u,
+// because the quaternion (u, 1) turns by about 2u. In the same way, P ⊞ δ moves p = P⁻¹ b for the offset P:
 //   ∂b/∂X = [ −I  2 [b]× ]    ∂p/∂X = R_Pᵀ ∂b/∂X    ∂p/∂P = [ −I  2 [p]× ]    ∂p/∂l = R_Pᵀ R_Xᵀ
 #pragma once
 

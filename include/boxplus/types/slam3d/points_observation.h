@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several points of space, seen at once from one pose, with correlated noise.
+// Several points in space, seen at once from one pose, with correlated noise.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the number
-/// of points is not that of the measurement. EDGE_SE3_LOTSOF_XYZ.
+/// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the
+/// measurement has another number of points. EDGE_SE3_LOTSOF_XYZ.
 struct PointsObservation3 {
   static constexpr std::string_view kName = "PointsObservation3";
   Vector<double, kDynamic> measurement;  ///< x1, y1, z1, x2, …

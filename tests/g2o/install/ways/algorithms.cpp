@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// algorithms NAME: checks that the factory returns the algorithm NAME for lm_var_cholmod.
+// algorithms NAME: constructs lm_var_cholmod and checks that the factory returns the algorithm NAME. This is
+// lm_var if the library of lm_var_cholmod is not linked.
 #include "g2o/core/optimization_algorithm_factory.h"
 
 #if G2O_HAVE_CHOLMOD

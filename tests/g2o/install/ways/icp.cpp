@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Defines a type itself, under the include guard of g2o's header for it, and uses the types that types_icp.h
-// includes.
+// A client that defines its own type EdgeXYZPrior. It also defines the include guard of the g2o header with
+// the same type, so that the two types do not conflict. Then it uses types that types_icp.h includes.
 #define G2O_EDGE_XYZ_PRIOR_H_
 #include "g2o/types/icp/types_icp.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Written for C++14 by a client who forgot setParameterId().
+// A client in C++14 that forgets to call setParameterId().
 #include <memory>
 
 #include "g2o/core/block_solver.h"
@@ -29,7 +29,7 @@ int main() {
 
   g2o::EdgeSE3Prior prior;
   prior.setVertex(0, optimizer.vertex(1));
-  if (optimizer.addEdge(&prior)) return 1;  // its parameter is missing
+  if (optimizer.addEdge(&prior)) return 1;  // must be refused, because its parameter is missing
 
   optimizer.initializeOptimization();
   if (optimizer.optimize(10) <= 0) return 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A library with an isolated copy works even if symbols of the same names come first.
+// A library that hides its copy of the g2o API works even if the loader finds symbols of the same names in
+// another library first.
 extern "C" int foreign_calls();
 extern "C" double optimum();
 

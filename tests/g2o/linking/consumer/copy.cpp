@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A module that optimizes a graph with the copy of the g2o API that is linked into it.
+// A library that optimizes a graph. If the g2o API is linked statically, this library contains its own copy
+// of the API.
 #include <sstream>
 
 #include "g2o/core/factory.h"
@@ -13,7 +14,7 @@ extern "C" G2O_API_EXPORT const void* factory() {
   return g2o::Factory::instance();
 }
 
-/// The final chi2, or a negative value if something is missing.
+/// Returns the final chi2, or -1 if the algorithm or a type is not registered.
 extern "C" G2O_API_EXPORT double optimum() {
   std::istringstream file(
       "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 1 1\nVERTEX_SE2 2 2 2 2\nFIX 0\n"

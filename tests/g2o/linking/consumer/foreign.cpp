@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands in for another implementation of g2o: the same names, but different objects.
+// Imitates another implementation of g2o: its classes have the same names, but different contents.
 #include <cstdlib>
 
 #define EXPORTED __attribute__((visibility("default")))

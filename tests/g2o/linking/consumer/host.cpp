@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// host MODULE: the registrations of this program work while a module with another copy is loaded, and after
-// it is unloaded.
+// host MODULE: checks that the types, actions and algorithms of this program stay registered while a module
+// with another copy of the g2o API is loaded, and after the module is unloaded.
 #include <dlfcn.h>
 
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two copies that the loader has joined work, and the program exits cleanly.
+// Calls two libraries with one copy of the g2o API each. The loader binds the symbols of both libraries to
+// one of the copies. Both libraries must work, and the program must exit cleanly.
 #include <cstdio>
 
 extern "C" double optimum_one();

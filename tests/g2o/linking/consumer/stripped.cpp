@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Constructs all types and algorithms by tag or name, and refers to none of them.
+// Constructs types by their tags and an algorithm by its name, without a reference to their classes.
 #include <cstdio>
 #include <sstream>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// two_copies FIRST SECOND ARE_SEPARATE: both modules work at the same time, and one works after the other is
-// unloaded.
+// two_copies FIRST SECOND ARE_SEPARATE: checks that two modules work at the same time, and that the second
+// module still works after the first is unloaded. ARE_SEPARATE is 1 if each module must have its own factory,
+// else 0.
 #include <dlfcn.h>
 
 #include <cstdio>

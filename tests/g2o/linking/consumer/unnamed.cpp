@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses classes of each library, and saves and loads their graph, without G2O_USE_TYPE_GROUP.
+// Uses classes of several type libraries without G2O_USE_TYPE_GROUP, saves a graph of these classes, and
+// loads it again.
 #include <cstdio>
 #include <sstream>
 

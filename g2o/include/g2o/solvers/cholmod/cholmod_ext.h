@@ -17,8 +17,8 @@
 
 namespace g2o {
 
-/// The upper triangle of a symmetric matrix of doubles, initially empty. p, i and x are arrays of int, int
-/// and double that are allocated by new[].
+/// The upper triangle of a symmetric matrix of doubles, initially empty. The arrays p (int), i (int) and x
+/// (double) must be allocated by new[].
 struct CholmodExt : public cholmod_sparse {
   CholmodExt() : cholmod_sparse() {
     stype = 1;

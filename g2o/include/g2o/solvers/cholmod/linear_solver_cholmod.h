@@ -10,17 +10,17 @@
 
 namespace g2o {
 
-/// The engine's sparse Cholesky under the name that clients of CHOLMOD use; the same as LinearSolverEigen.
-/// Needs no third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) run CHOLMOD
-/// itself.
+/// The same solver as LinearSolverEigen, under the name that clients of CHOLMOD use. It does not need CHOLMOD
+/// or any other third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) run
+/// CHOLMOD itself.
 template <typename MatrixType>
 class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
  public:
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverCholmod) ? this->settings() : internal::EngineSettings();
   }
-  /// Writes the matrix of the last solve() for Octave. Returns false if there is none. (If the solver belongs
-  /// to a BlockSolver, use Solver::saveHessian().)
+  /// Writes the matrix of the last solve() for Octave. Returns false if there is no such matrix. If the
+  /// solver belongs to a BlockSolver, use Solver::saveHessian() instead.
   virtual bool saveMatrix(const std::string& fileName) { return this->engine_.save(fileName); }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of a Cholesky solve by CSparse that a solver repeats. Only this header needs CXSparse (LGPL), to
-// compile and to link. No other header includes it.
+// The part of a Cholesky solve by CSparse that is repeated for each system. Only this header needs CXSparse
+// (LGPL), to compile and to link. No other header includes it.
 #pragma once
 #ifndef G2O_CSPARSE_HELPER_H
 #define G2O_CSPARSE_HELPER_H
@@ -18,16 +18,16 @@
 namespace g2o {
 namespace csparse_extension {
 
-/// Returns the factor of the upper triangle A with the analysis S, or nullptr if A is not positive definite.
-/// The caller frees it. CSparse has an internal workspace, so `cin` and `xin` are not used.
+/// Factorizes A, an upper triangle, with the symbolic analysis S. Returns nullptr if A is not positive
+/// definite. The caller frees the factor. `cin` and `xin` are not used: CSparse has an internal workspace.
 inline cs_din* cs_chol_workspace(const cs_di* A, const cs_dis* S, int* cin, double* xin) {
   static_cast<void>(cin);
   static_cast<void>(xin);
   return cs_di_chol(A, S);
 }
 
-/// b ← A⁻¹ b with the analysis S. `workspace` has as many doubles as A has columns; `work` is not used.
-/// Returns false if A is not positive definite.
+/// Computes b = A⁻¹ b with the symbolic analysis S. `workspace` must have as many doubles as A has columns.
+/// `work` is not used. Returns false if A is not positive definite.
 inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* workspace, int* work) {
   cs_din* factor = cs_chol_workspace(A, S, work, workspace);
   const bool ok = factor != nullptr && cs_di_ipvec(S->pinv, b, workspace, A->n) != 0 &&
@@ -37,7 +37,7 @@ inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* w
   return ok;
 }
 
-/// Writes a matrix in compressed columns for Octave; see writeCCSMatrix().
+/// Writes a matrix in compressed columns for Octave. See writeCCSMatrix().
 inline bool writeCs2Octave(const char* filename, const cs_di* A, bool upperTriangular = true) {
   return writeCCSMatrix(filename, A->m, A->n, A->p, A->i, A->x, upperTriangular);
 }

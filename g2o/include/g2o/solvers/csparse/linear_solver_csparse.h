@@ -9,9 +9,9 @@
 
 namespace g2o {
 
-/// The engine's sparse Cholesky under the name that clients of CSparse use; the same as LinearSolverEigen.
-/// Needs no third-party library. The algorithms of the library solver_csparse (gn_var_csparse, …) run CSparse
-/// itself.
+/// The same solver as LinearSolverEigen, under the name that clients of CSparse use. It does not need CSparse
+/// or any other third-party library. The algorithms of the library solver_csparse (gn_var_csparse, …) run
+/// CSparse itself.
 template <typename MatrixType>
 class LinearSolverCSparse : public LinearSolverEigen<MatrixType> {
  public:

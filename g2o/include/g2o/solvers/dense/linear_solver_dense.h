@@ -14,7 +14,7 @@ template <typename MatrixType>
 class LinearSolverDense : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverDense() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kDense) {}
-  /// Does not replace a derived class, because that may solve in another way.
+  /// The engine does not replace a derived class, because the class may solve in a different way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverDense) ? this->settings_ : internal::EngineSettings();
   }

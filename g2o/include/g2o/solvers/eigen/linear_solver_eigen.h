@@ -9,17 +9,17 @@
 
 namespace g2o {
 
-/// The engine's sparse Cholesky, which orders blocks. With setBlockOrdering(false), Eigen's, which orders
-/// scalars.
+/// Sparse Cholesky factorization. By default, uses the engine's implementation, which orders blocks. After
+/// setBlockOrdering(false), uses Eigen's implementation, which orders scalars.
 template <typename MatrixType>
 class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
-  /// If `exact` is true, always factorizes in double (not in g2o). By default, if Solver::inexactSteps() is
-  /// true, large fronts are factorized in float and steps are refined until their residual is 1e-6 of the
-  /// right-hand side.
+  /// If `exact` is true, always factorizes in double precision. Otherwise, if Solver::inexactSteps() is true,
+  /// factorizes large fronts in single precision and refines steps until their residual is 1e-6 of the
+  /// right-hand side. g2o does not have this function.
   void setExact(bool exact) { this->settings_.exact = exact; }
-  /// Does not replace a derived class, because that may solve in another way.
+  /// The engine does not replace a derived class, because the class may solve in a different way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverEigen) ? this->settings() : internal::EngineSettings();
   }

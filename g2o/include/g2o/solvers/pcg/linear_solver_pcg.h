@@ -17,24 +17,24 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
     this->settings_.tolerance = _tolerance;
     this->settings_.absoluteTolerance = _absoluteTolerance;
   }
-  /// Does not replace a derived class, because that may solve in another way.
+  /// The engine does not replace a derived class, because the class may solve in a different way.
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverPCG) ? this->settings_ : internal::EngineSettings();
   }
-  /// Stops when the residual is below this tolerance, relative to the residual of x = 0.
+  /// The solver stops when the residual is below this tolerance, relative to the residual of x = 0.
   double tolerance() const { return _tolerance; }
   void setTolerance(double tolerance) {
     _tolerance = tolerance;
     this->settings_.tolerance = tolerance;
   }
-  /// If negative, the number of iterations is not limited.
+  /// The iteration limit. If it is not positive, the limit is twice the number of scalars, but at least 100.
   int maxIterations() const { return _maxIter; }
   void setMaxIterations(int maxIter) {
     _maxIter = maxIter;
     this->settings_.maxIterations = maxIter > 0 ? maxIter : 0;
   }
-  /// If true, also stops when the residual itself is below tolerance(). Near the minimum the right-hand side
-  /// vanishes, and a more accurate solution is not needed.
+  /// If true, the solver also stops when the residual itself is below tolerance(). Near the minimum, the
+  /// right-hand side is almost zero, and a more accurate solution is not necessary.
   bool absoluteTolerance() const { return _absoluteTolerance; }
   void setAbsoluteTolerance(bool absoluteTolerance) {
     _absoluteTolerance = absoluteTolerance;

@@ -11,15 +11,15 @@
 
 namespace g2o {
 
-/// A linear start for pose graphs in the plane. It computes the headings that fit the measured rotations best
-/// and sets the translations to zero. The first iteration of Gauss-Newton then finds the translations.
+/// Gauss-Newton with a linear start for pose graphs in the plane. The start computes the headings that best
+/// fit the measured rotations and sets translations to zero. The first iteration then finds translations.
 ///
-/// All active edges must be of type EdgeSE2, and a fixed vertex must reach all others. Otherwise the first
-/// iteration fails with a message.
+/// All active edges must be of type EdgeSE2, and each vertex must be connected to a fixed vertex. Otherwise,
+/// the first iteration logs an error and fails.
 class G2O_SOLVER_SLAM2D_LINEAR_API SolverSLAM2DLinear : public OptimizationAlgorithmGaussNewton {
  public:
   explicit SolverSLAM2DLinear(std::unique_ptr<Solver> solver);
-  /// For clients that pass a raw pointer. Takes ownership.
+  /// For clients that pass a raw pointer. The algorithm takes ownership.
   explicit SolverSLAM2DLinear(Solver* solver);
   ~SolverSLAM2DLinear() override;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs of points with normals (Segal, Haehnel, Thrun, "Generalized-ICP", 2009), and stereo cameras that
-// share one camera matrix.
+// Edges for pairs of points with normals (Segal, Haehnel, Thrun, "Generalized-ICP", 2009), and stereo cameras
+// that share one camera matrix.
 #pragma once
 #ifndef G2O_TYPES_ICP
 #define G2O_TYPES_ICP
@@ -12,22 +12,22 @@
 
 namespace g2o {
 
-/// Two matched points of two scans with the normals of their surfaces, each in the frame of its pose.
+/// Two matching points of two scans, with surface normals. Point and normal k are in the frame of pose k.
 class G2O_TYPES_ICP_API EdgeGICP {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeGICP();
 
-  /// Updates R0 and R1 from the normals. With y the unit vector orthogonal to the normal n that is closest to
-  /// e_y, the rows are n × y, y and n, a left-handed frame. As in g2o, n keeps its length, and y is zero if n
-  /// is parallel to e_y.
+  /// Update R0 and R1 from the normals. Let y be the unit vector that is orthogonal to the normal n and
+  /// closest to e_y. The rows of R are n × y, y and n, which is a left-handed frame. As in g2o, n keeps its
+  /// length, and y is zero if n is parallel to e_y.
   void makeRot0();
   void makeRot1();
 
-  /// Precision of a point with a unit normal: 1 along the normal, e across it.
+  /// The precision of a point with a unit normal: 1 along the normal, e across it.
   Matrix3 prec0(double e);
   Matrix3 prec1(double e);
-  /// Covariance of a point with a unit normal: e along the normal, 1 across it.
+  /// The covariance of a point with a unit normal: e along the normal, 1 across it.
   Matrix3 cov0(double e);
   Matrix3 cov1(double e);
 
@@ -36,17 +36,17 @@ class G2O_TYPES_ICP_API EdgeGICP {
   Matrix3 R0 = Matrix3::Identity(), R1 = Matrix3::Identity();
 };
 
-/// A pair of matched points. Error: x₀⁻¹ x₁ p₁ − p₀. Tag: EDGE_V_V_GICP. read() sets Ω to the precision of p₀
-/// with e = 0.01.
+/// A pair of matching points p₀ and p₁, in the frames of the poses x₀ and x₁. Error: x₀⁻¹ x₁ p₁ − p₀. read()
+/// sets Ω to the precision of p₀ with e = 0.01. Tag: EDGE_V_V_GICP.
 class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   Edge_V_V_GICP() = default;
-  /// Copies the vertices, the measurement, pl_pl, cov0 and cov1 of `e`. As in g2o, Ω is the identity and
-  /// there is no robust kernel.
+  /// Copies the vertices, the measurement, pl_pl, cov0 and cov1 of `e`. As in g2o, Ω is the identity, and the
+  /// copy has no robust kernel.
   explicit Edge_V_V_GICP(const Edge_V_V_GICP* e);
 
-  /// If pl_pl is true, also sets Ω to that of a pair of planes, (cov0 + R cov1 Rᵀ)⁻¹.
+  /// If pl_pl is true, also sets Ω for a pair of planes, to (cov0 + R cov1 Rᵀ)⁻¹.
   void computeError() override;
   void linearizeOplus() override;
   using BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3>::linearizeOplus;
@@ -63,31 +63,31 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSCam();
 
-  /// The 3×4 matrix of the motion from the world frame to the frame of a pose, and of its inverse.
+  /// The 3×4 matrix of the motion from the world frame to the frame of a pose (W2F), or back (F2W).
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
   /// Sets Kcam and baseline. Not thread-safe: no other thread may use a VertexSCam at the same time.
   static void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Each updates members that depend on the estimate and Kcam: setTransform() w2n, setProjection() w2i,
-  /// setDr() dRdx, dRdy and dRdz, and setAll() all of them.
+  /// Each function updates members that depend on the estimate and Kcam. setTransform() updates w2n,
+  /// setProjection() updates w2i, setDr() updates dRdx, dRdy and dRdz, and setAll() updates all of them.
   void setTransform();
   void setProjection();
   void setDr();
   void setAll();
-  /// The image coordinates of a world point: u, v, and u in the right camera.
+  /// Computes the image coordinates of a world point: u, v, and u in the right camera.
   void mapPoint(Vector3& res, const Vector3& pt3) const;
 
   static Matrix3 Kcam;
   static double baseline;
-  Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
-  Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
+  Eigen::Matrix<double, 3, 4> w2n;  ///< matrix from the world frame to the camera frame
+  Eigen::Matrix<double, 3, 4> w2i;  ///< matrix from the world frame to the image
   Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
 };
 
-/// The measured image coordinates z (pixels) of a point seen by a stereo camera. Error: (u, v, u_right) − z.
-/// Has no tag.
+/// The measured image coordinates z (pixels) of a point in a stereo camera. Error: (u, v, u_right) − z. The
+/// type has no tag.
 class G2O_TYPES_ICP_API Edge_XYZ_VSC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point seen by a camera. Error: (u, v) − z. Tag:
-/// EDGE_PROJECT_P2MC.
+/// The measured image position z (pixels) of a point in a camera. Error: (u, v) − z.
+/// Tag: EDGE_PROJECT_P2MC.
 class G2O_TYPES_SBA_API EdgeProjectP2MC : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The measured image coordinates z (pixels) of a point seen by a stereo camera: u, v, and u in the right
-/// camera. Error: (u, v, u_right) − z. Tag: EDGE_PROJECT_P2SC.
+/// The measured image coordinates z (pixels) of a point in a stereo camera: u, v, and u in the right camera.
+/// Error: (u, v, u_right) − z. Tag: EDGE_PROJECT_P2SC.
 class G2O_TYPES_SBA_API EdgeProjectP2SC : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -10,9 +10,9 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point that is given by its coordinates ψ = (x/depth, y/depth,
-/// 1/depth) in another camera, the anchor. Vertices: ψ, camera, anchor. Error: z − cam(T T_anchor⁻¹ p(ψ)).
-/// Has no tag.
+/// The measured image position z (pixels) of a point in a camera. The point is given by its coordinates
+/// ψ = (x/depth, y/depth, 1/depth) in another camera, the anchor. Vertices: ψ, camera, anchor.
+/// Error: z − cam(T T_anchor⁻¹ p(ψ)). The type has no tag.
 class G2O_TYPES_SBA_API EdgeProjectPSI2UV
     : public BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
  public:

@@ -8,9 +8,9 @@
 
 namespace g2o {
 
-/// The measured image coordinates z (pixels) of the known point Xw, seen by a stereo camera. Error: z − (u,
-/// v, u_right) of T Xw. Files list the point and the camera after Ω; see EdgeStereoSE3ProjectXYZ. Tag:
-/// EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
+/// The measured image coordinates z (pixels) of the known point Xw in a stereo camera T.
+/// Error: z − (u, v, u_right), for the image of T Xw. In files, the point and the camera parameters follow Ω,
+/// as for EdgeStereoSE3ProjectXYZ. Tag: EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,9 +9,9 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point seen by a camera. Error: z − (u, v) of T p. Files list
-/// the camera after Ω. If the camera is missing, image coordinates are normalized. Tag:
-/// EDGE_SE3_PROJECT_XYZ:EXPMAP.
+/// The measured image position z (pixels) of a point p in a camera T.
+/// Error: z − (u, v), for the image of T p. In files, the camera parameters follow Ω. If they are missing,
+/// image coordinates are normalized. Tag: EDGE_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:
@@ -26,7 +26,7 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
 
   /// Whether the point is in front of the camera.
   virtual bool isDepthPositive();
-  /// The image of a point in the frame of the camera.
+  /// The image coordinates of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;
 
   double fx = 1, fy = 1, cx = 0, cy = 0;

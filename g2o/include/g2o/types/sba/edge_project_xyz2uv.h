@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point seen by a camera. Error: z − cam(T p). Tag:
-/// EDGE_PROJECT_XYZ2UV:EXPMAP.
+/// The measured image position z (pixels) of a point p in a camera T. Error: z − cam(T p).
+/// Tag: EDGE_PROJECT_XYZ2UV:EXPMAP.
 class G2O_TYPES_SBA_API EdgeProjectXYZ2UV
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
  public:

@@ -10,7 +10,7 @@
 
 namespace g2o {
 
-/// The measured image coordinates z (pixels) of a point seen by a stereo camera: u, v, and u in the right
+/// The measured image coordinates z (pixels) of a point p in a stereo camera T: u, v, and u in the right
 /// camera. Error: z − stereo(T p). Tag: EDGE_PROJECT_XYZ2UVU:EXPMAP.
 class G2O_TYPES_SBA_API EdgeProjectXYZ2UVU
     : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of the known point Xw. Error: z − (u, v) of T Xw. Files list the
-/// point and the camera after Ω; see EdgeSE3ProjectXYZ. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
+/// The measured image position z (pixels) of the known point Xw. Error: z − (u, v), for the image of T Xw. In
+/// files, the point and the camera parameters follow Ω. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -23,7 +23,7 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vect
 
   /// Whether the point is in front of the camera.
   virtual bool isDepthPositive();
-  /// The image of a point in the frame of the camera.
+  /// The image coordinates of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;
 
   Vector3 Xw = Vector3(0, 0, 1);

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The motion z from one camera to another. Error: (t, q_v) of z⁻¹ c₁⁻¹ c₂, the quaternion with w ≥ 0. Tag:
-/// EDGE_CAM.
+/// The motion z from a camera c₁ to a camera c₂.
+/// Error: (t, q_v) of z⁻¹ c₁⁻¹ c₂, for the quaternion with w ≥ 0. Tag: EDGE_CAM.
 class G2O_TYPES_SBA_API EdgeSBACam : public BaseBinaryEdge<6, SE3Quat, VertexCam, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -29,7 +29,7 @@ class G2O_TYPES_SBA_API EdgeSBACam : public BaseBinaryEdge<6, SE3Quat, VertexCam
 
   double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
                                  OptimizableGraph::Vertex* to) override;
-  /// Keeps the camera matrix of `to`.
+  /// Does not change the camera matrix of `to`.
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:

@@ -27,7 +27,7 @@ class G2O_TYPES_SBA_API EdgeSBAScale : public BaseBinaryEdge<1, double, VertexCa
 
   double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
                                  OptimizableGraph::Vertex* to) override;
-  /// Moves `to` along the line through both cameras to the distance z.
+  /// Moves `to` along the line through both cameras, so that their distance becomes z.
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 };
 

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// The pose of a camera in the world, its matrix, and the baseline (meters) to a second camera on its right.
+/// The pose of a camera in the world, its matrix, and the baseline (meters) to a second camera on the right.
 class G2O_TYPES_SBA_API SBACam : public SE3Quat {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -16,25 +16,25 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
   SBACam(const Quaternion& r, const Vector3& t);
   SBACam(const SE3Quat& p);  // NOLINT: clients rely on the implicit conversion
 
-  /// t ← t + Δt, in the world frame; q ← q · (q_v, √(1 − |q_v|²)). If |q_v| ≥ 1, q_v is normalized first.
+  /// Sets t = t + Δt (world frame) and q = q · (q_v, √(1 − |q_v|²)). If |q_v| ≥ 1, normalizes q_v first.
   void update(const Vector6& update);
 
-  /// The 3×4 matrix of the motion from the world frame to the frame of a pose, and of its inverse.
+  /// The 3×4 matrix of the motion from the world frame to the frame of a pose (W2F), or back (F2W).
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
   void setKcam(double fx, double fy, double cx, double cy, double tx);
 
-  /// Each updates members that depend on the pose and the camera matrix: setTransform() w2n, setProjection()
-  /// w2i, and setDr() dRdx, dRdy and dRdz.
+  /// Each function updates members that depend on the pose and the camera matrix. setTransform() updates w2n,
+  /// setProjection() updates w2i, and setDr() updates dRdx, dRdy and dRdz.
   void setTransform();
   void setProjection();
   void setDr();
 
   Matrix3 Kcam;
   double baseline;
-  Eigen::Matrix<double, 3, 4> w2n;  ///< from the world to the camera
-  Eigen::Matrix<double, 3, 4> w2i;  ///< from the world to the image
+  Eigen::Matrix<double, 3, 4> w2n;  ///< matrix from the world frame to the camera frame
+  Eigen::Matrix<double, 3, 4> w2i;  ///< matrix from the world frame to the image
   Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
 };
 

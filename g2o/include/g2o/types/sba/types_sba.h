@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of sparse bundle adjustment.
+// The types for sparse bundle adjustment.
 #pragma once
 #ifndef G2O_SBA_TYPES
 #define G2O_SBA_TYPES

@@ -20,7 +20,7 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   /// Also updates the members of SBACam that depend on the pose.
   void setEstimate(const SBACam& cam);
 
-  /// x y z qx qy qz qw; minimal: x y z qx qy qz. The camera matrix is not part of it.
+  /// The estimate is x y z qx qy qz qw (minimal: x y z qx qy qz). It does not include the camera matrix.
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;
@@ -29,7 +29,7 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   using BaseVertex<6, SBACam>::getMinimalEstimateData;
 
  protected:
-  /// Keeps the camera matrix.
+  /// Does not change the camera matrix.
   void setToOriginImpl() override;
   using BaseVertex<6, SBACam>::oplusImpl;
   void oplusImpl(double* update) override;

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four. Tag: VERTEX_INTRINSICS.
+/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four values. Tag: VERTEX_INTRINSICS.
 class G2O_TYPES_SBA_API VertexIntrinsics
     : public BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>> {
  public:
@@ -19,7 +19,7 @@ class G2O_TYPES_SBA_API VertexIntrinsics
   bool write(std::ostream& os) const override;
 
  protected:
-  /// 1 1 0.5 0.5 0.1.
+  /// Sets the estimate to 1 1 0.5 0.5 0.1.
   void setToOriginImpl() override;
   using OptimizableGraph::Vertex::oplusImpl;
   void oplusImpl(double* update) override;

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The motion T from the world frame to the camera frame. ⊞ is exp(ω, υ) T. Files store T⁻¹. Tag:
-/// VERTEX_SE3:EXPMAP.
+/// The motion T from the world frame to the camera frame. T ⊞ (ω, υ) is exp(ω, υ) T. Files store T⁻¹.
+/// Tag: VERTEX_SE3:EXPMAP.
 class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -19,7 +19,7 @@ class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// x y z qx qy qz qw of T; minimal: x y z qx qy qz.
+  /// The estimate is x y z qx qy qz qw of T (minimal: x y z qx qy qz).
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;

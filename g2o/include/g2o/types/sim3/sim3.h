@@ -11,7 +11,7 @@
 
 namespace g2o {
 
-/// A similarity of space, p ↦ s R p + t with s > 0, with R as a unit quaternion with w ≥ 0.
+/// A similarity of space: p ↦ s R p + t with s > 0. R is stored as a unit quaternion with w ≥ 0.
 struct G2O_TYPES_SIM3_API Sim3 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 
@@ -24,18 +24,18 @@ struct G2O_TYPES_SIM3_API Sim3 {
   Sim3() : r(Quaternion::Identity()), t(0, 0, 0), s(1) {}
   Sim3(const Quaternion& r_, const Vector3& t_, double s_) : r(r_), t(t_), s(s_) { normalizeRotation(); }
   Sim3(const Matrix3& R, const Vector3& t_, double s_) : r(R), t(t_), s(s_) { normalizeRotation(); }
-  /// The exponential of (ω, υ, σ): rotation vector, translation, logarithm of the scale.
+  /// The exponential of (ω, υ, σ): the rotation vector, the translation, and the logarithm of the scale.
   Sim3(const Vector7& update);  // NOLINT: older clients rely on the implicit conversion
 
   Vector3 map(const Vector3& xyz) const { return s * (r * xyz) + t; }
-  /// The inverse of the exponential.
+  /// Returns (ω, υ, σ), whose exponential is this similarity.
   Vector7 log() const;
   Sim3 inverse() const {
     const Quaternion conjugate = r.conjugate();
     return Sim3(conjugate, conjugate * Vector3((-1 / s) * t), 1 / s);
   }
 
-  /// qx qy qz qw x y z s.
+  /// The elements in the order qx qy qz qw x y z s.
   double operator[](int i) const {
     assert(i >= 0 && i < 8);
     return i < 4 ? r.coeffs()[i] : i < 7 ? t[i - 4] : s;

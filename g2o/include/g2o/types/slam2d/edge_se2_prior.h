@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// A prior z of a pose. Error: vec(z⁻¹ x). Tag: EDGE_PRIOR_SE2.
+/// A prior z for a pose x. Error: (x, y, θ) of z⁻¹ x. Tag: EDGE_PRIOR_SE2.
 class G2O_TYPES_SLAM2D_API EdgeSE2Prior : public BaseUnaryEdge<3, SE2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A prior z of a point. Error: p − z. Tag: EDGE_PRIOR_XY.
+/// A prior z for a point p. Error: p − z. Tag: EDGE_PRIOR_XY.
 class G2O_TYPES_SLAM2D_API EdgeXYPrior : public BaseUnaryEdge<2, Vector2, VertexPointXY> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

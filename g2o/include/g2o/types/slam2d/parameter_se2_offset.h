@@ -28,8 +28,8 @@ class G2O_TYPES_SLAM2D_API ParameterSE2Offset : public Parameter {
   Isometry2 _offsetMatrix, _inverseOffsetMatrix;
 };
 
-/// The pose n2w of a sensor (n) in the world (w), and the motions from the world to the sensor and to its
-/// robot (l).
+/// The pose n2w of a sensor (n) in the world (w). Also caches the motion from the world frame to the sensor
+/// frame (w2n), and to the frame of the sensor's robot (w2l).
 class G2O_TYPES_SLAM2D_API CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

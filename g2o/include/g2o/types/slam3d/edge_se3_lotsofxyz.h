@@ -9,17 +9,17 @@
 
 namespace g2o {
 
-/// Any number of points in the frame of a pose, with correlated noise: z = (x₁, y₁, z₁, x₂, …). The first
-/// vertex is the pose. Error: x⁻¹ pₖ − zₖ for all k. Tag: EDGE_SE3_LOTSOF_XYZ.
+/// The positions z = (x₁, y₁, z₁, x₂, …) of any number of points in the frame of a pose x, with correlated
+/// noise. The first vertex is the pose. Error: x⁻¹ pₖ − zₖ for all points pₖ. Tag: EDGE_SE3_LOTSOF_XYZ.
 class G2O_TYPES_SLAM3D_API EdgeSE3LotsOfXYZ : public BaseVariableSizedEdge<-1, VectorX> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeSE3LotsOfXYZ();
 
-  /// Sets the number of vertices, including the pose. If it changes, measurement and Ω are resized.
+  /// Sets the number of vertices, including the pose. Resizes the measurement and Ω if the number changes.
   void resize(size_t size) override;
   void setSize(int vertices);
-  /// Also checks the number of points.
+  /// Also checks that the number of points fits the measurement.
   bool verticesFit() const override;
 
   void computeError() override;

@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The measured image position (pixels) and depth (meters) of a point seen by a camera on a robot: z = (u, v,
-/// depth). Error: (u, v, depth) − z. Tag: EDGE_PROJECT_DEPTH.
+/// The measured image position (pixels) and depth (meters) of a point, z = (u, v, depth), in a camera on a
+/// robot. Error: (u, v, depth) − z. Tag: EDGE_PROJECT_DEPTH.
 class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDepth
     : public BaseBinaryEdge<3, Vector3, VertexSE3, VertexPointXYZ> {
  public:

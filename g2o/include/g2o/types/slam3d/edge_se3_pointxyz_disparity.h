@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The measured image position (pixels) and inverse depth (1/meters) of a point seen by a camera on a robot:
-/// z = (u, v, 1/depth). Error: (u, v, 1/depth) − z. Tag: EDGE_PROJECT_DISPARITY.
+/// The measured image position (pixels) and inverse depth (1/meters) of a point, z = (u, v, 1/depth), in a
+/// camera on a robot. Error: (u, v, 1/depth) − z. Tag: EDGE_PROJECT_DISPARITY.
 class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZDisparity
     : public BaseBinaryEdge<3, Vector3, VertexSE3, VertexPointXYZ> {
  public:

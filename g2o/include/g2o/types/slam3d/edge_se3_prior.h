@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// A prior z of the pose of a sensor with offset P on the robot. Error: (t, q_v) of z⁻¹ x P. Tag:
-/// EDGE_SE3_PRIOR.
+/// A prior z for the pose of a sensor with offset P on the robot x. Error: (t, q_v) of z⁻¹ x P.
+/// Tag: EDGE_SE3_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -35,7 +35,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, Ver
 
  protected:
   Isometry3 _inverseMeasurement;
-  /// Finds _cache if this is an object of a derived class.
+  /// Finds _cache if the object belongs to a derived class.
   bool resolveCaches() override;
 
   ParameterSE3Offset* offsetParam = nullptr;

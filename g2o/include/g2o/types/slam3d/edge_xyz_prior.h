@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A prior z of a point. Error: p − z. Tag: EDGE_POINTXYZ_PRIOR.
+/// A prior z for a point p. Error: p − z. Tag: EDGE_POINTXYZ_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeXYZPrior : public BaseUnaryEdge<3, Vector3, VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

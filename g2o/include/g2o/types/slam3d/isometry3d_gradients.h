@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The motions E whose (t, q_v) is the error of edges over poses in space, and the Jacobians through ⊞ of
-// VertexSE3.
+// Errors and Jacobians of edges for poses in space. The error is (t, q_v) of a motion E. The Jacobians are
+// derivatives with respect to the increment (⊞) of VertexSE3.
 #pragma once
 #ifndef G2O_ISOMETRY3D_GRADIENTS_H_
 #define G2O_ISOMETRY3D_GRADIENTS_H_
@@ -19,7 +19,7 @@ G2O_TYPES_SLAM3D_API void edgeSE3Gradient(Isometry3& E, Matrix6& Ji, Matrix6& Jj
 G2O_TYPES_SLAM3D_API void edgeSE3PriorGradient(Isometry3& E, Matrix6& J, const Isometry3& Z,
                                                const Isometry3& X, const Isometry3& P);
 
-/// E ← Z⁻¹ (Xi Pi)⁻¹ (Xj Pj), and the derivatives of (t, q_v) of E.
+/// Computes E = Z⁻¹ (Xi Pi)⁻¹ (Xj Pj), and the derivatives of (t, q_v) of E.
 template <typename DerivedI, typename DerivedJ>
 void computeEdgeSE3Gradient(Isometry3& E, const Eigen::MatrixBase<DerivedI>& JiConstRef,
                             const Eigen::MatrixBase<DerivedJ>& JjConstRef, const Isometry3& Z,
@@ -32,7 +32,7 @@ void computeEdgeSE3Gradient(Isometry3& E, const Eigen::MatrixBase<DerivedI>& JiC
   const_cast<Eigen::MatrixBase<DerivedJ>&>(JjConstRef) = Jj;
 }
 
-/// E ← Z⁻¹ X P, and the derivative of (t, q_v) of E.
+/// Computes E = Z⁻¹ X P, and the derivative of (t, q_v) of E.
 template <typename Derived>
 void computeEdgeSE3PriorGradient(Isometry3& E, const Eigen::MatrixBase<Derived>& JConstRef,
                                  const Isometry3& Z, const Isometry3& X,

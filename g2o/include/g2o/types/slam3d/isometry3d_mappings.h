@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions of rigid motions to vectors, and back.
+// Conversions between rigid motions and vectors.
 #pragma once
 #ifndef G2O_ISOMETRY3D_MAPPINGS_H_
 #define G2O_ISOMETRY3D_MAPPINGS_H_
@@ -18,7 +18,7 @@ inline Isometry3::ConstLinearPart extractRotation(const Isometry3& A) {
   return A.linear();
 }
 
-/// Replaces R by the nearest rotation matrix, computed by a singular value decomposition.
+/// Replaces R by the nearest rotation matrix. Uses a singular value decomposition.
 template <typename Derived>
 void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -26,7 +26,7 @@ void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   D(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const_cast<Eigen::MatrixBase<Derived>&>(R) = svd.matrixU() * D * svd.matrixV().transpose();
 }
-/// The same to first order in the deviation of R from a rotation, without a decomposition.
+/// A first-order approximation of nearestOrthogonalMatrix() for R close to a rotation, without decomposition.
 template <typename Derived>
 void approximateNearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   Matrix3 E = R.transpose() * R;
@@ -34,19 +34,19 @@ void approximateNearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   const_cast<Eigen::MatrixBase<Derived>&>(R) -= 0.5 * R * E;
 }
 
-/// The unit quaternion with w ≥ 0.
+/// Scale q to a unit quaternion with w ≥ 0.
 G2O_TYPES_SLAM3D_API Quaternion normalized(const Quaternion& q);
 G2O_TYPES_SLAM3D_API Quaternion& normalize(Quaternion& q);
 
-/// Roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Convert between a rotation matrix and (roll, pitch, yaw): R = Rz(yaw) Ry(pitch) Rx(roll).
 G2O_TYPES_SLAM3D_API Vector3 toEuler(const Matrix3& R);
 G2O_TYPES_SLAM3D_API Matrix3 fromEuler(const Vector3& v);
-/// The vector part of the unit quaternion with w ≥ 0.
+/// Convert between a rotation matrix and the vector part of its unit quaternion with w ≥ 0.
 G2O_TYPES_SLAM3D_API Vector3 toCompactQuaternion(const Matrix3& R);
 G2O_TYPES_SLAM3D_API Matrix3 fromCompactQuaternion(const Vector3& v);
 
-/// The translation, followed by the compact quaternion (MQT), the Euler angles (ET), or the quaternion x y z
-/// w (QT).
+/// Convert between a motion and a vector. The vector is the translation, followed by the compact quaternion
+/// (MQT), the Euler angles (ET), or the quaternion x y z w (QT).
 G2O_TYPES_SLAM3D_API Vector6 toVectorMQT(const Isometry3& t);
 G2O_TYPES_SLAM3D_API Vector6 toVectorET(const Isometry3& t);
 G2O_TYPES_SLAM3D_API Vector7 toVectorQT(const Isometry3& t);

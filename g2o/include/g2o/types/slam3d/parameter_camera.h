@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// A camera: its pose on a robot, and its matrix K. Tag: PARAMS_CAMERACALIB.
+/// A camera: its pose on a robot and the camera matrix K. Tag: PARAMS_CAMERACALIB.
 class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -31,7 +31,7 @@ class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
   Matrix3 _Kcam_inverseOffsetR = Matrix3::Identity();
 };
 
-/// The pose of a camera, and the motion from the world frame to its image: w2i = K w2n.
+/// The pose of a camera, and the projection from the world frame to the camera's image: w2i = K w2n.
 class G2O_TYPES_SLAM3D_API CacheCamera : public CacheSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -7,8 +7,8 @@
 
 namespace g2o {
 
-/// A stereo camera: the second camera is `baseline` meters to the right of the first. Tag:
-/// PARAMS_STEREOCAMERACALIB.
+/// A stereo camera. The second camera is `baseline` meters to the right of the first camera.
+/// Tag: PARAMS_STEREOCAMERACALIB.
 class G2O_TYPES_SLAM3D_API ParameterStereoCamera : public ParameterCamera {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -11,14 +11,14 @@
 namespace g2o {
 namespace internal {
 
-/// Remembers the quaternion of a rotation matrix until the matrix changes. A pose that was read from rounded
-/// digits is therefore written with the same digits, because the quaternion keeps its norm.
+/// Remembers the quaternion of a rotation matrix until the matrix changes. The remembered quaternion is not
+/// normalized, so a pose that was read from rounded digits is written with the same digits.
 class G2O_TYPES_SLAM3D_API RotationMemory {
  public:
   using Coefficients = std::array<double, 4>;  ///< x y z w
   /// Sets R to the rotation of q and remembers q.
   void set(const Coefficients& q, Eigen::Ref<Matrix3, 0, Eigen::OuterStride<>> R);
-  /// Remembers the quaternion of a pose, so that get() need not compute it.
+  /// Remembers the quaternion of a pose, so that get() does not have to compute it.
   void keep(const Isometry3& pose);
   Coefficients get(const Isometry3& pose) const;
 

@@ -14,12 +14,12 @@ inline Matrix3 skew(const Vector3& v) {
   return m;
 }
 
-/// The vector of the skew matrix R − Rᵀ: 2 sin(angle) times the axis.
+/// The vector v with [v]× = R − Rᵀ. It is 2 sin(angle) times the rotation axis.
 inline Vector3 deltaR(const Matrix3& R) {
   return Vector3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
 }
 
-/// Convert from homogeneous coordinates and to homogeneous coordinates.
+/// project() converts from homogeneous coordinates, and unproject() converts to homogeneous coordinates.
 inline Vector2 project(const Vector3& v) {
   return v.head<2>() / v[2];
 }

@@ -11,8 +11,8 @@
 
 namespace g2o {
 
-/// A pose in space. ⊞ multiplies the motion (Δt, q_v) on the right; q_v is the vector part of a
-/// quaternion. Tag: VERTEX_SE3:QUAT.
+/// A pose in space. ⊞ multiplies the pose by the motion (Δt, q_v) from the right. q_v is the vector part of a
+/// unit quaternion. Tag: VERTEX_SE3:QUAT.
 class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -25,7 +25,7 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
   void pop() override;
   void discardTop() override;
 
-  /// x y z qx qy qz qw; minimal: x y z qx qy qz.
+  /// The estimate is x y z qx qy qz qw (minimal: x y z qx qy qz).
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;
@@ -36,7 +36,7 @@ class G2O_TYPES_SLAM3D_API VertexSE3 : public BaseVertex<6, Isometry3> {
   SE3Quat estimateAsSE3Quat() const { return internal::toSE3Quat(estimate()); }
   void setEstimateFromSE3Quat(const SE3Quat& se3) { setEstimate(internal::fromSE3Quat(se3)); }
 
-  /// The quaternion of the estimate; see internal::RotationMemory.
+  /// The quaternion of the estimate. See internal::RotationMemory.
   internal::RotationMemory::Coefficients quaternion() const { return rotation_.get(_estimate); }
 
  protected:

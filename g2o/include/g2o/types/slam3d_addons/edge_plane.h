@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The difference z of the coefficients of two planes. Error: (coefficients₂ − coefficients₁) − z. Tag:
-/// EDGE_PLANE.
+/// The measured difference z between the coefficients of two planes.
+/// Error: (coefficients₂ − coefficients₁) − z. Tag: EDGE_PLANE.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgePlane : public BaseBinaryEdge<4, Vector4, VertexPlane, VertexPlane> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The motion z of a sensor. The pose c of the sensor on the robot is a vertex. Vertices: x₁, x₂, c. Error:
-/// (t, q_v) of z⁻¹ (x₁ c)⁻¹ (x₂ c). Tag: EDGE_SE3_CALIB.
+/// The motion z of a sensor between two robot poses x₁ and x₂. The pose c of the sensor on the robot is a
+/// vertex, too. Vertices: x₁, x₂, c. Error: (t, q_v) of z⁻¹ (x₁ c)⁻¹ (x₂ c). Tag: EDGE_SE3_CALIB.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Calib
     : public BaseFixedSizedEdge<6, Isometry3, VertexSE3, VertexSE3, VertexSE3> {
  public:

@@ -8,9 +8,9 @@
 
 namespace g2o {
 
-/// An EdgeSE3 in the file format of TORO: x y z roll pitch yaw, then Ω for small errors in these six values.
-/// EdgeSE3 measures rotation errors by half the angle, so the rotation rows and columns of information() are
-/// twice those of the file. Tag: EDGE3.
+/// An EdgeSE3 in the file format of TORO: x y z roll pitch yaw, then Ω for small errors of these six values.
+/// The rotation error of EdgeSE3 is half the angle. Therefore, read() multiplies the rotation rows of Ω by
+/// two, and then the rotation columns. Tag: EDGE3.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3Euler : public EdgeSE3 {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// A plane z in the frame of a sensor. The pose O of the sensor on the robot is a vertex. Vertices: x, plane,
-/// O. Error: ((x O)⁻¹ plane).ominus(z). Tag: EDGE_SE3_PLANE_CALIB.
+/// A plane z in the frame of a sensor on the robot x. The pose O of the sensor is a vertex, too. Vertices: x,
+/// plane, O. Error: ((x O)⁻¹ plane).ominus(z). Tag: EDGE_SE3_PLANE_CALIB.
 class G2O_TYPES_SLAM3D_ADDONS_API EdgeSE3PlaneSensorCalib
     : public BaseFixedSizedEdge<3, Plane3D, VertexSE3, VertexPlane, VertexSE3> {
  public:

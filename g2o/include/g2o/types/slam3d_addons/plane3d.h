@@ -11,8 +11,8 @@
 
 namespace g2o {
 
-/// The plane n·x + d = 0 with |n| = 1, stored as the coefficients (n, d). Its distance from the origin along
-/// n is −d.
+/// The plane n·x + d = 0 with |n| = 1. The coefficients (n, d) are stored. The distance from the origin to
+/// the plane, along n, is −d.
 class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -30,7 +30,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The azimuth of a direction (about z, from the x-axis) and its elevation (above the xy-plane).
+  /// The azimuth (about z, from the x-axis) and the elevation (above the xy-plane) of a direction.
   static double azimuth(const Vector3& v) { return std::atan2(v[1], v[0]); }
   static double elevation(const Vector3& v) { return std::atan2(v[2], v.head<2>().norm()); }
 
@@ -43,7 +43,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
         .toRotationMatrix();
   }
 
-  /// Turns the normal by azimuth and elevation relative to itself, and adds to the distance.
+  /// Turns the normal by azimuth v[0] and elevation v[1], relative to itself. Adds v[2] to the distance.
   void oplus(const Vector3& v) {
     const double s = std::sin(v[1]), c = std::cos(v[1]);
     const Vector3 n(c * std::cos(v[0]), c * std::sin(v[0]), s);
@@ -53,8 +53,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The azimuth and elevation of the other plane's normal relative to this plane's normal, and this plane's
-  /// distance minus the other plane's.
+  /// The azimuth and elevation of the other plane's normal relative to this plane's normal, and the distance
+  /// of this plane minus the distance of the other plane.
   Vector3 ominus(const Plane3D& plane) const {
     const Vector3 n = rotation(normal()).transpose() * plane.normal();
     return Vector3(azimuth(n), elevation(n), distance() - plane.distance());
@@ -66,7 +66,7 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
   Vector4 _coeffs;
 };
 
-/// The plane after the motion t.
+/// Moves the plane by the motion t.
 inline Plane3D operator*(const Isometry3& t, const Plane3D& plane) {
   Vector4 v;
   v.head<3>() = t.linear() * plane.normal();
