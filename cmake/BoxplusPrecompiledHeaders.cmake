@@ -1,11 +1,13 @@
 # Most of the time to compile a source goes into headers that many sources share. Precompiled headers are
-# parsed only once per target. Each source must still include the headers that it uses; the build with clang++
-# and sanitizers checks this, because it has no precompiled headers.
+# parsed only once per target. Each source must still include the headers that it uses; the preset `tidy`
+# checks this, because it has no precompiled headers.
 option(BOXPLUS_PRECOMPILE_HEADERS "Parse the headers that most sources share only once" ${PROJECT_IS_TOP_LEVEL})
 if(NOT BOXPLUS_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>) # so that ccache sees which header was precompiled
+else()
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>") # so that ccache finds it again
 endif()
 
 set(BOXPLUS_STANDARD_HEADERS

@@ -15,16 +15,13 @@ struct LifeState {
 };
 
 /// A member of the observed object. The life of the object ends when it is destroyed, moved from or assigned
-/// to. A copy begins a new life. The target of a move begins a new life, too.
+/// to by move. The target of a move begins a new life. Objects are copied with a new member.
 class Lifetime {
  public:
   Lifetime() = default;
-  Lifetime(const Lifetime&) {}
+  Lifetime(const Lifetime&) = delete;
   Lifetime(Lifetime&& other) noexcept { other.end(); }
-  Lifetime& operator=(const Lifetime&) noexcept {
-    end();
-    return *this;
-  }
+  Lifetime& operator=(const Lifetime&) = delete;
   Lifetime& operator=(Lifetime&& other) noexcept {
     end();
     other.end();
