@@ -1,21 +1,40 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tidy_changes.sh [COMMIT]: runs clang-tidy on the sources that changed since COMMIT, with the compile
+# tidy_changes.sh [COMMIT]: runs clang-tidy on the sources whose code changed since COMMIT, with the compile
 # commands of build/sanitize (run `make sanitize` first). By default, COMMIT is the commit at which this
-# branch left the main branch or, on the main branch, the previous commit. A changed header is checked through
-# the source of the same name.
+# branch left the main branch. On the main branch, it is the last commit that is over a day old. The newest
+# changes come first, and at most TIDY_SOURCES (40) sources are checked; `make tidy` checks every source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/sanitize
 [[ -f $build/compile_commands.json ]] || { echo "tidy_changes.sh: there is no $build; run make sanitize first" >&2; exit 1; }
-since=${1:-$(git merge-base HEAD origin/main 2>/dev/null || git rev-parse HEAD)}
-[[ $(git rev-parse "$since") != $(git rev-parse HEAD) ]] || since=$(git rev-parse --verify --quiet HEAD^ || git rev-parse HEAD)
+head=$(git rev-parse HEAD)
+since=${1:-$(git merge-base HEAD origin/main 2>/dev/null || echo "$head")}
+[[ $(git rev-parse "$since") != "$head" ]] || since=$(git rev-list -1 --before='1 day ago' HEAD)
+[[ -n $since ]] || since=$(git rev-list --max-parents=0 HEAD | tail -1)
 
-# The sources that changed, and the sources of the headers that changed.
-sources=$(git diff --name-only --diff-filter=d "$since" -- '*.h' '*.cpp' | sed 's/[.]h$/.cpp/; s:^include/boxplus/:src/:' | sort -u)
-compiled=$(grep -o '"file": "[^"]*"' "$build/compile_commands.json" | cut -d'"' -f4 | sort -u)
-checked=$(comm -12 <(sed "s:^:$PWD/:" <<<"$sources" | sort) <(echo "$compiled"))
-[[ -n $checked ]] || { echo "clang-tidy: no source changed since ${since:0:7}"; exit 0; }
+# C++ files with a changed line that is not just a comment, those of the newest commits first.
+changed_files() {
+  local code='^ *([^ /]|/[^/])'
+  git diff --name-only --diff-filter=d -G"$code" HEAD -- '*.h' '*.cpp'
+  git log --format= --name-only --diff-filter=d -G"$code" "$since..HEAD" -- '*.h' '*.cpp'
+}
+
+# The source through which a file is checked: itself, the source of the same name, or one that includes it.
+source_of() {
+  local source
+  source=$(sed 's/[.]h$/.cpp/; s:^include/boxplus/:src/:' <<<"$1")
+  if [[ -f $source ]]; then
+    echo "$source"
+  else
+    git grep -l "#include [\"<]${1#*include/}[\">]" -- '*.cpp' | head -1
+  fi
+}
+
+compiled=$(grep -o '"file": "[^"]*"' "$build/compile_commands.json" | cut -d'"' -f4)
+checked=$(changed_files | awk '!seen[$0]++' | while read -r file; do source_of "$file"; done | awk '!seen[$0]++' | sed "s:^:$PWD/:" |
+  grep -Fxf <(echo "$compiled") | head -"${TIDY_SOURCES:-40}" || true)
+[[ -n $checked ]] || { echo "clang-tidy: no code changed since ${since:0:7}"; exit 0; }
 xargs --max-args=1 --max-procs="$(nproc)" clang-tidy -p "$build" --quiet <<<"$checked" 2> >(grep -v 'warnings\? generated' >&2)
-echo "clang-tidy: $(wc -l <<<"$checked") sources that changed since ${since:0:7}, no findings"
+echo "clang-tidy: no findings in $(wc -l <<<"$checked") sources that changed since ${since:0:7}"
