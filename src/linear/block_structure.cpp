@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/paced_stop.h"
 #include "boxplus/base/error.h"
@@ -26,7 +27,8 @@ std::uint32_t checked_size(std::uint64_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-/// Lists the rows of each column by a counting sort. Then sorts the rows of each column and drops duplicates.
+/// Lists the rows of each column by a counting sort. Then drops duplicates, and sorts the rows of each
+/// column.
 void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>& lower, PacedStop& pace) {
   const std::uint32_t blocks = structure.blocks();
   std::vector<std::uint32_t> next(blocks + 1, 0);
@@ -44,12 +46,13 @@ void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>&
     row[next[entry.column]++] = entry.row;
   }
   structure.row.reserve(row.size());
+  std::vector<std::uint32_t> last_column(blocks, blocks);  // the last column in which each row was seen
   for (std::uint32_t j = 0; j < blocks; ++j) {
     const auto begin = row.begin() + start[j];
     auto end = row.begin() + start[j + 1];
     pace.step(end - begin);
+    end = std::remove_if(begin, end, [&](std::uint32_t i) { return std::exchange(last_column[i], j) == j; });
     std::sort(begin, end);
-    end = std::unique(begin, end);
     structure.row.insert(structure.row.end(), begin, end);
     structure.column_start.push_back(checked_size(structure.row.size()));
   }
@@ -59,6 +62,10 @@ void fill_columns(BlockStructure& structure, const std::vector<BlockCoordinate>&
 
 std::uint32_t BlockStructure::find(std::uint32_t row_block, std::uint32_t column_block) const {
   if (row_block < column_block || row_block >= blocks()) return kAbsent;
+  // If the column is full up to this row, its place is known.
+  const std::uint32_t first = column_start[column_block], distance = row_block - column_block;
+  if (distance < column_start[column_block + 1] - first && row[first + distance] == row_block)
+    return first + distance;
   const auto begin = row.begin() + column_start[column_block];
   const auto end = row.begin() + column_start[column_block + 1];
   const auto found = std::lower_bound(begin, end, row_block);

@@ -106,6 +106,9 @@ void number_blocks(const Graph& graph, std::vector<VertexRef> vertices, ActiveSe
     pace.step();
     return rank(a) < rank(b);
   };
+  // Most graphs add their vertices in the order of their ids, so that this is all there is to sort.
+  std::stable_partition(vertices.begin(), vertices.end(),
+                        [&](const VertexRef& v) { return graph.vertex_pools()[v.pool]->eliminated(v.slot); });
   if (!std::is_sorted(vertices.begin(), vertices.end(), comes_before))
     std::sort(vertices.begin(), vertices.end(), comes_before);
   for (const auto& pool : graph.vertex_pools())

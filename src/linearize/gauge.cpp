@@ -163,12 +163,18 @@ class GaugeFinder {
     bool is_known = false;
     for (const int dimension : {2, 3}) {
       if (!has_frames(component, dimension)) continue;
-      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, stop_);
+      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, extent(), stop_);
       const SimilarityFreedom freedom = test_->find(component.vertices, component.edges, dimension);
       is_known = is_known || freedom.directions() > 0;
       if (freedom.directions() > 0) hold_similarity(component, freedom);
     }
     if (!component.anchored && !is_known) gauge_.loose.push_back(reference(first_choice(component.vertices)));
+  }
+
+  /// Only GaugePolicy::kFixFirst checks in every step whether the held directions are still free.
+  SimilarityTest::Extent extent() const {
+    return policy_ == GaugePolicy::kFixFirst ? SimilarityTest::Extent::kSample
+                                             : SimilarityTest::Extent::kAllEdges;
   }
 
   bool has_frames(const Component& component, int dimension) const {

@@ -181,24 +181,7 @@ class ChunkBuilder {
   }
 
   Chunk build() {
-    struct Entry {
-      // `group` is the eliminated block that the edge touches. If there is none, it is the number of these
-      // blocks.
-      std::uint32_t group, pool, edge;
-    };
-    std::vector<Entry> entries;
-    for_each_active_edge(graph_, active_, pace_,
-                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-                           if (!touches(chunk_, blocks)) return;
-                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-                           entries.push_back({std::min(first, active_.eliminated_blocks), pool, edge});
-                         });
-    if (active_.eliminated_blocks > 0) {
-      std::stable_sort(entries.begin(), entries.end(), [this](const Entry& a, const Entry& b) {
-        pace_.step();
-        return a.group < b.group;
-      });
-    }
+    const std::vector<Entry> entries = sorted_entries();
     std::vector<std::uint32_t> scatter_of(graph_.edge_pools().size(), ActiveSet::kInactive);
     for (std::size_t k = 0; k < entries.size(); ++k) {
       pace_.step(4);
@@ -221,6 +204,34 @@ class ChunkBuilder {
   }
 
  private:
+  struct Entry {
+    // `group` is the eliminated block that the edge touches. If there is none, it is the number of these
+    // blocks.
+    std::uint32_t group, pool, edge;
+  };
+
+  /// The edges that touch the chunk, sorted by group, and by pool and slot within each group.
+  std::vector<Entry> sorted_entries() {
+    std::vector<Entry> entries;
+    std::vector<std::uint32_t> next(active_.eliminated_blocks + 2, 0);
+    for_each_active_edge(graph_, active_, pace_,
+                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+                           if (!touches(chunk_, blocks)) return;
+                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+                           const std::uint32_t group = std::min(first, active_.eliminated_blocks);
+                           entries.push_back({group, pool, edge});
+                           ++next[group + 1];
+                         });
+    if (active_.eliminated_blocks == 0) return entries;
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Entry> sorted(entries.size());
+    for (const Entry& entry : entries) {
+      pace_.step();
+      sorted[next[entry.group]++] = entry;
+    }
+    return sorted;
+  }
+
   const Graph& graph_;
   const ActiveSet& active_;
   const BlockStructure& structure_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -104,8 +105,8 @@ struct SimilarityTest::Kind {
 };
 
 SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
-                               const StopToken& stop)
-    : graph_(graph), movable_(movable), stop_(stop) {
+                               Extent extent, const StopToken& stop)
+    : graph_(graph), movable_(movable), extent_(extent), stop_(stop) {
   for (const auto& pool : graph.vertex_pools()) {
     roles_.emplace_back(pool->slots(), WorldRole::kNone);
     kind_of_.emplace_back(pool->slots(), 0);
@@ -120,6 +121,17 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
   // Numbers the combinations of edge pool, position and vertex pool. In edges of run-time size, all positions
   // count as one position.
   std::map<std::tuple<std::uint32_t, int, std::uint32_t>, std::uint32_t> places;
+  std::array<std::pair<std::tuple<std::uint32_t, int, std::uint32_t>, std::uint32_t>, 4> recent;
+  recent.fill({{kNew, 0, 0}, 0});
+  const auto place_of = [&](std::uint32_t edge_pool, int position, std::uint32_t vertex_pool) {
+    const std::tuple key(edge_pool, position, vertex_pool);
+    auto& [recent_key, place] = recent[static_cast<std::size_t>(position) % recent.size()];
+    if (recent_key != key) {
+      place = places.try_emplace(key, static_cast<std::uint32_t>(places.size())).first->second;
+      recent_key = key;
+    }
+    return place;
+  };
   std::vector<std::pair<std::uint32_t, std::uint32_t>> equal;
   for (const EdgeSlot edge : edges) {
     const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
@@ -127,9 +139,7 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
       if (!movable_[p][slots[i]] || graph_.vertex_pools()[p]->parameter(slots[i])) continue;
-      const auto next = static_cast<std::uint32_t>(places.size());
-      const int position = pool.uniform_shape() ? static_cast<int>(i) : -1;
-      const std::uint32_t place = places.try_emplace({edge.pool, position, p}, next).first->second;
+      const std::uint32_t place = place_of(edge.pool, pool.uniform_shape() ? static_cast<int>(i) : -1, p);
       std::uint32_t& kind = kind_of_[p][slots[i]];
       if (kind == kNew) {
         kind = place;
@@ -290,6 +300,21 @@ SimilarityFreedom SimilarityTest::free_motions(std::span<const VertexSlot> verti
   return freedom;
 }
 
+/// The vertices of the edges that move, each once per edge.
+std::vector<VertexSlot> SimilarityTest::moving_ends(std::span<const EdgeSlot> edges) const {
+  std::vector<VertexSlot> ends;
+  for (const EdgeSlot edge : edges) {
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const auto slots = pool.vertex_slots(edge.slot);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
+      if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i]))
+        ends.push_back({p, slots[i]});
+    }
+  }
+  return ends;
+}
+
 SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                        int dimension) {
   constexpr unsigned kMostChoices = 100;
@@ -303,16 +328,7 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
   unsigned best = 0;
   int most = -1;
   const std::vector<EdgeSlot> sample = sample_of(edges, 8);
-  std::vector<VertexSlot> seen;
-  for (const EdgeSlot edge : sample) {
-    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
-    const auto slots = pool.vertex_slots(edge.slot);
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
-      if (movable_[p][slots[i]] && !graph_.vertex_pools()[p]->parameter(slots[i]))
-        seen.push_back({p, slots[i]});
-    }
-  }
+  const std::vector<VertexSlot> seen = moving_ends(sample);
   for (unsigned choice = 0; choice < choices && choices > 1; ++choice) {
     assign_roles(seen, kinds, choice);
     const int directions = free_motions(seen, sample, dimension).directions();
@@ -321,7 +337,14 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
     best = choice;
   }
   assign_roles(vertices, kinds, best);
-  return free_motions(vertices, edges, dimension);
+  if (extent_ == Extent::kAllEdges) return free_motions(vertices, edges, dimension);
+  const std::vector<EdgeSlot> tested = sample_of(edges, kTestedEdges);
+  if (tested.size() == edges.size()) return free_motions(vertices, edges, dimension);
+  std::vector<VertexSlot> ends = moving_ends(tested);
+  std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(ends), [this](VertexSlot v) {
+    return !graph_.vertex_pools()[v.pool]->fixed_directions(v.slot).empty();
+  });
+  return free_motions(ends, tested, dimension);
 }
 
 }  // namespace boxplus

@@ -47,11 +47,17 @@ struct SimilarityFreedom {
 /// at the same positions in the same types of edges. The test finds the roles by trial.
 class SimilarityTest {
  public:
+  /// kSample tests at most kTestedEdges edges of each pool, evenly spaced. This is enough if every step is
+  /// checked later: an edge that resists a motion gives a step along it.
+  enum class Extent { kAllEdges, kSample };
+  static constexpr std::size_t kTestedEdges = 512;
+
   /// `movable` says for each slot of each vertex pool whether the vertex moves.
-  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
+  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, Extent extent,
                  const StopToken& stop);
 
-  /// The freedom of one component in a world of 2 or 3 dimensions. Takes O(edges).
+  /// The freedom of one component in a world of 2 or 3 dimensions. Takes O(edges). The edges of a pool must
+  /// be contiguous.
   SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                          int dimension);
 
@@ -61,6 +67,7 @@ class SimilarityTest {
 
   std::vector<Kind> list_kinds(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
                                int dimension);
+  std::vector<VertexSlot> moving_ends(std::span<const EdgeSlot> edges) const;
   void assign_roles(std::span<const VertexSlot> vertices, const std::vector<Kind>& kinds, unsigned choice);
   WorldMotions motions_for(std::span<const VertexSlot> vertices, int dimension) const;
   Eigen::MatrixXd moving(std::span<const VertexSlot> vertices, const WorldMotions& motions);
@@ -72,6 +79,7 @@ class SimilarityTest {
 
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
+  Extent extent_;
   const StopToken& stop_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;

@@ -216,7 +216,9 @@ void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
 StepResult BatchSystem::factorize_and_solve(const Damping& damping, std::span<double> step) {
   {
     const TimeAdder adder(timings_->factorize_s);
-    const FactorResult factor = solver_->factorize(assembled_, damping, control_);
+    SolveControl control = control_;
+    control.right_hand_side = right_hand_side_.data();
+    const FactorResult factor = solver_->factorize(assembled_, damping, control);
     if (factor.status != LinearStatus::kOk) {
       note_failure(factor.failed_block, factor.failed_scalar);
       return {factor.status};

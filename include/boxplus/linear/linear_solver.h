@@ -45,6 +45,9 @@ struct SolveControl {
   double relative_tolerance = 1e-10;
   int max_iterations = 0;  ///< for iterative solvers; 0: twice the number of scalars, at least 100
   StopToken stop = {};     ///< once raised, the call returns LinearStatus::kStopped as soon as it can
+  /// Only for factorize(): the right-hand side of the next solve(), which gets the same pointer and values,
+  /// or null. A solver may already use it. The result is the same.
+  const double* right_hand_side = nullptr;
 };
 
 struct SolveResult {

@@ -22,9 +22,9 @@ class PacedStop;
 /// Only the constructor allocates memory. `structure` must outlive this object.
 class Schur {
  public:
-  /// Throws Stopped when the token is raised.
+  /// Uses at most `threads` threads. Throws Stopped when the token is raised.
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-        const StopToken& stop = {});
+        int threads = 1, const StopToken& stop = {});
 
   /// The structure of S. It has the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
@@ -35,8 +35,10 @@ class Schur {
   /// Factorizes V + λD. With `explicit_values`, also computes S, but without the λD of the kept blocks, which
   /// the linear solver adds. `values` are the values of H. They must not change until the last call of any
   /// function of this object. If a block is not positive definite, the result names the block of H and the
-  /// scalar. Returns LinearStatus::kStopped soon after the token is raised.
-  FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {});
+  /// scalar. Returns LinearStatus::kStopped soon after the token is raised. If `r` is not null, also computes
+  /// reduced_r as reduce() does: this is faster than a call of reduce(), because W is in the cache.
+  FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {},
+                         const double* r = nullptr, double* reduced_r = nullptr);
   /// The part of a damping that belongs to the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
   /// reduced_r = r_kept − W (V + λD)⁻¹ r_eliminated.
@@ -68,9 +70,30 @@ class Schur {
   void block_diagonal(double* out);
 
  private:
+  /// What one thread computes, and its scratch memory. Each value of S and of reduced_r has one owner, which
+  /// adds all terms in the order of the eliminated blocks. So the bits do not depend on the number of
+  /// threads.
+  struct Share {
+    std::uint32_t first_kept, last_kept;  // it owns these columns of S
+    std::uint32_t first_eliminated, last_eliminated;
+    FactorResult result;
+    std::vector<double> factor;       // L of one eliminated block
+    std::vector<double> half_column;  // W L⁻ᵀ of one column
+    std::vector<int> half_rows;       // the number of rows of each block in half_column
+    std::vector<double> small;        // a vector of the size of an eliminated block
+  };
+
+  void set_targets(PacedStop& pace);
+  void make_shares(int threads, PacedStop& pace);
+  FactorResult factorize_block(std::uint32_t block, const Damping& damping, double* l) const;
   FactorResult failure(std::uint32_t block, std::uint32_t pivot, const Damping& damping) const;
-  bool form_reduced_values(PacedStop& pace);
-  std::uint32_t halve_column(std::uint32_t column);
+  void eliminate_share(Share& share, const Damping& damping, const StopToken& stop, const double* r,
+                       double* reduced_r);
+  void copy_kept_values(const Share& share);
+  void halve_column(std::uint32_t column, std::uint32_t first, const double* l, Share& share) const;
+  void subtract_products(std::uint32_t column, const double* l, const std::uint32_t* target, Share& share);
+  void reduce_column(std::uint32_t column, const Share& share, const double* l, const double* r,
+                     double* small, double* reduced_r) const;
   void kept_multiply(const double* x, double* y) const;
 
   const BlockStructure* structure_;
@@ -83,9 +106,7 @@ class Schur {
   std::vector<std::uint32_t> kept_target_;  // the first value in S of each kept block of H
   /// The first value in S of each pair of rows (a ≥ b) of each eliminated column.
   std::vector<std::uint32_t> pair_target_;
-  std::vector<double> half_column_;  // W L⁻ᵀ of one column
-  std::vector<int> half_rows_;       // the number of rows of each block in half_column_
-  std::vector<double> small_;
+  std::vector<Share> shares_;
   std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
 };
 

@@ -22,7 +22,7 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
   const std::uint32_t eliminated = hints.eliminated_blocks;
   if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
   const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
-  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, stop);
+  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, hints.threads, stop);
   if (make_values) {
     reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());
   } else {
@@ -54,6 +54,7 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
   if (!structure_) throw InvalidArgument("SchurSolver::factorize: expected an earlier call of analyze()");
   if (!eliminates()) return inner_->factorize(system, damping, control);
   factorized_ = false;
+  reduced_for_ = nullptr;
   if (system.values().size() != structure_->nonzero_values())
     throw InvalidArgument("SchurSolver::factorize: expected the block values of the analyzed structure");
   if (control.stop.raised()) return {LinearStatus::kStopped};
@@ -61,10 +62,14 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
     const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
     if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   }
-  FactorResult result = schur_->eliminate(system.values(), damping, control.stop);
+  FactorResult result = schur_->eliminate(system.values(), damping, control.stop, control.right_hand_side,
+                                          reduced_vectors_.data());
   if (result.status != LinearStatus::kOk) return result;
-  result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), control);
+  SolveControl inner_control = control;
+  inner_control.right_hand_side = nullptr;
+  result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), inner_control);
   factorized_ = result.status == LinearStatus::kOk;
+  if (factorized_) reduced_for_ = control.right_hand_side;
   move_to_full_numbering(result.failed_block, result.failed_scalar);
   if (result.status != LinearStatus::kNotFinite) return result;
   const std::uint32_t cause = find_not_finite(*structure_, system.values().data(), damping);
@@ -91,7 +96,9 @@ SolveResult SchurSolver::solve(const double* b, int columns, double* x, const So
 SolveResult SchurSolver::solve_batch(const double* b, int columns, double* x, const SolveControl& control) {
   const std::size_t size = structure_->scalars(), kept = schur_->reduced_structure().scalars();
   double* reduced = reduced_vectors_.data();
-  for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
+  const bool is_reduced = columns == 1 && reduced_for_ == b;
+  reduced_for_ = nullptr;  // because the solution replaces the right-hand side
+  for (std::size_t c = is_reduced ? 1 : 0; c < static_cast<std::size_t>(columns); ++c)
     schur_->reduce(b + c * size, reduced + c * kept);
   SolveResult result = inner_->solve(reduced, columns, reduced, control);
   move_to_full_numbering(result.failed_block, result.failed_scalar);

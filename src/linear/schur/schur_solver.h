@@ -52,6 +52,8 @@ class SchurSolver final : public LinearSolver {
   std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, and then their solutions
   int batch_ = 1;                        // the number of vectors for which reduced_vectors_ has room
   bool factorized_ = false;
+  /// The right-hand side that factorize() has reduced to the first column of reduced_vectors_, or null.
+  const double* reduced_for_ = nullptr;
 };
 
 }  // namespace boxplus
