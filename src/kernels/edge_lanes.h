@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adds JᵀΩJ and JᵀΩe of several binary edges at a time, one edge per lane, to H and to the gradient.
+// Adds JᵀΩJ and JᵀΩe of several edges at a time, one edge per lane, to H and to the gradient.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -27,47 +27,58 @@ inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
   }
 }
 
-/// The results of kLanes edges: H_ii, H_ji and H_jj, column by column, and both gradients. multiply()
-/// computes each value for all edges at once. turn_to_edges() then transposes the values, so that the values
-/// of each edge are contiguous.
-template <int R, int I, int J>
+/// The places of the results of one edge with vertices of the tangent sizes D.
+template <int... D>
+struct EdgePlaces {
+  static constexpr int kArity = sizeof...(D), kColumns = (D + ...);
+  static constexpr int dim(int i) {
+    const int dims[] = {D...};
+    return dims[i];
+  }
+  static constexpr int first_column(int i) {
+    int first = 0;
+    for (int k = 0; k < i; ++k) first += dim(k);
+    return first;
+  }
+  /// The number of values of the blocks H_kj, j ≤ k < i.
+  static constexpr int values_before(int i) {
+    int values = 0;
+    for (int k = 0; k < i; ++k) values += dim(k) * first_column(k + 1);
+    return values;
+  }
+  /// The place of H_ij, j ≤ i. The blocks are in the order of the targets, each column by column.
+  static constexpr int block(int i, int j) { return values_before(i) + dim(i) * first_column(j); }
+};
+
+/// The results of kLanes edges: the blocks of H and then the gradient. multiply() computes each value for all
+/// edges at once. turn_to_edges() then transposes the values, so that the values of each edge are contiguous.
+template <int R, int... D>
 struct LaneProducts {
-  static constexpr int kII = 0, kJI = I * I, kJJ = kJI + J * I, kGradient = kJJ + J * J;
-  static constexpr int kSize = kGradient + I + J;
+  using Places = EdgePlaces<D...>;
+  static constexpr int kArity = Places::kArity, kColumns = Places::kColumns;
+  static constexpr int kGradient = Places::values_before(kArity), kSize = kGradient + kColumns;
   static constexpr int kStride = (kSize + kLanes - 1) / kLanes * kLanes;
   Pack numbers[kStride];
   double edges[kLanes][kStride];
 
   template <EdgeNumbers::Kind kKind>
   void multiply(const double* jacobian, const double* error, const Pack* omega) {
-    constexpr int C = I + J;
     Pack e[R], weighted_error[R];
     for (int r = 0; r < R; ++r) e[r] = load(error + r * kTileLanes);
     weigh<R, kKind>(omega, e, weighted_error);
-    for (int b = 0; b < C; ++b) {
-      Pack column[R], weighted[R];
-      Pack gradient{};
+    for_each_vertex([&](auto j) {
+      for (int b = 0; b < Places::dim(j); ++b) {
+        Pack column[R], weighted[R], gradient{};
 #pragma GCC unroll 6
-      for (int r = 0; r < R; ++r) {
-        column[r] = load(jacobian + (b * R + r) * kTileLanes);
-        gradient += column[r] * weighted_error[r];
+        for (int r = 0; r < R; ++r) {
+          column[r] = load(jacobian + ((Places::first_column(j) + b) * R + r) * kTileLanes);
+          gradient += column[r] * weighted_error[r];
+        }
+        numbers[kGradient + Places::first_column(j) + b] = gradient;
+        weigh<R, kKind>(omega, column, weighted);
+        multiply_column<j>(jacobian, b, weighted);
       }
-      numbers[kGradient + b] = gradient;
-      weigh<R, kKind>(omega, column, weighted);
-      const auto product = [&](int a) {
-        Pack sum{};
-#pragma GCC unroll 6
-        for (int r = 0; r < R; ++r) sum += load(jacobian + (a * R + r) * kTileLanes) * weighted[r];
-        return sum;
-      };
-      if (b < I) {
-        for (int a = b; a < I; ++a) numbers[kII + b * I + a] = numbers[kII + a * I + b] = product(a);
-        for (int a = 0; a < J; ++a) numbers[kJI + b * J + a] = product(I + a);
-      } else {
-        for (int a = b - I; a < J; ++a)
-          numbers[kJJ + (b - I) * J + a] = numbers[kJJ + a * J + (b - I)] = product(I + a);
-      }
-    }
+    });
   }
 
   void turn_to_edges() {
@@ -81,18 +92,62 @@ struct LaneProducts {
 
   void add(int lane, const std::uint32_t* targets, double* values, double* gradient) const {
     const double* edge = edges[lane];
-    if (targets[0] != kNoTarget) add_column<I>(gradient + targets[0], edge + kGradient);
-    if (targets[1] != kNoTarget) add_column<J>(gradient + targets[1], edge + kGradient + I);
-    if (targets[2] != kNoTarget) add_column<I * I>(values + targets[2], edge + kII);
-    if (targets[3] != kNoTarget) add_coupling(edge + kJI, targets[3], values);
-    if (targets[4] != kNoTarget) add_column<J * J>(values + targets[4], edge + kJJ);
+    const std::uint32_t* pair = targets + kArity;
+    for_each_vertex([&](auto i) {
+      if (targets[i] != kNoTarget)
+        add_column<Places::dim(i)>(gradient + targets[i], edge + kGradient + Places::first_column(i));
+      for_each_vertex_up_to<i>([&](auto j) {
+        const std::uint32_t target = *pair++;
+        if (target != kNoTarget) add_block<i, j>(edge + Places::block(i, j), target, values);
+      });
+    });
   }
 
-  static void add_coupling(const double* block, std::uint32_t target, double* values) {
-    if ((target & kTransposedTarget) == 0) return add_column<J * I>(values + target, block);
+ private:
+  template <int N>
+  struct Constant {
+    constexpr operator int() const { return N; }
+  };
+  template <int kLast, int k = 0, class F>
+  static void for_each_vertex_up_to(F&& f) {
+    f(Constant<k>());
+    if constexpr (k < kLast) for_each_vertex_up_to<kLast, k + 1>(f);
+  }
+  template <class F>
+  static void for_each_vertex(F&& f) {
+    for_each_vertex_up_to<kArity - 1>(f);
+  }
+
+  /// The products of column b of vertex j with the columns of the vertices i ≥ j. `weighted` is Ω times that
+  /// column.
+  template <int j>
+  void multiply_column(const double* jacobian, int b, const Pack (&weighted)[R]) {
+    const auto product = [&](int a) {
+      Pack sum{};
+#pragma GCC unroll 6
+      for (int r = 0; r < R; ++r) sum += load(jacobian + (a * R + r) * kTileLanes) * weighted[r];
+      return sum;
+    };
+    for (int a = b; a < Places::dim(j); ++a) {
+      const Pack value = product(Places::first_column(j) + a);
+      numbers[Places::block(j, j) + b * Places::dim(j) + a] =
+          numbers[Places::block(j, j) + a * Places::dim(j) + b] = value;
+    }
+    for_each_vertex([&](auto i) {
+      if constexpr (i > j) {
+        for (int a = 0; a < Places::dim(i); ++a)
+          numbers[Places::block(i, j) + b * Places::dim(i) + a] = product(Places::first_column(i) + a);
+      }
+    });
+  }
+
+  template <int i, int j>
+  static void add_block(const double* from, std::uint32_t target, double* values) {
+    if (i == j || (target & kTransposedTarget) == 0)
+      return add_column<Places::dim(i) * Places::dim(j)>(values + target, from);
     double* to = values + (target & ~kTransposedTarget);
-    for (int j = 0; j < J; ++j) {
-      for (int i = 0; i < I; ++i) to[j * I + i] += block[i * J + j];
+    for (int r = 0; r < Places::dim(i); ++r) {
+      for (int c = 0; c < Places::dim(j); ++c) to[r * Places::dim(j) + c] += from[c * Places::dim(i) + r];
     }
   }
 };
@@ -102,10 +157,10 @@ template <int R, EdgeNumbers::Kind kKind>
 inline constexpr int kOmegaNumbers = kKind == EdgeNumbers::kFull ? R*(R + 1) / 2
                                                                  : (kKind == EdgeNumbers::kDiagonal ? R : 1);
 
-template <int R, int I, int J, EdgeNumbers::Kind kKind>
+template <EdgeNumbers::Kind kKind, int R, int... D>
 void add_edges_of(const EdgeLanes& tile) {
   constexpr int kNumbers = kOmegaNumbers<R, kKind>;
-  LaneProducts<R, I, J> products;
+  LaneProducts<R, D...> products;
   for (int k = 0; k < tile.count; k += kLanes) {
     const int here = tile.count - k < kLanes ? tile.count - k : kLanes;
     const double* omegas[kLanes];
@@ -120,12 +175,16 @@ void add_edges_of(const EdgeLanes& tile) {
     if (tile.weight) {
       for (Pack& number : omega) number *= load(weights);
     }
-    products.template multiply<kKind>(tile.jacobian + lane_offset(R * (I + J), k),
+    products.template multiply<kKind>(tile.jacobian + lane_offset(R * products.kColumns, k),
                                       tile.error + lane_offset(R, k), omega);
     products.turn_to_edges();
     for (int l = 0; l < here; ++l) products.add(l, tile.targets[k + l], tile.values, tile.gradient);
   }
 }
+
+/// The numbers of rows of an error, and the tangent sizes of the vertices of its edge.
+template <int R, int... D>
+struct Sizes {};
 
 /// Calls f with the kind as a compile-time constant.
 template <class F>
@@ -140,18 +199,34 @@ inline void for_kind(EdgeNumbers::Kind kind, F&& f) {
   }
 }
 
-template <int R, int I, int J>
+template <int R, int... D>
 void add_edges(const EdgeLanes& tile) {
-  for_kind(tile.kind, [&]<EdgeNumbers::Kind kKind>() { add_edges_of<R, I, J, kKind>(tile); });
+  for_kind(tile.kind, [&]<EdgeNumbers::Kind kKind>() { add_edges_of<kKind, R, D...>(tile); });
 }
 
-inline AddEdges add_edges_for(int rows, int dim_i, int dim_j) {
-  const auto is = [&](int r, int i, int j) { return rows == r && dim_i == i && dim_j == j; };
-  if (is(3, 3, 3)) return add_edges<3, 3, 3>;
-  if (is(6, 6, 6)) return add_edges<6, 6, 6>;
-  if (is(2, 3, 2)) return add_edges<2, 3, 2>;
-  if (is(3, 6, 3)) return add_edges<3, 6, 3>;
-  return nullptr;
+/// Pairs of poses or points, points seen from a pose, and projections of a point (2 rows) to a camera: a pose
+/// of 6 with 0 or 3 intrinsics in one vertex, or with 3 intrinsics in another.
+inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
+  const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
+    constexpr int kDims[] = {D...};
+    if (rows != R || arity != static_cast<int>(sizeof...(D))) return false;
+    for (int i = 0; i < arity; ++i) {
+      if (dims[i] != kDims[i]) return false;
+    }
+    return true;
+  };
+  AddEdges found = nullptr;
+  const auto offer = [&]<int R, int... D>(Sizes<R, D...> sizes) {
+    if (is(sizes)) found = add_edges<R, D...>;
+  };
+  offer(Sizes<3, 3, 3>());
+  offer(Sizes<6, 6, 6>());
+  offer(Sizes<2, 3, 2>());
+  offer(Sizes<3, 6, 3>());
+  offer(Sizes<2, 6, 3>());
+  offer(Sizes<2, 9, 3>());
+  offer(Sizes<2, 6, 3, 3>());
+  return found;
 }
 
 template <int R, EdgeNumbers::Kind kKind>
@@ -178,6 +253,7 @@ void squared_norms(int count, const double* error, EdgeNumbers::Kind kind, const
 }
 
 inline SquaredNorms squared_norms_for(int rows) {
+  if (rows == 2) return squared_norms<2>;
   if (rows == 3) return squared_norms<3>;
   if (rows == 6) return squared_norms<6>;
   return nullptr;

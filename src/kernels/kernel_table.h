@@ -26,20 +26,19 @@ struct EdgeNumbers {
 /// values, value m of edge k lies at ((k / kTileLanes) · n + m) · kTileLanes + k % kTileLanes.
 inline constexpr int kTileLanes = 8;
 
-/// The number of targets of a binary edge. They are the offsets of its two vertices in the gradient, and then
-/// the offsets of H_ii, H_ji and H_jj among the values. A target H_ji with the bit kTransposedTarget means
-/// that H_ij is stored instead. kNoTarget means that this part of the gradient or of H is not stored.
-inline constexpr int kBinaryTargets = 5;
+/// The targets of an edge are the offsets of its vertices in the gradient, and then the offsets of the blocks
+/// H_ij, j ≤ i, among the values: (0,0) (1,0) (1,1) (2,0) … A target H_ij with the bit kTransposedTarget
+/// means that H_ji is stored instead. kNoTarget means that this part of the gradient or of H is not stored.
 inline constexpr std::uint32_t kNoTarget = 0xFFFFFFFFu, kTransposedTarget = 0x80000000u;
 
-/// Binary edges of one shape.
+/// Edges of one shape with two or more vertices.
 struct EdgeLanes {
   int count;
   const double *jacobian, *error;  // the Jacobians and errors of all edges, in lanes
   EdgeNumbers::Kind kind;
   const double* const* omega;           // Ω of each edge
   const double* weight;                 // the weight of each edge; null if all weights are 1
-  const std::uint32_t* const* targets;  // kBinaryTargets targets of each edge
+  const std::uint32_t* const* targets;  // of each edge
   double *values, *gradient;
 };
 /// Adds JᵀΩJ to H and JᵀΩe to the gradient, for all edges in their order.
@@ -149,8 +148,8 @@ struct KernelTable {
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
   /// block += source. The block is rows × cols and dense; the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
-  /// The kernel for binary edges of these sizes, or null if there is none.
-  AddEdges (*add_edges_for)(int rows, int dim_i, int dim_j);
+  /// The kernel for edges with two or more vertices of these tangent sizes, or null if there is none.
+  AddEdges (*add_edges_for)(int rows, const int* dims, int arity);
   /// The kernel for unary edges of these sizes, or null if there is none.
   AddUnaryEdges (*add_unary_edges_for)(int rows, int dim);
   /// Copies blocks of `size` values, which lie edge after edge, to lanes. Remaining lanes get copies of the

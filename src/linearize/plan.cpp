@@ -192,9 +192,7 @@ class ChunkBuilder {
         chunk_.scatters.push_back({entry.pool, {}, {}, {}});
       }
       const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
-      const bool starts_run =
-          k == 0 || entries[k - 1].group != entry.group || entries[k - 1].pool != entry.pool;
-      if (starts_run) chunk_.runs.push_back({scatter, position, position});
+      if (k == 0 || entries[k - 1].pool != entry.pool) chunk_.runs.push_back({scatter, position, position});
       ++chunk_.runs.back().end;
       const detail::EdgePool& pool = *graph_.edge_pools()[entry.pool];
       edge_blocks(pool, entry.edge, active_.block, blocks_);
@@ -205,29 +203,31 @@ class ChunkBuilder {
 
  private:
   struct Entry {
-    // `group` is the eliminated block that the edge touches. If there is none, it is the number of these
-    // blocks.
-    std::uint32_t group, pool, edge;
+    std::uint32_t batch, pool, edge;
   };
 
-  /// The edges that touch the chunk, sorted by group, and by pool and slot within each group.
+  /// The edges that touch the chunk: batch by batch of eliminated vertices, then the edges that touch none.
+  /// Within a batch, they are sorted by pool and slot. So tiles are full, and the values that a batch changes
+  /// stay in the cache.
   std::vector<Entry> sorted_entries() {
+    constexpr std::uint32_t kVerticesPerBatch = 64;
+    const std::uint32_t batches = (active_.eliminated_blocks + kVerticesPerBatch - 1) / kVerticesPerBatch;
     std::vector<Entry> entries;
-    std::vector<std::uint32_t> next(active_.eliminated_blocks + 2, 0);
-    for_each_active_edge(graph_, active_, pace_,
-                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-                           if (!touches(chunk_, blocks)) return;
-                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-                           const std::uint32_t group = std::min(first, active_.eliminated_blocks);
-                           entries.push_back({group, pool, edge});
-                           ++next[group + 1];
-                         });
-    if (active_.eliminated_blocks == 0) return entries;
+    std::vector<std::uint32_t> next(batches + 2, 0);
+    for_each_active_edge(
+        graph_, active_, pace_, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+          if (!touches(chunk_, blocks)) return;
+          const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+          const std::uint32_t batch = first < active_.eliminated_blocks ? first / kVerticesPerBatch : batches;
+          entries.push_back({batch, pool, edge});
+          ++next[batch + 1];
+        });
+    if (batches == 0) return entries;
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<Entry> sorted(entries.size());
     for (const Entry& entry : entries) {
       pace_.step();
-      sorted[next[entry.group]++] = entry;
+      sorted[next[entry.batch]++] = entry;
     }
     return sorted;
   }

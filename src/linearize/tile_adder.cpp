@@ -31,7 +31,7 @@ TileAdder::TileAdder(std::size_t values, std::size_t rows)
 
 bool TileAdder::choose(int rows, std::span<const int> dims) {
   const dense::KernelTable& kernels = dense::kernels();
-  add_edges_ = dims.size() == 2 ? kernels.add_edges_for(rows, dims[0], dims[1]) : nullptr;
+  add_edges_ = kernels.add_edges_for(rows, dims.data(), static_cast<int>(dims.size()));
   add_unary_edges_ = dims.size() == 1 ? kernels.add_unary_edges_for(rows, dims[0]) : nullptr;
   return add_edges_ != nullptr || add_unary_edges_ != nullptr;
 }
@@ -58,13 +58,13 @@ void TileAdder::add(const detail::EdgePool& pool, std::span<const std::uint32_t>
                     double* values, double* gradient) {
   weigh(pool, edges, tile);
   const detail::InformationKind kind = pool.informations(edges, tile.rows, omegas_.data(), omega_.data());
-  if (add_edges_ != nullptr) return add_binary(tile, kind, targets.data(), values, gradient);
+  if (add_edges_ != nullptr) return add_in_lanes(tile, kind, targets.data(), values, gradient);
   add_unary_edges_({tile.count, tile.jacobian, tile.error, static_cast<dense::EdgeNumbers::Kind>(kind),
                     omegas_.data(), weights(), targets.data(), values, gradient});
 }
 
-void TileAdder::add_binary(const detail::EdgeTile& tile, detail::InformationKind kind,
-                           const std::uint32_t* const* targets, double* values, double* gradient) {
+void TileAdder::add_in_lanes(const detail::EdgeTile& tile, detail::InformationKind kind,
+                             const std::uint32_t* const* targets, double* values, double* gradient) {
   const double *jacobian = tile.jacobian, *error = tile.error;
   if (!tile.in_lanes) {
     dense::kernels().to_lanes(jacobian, tile.rows * tile.cols, tile.count, jacobian_.data());

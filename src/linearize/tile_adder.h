@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// Uses kernels for the common sizes of unary and binary edges. accumulate() does the same for edges of any
+/// Uses kernels for the common sizes of edges. accumulate() does the same for edges of any
 /// size, one by one.
 class TileAdder {
  public:
@@ -31,10 +31,10 @@ class TileAdder {
   void weigh(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
              const detail::EdgeTile& tile);
 
-  void add_binary(const detail::EdgeTile& tile, detail::InformationKind kind,
-                  const std::uint32_t* const* targets, double* values, double* gradient);
+  void add_in_lanes(const detail::EdgeTile& tile, detail::InformationKind kind,
+                    const std::uint32_t* const* targets, double* values, double* gradient);
 
-  dense::AddEdges add_edges_ = nullptr;             // the kernel, if the edges are binary
+  dense::AddEdges add_edges_ = nullptr;             // the kernel for edges in lanes
   dense::AddUnaryEdges add_unary_edges_ = nullptr;  // the kernel, if the edges are unary
   std::vector<double> jacobian_, error_;            // copies of a tile's Jacobians and errors in lanes
   std::vector<double> omega_;                       // all Ω in full, for tiles with Ω of several kinds

@@ -54,6 +54,10 @@ struct Edges {
   std::vector<const double*> omega;
 };
 
+dense::AddEdges add_edges_for(int rows, const std::vector<int>& dims) {
+  return dense::kernels().add_edges_for(rows, dims.data(), static_cast<int>(dims.size()));
+}
+
 class EdgeLanes : public EveryIsa {};
 
 TEST_P(EdgeLanes, StoreTheValuesOfEachEdgeInItsOwnLane) {
@@ -77,9 +81,9 @@ TEST_P(EdgeLanes, StoreTheValuesOfEachEdgeInItsOwnLane) {
 
 TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   std::mt19937 random(1);
-  constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6}, {2, 3, 2}, {3, 6, 3}};
+  constexpr int kSizes[][3] = {{3, 3, 3}, {6, 6, 6}, {2, 3, 2}, {3, 6, 3}, {2, 6, 3}, {2, 9, 3}};
   for (const auto& [rows, dim_i, dim_j] : kSizes) {
-    const dense::AddEdges add_edges = dense::kernels().add_edges_for(rows, dim_i, dim_j);
+    const dense::AddEdges add_edges = add_edges_for(rows, {dim_i, dim_j});
     ASSERT_NE(add_edges, nullptr);
     for (const auto kind : {EdgeNumbers::kScalar, EdgeNumbers::kDiagonal, EdgeNumbers::kFull}) {
       for (const int count : {1, 3, 8, 9, 17}) {
@@ -100,7 +104,7 @@ TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
                             fixed ? none : ii + 2 * ij});
           }
           std::vector<const std::uint32_t*> target_of;
-          for (int k = 0; k < count; ++k) target_of.push_back(&targets[k * dense::kBinaryTargets]);
+          for (int k = 0; k < count; ++k) target_of.push_back(&targets[k * 5]);
           const Matrix start = random_matrix(static_cast<int>(ii + 2 * ij + jj) + 1, 1, random);
           Matrix values = start, gradient = random_matrix(dim_i + dim_j + 1, 1, random);
           const Matrix gradient_start = gradient;
@@ -137,11 +141,49 @@ TEST_P(EdgeLanes, AddTheValuesOfTheFormulaToTheTargets) {
   }
 }
 
+TEST_P(EdgeLanes, AddEveryBlockOfAnEdgeWithThreeVertices) {
+  std::mt19937 random(4);
+  constexpr int kRows = 2, kDims[] = {6, 3, 3}, kFirst[] = {0, 6, 9}, kColumns = 12;
+  const dense::AddEdges add_edges = add_edges_for(kRows, {6, 3, 3});
+  ASSERT_NE(add_edges, nullptr);
+  constexpr int kCount = 11;
+  const Edges edges(kCount, kRows, 6, 6, EdgeNumbers::kFull, random);
+  const auto jacobian = edges.in_lanes(edges.jacobians), error = edges.in_lanes(edges.errors);
+  for (const bool transposed : {false, true}) {
+    std::vector<std::uint32_t> targets{0, 6, 9};
+    std::vector<std::pair<int, int>> pairs;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        const std::uint32_t flag = transposed && j < i ? dense::kTransposedTarget : 0;
+        targets.push_back(static_cast<std::uint32_t>(36 * pairs.size()) | flag);
+        pairs.emplace_back(i, j);
+      }
+    }
+    const std::vector<const std::uint32_t*> target_of(kCount, targets.data());
+    std::vector<double> values(36 * pairs.size()), gradient(kColumns);
+    add_edges({kCount, jacobian.data(), error.data(), EdgeNumbers::kFull, edges.omega.data(), nullptr,
+               target_of.data(), values.data(), gradient.data()});
+    Matrix h = Matrix::Zero(kColumns, kColumns), g = Matrix::Zero(kColumns, 1);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      h += edges.jacobians[k].transpose() * edges.omegas[k] * edges.jacobians[k];
+      g += edges.jacobians[k].transpose() * edges.omegas[k] * edges.errors[k];
+    }
+    EXPECT_LE((Eigen::Map<Matrix>(gradient.data(), kColumns, 1) - g).cwiseAbs().maxCoeff(), 1e-12);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      auto [i, j] = pairs[k];
+      if (transposed && j < i) std::swap(i, j);
+      const Matrix expected = h.block(kFirst[i], kFirst[j], kDims[i], kDims[j]);
+      const Eigen::Map<Matrix> block(&values[36 * k], kDims[i], kDims[j]);
+      EXPECT_LE((block - expected).cwiseAbs().maxCoeff(), 1e-12) << i << ' ' << j;
+    }
+  }
+}
+
 TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {
   std::mt19937 random(2);
   const Edges edges(13, 6, 6, 6, EdgeNumbers::kFull, random);
   const auto jacobian = edges.in_lanes(edges.jacobians), error = edges.in_lanes(edges.errors);
-  const dense::AddEdges add_edges = dense::kernels().add_edges_for(6, 6, 6);
+  const dense::AddEdges add_edges = add_edges_for(6, {6, 6});
   const std::uint32_t target[] = {0, 6, 0, 36, 72};
   const std::vector<const std::uint32_t*> targets(13, target);
   std::vector<double> together(108), gradient(12), alone(108), gradient_alone(12);
@@ -158,7 +200,7 @@ TEST_P(EdgeLanes, AddTheSameBitsForAnEdgeWhicheverEdgesShareItsTile) {
 
 TEST_P(EdgeLanes, ComputeTheSquaredNormsOfErrorsUnderTheirInformation) {
   std::mt19937 random(3);
-  for (const int rows : {3, 6}) {
+  for (const int rows : {2, 3, 6}) {
     for (const auto kind : {EdgeNumbers::kScalar, EdgeNumbers::kDiagonal, EdgeNumbers::kFull}) {
       const Edges edges(11, rows, 1, 1, kind, random);
       double chi2[12];
@@ -175,8 +217,10 @@ TEST_P(EdgeLanes, ComputeTheSquaredNormsOfErrorsUnderTheirInformation) {
 }
 
 TEST_P(EdgeLanes, DoNotExistForUncommonSizes) {
-  for (const int rows : {1, 2, 4, 5, 7, 8, 9}) EXPECT_EQ(dense::kernels().squared_norms_for(rows), nullptr);
-  EXPECT_EQ(dense::kernels().add_edges_for(4, 3, 3), nullptr);
+  for (const int rows : {1, 4, 5, 7, 8, 9}) EXPECT_EQ(dense::kernels().squared_norms_for(rows), nullptr);
+  EXPECT_EQ(add_edges_for(4, {3, 3}), nullptr);
+  EXPECT_EQ(add_edges_for(2, {6, 3, 2}), nullptr);
+  EXPECT_EQ(add_edges_for(2, {6, 3, 3, 3}), nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, EdgeLanes, ::testing::ValuesIn(dense::usable_kernels()),

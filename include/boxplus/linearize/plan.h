@@ -77,7 +77,8 @@ struct Chunk {
   std::uint32_t first_column = 0, last_column = 0;
   FixedScalars fixed;
   std::vector<Scatter> scatters;
-  /// First, for each eliminated vertex, its edges from every pool; then the other edges, pool by pool.
+  /// First, for each batch of eliminated vertices, their edges pool by pool; then the other edges, pool by
+  /// pool. No two consecutive runs are of the same pool.
   std::vector<Run> runs;
 };
 
