@@ -205,7 +205,7 @@ void add_edges(const EdgeLanes& tile) {
 }
 
 /// Pairs of poses or points, points seen from a pose, and projections of a point (2 rows) to a camera: a pose
-/// of 6 with 0 or 3 intrinsics in one vertex, or with 3 intrinsics in another.
+/// of 6 with 0 or 3 intrinsics in one vertex, or with 3 or 4 intrinsics in another.
 inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
   const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
     constexpr int kDims[] = {D...};
@@ -226,6 +226,7 @@ inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
   offer(Sizes<2, 6, 3>());
   offer(Sizes<2, 9, 3>());
   offer(Sizes<2, 6, 3, 3>());
+  offer(Sizes<2, 6, 3, 4>());
   return found;
 }
 

@@ -163,18 +163,29 @@ class GaugeFinder {
     bool is_known = false;
     for (const int dimension : {2, 3}) {
       if (!has_frames(component, dimension)) continue;
-      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, extent(), stop_);
-      const SimilarityFreedom freedom = test_->find(component.vertices, component.edges, dimension);
+      if (!test_) test_ = std::make_unique<SimilarityTest>(graph_, movable_, stop_);
+      const SimilarityFreedom freedom = freedom_of(component, dimension);
       is_known = is_known || freedom.directions() > 0;
       if (freedom.directions() > 0) hold_similarity(component, freedom);
     }
     if (!component.anchored && !is_known) gauge_.loose.push_back(reference(first_choice(component.vertices)));
   }
 
-  /// Only GaugePolicy::kFixFirst checks in every step whether the held directions are still free.
-  SimilarityTest::Extent extent() const {
-    return policy_ == GaugePolicy::kFixFirst ? SimilarityTest::Extent::kSample
-                                             : SimilarityTest::Extent::kAllEdges;
+  /// The freedom of a component. If only directions are held, every step checks whether they are still free,
+  /// so a sample of the edges is enough. A vertex that is held as a whole takes part in no step.
+  SimilarityFreedom freedom_of(const Component& component, int dimension) {
+    const auto find = [&](SimilarityTest::Extent extent) {
+      return test_->find(component.vertices, component.edges, dimension, extent);
+    };
+    if (policy_ != GaugePolicy::kFixFirst) return find(SimilarityTest::Extent::kAllEdges);
+    SimilarityFreedom freedom = find(SimilarityTest::Extent::kSample);
+    if (freedom.directions() == 0 || !holds_whole(component, gauge_vertex(component, freedom), freedom))
+      return freedom;
+    return find(SimilarityTest::Extent::kAllEdges);
+  }
+
+  bool holds_whole(const Component& component, VertexSlot first, const SimilarityFreedom& freedom) const {
+    return !component.anchored && is_all_gauge(first, freedom);
   }
 
   bool has_frames(const Component& component, int dimension) const {
@@ -199,7 +210,7 @@ class GaugeFinder {
     const Id id = graph_.vertex_pools()[first.pool]->id(first.slot);
     SimilarityFreedom left = freedom;  // the freedom that remains
     if (policy_ == GaugePolicy::kFixFirst) {
-      const bool whole = !component.anchored && is_all_gauge(first, freedom);
+      const bool whole = holds_whole(component, first, freedom);
       if (whole) {
         gauge_.held.push_back({reference(first), id});
         left.basis *= kernel_of(freedom.of_vertex(graph_, first), kNoticeable * freedom.unit());

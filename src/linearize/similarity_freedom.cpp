@@ -105,8 +105,8 @@ struct SimilarityTest::Kind {
 };
 
 SimilarityTest::SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
-                               Extent extent, const StopToken& stop)
-    : graph_(graph), movable_(movable), extent_(extent), stop_(stop) {
+                               const StopToken& stop)
+    : graph_(graph), movable_(movable), stop_(stop) {
   for (const auto& pool : graph.vertex_pools()) {
     roles_.emplace_back(pool->slots(), WorldRole::kNone);
     kind_of_.emplace_back(pool->slots(), 0);
@@ -316,7 +316,7 @@ std::vector<VertexSlot> SimilarityTest::moving_ends(std::span<const EdgeSlot> ed
 }
 
 SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
-                                       int dimension) {
+                                       int dimension, Extent extent) {
   constexpr unsigned kMostChoices = 100;
   const std::vector<Kind> kinds = list_kinds(vertices, edges, dimension);
   unsigned choices = 1;
@@ -337,7 +337,7 @@ SimilarityFreedom SimilarityTest::find(std::span<const VertexSlot> vertices, std
     best = choice;
   }
   assign_roles(vertices, kinds, best);
-  if (extent_ == Extent::kAllEdges) return free_motions(vertices, edges, dimension);
+  if (extent == Extent::kAllEdges) return free_motions(vertices, edges, dimension);
   const std::vector<EdgeSlot> tested = sample_of(edges, kTestedEdges);
   if (tested.size() == edges.size()) return free_motions(vertices, edges, dimension);
   std::vector<VertexSlot> ends = moving_ends(tested);

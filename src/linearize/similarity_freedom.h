@@ -53,13 +53,13 @@ class SimilarityTest {
   static constexpr std::size_t kTestedEdges = 512;
 
   /// `movable` says for each slot of each vertex pool whether the vertex moves.
-  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable, Extent extent,
+  SimilarityTest(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable,
                  const StopToken& stop);
 
   /// The freedom of one component in a world of 2 or 3 dimensions. Takes O(edges). The edges of a pool must
   /// be contiguous.
-  SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges,
-                         int dimension);
+  SimilarityFreedom find(std::span<const VertexSlot> vertices, std::span<const EdgeSlot> edges, int dimension,
+                         Extent extent);
 
  private:
   struct Kind;
@@ -79,7 +79,6 @@ class SimilarityTest {
 
   const Graph& graph_;
   const std::vector<std::vector<std::uint8_t>>& movable_;
-  Extent extent_;
   const StopToken& stop_;
   std::vector<std::vector<WorldRole>> roles_;
   std::vector<std::vector<std::uint32_t>> kind_of_;

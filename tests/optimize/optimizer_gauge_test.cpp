@@ -227,6 +227,40 @@ TEST(Gauge, OfAStraightTrajectoryWithPositionPriorsIsNoLongerHeldWhenTheTrajecto
   }
 }
 
+/// Measures the motion from a to b or, if `anchored`, the position of b.
+struct MotionOrPosition {
+  Vector2 measurement;
+  bool anchored;
+  template <class P>
+  P error(const P& a, const P& b) const {
+    return anchored ? P(b - measurement) : P(b - a - measurement);
+  }
+};
+
+TEST(Gauge, IsNotHeldIfOneOfManyEdgesOfATypeMeasuresIt) {
+  constexpr int kPoints = 3000;
+  for (const bool one_direction : {false, true}) {
+    for (const int anchor : {1, 1234, 2998}) {
+      // A spiral of points, each known relative to the one before. One edge measures a position.
+      Graph graph;
+      std::vector<VertexHandle<Vector2>> points;
+      const auto at = [](int k) {
+        return Vector2(0.01 * k * std::cos(0.1 * k), 0.01 * k * std::sin(0.1 * k));
+      };
+      const Vector2 shift(one_direction ? 0 : 5, -3);
+      for (int k = 0; k < kPoints; ++k) points.push_back(graph.add_vertex(at(k)));
+      if (one_direction) graph.fix_directions(points[0], std::vector{0});
+      for (int k = 0; k + 1 < kPoints; ++k) {
+        graph.add_edge(MotionOrPosition{at(k + 1) - at(k), false}, points[k], points[k + 1]);
+        if (k == anchor) graph.add_edge(MotionOrPosition{at(k + 1) + shift, true}, points[k], points[k + 1]);
+      }
+      const Report report = optimize(graph);
+      EXPECT_TRUE(report.converged()) << report;
+      EXPECT_LE((graph.estimate(points[0]) - at(0) - shift).norm(), 1e-6) << one_direction << anchor;
+    }
+  }
+}
+
 TEST(Gauge, HoldsAPoseAndNotTheSensorMountEvenIfTheMountHasALowerId) {
   Graph graph;
   const auto mount = graph.add_vertex(SE2(0.4, 0.1, 0.2), 0);

@@ -19,11 +19,17 @@
 namespace boxplus::detail {
 
 /// Specialized for the edge types that have a kernel in the library that linearizes several edges at a time
-/// (types/between.h).
+/// (types/between.h). Then kExists is true, and kSources is the number of arrays that the kernel reads for
+/// each edge. sources(edge, estimates…) returns the addresses of these arrays. linearize(count, sources,
+/// error, jacobian) gets such addresses for each array and then each edge; `jacobian` may be null.
 template <class E, class... V>
 struct LaneKernel {
   static constexpr bool kExists = false;
 };
+
+/// For each array, its address for each edge of a tile.
+template <int kSources>
+using LaneSources = std::array<std::array<const double*, EdgeTile::kCapacity>, kSources>;
 
 template <class E, class... V>
 requires EdgeType<E, V...>
@@ -128,10 +134,7 @@ class TypedEdgePool final : public EdgePool {
     tile.cols = first.cols;
     if constexpr (LaneKernel<E, V...>::kExists) {
       if (tile.in_lanes && !force_numeric) {
-        with_lane_sources(edges, [&](const auto&... sources) {
-          LaneKernel<E, V...>::linearize(tile.count, sources..., tile.error, tile.jacobian);
-        });
-        return;
+        return linearize_in_lanes(edges, tile.error, tile.jacobian);
       }
     }
     tile.in_lanes = false;
@@ -146,11 +149,7 @@ class TypedEdgePool final : public EdgePool {
   }
 
   bool errors_in_lanes(std::span<const std::uint32_t> edges, double* out) const override {
-    if constexpr (LaneKernel<E, V...>::kExists) {
-      with_lane_sources(edges, [&](const auto&... sources) {
-        LaneKernel<E, V...>::linearize(static_cast<int>(edges.size()), sources..., out, nullptr);
-      });
-    }
+    if constexpr (LaneKernel<E, V...>::kExists) linearize_in_lanes(edges, out, nullptr);
     return LaneKernel<E, V...>::kExists;
   }
 
@@ -238,23 +237,20 @@ class TypedEdgePool final : public EdgePool {
     }
   }
 
-  /// Calls f with several arrays of pointers, with one entry per edge: the first array points to the values
-  /// of each edge, the next arrays to the estimate of its first vertex, of its second vertex, …
-  template <class F>
-  void with_lane_sources(std::span<const std::uint32_t> edges, F&& f) const {
-    std::array<const double*, EdgeTile::kCapacity> sources[kArguments + 1];
+  /// This is a template, so that an explicit instantiation of the pool omits it for edges without a kernel.
+  template <class Kernel = LaneKernel<E, V...>>
+  requires(Kernel::kExists) void linearize_in_lanes(std::span<const std::uint32_t> edges, double* error,
+                                                    double* jacobian) const {
+    LaneSources<Kernel::kSources> sources;
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto slots = vertex_slots(edges[k]);
-      sources[0][k] = LaneKernel<E, V...>::values(edges_[edges[k]]);
-      [&]<std::size_t... I>(std::index_sequence<I...>) {
-        ((sources[I + 1][k] = std::get<I>(pools_)->value(slots[I]).data()), ...);
+      const auto of_edge = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        return Kernel::sources(edges_[edges[k]], std::get<I>(pools_)->value(slots[I])...);
       }
       (Indices{});
+      for (std::size_t i = 0; i < of_edge.size(); ++i) sources[i][k] = of_edge[i];
     }
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      f(sources[0].data(), sources[I + 1].data()...);
-    }
-    (Indices{});
+    Kernel::linearize(static_cast<int>(edges.size()), sources, error, jacobian);
   }
 
   int rows(std::uint32_t edge) const {

@@ -2,6 +2,7 @@
 // The relative measurement between two vertices of one type: Between(SE2(1, 0, 0)).
 #pragma once
 
+#include <array>
 #include <type_traits>
 #include <utility>
 
@@ -70,10 +71,14 @@ template <class T>
 requires std::is_same_v<T, SE2> || std::is_same_v<T, SE3>
 struct detail::LaneKernel<Between<T>, T, T> {
   static constexpr bool kExists = true;
-  static const double* values(const Between<T>& edge) { return edge.measurement.data(); }
-  static void linearize(int count, const double* const* measurement, const double* const* from,
-                        const double* const* to, double* error, double* jacobian) {
-    detail::linearize_between(std::type_identity<T>(), count, measurement, from, to, error, jacobian);
+  static constexpr int kSources = 3;
+  static std::array<const double*, kSources> sources(const Between<T>& edge, const T& from, const T& to) {
+    return {edge.measurement.data(), from.data(), to.data()};
+  }
+  static void linearize(int count, const detail::LaneSources<kSources>& sources, double* error,
+                        double* jacobian) {
+    detail::linearize_between(std::type_identity<T>(), count, sources[0].data(), sources[1].data(),
+                              sources[2].data(), error, jacobian);
   }
 };
 

@@ -123,6 +123,52 @@ TEST_P(SchurOfBundle, EqualsTheDenseComplementWithDiagonalDamping) {
   check_elimination(problem, false);
 }
 
+/// All results of an elimination: S, the reduced right-hand side, and the solution for given kept values.
+std::vector<double> results(const Problem& problem, bool explicit_values, int threads, bool reduces_at_once) {
+  Schur schur(problem.plan.structure, problem.plan.eliminated_blocks, explicit_values, threads);
+  const std::size_t size = problem.plan.structure.scalars(), kept = schur.reduced_structure().scalars();
+  std::vector<double> r(size), reduced_r(kept), x(size);
+  for (std::size_t i = 0; i < size; ++i) r[i] = std::sin(static_cast<double>(i));
+  const double* known_r = reduces_at_once ? r.data() : nullptr;
+  EXPECT_EQ(
+      schur.eliminate(problem.linearizer.values(), problem.damping, {}, known_r, reduced_r.data()).status,
+      LinearStatus::kOk);
+  if (!reduces_at_once) schur.reduce(r.data(), reduced_r.data());
+  schur.back_substitute(r.data(), r.data(), x.data());
+  std::vector<double> all(schur.reduced_values().begin(), schur.reduced_values().end());
+  all.insert(all.end(), reduced_r.begin(), reduced_r.end());
+  all.insert(all.end(), x.begin(), x.end());
+  return all;
+}
+
+TEST(Schur, HasTheSameBitsForAnyNumberOfThreadsAndIfItReducesTheRightHandSideAtOnce) {
+  const Problem problem(make_bundle(12, 600, true), 0.1, true);
+  for (const bool explicit_values : {true, false}) {
+    const std::vector<double> expected = results(problem, explicit_values, 1, false);
+    for (const int threads : {1, 2, 3, 7, 64}) {
+      EXPECT_EQ(results(problem, explicit_values, threads, false), expected) << threads;
+      EXPECT_EQ(results(problem, explicit_values, threads, true), expected) << threads;
+    }
+  }
+}
+
+TEST(Schur, NamesTheSameBlockForAnyNumberOfThreads) {
+  const Problem problem(make_bundle(12, 600, true), 0, false);
+  std::vector<double> values(problem.linearizer.values().begin(), problem.linearizer.values().end());
+  const BlockStructure& structure = problem.plan.structure;
+  for (const std::uint32_t block : {400u, 99u})
+    values[structure.value_start[structure.column_start[block]]] = -1;
+  for (const int threads : {1, 2, 5}) {
+    Schur schur(structure, problem.plan.eliminated_blocks, true, threads);
+    for (int round = 0; round < 2; ++round) {
+      const FactorResult result = schur.eliminate(values, {});
+      EXPECT_EQ(result.status, LinearStatus::kNotPositiveDefinite);
+      EXPECT_EQ(result.failed_block, 99u);
+    }
+    EXPECT_EQ(schur.eliminate(problem.linearizer.values(), {}).status, LinearStatus::kOk);
+  }
+}
+
 TEST(Schur, AcceptsEdgesOfSeveralTypesAtTheSamePoints) {
   Bundle bundle = make_bundle(3, 20, true);
   const auto size = bundle.graph.add_vertex(1.0);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The camera models: BAL's, and those of COLMAP, with COLMAP's names and order of parameters (cameras.txt).
+//
+// To add a model, write a struct like these, and use BasicCamera<YourModel>.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "boxplus/types/ba/camera.h"
+
+namespace boxplus {
+
+namespace detail {
+
+template <class Distorted, int kForward = 1>
+using PlaneLens = Lens<PlaneMapping, Distorted, kForward>;
+template <class Distorted>
+using FisheyeLens = Lens<FisheyeMapping, Distorted>;
+
+/// f for both axes.
+struct OneFocalLength {
+  static constexpr int kFocalLengths = 1;
+  static constexpr bool kHasCenter = true;
+};
+/// fx and fy.
+struct TwoFocalLengths {
+  static constexpr int kFocalLengths = 2;
+  static constexpr bool kHasCenter = true;
+};
+
+template <class... Text>
+constexpr std::array<std::string_view, sizeof...(Text)> names(const Text&... text) {
+  return {text...};
+}
+
+/// "Bundle adjustment in the large" (Agarwal, Snavely, Seitz and Szeliski, 2010): the camera of Bundler
+/// (Snavely), which looks along −z. The center of the image is 0.
+struct BalModel {
+  static constexpr std::string_view kName = "BAL";
+  static constexpr auto kParameters = names("f", "k1", "k2");
+  static constexpr int kFocalLengths = 1;
+  static constexpr bool kHasCenter = false;
+  using Lens = PlaneLens<Distortion<Terms<0, 1>>, -1>;
+};
+
+struct SimplePinholeModel : OneFocalLength {
+  static constexpr std::string_view kName = "SIMPLE_PINHOLE";
+  static constexpr auto kParameters = names("f", "cx", "cy");
+  using Lens = PlaneLens<Distortion<Terms<>>>;
+};
+
+struct PinholeModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "PINHOLE";
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy");
+  using Lens = PlaneLens<Distortion<Terms<>>>;
+};
+
+struct SimpleRadialModel : OneFocalLength {
+  static constexpr std::string_view kName = "SIMPLE_RADIAL";
+  static constexpr auto kParameters = names("f", "cx", "cy", "k");
+  using Lens = PlaneLens<Distortion<Terms<0>>>;
+};
+
+struct RadialModel : OneFocalLength {
+  static constexpr std::string_view kName = "RADIAL";
+  static constexpr auto kParameters = names("f", "cx", "cy", "k1", "k2");
+  using Lens = PlaneLens<Distortion<Terms<0, 1>>>;
+};
+
+struct OpenCvModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "OPENCV";
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2");
+  using Lens = PlaneLens<Distortion<Terms<0, 1>, Terms<>, 2>>;
+};
+
+/// Kannala and Brandt, "A generic camera model and calibration method" (2006), without its asymmetric terms.
+struct OpenCvFisheyeModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "OPENCV_FISHEYE";
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "k1", "k2", "k3", "k4");
+  using Lens = FisheyeLens<Distortion<Terms<0, 1, 2, 3>>>;
+};
+
+struct FullOpenCvModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "FULL_OPENCV";
+  static constexpr auto kParameters =
+      names("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6");
+  using Lens = PlaneLens<Distortion<Terms<0, 1, 4>, Terms<5, 6, 7>, 2>>;
+};
+
+struct SimpleRadialFisheyeModel : OneFocalLength {
+  static constexpr std::string_view kName = "SIMPLE_RADIAL_FISHEYE";
+  static constexpr auto kParameters = names("f", "cx", "cy", "k");
+  using Lens = FisheyeLens<Distortion<Terms<0>>>;
+};
+
+struct RadialFisheyeModel : OneFocalLength {
+  static constexpr std::string_view kName = "RADIAL_FISHEYE";
+  static constexpr auto kParameters = names("f", "cx", "cy", "k1", "k2");
+  using Lens = FisheyeLens<Distortion<Terms<0, 1>>>;
+};
+
+/// ω in radians.
+struct FovModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "FOV";
+  static constexpr auto kParameters = names("fx", "fy", "cx", "cy", "omega");
+  using Lens = detail::Lens<FovMapping, Distortion<Terms<>>>;
+};
+
+struct ThinPrismFisheyeModel : TwoFocalLengths {
+  static constexpr std::string_view kName = "THIN_PRISM_FISHEYE";
+  static constexpr auto kParameters =
+      names("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2", "k3", "k4", "sx1", "sy1");
+  using Lens = FisheyeLens<Distortion<Terms<0, 1, 4, 5>, Terms<>, 2, 6>>;
+};
+
+}  // namespace detail
+
+using BalCamera = BasicCamera<detail::BalModel>;
+using SimplePinholeCamera = BasicCamera<detail::SimplePinholeModel>;
+using PinholeCamera = BasicCamera<detail::PinholeModel>;
+using SimpleRadialCamera = BasicCamera<detail::SimpleRadialModel>;
+using RadialCamera = BasicCamera<detail::RadialModel>;
+using OpenCvCamera = BasicCamera<detail::OpenCvModel>;
+using OpenCvFisheyeCamera = BasicCamera<detail::OpenCvFisheyeModel>;
+using FullOpenCvCamera = BasicCamera<detail::FullOpenCvModel>;
+using SimpleRadialFisheyeCamera = BasicCamera<detail::SimpleRadialFisheyeModel>;
+using RadialFisheyeCamera = BasicCamera<detail::RadialFisheyeModel>;
+using FovCamera = BasicCamera<detail::FovModel>;
+using ThinPrismFisheyeCamera = BasicCamera<detail::ThinPrismFisheyeModel>;
+
+}  // namespace boxplus

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/types/ba/camera_models.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "boxplus/testing/check_manifold.h"
+#include "types/ba/example_cameras.h"
+
+namespace boxplus {
+namespace {
+
+TEST(CameraModels, AreManifolds) {
+  for_each_camera([](const auto& camera) {
+    const ManifoldCheck check = check_manifold(camera);
+    EXPECT_TRUE(check.ok) << camera.kName << ": " << check.message;
+  });
+}
+
+/// Expects that the analytic derivatives of the pixel agree with dual numbers. With `tolerance`, relative to
+/// the largest derivative.
+template <class Camera>
+void expect_same_as_dual_numbers(const Camera& camera, const Vector3& point, double tolerance = 1e-12) {
+  constexpr int kColumns = 3 + Camera::kSize;
+  using D = detail::Dual<double, kColumns>;
+  Vector<D, 3> p = point.cast<D>();
+  for (int i = 0; i < 3; ++i) p[i] = D::variable(point[i], i);
+  auto lifted = Manifold<Camera>::template cast<D>(camera);
+  for (int i = 0; i < Camera::kSize; ++i) lifted.parameters[i] = D::variable(camera.parameters[i], 3 + i);
+  const Vector<D, 2> pixel = lifted.project(p);
+
+  Matrix<double, 2, 3> J_point;
+  Matrix<double, 2, Camera::kSize> J_parameters;
+  const Vector2 value = camera.project(point, J_point, J_parameters);
+  Matrix<double, 2, kColumns> J, exact;
+  J << J_point, J_parameters;
+  for (int i = 0; i < 2 * kColumns; ++i)
+    exact(i % 2, i / 2) = pixel[i % 2].derivative[static_cast<std::size_t>(i / 2)];
+  EXPECT_EQ(value, camera.project(point)) << Camera::kName;
+  EXPECT_EQ(value, Vector2(pixel[0].value, pixel[1].value)) << Camera::kName;
+  EXPECT_LE((J - exact).cwiseAbs().maxCoeff(), tolerance * exact.cwiseAbs().maxCoeff())
+      << Camera::kName << " at " << point.transpose() << "\n"
+      << J << "\n\n"
+      << exact;
+}
+
+TEST(CameraModels, HaveTheDerivativesOfDualNumbers) {
+  for_each_camera([](const auto& camera) {
+    for (const Vector3& point : points_seen_by(camera)) {
+      EXPECT_TRUE(camera.sees(point)) << camera.kName << " at " << point.transpose();
+      expect_same_as_dual_numbers(camera, point);
+      expect_same_as_dual_numbers(camera, -point);  // the continuation
+    }
+  });
+}
+
+TEST(CameraModels, OfFisheyesSeePointsBesideAndBehindThem) {
+  const auto check = [](const auto& camera) {
+    for (const Vector3& point : {Vector3(1, 0.5, 0), Vector3(1, -0.5, -0.4), Vector3(0.02, 0.01, -1)}) {
+      EXPECT_TRUE(camera.sees(point));
+      expect_same_as_dual_numbers(camera, point, 1e-10);
+    }
+    EXPECT_FALSE(camera.sees(Vector3(0, 0, -1)));
+  };
+  check(OpenCvFisheyeCamera(300, 310, 320, 240, 0.05, -0.01, 0.004, -0.001));
+  check(RadialFisheyeCamera(300, 320, 240, 0.05, -0.01));
+}
+
+TEST(CameraModels, HaveFinitePixelsAndDerivativesForEveryPoint) {
+  const std::vector<double> values{0, 1e-300, 1e-160, 1e-30, 1e-20, 1e-12, 1e-9, 1e-5, 1, 1e5};
+  for_each_camera([&](const auto& camera) {
+    Matrix<double, 2, 3> J_point;
+    Matrix<double, 2, std::remove_cvref_t<decltype(camera)>::kSize> J_parameters;
+    for (const double x : values) {
+      for (const double z : values) {
+        for (const Vector3& point :
+             {Vector3(x, 0, z), Vector3(0, -x, -z), Vector3(x, x, z), Vector3(x, -x, -z)}) {
+          const Vector2 pixel = camera.project(point, J_point, J_parameters);
+          EXPECT_TRUE(pixel.allFinite() && J_point.allFinite() && J_parameters.allFinite())
+              << camera.kName << " at " << point.transpose() << ": " << pixel.transpose() << "\n"
+              << J_point << "\n"
+              << J_parameters;
+        }
+      }
+    }
+  });
+}
+
+TEST(CameraModels, AreContinuedSmoothlyThroughThePlaneOfTheCamera) {
+  // At both ends of the interval in which a polynomial replaces 1/z, values and slopes agree.
+  for (const double end : {-detail::kSmallDivisor, detail::kSmallDivisor}) {
+    const auto inside = detail::inverse(end * (1 - 1e-12)), outside = detail::inverse(end * (1 + 1e-12));
+    EXPECT_NEAR(inside.value / outside.value, 1, 1e-11);
+    EXPECT_NEAR(inside.slope / outside.slope, 1, 1e-10);
+  }
+  EXPECT_EQ(detail::inverse(0.0).value, 0);
+}
+
+TEST(CameraModels, OfPinholesDoNotSeePointsBehindThem) {
+  EXPECT_TRUE(PinholeCamera(1, 1, 0, 0).sees(Vector3(5, 0, 0.1)));
+  EXPECT_FALSE(PinholeCamera(1, 1, 0, 0).sees(Vector3(0, 0, 0)));
+  EXPECT_FALSE(PinholeCamera(1, 1, 0, 0).sees(Vector3(0, 0, -1)));
+  EXPECT_TRUE(BalCamera(1, 0, 0).sees(Vector3(0, 0, -1)));
+  EXPECT_FALSE(BalCamera(1, 0, 0).sees(Vector3(0, 0, 1)));
+  EXPECT_FALSE(FovCamera(1, 1, 0, 0, 0.9).sees(Vector3(0, 0, -1)));
+  EXPECT_FALSE(FovCamera(1, 1, 0, 0, 3.2).sees(Vector3(0, 0, 1)));
+}
+
+TEST(CameraModels, WithDenominatorsDoNotSeePointsBeyondTheirPole) {
+  const FullOpenCvCamera camera(1, 1, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0);  // the denominator is 1 − r²
+  EXPECT_TRUE(camera.sees(Vector3(0.9, 0, 1)));
+  EXPECT_FALSE(camera.sees(Vector3(1, 0, 1)));
+  EXPECT_FALSE(camera.sees(Vector3(1.1, 0, 1)));
+  EXPECT_TRUE(camera.project(Vector3(1, 0, 1)).allFinite());
+}
+
+TEST(CameraModels, ProjectAsTheirDefinitionsSay) {
+  // BAL: p = −(X, Y)/Z, and the pixel is f (1 + k1 p² + k2 p⁴) p.
+  EXPECT_EQ(BalCamera(100, 0.5, 0.25).project(Vector3(1, -2, -2)),
+            Vector2(0.5, -1) * 100 * (1 + 0.5 * 1.25 + 0.25 * 1.25 * 1.25));
+  EXPECT_EQ(PinholeCamera(100, 200, 10, 20).project(Vector3(1, 2, 2)), Vector2(60, 220));
+  // OPENCV with u = 0.5, v = 1: r² = 1.25; radial 1 + 0.1 · 1.25 − 0.04 · 1.5625 = 1.0625;
+  // tangential (2 · 0.01 · 0.5 + 0.02 · (1.25 + 0.5), 2 · 0.02 · 0.5 + 0.01 · (1.25 + 2)).
+  const Vector2 pixel = OpenCvCamera(100, 200, 10, 20, 0.1, -0.04, 0.01, 0.02).project(Vector3(1, 2, 2));
+  EXPECT_NEAR(pixel[0], 100 * (0.53125 + 0.01 + 0.035) + 10, 1e-12);
+  EXPECT_NEAR(pixel[1], 200 * (1.0625 + 0.02 + 0.0325) + 20, 1e-12);
+  // Fisheye at 45°: θ = π/4.
+  const double theta = std::atan(1.0);
+  EXPECT_NEAR(SimpleRadialFisheyeCamera(100, 0, 0, 0.1).project(Vector3(2, 0, 2))[0],
+              100 * theta * (1 + 0.1 * theta * theta), 1e-12);
+  // FOV: atan(2 r tan(ω/2))/ω. ω = 0 is the pinhole.
+  EXPECT_NEAR(FovCamera(100, 100, 0, 0, 1).project(Vector3(0, 1, 2))[1], 100 * std::atan(std::tan(0.5)),
+              1e-12);
+  EXPECT_NEAR(FovCamera(100, 100, 0, 0, 0).project(Vector3(0, 1, 2))[1], 100 * 0.5, 1e-12);
+}
+
+TEST(CameraModels, ContainEachOther) {
+  const Vector3 point(0.3, -0.4, 1.2);
+  const Vector2 full = FullOpenCvCamera(500, 510, 320, 240, 0.1, 0.2, 0.01, 0.02, 0, 0, 0, 0).project(point);
+  EXPECT_EQ(full, OpenCvCamera(500, 510, 320, 240, 0.1, 0.2, 0.01, 0.02).project(point));
+  EXPECT_EQ(OpenCvCamera(500, 500, 320, 240, 0.1, 0.2, 0, 0).project(point),
+            RadialCamera(500, 320, 240, 0.1, 0.2).project(point));
+  EXPECT_EQ(ThinPrismFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0, 0, 0.3, 0.4, 0, 0).project(point),
+            OpenCvFisheyeCamera(500, 510, 320, 240, 0.1, 0.2, 0.3, 0.4).project(point));
+  EXPECT_EQ(RadialFisheyeCamera(500, 320, 240, 0.1, 0).project(point),
+            SimpleRadialFisheyeCamera(500, 320, 240, 0.1).project(point));
+}
+
+TEST(CameraModels, OfFovAgreeOnBothSidesOfTheirSeries) {
+  for (const double z : {1.0, 5.0, 300.0}) {
+    const Vector3 point(0.3, -0.4, z);
+    const Vector2 below = FovCamera(1, 1, 0, 0, 0.01 * (1 - 1e-12)).project(point);
+    const Vector2 above = FovCamera(1, 1, 0, 0, 0.01 * (1 + 1e-12)).project(point);
+    EXPECT_LE((below - above).norm(), 1e-13 * below.norm());
+    expect_same_as_dual_numbers(FovCamera(1, 1, 0, 0, 0.001), point, 1e-11);
+    expect_same_as_dual_numbers(FovCamera(1, 1, 0, 0, -0.3), point, 1e-11);
+  }
+}
+
+TEST(CameraModels, HaveTheNamesOfColmap) {
+  std::vector<std::string_view> names;
+  for_each_camera([&](const auto& camera) { names.push_back(camera.kName); });
+  EXPECT_THAT(names, testing::ElementsAre("BAL", "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL",
+                                          "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "SIMPLE_RADIAL_FISHEYE",
+                                          "RADIAL_FISHEYE", "FOV", "THIN_PRISM_FISHEYE"));
+  EXPECT_THAT(OpenCvCamera::Model::kParameters,
+              testing::ElementsAre("fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2"));
+}
+
+}  // namespace
+}  // namespace boxplus

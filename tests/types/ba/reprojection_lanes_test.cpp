@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "boxplus/types/ba/reprojection_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "boxplus/graph/graph.h"
+#include "kernels/every_isa.h"
+
+namespace boxplus {
+namespace {
+
+class ReprojectionLanes : public EveryIsa {};
+
+/// Random poses at about 5 m from random points, and cameras with some distortion.
+struct Scene {
+  std::mt19937 random{7};
+
+  double number(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  }
+  Vector3 vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+  SE3 pose(double z) {
+    return {Vector3(number(-1, 1), number(-1, 1), z), SO3::from_rotation_vector(vector(0.3))};
+  }
+  template <class Camera>
+  Camera camera() {
+    Camera camera;
+    for (int i = 0; i < Camera::kSize; ++i) camera.parameters[i] = number(-0.1, 0.1);
+    camera.parameters[0] = number(400, 500);
+    if (Camera::kSize == 4) camera.parameters.template segment<2>(1) = Vector2(450, 310);
+    return camera;
+  }
+};
+
+/// Expects that errors and Jacobians in lanes are those of the plain functions of the edges.
+void expect_plain_values(const Graph& graph) {
+  const detail::EdgePool& pool = *graph.edge_pools().front();
+  for (const std::uint32_t count : {1u, 3u, 8u, 13u, 64u}) {
+    std::vector<std::uint32_t> edges(count);
+    for (std::uint32_t k = 0; k < count; ++k) edges[k] = (7 * k) % pool.slots();
+    const detail::EdgeShape shape = pool.shape(0);
+    const auto values = static_cast<std::size_t>(shape.rows * shape.cols);
+    std::vector<double> plain_error(2 * 64), plain_jacobian(values * 64);
+    std::vector<double> error(2 * 64), jacobian(values * 64), only_error(2 * 64);
+    detail::EdgeTile plain, lanes;
+    plain.error = plain_error.data();
+    plain.jacobian = plain_jacobian.data();
+    lanes.error = error.data();
+    lanes.jacobian = jacobian.data();
+    lanes.in_lanes = true;
+    pool.linearize(edges, plain, false);
+    pool.linearize(edges, lanes, false);
+    ASSERT_TRUE(lanes.in_lanes);
+    ASSERT_FALSE(plain.in_lanes);
+    ASSERT_TRUE(pool.errors_in_lanes(edges, only_error.data()));
+    EXPECT_EQ(only_error, error);
+    const auto expect_near = [&](const std::vector<double>& in_lanes, const std::vector<double>& expected,
+                                 std::size_t size) {
+      for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t m = 0; m < size; ++m) {
+          const double value = in_lanes[(k / 8 * size + m) * 8 + k % 8], plain_value = expected[k * size + m];
+          ASSERT_NEAR(value, plain_value, 1e-12 * (1000 + std::abs(plain_value))) << k << ' ' << m;
+        }
+      }
+    };
+    expect_near(error, plain_error, 2);
+    expect_near(jacobian, plain_jacobian, values);
+  }
+}
+
+template <class Camera>
+void expect_plain_values_for() {
+  Scene scene;
+  Graph apart, together, calibrated;
+  const double z = std::is_same_v<Camera, BalCamera> ? 5 : -5;  // BAL's camera looks along −z
+  for (int k = 0; k < 20; ++k) {
+    const SE3 pose = scene.pose(z);
+    const Camera camera = scene.camera<Camera>();
+    const Vector3 point = scene.vector(1);
+    const Vector2 pixel(scene.number(0, 600), scene.number(0, 600));
+    apart.add_edge(Reprojection<Camera>(pixel), apart.add_vertex(pose), apart.add_vertex(point),
+                   apart.add_vertex(camera));
+    together.add_edge(Reprojection<Camera>(pixel), together.add_vertex(Product<SE3, Camera>(pose, camera)),
+                      together.add_vertex(point));
+    calibrated.add_edge(CalibratedReprojection<Camera>(pixel, camera), calibrated.add_vertex(pose),
+                        calibrated.add_vertex(point));
+  }
+  expect_plain_values(apart);
+  expect_plain_values(together);
+  expect_plain_values(calibrated);
+}
+
+TEST_P(ReprojectionLanes, ComputeThePlainValuesOfEveryCameraAndFormOfTheEdge) {
+  expect_plain_values_for<BalCamera>();
+  expect_plain_values_for<PinholeCamera>();
+  expect_plain_values_for<SimpleRadialCamera>();
+}
+
+TEST_P(ReprojectionLanes, AreFiniteForAPointInTheCenterOfTheCamera) {
+  Graph graph;
+  const SE3 pose(Vector3(1, 2, 3), SO3());
+  graph.add_edge(Reprojection<PinholeCamera>(Vector2(5, 6)), graph.add_vertex(pose),
+                 graph.add_vertex(Vector3(1, 2, 3)), graph.add_vertex(PinholeCamera(500, 500, 320, 240)));
+  expect_plain_values(graph);
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, ReprojectionLanes, ::testing::ValuesIn(dense::usable_kernels()),
+                         name_of_isa);
+
+}  // namespace
+}  // namespace boxplus
