@@ -24,27 +24,30 @@ void add_transposed_product(const double* a, std::uint32_t rows, std::uint32_t c
   }
 }
 
-/// Adds both products with a Size × Size block, y_i += A x_j and y_j += Aᵀ x_i, but reads the block only
+/// Adds both products with a Rows × Columns block, y_i += A x_j and y_j += Aᵀ x_i, but reads the block only
 /// once.
-template <std::uint32_t Size>
+template <std::uint32_t Rows, std::uint32_t Columns>
 void add_both_products(const double* a, const double* xi, const double* xj, double* yi, double* yj) {
-  double sums[Size];
-  std::copy_n(yi, Size, sums);
-  for (std::uint32_t j = 0; j < Size; ++j, a += Size) {
+  double sums[Rows];
+  std::copy_n(yi, Rows, sums);
+  for (std::uint32_t j = 0; j < Columns; ++j, a += Rows) {
     double sum = 0;
-    for (std::uint32_t i = 0; i < Size; ++i) {
+    for (std::uint32_t i = 0; i < Rows; ++i) {
       sums[i] += a[i] * xj[j];
       sum += a[i] * xi[i];
     }
     yj[j] += sum;
   }
-  std::copy_n(sums, Size, yi);
+  std::copy_n(sums, Rows, yi);
 }
 
 void add_both_products(const double* a, std::uint32_t rows, std::uint32_t columns, const double* xi,
                        const double* xj, double* yi, double* yj) {
-  if (rows == columns && rows == 3) return add_both_products<3>(a, xi, xj, yi, yj);
-  if (rows == columns && rows == 6) return add_both_products<6>(a, xi, xj, yi, yj);
+  const auto is = [&](std::uint32_t r, std::uint32_t c) { return rows == r && columns == c; };
+  if (is(3, 3)) return add_both_products<3, 3>(a, xi, xj, yi, yj);
+  if (is(6, 6)) return add_both_products<6, 6>(a, xi, xj, yi, yj);
+  if (is(6, 3)) return add_both_products<6, 3>(a, xi, xj, yi, yj);
+  if (is(9, 3)) return add_both_products<9, 3>(a, xi, xj, yi, yj);
   add_product(a, rows, columns, xj, yi);
   add_transposed_product(a, rows, columns, xi, yj);
 }
