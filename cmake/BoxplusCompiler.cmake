@@ -1,4 +1,5 @@
-# Compiler settings for boxplus itself. Clients get compiler settings only from target properties in src/.
+# Compiler settings for boxplus itself. A project that links boxplus gets compiler settings only from the
+# target properties that src/CMakeLists.txt sets.
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -7,7 +8,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # ccache hashes paths of the project relative to its folder, so that another clone can reuse the results.
+  # With CCACHE_BASEDIR, ccache uses paths relative to the project, so that another clone can use the same
+  # cache.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_CURRENT_SOURCE_DIR}
                                   CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
                                   ${CCACHE_PROGRAM})

@@ -1,4 +1,5 @@
-# The dependencies of the library. If clients need a dependency, too, boxplusConfig.cmake.in also lists it.
+# The dependencies of the library. If projects that link boxplus need a dependency, too,
+# boxplusConfig.cmake.in also lists it.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(AMD REQUIRED)

@@ -12,7 +12,8 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/boxplus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT boxplus FILE boxplusTargets.cmake NAMESPACE boxplus:: DESTINATION ${package_dir})
 
-# If the library is static, clients link its private dependencies, so boxplusConfig.cmake must find them.
+# If the library is static, programs also link its private dependencies, so boxplusConfig.cmake must find
+# them.
 get_target_property(type boxplus TYPE)
 string(COMPARE EQUAL ${type} STATIC_LIBRARY BOXPLUS_IS_STATIC)
 configure_package_config_file(cmake/boxplusConfig.cmake.in boxplusConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -2,9 +2,9 @@
 // A custom edge type: a robot measures its distance from three beacons, and the program estimates the
 // position of the robot.
 //
-// An edge is a value with a function error(…) of the estimates of its vertices. If that function is a
-// template over the types of its arguments, boxplus differentiates it automatically and exactly, so that
-// nobody has to write Jacobians.
+// An edge is an object whose function error(…) computes the error from the estimates of its vertices. If this
+// function is a template over the types of its arguments, boxplus differentiates it automatically and
+// exactly, so you need not write Jacobians.
 #include <boxplus/boxplus.h>
 #include <boxplus/testing/check_jacobians.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outliers: fits a curve y = exp(m t + c) to samples. Every fifth sample is grossly wrong.
 //
-// Least squares trusts every measurement, so a few wrong measurements pull the curve away from the others. A
-// robust kernel gives an edge less weight if the error of the edge is large. The width of the kernel is
-// roughly the (whitened) error at which the weight starts to decrease.
+// Least squares trusts every measurement, so a few wrong measurements pull the curve away from the correct
+// measurements. A robust kernel gives an edge less weight if the error of the edge is large. The width of the
+// kernel is roughly the error, in standard deviations, at which the weight starts to decrease.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/default_width.h>
 #include <boxplus/robust/redescending.h>
@@ -14,7 +14,7 @@
 
 using namespace boxplus;
 
-/// One sample of the curve. The vertex holds (m, c).
+/// One sample of the curve. The vertex of the edge contains (m, c).
 struct Sample {
   double t, y;
 

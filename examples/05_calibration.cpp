@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calibration: an edge over three vertices estimates the pose at which a laser scanner is mounted on a robot,
-// while the robot drives.
+// Calibration: estimates the pose at which a laser scanner is mounted on a robot, while the robot drives.
+// Each measurement of the scanner is an edge with three vertices.
 //
 // The odometry measures the motion of the robot; the scan matcher measures the motion of the scanner. The two
-// measurements agree for only one pose of the scanner on the robot. An edge may connect any number of
+// measurements agree only if the pose of the scanner on the robot is right. An edge may connect any number of
 // vertices, of any types.
 #include <boxplus/boxplus.h>
 

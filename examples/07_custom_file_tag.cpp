@@ -20,8 +20,8 @@ struct BeaconRange {
 };
 
 // [fields]
-/// The fields in a file: x and y of the beacon, then the distance. The reader itself handles the vertex ids
-/// before these fields and Ω after them. (FileFields<T> defines the fields of a vertex with value T in the
+/// The fields in a file: x and y of the beacon, then the distance. boxplus itself reads and writes the vertex
+/// ids before these fields, and Ω after them. (FileFields<T> defines the fields of a vertex of type T in the
 /// same way.)
 template <>
 struct boxplus::EdgeFields<BeaconRange> {

@@ -2,7 +2,8 @@
 // A custom robust kernel: the logarithm of the hyperbolic cosine. It is similar to Huber's kernel, but
 // smooth.
 //
-// A kernel maps the squared error e² = eᵀΩe of an edge to its cost ρ(e²), and returns the derivatives of ρ.
+// A kernel computes the cost ρ(e²) of an edge from the squared error e² = eᵀΩe, and the first two derivatives
+// of ρ.
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/kernel_base.h>
 #include <boxplus/testing/check_kernel.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A parameter: a constant that many edges share, such as the pose of a sensor on the robot.
 //
-// A parameter is a vertex that is fixed when it is added. In a .g2o file it is a PARAMS_ line. To calibrate
-// the parameter, call unfix().
+// A parameter is a vertex that is fixed when it is added. In a .g2o file, the tag of a parameter begins with
+// PARAMS_. To calibrate the parameter, call unfix().
 #include <boxplus/boxplus.h>
 #include <boxplus/types/slam2d.h>
 

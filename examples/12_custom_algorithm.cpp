@@ -2,8 +2,8 @@
 // A custom algorithm: implements the interface in boxplus/optimize/algorithm.h as Gauss-Newton with a line
 // search.
 //
-// An algorithm sees the problem only as a System. It asks the System to linearize, to compute a step, and to
-// try the step. Then it accepts or rejects the step. It knows neither graphs nor matrices.
+// An algorithm uses neither the graph nor matrices, but only the class System. It asks the System to
+// linearize, to compute a step, and to try the step. Then it accepts or rejects the step.
 #include <boxplus/boxplus.h>
 #include <boxplus/optimize/algorithm.h>
 

@@ -12,8 +12,8 @@
 
 using namespace boxplus;
 
-/// A drive along an arc, past a tree that is seen twice. The noise of each measurement has the covariance Ω⁻¹
-/// that the edge claims.
+/// A simulated drive along an arc. The robot sees a tree twice. The noise of each measurement has the
+/// covariance Ω⁻¹ of its edge.
 struct Drive {
   static constexpr int kSteps = 20;
   static constexpr double kStepSigma = 0.05, kTurnSigma = 0.02, kSightSigma = 0.1;  // m, rad, m
@@ -60,14 +60,14 @@ int main() {
   const auto tree = drive.tree;
   // [covariance]
   const Covariance sigma = covariance(graph, {robot, tree});
-  if (!sigma.ok()) {  // for example, because a vertex is undetermined; the message names it
+  if (!sigma.ok()) {  // for example if a vertex is undetermined; the message names the vertex
     std::printf("%s\n", sigma.message().c_str());
     return 1;
   }
   const Eigen::Matrix3d of_robot = sigma.of(robot);      // x, y, heading in the frame of the robot
   const Eigen::Matrix2d of_tree = sigma.of(tree);        // x, y in the world frame
   const Eigen::MatrixXd across = sigma.of(robot, tree);  // 3 × 2: the cross-covariance
-  const Eigen::MatrixXd joint = sigma.joint();           // 5 × 5: both, with the cross-covariance
+  const Eigen::MatrixXd joint = sigma.joint();           // 5 × 5: robot and tree, with the cross-covariance
   // [/covariance]
   std::printf("standard deviations of the robot: %.2f m forward, %.2f m sideways, %.1f degrees\n",
               std::sqrt(of_robot(0, 0)), std::sqrt(of_robot(1, 1)), std::sqrt(of_robot(2, 2)) * 180 / kPi);
@@ -96,7 +96,8 @@ int main() {
   std::printf("variances (m²): tree %.3f, robot %.3f, the tree relative to the robot %.3f\n", of_tree.trace(),
               robot_in_world.trace(), seen_from_robot.trace());
 
-  // Are the covariances correct? The truth must lie within the 95 % ellipsoids in about 95 of 100 drives.
+  // Are the covariances correct? If they are, the truth is inside the 95 % ellipsoid in about 95 of 100
+  // drives.
   constexpr int kDrives = 1000;
   int robots = 0, trees = 0;
   for (unsigned seed = 1; seed <= kDrives; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses from other libraries, and a pose type with full angles in its tangent (the tangent of SE3 has half
-// angles).
+// Converts poses from other libraries, and uses a pose type whose tangent has full angles. (The tangent of
+// SE3 has half angles.)
 #include <boxplus/boxplus.h>
 #include <boxplus/manifold/convert_to.h>
 

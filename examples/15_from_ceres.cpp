@@ -22,7 +22,7 @@ struct ExponentialResidual {
 };
 // [/residual]
 
-/// Samples of y = exp(0.3 x + 0.1) with noise. Every sixth sample is off by 4.
+/// Samples of y = exp(0.3 x + 0.1) with noise. Every sixth sample is an outlier, too large by 4.
 double sample(double x, int i) {
   return std::exp(0.3 * x + 0.1) + 0.2 * std::sin(37.0 * i) + (i % 6 == 2 ? 4 : 0);
 }
@@ -32,7 +32,7 @@ double sample(double x, int i) {
 /// The residual of the example is
 ///   [R_aᵀ(p_b − p_a) − t_z; 2 vec(q_z q_ab*)] = A e,  A = [R_z 0; 0 −2 R_z].
 /// Here e is the error of Between(z): the translation t and the vector part q_v of the quaternion of z⁻¹ a⁻¹
-/// b. It is expressed in the frame at the end of z, and its rotation is a half angle.
+/// b. e is in the frame at the end of z, and q_v is half of the rotation vector if the rotation is small.
 Matrix<double, 6, 6> omega_of_between(const SE3& z, const Matrix<double, 6, 6>& omega) {
   Matrix<double, 6, 6> A = Matrix<double, 6, 6>::Zero();
   A.topLeftCorner<3, 3>() = z.rotation();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// More types of vertices: products of types, directions, and similarities.
+// Three more types of vertices: products of two types, directions, and similarities.
 #include <boxplus/boxplus.h>
 #include <boxplus/manifold/product.h>
 #include <boxplus/manifold/s2.h>
@@ -40,7 +40,8 @@ struct Fix {
 };
 // [/product]
 
-/// The estimated speed of a body that is seen at x = 0, 2, 4, 6, once per second.
+/// Returns the estimated speed (m/s) of a body whose measured x is 0, 2, 4 and 6 m in four consecutive
+/// seconds.
 double estimated_speed() {
   Graph graph;
   std::vector<VertexHandle<State>> states;
@@ -59,7 +60,7 @@ double estimated_speed() {
   return graph.estimate(states.back()).get<1>().x();
 }
 
-/// The angle between the estimated and the true direction, in degrees.
+/// Returns the angle (degrees) between the estimated direction and the true direction.
 double direction_error() {
   // [direction]
   Graph graph;
@@ -72,11 +73,13 @@ double direction_error() {
   return std::acos(std::min(1.0, found.dot(Vector3(0.6, 0, 0.8)))) * 180 / kPi;
 }
 
-/// The scale of the last keyframe of a camera that returned to its start. The true scale is 1.
+/// Returns the estimated scale of the last keyframe of a camera that returned to its start. The true scale is
+/// 1.
 double scale_at_the_end() {
   // [similarity]
-  // The scale of a single camera drifts if no length is known. Here it drifts by 5 % along every side of a
-  // square. If the keyframes are similarities, the loop closure can spread the drift over all of them.
+  // The scale of a monocular map drifts if no length is known. Here, the scale drifts by 5 % along every side
+  // of a square. Each keyframe is a similarity, so the loop closure can distribute the drift over all
+  // keyframes.
   const Vector3 meter(1, 0, 0);
   const auto turn = SO3::from_rotation_vector(Vector3(0, 0, kPi / 2)).quaternion();
   const Sim3 measured(turn, meter, 1.05), closing(turn, meter, 1.0);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Many outliers: three in ten loop closures are wrong, and the initial estimates come from the odometry
-// alone.
+// Optimizes a graph with many outliers: 30 % of the loop closures are wrong, and the initial estimates come
+// from the odometry alone.
 //
-// As long as the estimates are bad, a kernel that rejects outliers also rejects correct measurements. So this
-// program starts with least squares, and makes the kernel stricter in every iteration. Barron's family of
-// kernels ranges from squared errors (α = 2) to a kernel that almost ignores large errors (α = −10).
-// Graduated non-convexity works in the same way.
+// While the estimates are bad, a kernel that rejects outliers also rejects correct measurements. So this
+// program starts with least squares, and makes the kernel stricter in every iteration. This method is known
+// as graduated non-convexity. The program uses Barron's family of kernels, which ranges from squared errors
+// (α = 2) to a kernel that almost ignores large errors (α = −10).
 #include <boxplus/boxplus.h>
 #include <boxplus/robust/barron.h>
 #include <boxplus/robust/default_width.h>
@@ -19,7 +19,7 @@
 
 using namespace boxplus;
 
-/// The mean distance (meters) between estimated and true positions of the poses.
+/// Returns the mean distance (meters) between the estimated and the true positions of the poses.
 double error_of(const Simulation& world) {
   double sum = 0;
   for (const VertexRef& vertex : world.graph.all_vertices()) {
@@ -34,7 +34,7 @@ Simulation make_world() {
   return simulate(World::kStreets, {.poses = 2000, .outliers = 0.3});
 }
 
-/// The loop closures. Only they get a kernel, because the odometry is trusted.
+/// Returns the loop closures. Only loop closures get a kernel, because the odometry has no outliers.
 std::vector<EdgeRef> closures_of(const Simulation& world) {
   std::vector<EdgeRef> closures;
   for (std::size_t k = 0; k < world.edges.size(); ++k) {
@@ -68,7 +68,7 @@ double annealed() {
   options.callback = anneal;
   Report report = optimize(graph, options);
 
-  while (shape > -10) anneal({});  // the remaining changes, if the optimization stopped early
+  while (shape > -10) anneal({});  // makes the remaining changes if the optimization stopped early
   report = optimize(graph);
   // [/anneal]
   return report.converged() ? error_of(world) : 1e9;

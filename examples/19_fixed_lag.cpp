@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fixed-lag smoother: estimates only the newest poses. When a pose leaves the graph, a dense prior on its
-// neighbors keeps the information of its edges.
+// A fixed-lag smoother, which estimates only the newest poses. When it removes a pose, it adds a dense prior
+// on the neighbors of the pose. The prior keeps the information of the removed edges.
 #include <boxplus/boxplus.h>
 #include <boxplus/types/dense_prior.h>
 #include <boxplus/types/slam2d.h>
@@ -41,7 +41,7 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
   for (const auto& vertex : poses) column[vertex] = std::exchange(size, size + 3);
   for (const auto& vertex : points) column[vertex] = std::exchange(size, size + 2);
 
-  // The normal equations of the edges of the pose: H δ = −b.
+  // Builds the normal equations H δ = −b from the edges of the pose.
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
   for (const EdgeRef& edge : edges) {
@@ -57,7 +57,7 @@ void marginalize(Graph& graph, VertexHandle<SE2> pose) {
         H.block(at, column[vertices[j]], J[i].cols(), J[j].cols()) += J[i].transpose() * Omega * J[j];
     }
   }
-  // Eliminates the pose. The Schur complement is the system of its neighbors.
+  // Eliminates the pose. The Schur complement is the linear system of the neighbors.
   const int rest = size - 3;
   const Eigen::MatrixXd gain = H.bottomLeftCorner(rest, 3) * H.topLeftCorner(3, 3).inverse();
   const Eigen::MatrixXd left_H = H.bottomRightCorner(rest, rest) - gain * H.topRightCorner(3, rest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vertices with fixed directions: 3-D poses of a vehicle that stays on a plane, and the intrinsics of a
-// camera whose focal length is known and whose distortion is unknown.
+// Fixes some directions of the tangent space of a vertex. The first example has 3-D poses of a vehicle that
+// stays on a plane. The second example has the intrinsics of a camera with a known focal length and an
+// unknown distortion.
 #include <boxplus/boxplus.h>
 
 #include <cmath>
@@ -9,8 +10,8 @@
 
 using namespace boxplus;
 
-/// The distance (pixels) from the center of the image to the pixel that sees a ray. For a ray with slope r,
-/// the distance is f (1 + k r²) r.
+/// The measured distance (pixels) between the center of the image and the image of a ray. The model for a ray
+/// with slope r is f (1 + k r²) r, with the focal length f and the distortion k.
 struct Ray {
   double ray, pixels;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optimization while the robot drives: a window of the newest poses in every step, and the whole graph now
-// and then.
+// Optimizes while the robot drives: a window of the newest poses after every step, and the whole graph less
+// often.
 #include <boxplus/boxplus.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ Report optimize_window(Graph& graph, const std::vector<VertexHandle<SE2>>& poses
 /// adds new vertices and edges to the plan.
 Options options_for_steps() {
   Options options;
-  options.max_iterations = 1;    // the next step continues from here
-  options.time_limit_s = 0.010;  // limits every phase; the report says if it was reached
+  options.max_iterations = 1;    // the next run() continues from this result
+  options.time_limit_s = 0.010;  // for every phase; the report says if the limit was reached
   return options;
 }
 // [/whole]
 
 int main() {
-  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // a side of a square, with the same small error each time
+  const SE2 measured(1.02, 0.01, kPi / 2 + 0.03);  // one side of a square, always with the same small error
   Graph graph;
   std::vector<VertexHandle<SE2>> poses{graph.add_vertex(SE2(0, 0, 0))};
   graph.fix(poses[0]);
@@ -48,8 +48,8 @@ int main() {
   Optimizer whole(graph, options_for_steps());
   const Report first = whole.run();
 
-  // After four sides the robot is back at its start. A loop closure then affects more poses than the window
-  // contains.
+  // After four sides, the robot is back at its start. The loop closures below affect more poses than the
+  // window contains.
   int extended = 0;
   for (std::size_t k = 4; k < 40; k += 4) {
     graph.add_edge(Between(SE2(0, 0, 0)), 100.0, poses[k - 4], poses[k]);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A custom inexact linear solver: conjugate gradients that stop at a given tolerance.
+// A custom inexact linear solver for A x = b: conjugate gradients that stop at a given tolerance.
 //
-// Such a solver does not need all blocks of A. It needs only the diagonal blocks of A, and products of A with
-// vectors. It stops when the residual reaches the tolerance in SolveControl (the forcing term of an inexact
-// Newton method), or when the stop token is raised. It does not report its solution as exact. So the
-// algorithm uses another product with A to compute the decrease of chi2 that the model predicts.
+// The solver needs only the diagonal blocks of A, and products of A with vectors. It stops when the residual
+// reaches the tolerance in SolveControl (the forcing term of an inexact Newton method), or when the stop
+// token is raised. It does not report its solution as exact, so the optimization algorithm needs one more
+// product with A to compute the predicted decrease of chi2.
 #include <boxplus/boxplus.h>
 #include <boxplus/linear/linear_solver.h>
 
@@ -32,7 +32,7 @@ class JacobiCg final : public LinearSolver {
     diagonal_blocks_.resize(values);
   }
 
-  /// Computes no factor. Stores the diagonal of A + λD as the preconditioner, and a pointer to A for
+  /// Computes no factorization. Stores the diagonal of A + λD as the preconditioner, and a pointer to A for
   /// products.
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& /*control*/) override {
@@ -93,7 +93,8 @@ class JacobiCg final : public LinearSolver {
 };
 // [/solver]
 
-/// Two laps around a circle. Each pose of the second lap is also measured from the pose one lap earlier.
+/// A robot drives two laps around a circle. It measures each pose of the second lap from the previous pose
+/// and also from the pose one lap earlier.
 Graph circle() {
   constexpr int kLap = 40;
   std::mt19937 random(3);
@@ -121,7 +122,7 @@ int main() {
   // [use]
   Options options;
   options.custom_linear_solver = std::make_shared<JacobiCg>();
-  options.linear_tolerance = 0.1;  // less accurate steps, but more of them
+  options.linear_tolerance = 0.1;  // cheaper steps, but usually more iterations
   const Report report = optimize(by_cg, options);
   // [/use]
   int products = 0;

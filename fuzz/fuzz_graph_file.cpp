@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks laws that hold for every text, whether it is a graph file or not:
+// A fuzz target that checks properties of the file reader and writer, for arbitrary input texts:
 //
-//   - reading the text either returns a graph or throws an InputError;
-//   - lenient reading never throws; if strict reading accepts the text, lenient reading gives the same graph,
-//     with any number of threads;
-//   - a graph that was read can be written; reading the written text gives the same graph, and the same text.
+//   - If the reader reads a text, it either returns a graph or throws an InputError.
+//   - The lenient reader never throws.
+//   - If the strict reader accepts a text, the lenient reader returns the same graph, with any number of
+//     threads.
+//   - If a graph is written and read again, the result is the same graph, and writing it gives the same text.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,8 +18,8 @@
 namespace boxplus {
 namespace {
 
-/// Identifies a graph by its text and its chi2. chi2 is compared with a tolerance, because the order of the
-/// summation may differ.
+/// The text and the chi2 of a graph, which serve to compare graphs. chi2 is compared with a tolerance,
+/// because the order of the summation may differ.
 struct Trace {
   std::string text;
   double chi2;

@@ -73,15 +73,15 @@ std::string space() {
   return format_graph(file);
 }
 
-/// A text with other features of the format: comments, unknown tags, unassigned vertices, several ids after
-/// FIX.
+/// A text with features that the other seeds do not have: comments, unknown tags, the vertex id −1,
+/// and several ids after FIX.
 std::string odds() {
   return "# a comment\nVERTEX_SE2 0 0 0 0 # another\nROBOTLASER1 0 1 2\nVERTEX_SE2 3 1 +0 1e-3\r\n"
          "FIX 0 3\n\nEDGE_SE2 0 -1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 0 3 1 0 0 1 0 0 1 0 1\nUNKNOWN\n";
 }
 
-/// A graph with TORO's tags, and with the entries of Ω in TORO's order. The writer of boxplus does not write
-/// this format.
+/// A graph in the format of TORO, which has other tags and another order of the entries of Ω. boxplus can
+/// read this format, but cannot write it.
 std::string toro_plane() {
   const Simulation simulation = simulate(World::kManhattan, {.poses = 4});
   std::string text;

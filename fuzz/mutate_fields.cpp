@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mutations of lines and fields. Most mutated inputs are still graph files, so that the fuzzer gets beyond
-// the reader's first error. libFuzzer calls LLVMFuzzerCustomMutator() instead of its own mutator. For one
-// input in four, that function calls the mutator of libFuzzer.
+// A mutator for libFuzzer that changes whole lines and fields of a graph file. Most mutated inputs are still
+// graph files, so the reader does not stop at the first line. The built-in mutator of libFuzzer mutates one
+// input in four instead.
 #include <algorithm>
 #include <cstdint>
 #include <random>
@@ -16,7 +16,7 @@ namespace {
 using Parts = std::vector<std::string>;
 using Random = std::minstd_rand;
 
-/// Fields that arithmetic or parsers may treat in special ways.
+/// Values for fields that are special cases of arithmetic or of the parser.
 constexpr const char* kNumbers[] = {"0",
                                     "-0",
                                     "1",
@@ -78,7 +78,7 @@ std::string any_field(const std::string& line, Random& random) {
   return fields[below(fields.size(), random)];
 }
 
-/// Changes one field of a line; may copy a field from the line `other`.
+/// Changes, inserts or removes one field of a line. May copy a field from the line `other`.
 void mutate_field(std::string& line, const std::string& other, Random& random) {
   Parts fields = split(line, ' ');
   std::string& field = fields[below(fields.size(), random)];

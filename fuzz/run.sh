@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # run.sh SECONDS: runs each fuzz target in build/sanitize for this many seconds. A run starts with the inputs in
-# fuzz/regressions, the seeds, and the inputs that earlier runs added to build/sanitize/corpus. If an input fails, the
-# run ends, and the input is saved in build/sanitize/findings. Move the input to fuzz/regressions when the bug is fixed.
+# fuzz/regressions, the seeds, and the inputs that earlier runs saved in build/sanitize/corpus. If an input fails, the
+# run stops and saves the input in build/sanitize/findings. After you fix the bug, move the input to fuzz/regressions.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

@@ -4,18 +4,18 @@
 
     check_includes.py [ROOT]
 
-Checks every #include of "boxplus/<folder>/..." (or of a private "<folder>/...") in all folders with C++ code below ROOT,
-which is the project by default. Prints file:line of each include that the table ALLOWED does not permit. The public
-headers of the g2o API must not include boxplus/ at all, because they are C++17.
+Reads all C++ files below ROOT, which is the project by default. Checks each #include of a public header
+("boxplus/<folder>/...") or of a private header ("<folder>/..."). Prints file:line of each include that the table
+ALLOWED does not permit. The public headers of the g2o API must not include boxplus/ at all, because they are
+C++17.
 """
 
 import pathlib
 import re
 import sys
 
-# A file of the folder on the left may include files of its own folder and of the folders on the right. The
-# lowest folder is the first.
-# ARCHITECTURE.md explains why.
+# The files of the folder on the left may include files of their own folder and of the folders on the right. The
+# lowest folder comes first. ARCHITECTURE.md explains the order.
 ALLOWED = {
     "base": "",
     "kernels": "",
@@ -30,7 +30,7 @@ ALLOWED = {
     "io": "base manifold autodiff robust graph optimize types",
     "action": "base manifold autodiff robust graph linear linearize optimize types io",
     "plugin": "base manifold autodiff robust graph linear linearize optimize types io action",
-    # The law-checkers and simulators with which users test their own types.
+    # Checkers and simulators with which users test their own types.
     "testing": "base manifold autodiff robust graph linear linearize optimize types",
 }
 LIBRARY = set(ALLOWED) - {"testing"}

@@ -4,8 +4,8 @@
 
     check_listings.py [--fix] [PROGRAMS]
 
-The line before each C++ block of these pages must name its source. The line before each block of text must name the
-command that prints the text, or say that the block is a drawing:
+In these pages, the line before each C++ block must name the source of the block. The line before each block of text
+must name the command that prints the text, or say that the block is a drawing:
 
     <!-- examples/02_custom_edge.cpp [edge] -->      the lines between // [edge] and // [/edge],
                                                      or between # [edge] and # [/edge]
@@ -16,7 +16,7 @@ command that prints the text, or say that the block is a drawing:
 
 PROGRAMS is the folder of the examples in a build. If it is given, the outputs are checked, too; the command boxplus is
 taken from the same build. Each command runs in an empty folder that contains only the project's data/. Numbers may
-differ by rounding. Times (numbers with four decimals) and numbers of threads may differ arbitrarily. With --fix, the
+differ by rounding. Times (which have four decimals) and numbers of threads are not compared. With --fix, the
 script corrects the pages. docs/cli.md must equal the output of `boxplus help --markdown`; its blocks are not checked.
 docs/formats.md must contain all tags that src/io registers, and links must lead to existing files.
 """
@@ -62,7 +62,7 @@ def run(programs, command):
 
 
 def printed_by(programs, source):
-    """The standard output of the command in "output of …", or the standard error of the one in "complaint of …"."""
+    """The standard output of the command in "output of …", or its standard error if the line says "complaint of …"."""
     kind, _, command = source.partition(" of ")
     done = run(programs, command)
     expected = 0 if kind == "output" else 2

@@ -103,8 +103,7 @@ def names_in(text):
             statement = ""
         elif text[at] == "{":
             at = after_bracket(text, at, "{}")
-            # A requires expression is part of the statement. An initializer before a semicolon is part of it,
-            # too.
+            # The statement continues after a requires expression, and after an initializer before a semicolon.
             if not REQUIRES_EXPRESSION.search(statement) and not re.match(r"\s*;", text[at:]):
                 finish()
             continue

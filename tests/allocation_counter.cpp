@@ -21,7 +21,7 @@ bool boxplus::testing::allocations_are_counted() {
   return true;
 }
 
-// glibc's internal names of malloc, calloc, … The functions below count a call and forward it to them.
+// The internal names of malloc, calloc, … in glibc. The functions below count each call and forward it.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" {
 void* __libc_malloc(std::size_t size);

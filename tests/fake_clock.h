@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A clock that stands still until a given number of readings. It replaces std::chrono::steady_clock in the
-// whole program, so that tests of time limits do not depend on the machine. Link
-// fake_clock.cpp into the test program.
+// A clock that stands still until it has been read a given number of times. It replaces
+// std::chrono::steady_clock in the whole program, so that tests of time limits do not depend on the machine.
+// Link fake_clock.cpp into the test program.
 #pragma once
 
 namespace boxplus::testing {

@@ -85,7 +85,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   boxplus::app::reserve_standard_streams();
   boxplus::app::end_cleanly_on_signals();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that exceeds `ulimit -f` is a write error, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // so that exceeding `ulimit -f` is a write error, like a full disk
   try {
     const int code = boxplus::app::run(argc, argv);
     if (std::fflush(stdout) == 0 && std::cout.flush()) return code;

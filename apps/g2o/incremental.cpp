@@ -8,8 +8,8 @@
 namespace g2o_tool {
 namespace {
 
-/// Initializes the estimate of v from the vertices in `there`. Uses the first edge of v that can compute an
-/// estimate.
+/// Initializes the estimate of v from the vertices in `there`. Takes the first edge of v that can compute the
+/// estimate of v from them.
 void estimate(g2o::OptimizableGraph::Vertex* v, const g2o::HyperGraph::VertexSet& there) {
   if (v->fixed()) return;
   for (g2o::HyperGraph::Edge* u : v->edges()) {
@@ -29,7 +29,7 @@ bool is_absolute(const g2o::HyperGraph::Edge* e) {
 }
 
 /// Fixes one vertex as long as this object exists, unless a fixed vertex or a unary edge already holds the
-/// current part of the graph. Of the vertices with the largest dimension, it fixes the first one.
+/// current part of the graph. Fixes the first of the vertices with the largest dimension.
 class Hold {
  public:
   explicit Hold(const std::vector<g2o::OptimizableGraph::Vertex*>& there) {

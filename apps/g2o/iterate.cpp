@@ -20,9 +20,9 @@ extern "C" void on_interrupt(int) {
 }
 
 /// Sets the optimizer's stop flag when the gain is small. The base class clears the flag at the start of a
-/// run, but after an interrupt this action sets the flag again. Near the minimum, rounding errors can make
-/// chi2 rise and fall, so that the gain is never small. So this action also stops the run if chi2 has reached
-/// no new minimum in the last kPatience iterations.
+/// run; if an interrupt has been requested before, this action sets the flag again. Near the minimum,
+/// rounding errors can make chi2 rise and fall, so that the gain is never small. Therefore this action also
+/// stops the run if chi2 has not reached a new minimum in the last kPatience iterations.
 class StopOnGain : public g2o::SparseOptimizerTerminateAction {
  public:
   g2o::HyperGraphAction* operator()(const g2o::HyperGraph* graph, Parameters* parameters) override {

@@ -110,8 +110,8 @@ bool write_outputs(const g2o::SparseOptimizer& optimizer, const Options& options
   return ok;
 }
 
-// Uses a 3-D plot if vertices have more than three dimensions: poses in the plane have three, and poses in
-// space have six.
+// Uses a 3-D plot if a vertex has more than three dimensions, because poses in the plane have three
+// dimensions and poses in space have six.
 void stream_gnuplot(const g2o::SparseOptimizer& optimizer) {
   const bool in_space = optimizer.maxDimension() > 3;
   std::cout << (in_space ? "set view equal xyz\nsplot" : "set size ratio -1\nplot")

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kUpperTriangle = 1;
 
-/// Allocates an upper triangle with n columns and `nonzeros` entries. `type` is CHOLMOD_REAL or
+/// Allocates a symmetric n × n matrix whose upper triangle has `nonzeros` entries. `type` is CHOLMOD_REAL or
 /// CHOLMOD_PATTERN.
 cholmod_sparse* allocate_upper(std::uint32_t n, std::size_t nonzeros, int type, cholmod_common& common) {
   return cholmod_allocate_sparse(n, n, nonzeros, /*sorted=*/1, /*packed=*/1, kUpperTriangle, type, &common);
@@ -65,8 +65,8 @@ void CholmodPeer::check(const char* step) const {
                            " after " + step);
 }
 
-/// Row i of the lower triangle is column i of the upper triangle, so the blocks of each row are collected in
-/// the order of their columns.
+/// Copies the lower triangle of blocks to the upper triangle of matrix_, which is stored by columns. Row i of
+/// the lower triangle becomes column i of the upper triangle, so the blocks of each row are collected first.
 void CholmodPeer::fill(const BlockStructure& structure, std::span<const double> values) {
   const std::uint32_t n = structure.scalars();
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> blocks_of_row(structure.blocks());
@@ -107,7 +107,7 @@ void CholmodPeer::fill_block_pattern(const BlockStructure& structure) {
   cholmod_free_sparse(&lower, &common_);
 }
 
-/// Returns the ordering of the blocks, expanded to their scalars.
+/// Orders the blocks, and returns the resulting order of the scalars.
 std::vector<int> CholmodPeer::order_blocks() {
   std::vector<int> blocks(block_pattern_->ncol), scalars;
   if (settings_.ordering == CholmodSettings::Ordering::kAmd) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs CHOLMOD on the same matrix as our solver.
+// Runs CHOLMOD on the same matrix as boxplus.
 #pragma once
 
 #include <cholmod.h>
@@ -15,15 +15,15 @@ namespace boxplus::bench {
 /// One configuration of CHOLMOD. All configurations are tried on every matrix.
 struct CholmodSettings {
   enum class Ordering { kAmd, kMetis } ordering;
-  bool on_blocks;   ///< true: order the graph of blocks, as g2o does; false: order the graph of scalars
+  bool on_blocks;   ///< true: the ordering permutes whole blocks, as in g2o; false: single scalars
   bool supernodal;  ///< true: supernodal; false: simplicial (L D Lᵀ, column by column)
 
   std::string name() const;
 };
 const std::array<CholmodSettings, 8>& all_cholmod_settings();
 
-/// CHOLMOD for one matrix. The matrix is stored as its upper triangle by columns, which is the fastest form
-/// according to the manual of CHOLMOD.
+/// Solves systems with one matrix by CHOLMOD. The upper triangle of the matrix is stored by columns, which is
+/// the fastest form according to the manual of CHOLMOD.
 class CholmodPeer {
  public:
   CholmodPeer(const BlockStructure& structure, std::span<const double> values,
@@ -38,9 +38,10 @@ class CholmodPeer {
   /// analyze(), factorize() and solve() throw std::runtime_error if CHOLMOD reports a failure.
   void analyze();
   void factorize();
-  /// Returns A⁻¹ b. The CholmodPeer owns the vector.
+  /// Returns A⁻¹ b. The result is valid until the next call.
   std::span<const double> solve(std::span<const double> b);
-  /// Returns the number of useful floating-point operations of a factorization L Lᵀ with this ordering.
+  /// Returns the number of floating-point operations of a factorization L Lᵀ with this ordering, without the
+  /// operations on the zeros that supernodes add.
   double flops() const { return common_.fl; }
 
  private:

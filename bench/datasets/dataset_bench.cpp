@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures boxplus and its peers on public graphs, and prints the tables of bench/RESULTS.md.
+// Compares boxplus with CHOLMOD and Ceres on public graphs, and prints the tables of bench/RESULTS.md.
 //
 //     dataset_bench FOLDER COMMIT [NAME…]
 //
-// FOLDER contains the graph files (see datasets.cpp), COMMIT is the commit of the sources, and NAMEs select
-// some of the files; the simulated graphs are then left out. Progress is printed to stderr.
+// FOLDER contains the graph files that datasets.cpp lists, and COMMIT is the commit of the sources. If NAMEs
+// are given, only these files are measured, and no simulated graphs. Progress is printed to stderr.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ Arguments parse(int count, char** words) {
   return arguments;
 }
 
-/// Returns true for the files that the goals of the g2o API name.
+/// Returns true if the native API and the g2o API are compared on this file.
 bool compares_faces(const std::string& name) {
   return name == "sphere2500" || name == "torus3D";
 }
@@ -93,8 +93,9 @@ Results measure_all(const Arguments& arguments) {
 void print(const Results& results) {
   fmt::print(
       "# Results of the benchmarks\n\n"
-      "Written by the latest run of `make bench`. All figures are from this run. The contestants took\n"
-      "turns. Unless stated otherwise, figures are medians of at least five repetitions with one thread.\n"
+      "Written by the latest run of `make bench`. All figures are from this run. boxplus, CHOLMOD\n"
+      "and Ceres took turns. Unless stated otherwise, figures are medians of at least five repetitions\n"
+      "with one thread.\n"
       "× is the factor by which boxplus is faster (or needs less memory).\n\n| | |\n|---|---|\n");
   for (const auto& [what, value] : results.machine) fmt::print("| {} | {} |\n", what, value);
   fmt::print("\n{}{}", goals_of(results), tables_of(results));

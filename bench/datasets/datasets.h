@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The public graphs of the benchmark, and the optimum of each.
+// The public graphs of the benchmark, with the best known chi2 of each.
 #pragma once
 
 #include <span>
@@ -17,14 +17,14 @@ struct Dataset {
 
   /// Returns the name of the file without its folder and extension.
   std::string name() const;
-  /// Returns the target: a run has arrived if its chi2 is at most this.
+  /// Returns the target of the optimizers, which is slightly above best_chi2.
   double target() const { return best_chi2 * (1 + 1e-6); }
 };
 
 std::span<const Dataset> datasets();
 
-/// Reads a file with one thread. Fixes the vertices that optimize() would hold, so that the peers hold the
-/// same vertices.
+/// Reads a file with one thread. If the gauge is free, optimize() keeps some vertices constant. This function
+/// fixes these vertices, so that Ceres keeps the same ones constant.
 GraphFile read_anchored(const std::string& path);
 
 }  // namespace boxplus::bench

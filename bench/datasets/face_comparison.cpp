@@ -55,8 +55,9 @@ Figures run_face(g2o::SparseOptimizer& optimizer) {
   return {median(linearize), median(iteration), chi2};
 }
 
-/// Reads a graph and runs one iteration from the chordal guess. From the estimates in the file, Gauss-Newton
-/// diverges on torus3D, and the two APIs diverge differently.
+/// Reads a graph and moves its estimates near the minimum, by one iteration from the chordal guess. From the
+/// estimates in the file torus3D, Gauss-Newton diverges, so the final chi2 of the two APIs would not be
+/// equal.
 GraphFile read_near_minimum(const std::string& path) {
   GraphFile file = read_anchored(path);
   std::ignore = optimize(file.graph, {.start = Start::kChordal, .max_iterations = 1});

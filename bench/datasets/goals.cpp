@@ -11,17 +11,19 @@
 namespace boxplus::bench {
 namespace {
 
-/// The factor by which boxplus was faster on each file; 0 if only the peer arrived.
+/// The ratios that a goal bounds, such as the time of a peer (CHOLMOD or Ceres) divided by the time of
+/// boxplus.
 struct Ratios {
+  /// The name of each file and its ratio. The ratio is 0 if only the peer reached the target chi2.
   std::vector<std::pair<std::string, double>> files;
-  /// The files on which the peer did not arrive, or that could not be measured.
+  /// The files on which the peer did not reach the target chi2, or that could not be measured.
   std::vector<std::string> missing;
 };
 
 struct Goal {
   std::string text;
   double mean;       ///< the goal for the geometric mean
-  double least = 0;  ///< the goal for every single file, if there is one
+  double least = 0;  ///< the goal for every single file; 0: no such goal
 };
 
 Ratios ratios_of(const Results& results, const std::function<double(const DatasetResults&)>& ratio) {
@@ -113,7 +115,7 @@ std::string thread_goal(const Results& results) {
   return line_of({"two threads, against one", 1.25, 1.25}, ratios);
 }
 
-/// The goal that a second thread does not slow down small files.
+/// The goal that a second thread does not slow down the optimization of small files.
 std::string slowdown_goal(const Results& results) {
   Ratios ratios;
   for (const DatasetResults& result : results.datasets) {
@@ -136,7 +138,7 @@ std::string rate_goal(const Results& results) {
   return line_of({"factorization in double, against DGEMM's rate", 0.35, 0.35}, ratios);
 }
 
-/// The goals that are absolute bounds instead of ratios to a peer.
+/// The goals for large simulated graphs: bounds of time and memory, instead of ratios to a peer.
 std::string scale_goals(const Results& results) {
   const auto streets = [&](int poses) -> const ScaleFigures* {
     for (const ScaleResult& result : results.scale) {
@@ -158,7 +160,7 @@ std::string scale_goals(const Results& results) {
               fmt::format("{:.2f}", growth), growth < 2);
 }
 
-/// The goals for the cost of the g2o API: the largest ratio to the native API over all compared files.
+/// The goals for the cost of the g2o API: bounds of the ratio of its time to the time of the native API.
 std::string face_goals(const Results& results) {
   const auto line = [&](const char* what, double most, double FaceFigures::*figure) {
     double worst = 0;
@@ -185,7 +187,9 @@ std::string goals_of(const Results& results) {
   for (const DatasetResults& result : results.datasets) {
     if (result.dataset.counts) counted += (counted.empty() ? "" : ", ") + result.dataset.name();
   }
-  return "## Goals\n\nThe factor by which boxplus is faster than the peer: the geometric mean over " +
+  return "## Goals\n\n"
+         "The columns \"mean\" and \"least\" show the factor by which boxplus is faster than its peer,\n"
+         "CHOLMOD or Ceres: the smallest factor of a file, and the geometric mean over\n" +
          counted +
          ".\nEach line leaves out the files on which the peer did not reach the best chi2, and names these "
          "files.\nIf only the peer reached it, the factor is 0.\n\n"

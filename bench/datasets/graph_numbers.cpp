@@ -14,8 +14,8 @@
 namespace boxplus::bench {
 namespace {
 
-/// Returns S with Ω = SᵀS, row by row. S is the transposed Cholesky factor or, if Ω is singular, √D Vᵀ from
-/// the eigenvalues and eigenvectors.
+/// Returns S with Ω = SᵀS, row by row. S is the transposed Cholesky factor. If Ω is singular, S is √D Vᵀ with
+/// the eigenvalues D and eigenvectors V.
 template <std::size_t N>
 std::array<double, N> root_of(const detail::InformationView& information) {
   const Eigen::MatrixXd omega = information.matrix();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures contestants in turns, again and again, so that disturbances of the machine affect all of them
-// equally.
+// Measures several contestants (such as boxplus and Ceres) in turns, again and again, so that disturbances of
+// the machine affect all of them equally.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@ using Figures = std::vector<double>;
 using Contestant = std::function<Figures()>;
 
 struct Effort {
-  int least = 5;          ///< the least number of repetitions, however long they take
-  int most = 25;          ///< the largest number of repetitions, however short they are
-  double enough_s = 1.0;  ///< after this many seconds, no repetition beyond `least` begins
+  int least = 5;          ///< the minimum number of repetitions, however long they take
+  int most = 25;          ///< the maximum number of repetitions, however short they are
+  double enough_s = 1.0;  ///< after this many seconds, only the repetitions up to `least` are still run
 };
 
 /// Returns the median of each figure of each contestant. Each contestant first runs once without being

@@ -15,8 +15,8 @@
 namespace boxplus::bench {
 namespace {
 
-/// The limit for the difference of two solutions. For the worst conditioned H of the files, solutions agree
-/// to about 1e-7.
+/// The limit of the relative difference of two solutions. For the worst conditioned H of the data sets, the
+/// solutions of different solvers differ by about 1e-7.
 constexpr double kSameSolution = 1e-5;
 
 template <class F>
@@ -37,8 +37,8 @@ struct Equations {
   std::vector<double> right_hand_side;
 };
 
-/// Measures a new solver. Both here and for CHOLMOD, the memory of the previous solver is freed before the
-/// measurement begins.
+/// Measures a new solver of boxplus, and stores it in `last`. The solver of the previous repetition is
+/// destroyed before the measurement begins; run_cholmod() frees its previous factor, too.
 Figures run_ours(const Equations& equations, Precision precision, std::unique_ptr<LinearSolver>& last,
                  std::vector<double>& x) {
   const auto make = [&](Ordering ordering) {
@@ -57,7 +57,7 @@ Figures run_ours(const Equations& equations, Precision precision, std::unique_pt
     }
   };
   const auto solve = [&] { solver.solve(equations.right_hand_side.data(), 1, x.data()); };
-  factorize();  // not measured, because it touches fresh memory; the same is true for CHOLMOD
+  factorize();  // not measured, because it touches new memory; run_cholmod() does the same
   return {analyze, seconds_of(factorize), seconds_of(solve), by_degree};
 }
 
@@ -81,7 +81,7 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
   return difference / size;
 }
 
-/// Returns the time of the analysis with AMD, in the form (simplicial or supernodal) that factorizes faster.
+/// Returns the time of CHOLMOD's analysis with AMD: simplicial or supernodal, whichever factorizes faster.
 double amd_analysis(const std::vector<Figures>& medians, bool on_blocks) {
   const Figures* best = nullptr;
   for (std::size_t k = 0; k < medians.size(); ++k) {

@@ -19,7 +19,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// Returns the value of the first line with this key, in a file whose lines have the form "key : value".
+/// Reads a file whose lines have the form "key : value". Returns the value of the first line with this key.
 std::string value_of(const char* path, const std::string& key) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Describes the machine on which times are measured.
+// Describes the machine on which the benchmarks run.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace boxplus::bench {
 
-/// Returns the lines of a table, each with a name and a value. `commit` is the commit of the sources.
+/// Returns the rows of a table: pairs of a name and a value. `commit` is the commit of the sources.
 std::vector<std::pair<std::string, std::string>> describe_machine(const std::string& commit);
 
 }  // namespace boxplus::bench

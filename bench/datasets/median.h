@@ -6,8 +6,8 @@
 
 namespace boxplus::bench {
 
-/// Returns the median of at least one value. If the number of values is even, this is the mean of the middle
-/// two.
+/// Returns the median. If the number of values is even, this is the mean of the middle two. `values` must not
+/// be empty.
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pose graph as arrays of doubles, which is the input of the peers. This header includes neither boxplus
+// A pose graph as arrays of doubles, which is the input of CeresPeer. This header includes neither boxplus
 // nor Eigen, so that code with other compiler flags may include it.
 #pragma once
 
@@ -10,14 +10,14 @@
 namespace boxplus::bench {
 
 struct PlainGraph {
-  /// A measurement z of the pose `to` from the pose `from`. `root_information` is S with Ω = SᵀS, row by row:
-  /// 3 × 3 or 6 × 6 values.
+  /// A measurement z of the pose `to` relative to the pose `from`. `root_information` is S with Ω = SᵀS, row
+  /// by row. It has 3 × 3 or 6 × 6 values.
   struct Motion {
     std::size_t from, to;
     std::array<double, 7> z;
     std::array<double, 36> root_information;
   };
-  /// A measurement z of a point in the plane from a pose.
+  /// A measurement z of a 2D point in the frame of a pose.
   struct Observation {
     std::size_t pose, point;
     std::array<double, 2> z;

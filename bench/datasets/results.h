@@ -18,7 +18,8 @@
 
 namespace boxplus::bench {
 
-/// The results for one file. A figure that could not be measured is absent, and `trouble` says why.
+/// The results for one file. If a comparison throws an exception, its result and all later ones are empty,
+/// and `trouble` is the message of the exception. `faces` is measured for a few files only.
 struct DatasetResults {
   Dataset dataset;
   std::optional<LinearComparison> linear = {};
@@ -39,10 +40,11 @@ struct Results {
   std::vector<ScaleResult> scale = {};
 };
 
-/// Returns the tables, without the goals.
+/// Returns the tables of all results.
 std::string tables_of(const Results& results);
 
-/// Returns the goals: one line each, with the geometric mean and the worst file.
+/// Returns a table of the goals of the project. Each line compares a goal with the geometric mean of the
+/// results and with the worst result.
 std::string goals_of(const Results& results);
 
 }  // namespace boxplus::bench

@@ -13,7 +13,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// A file in the folder for temporary files. The destructor removes the file.
+/// The path of a temporary file. The destructor removes the file.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& name)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures simulated worlds of growing size: loads, runs a few iterations and writes, each in its own
-// process.
+// Measures boxplus on simulated graphs of growing size. For each graph, a separate process loads it from a
+// file, runs a few iterations, and writes the result.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 
 namespace boxplus::bench {
 
-/// The output of the measured process: these figures in this order, separated by blanks.
+/// The process prints these numbers in this order, separated by blanks.
 struct ScaleFigures {
   std::uint32_t vertices = 0, edges = 0;
   double load_s = 0, plan_s = 0, write_s = 0, total_s = 0;
-  double iteration_s = 0;  ///< the median time of an iteration, without the first
+  double iteration_s = 0;  ///< the median time of an iteration; the first iteration is not counted
   double peak_mib = 0;
-  double predicted_factor_s = 0,
-         predicted_pcg_s = 0;  ///< the predicted times of a factorization and a rough solution
-  double factor_gb = 0;        ///< the predicted size of the factor if it was refused, and otherwise 0
-  std::string solver = {};     ///< the choice of LinearSolverKind::kAutomatic
+  /// The predicted times of one Cholesky factorization and of one rough solution by PCG.
+  double predicted_factor_s = 0, predicted_pcg_s = 0;
+  double factor_gb = 0;     ///< if `solver` is PCG, the predicted size of the Cholesky factor; otherwise 0
+  std::string solver = {};  ///< the linear solver that LinearSolverKind::kAutomatic chose
 };
 
 struct ScaleResult {

@@ -16,8 +16,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// The number of iterations with which the time of one iteration is measured if Ceres does not reach the
-/// target.
+/// If Ceres does not reach the target, this number of iterations is enough to measure the time of one.
 constexpr int kIterationsWhenStuck = 12;
 
 Figures numbers(const SolveFigures& f) {
@@ -35,7 +34,7 @@ double median_iteration(const Report& report) {
     seconds.push_back(record.time_s - before);
     before = record.time_s;
   }
-  if (seconds.size() > 1) seconds.erase(seconds.begin());  // the first iteration touches fresh memory
+  if (seconds.size() > 1) seconds.erase(seconds.begin());  // because the first iteration touches new memory
   return seconds.empty() ? 0 : median(seconds);
 }
 
@@ -64,14 +63,15 @@ SolveFigures run_ceres(CeresPeer& peer, const CeresSettings& settings, const Cer
           run.chi2_final};
 }
 
-/// Runs Ceres with each of its settings. Returns the index of the fastest settings that reach the target or,
-/// if there are none, of the settings with the best chi2.
+/// Runs Ceres with each of all_ceres_settings(). Returns the index of the fastest settings that reach the
+/// target. If no settings reach it, returns the index of the settings with the best chi2. Stores the run with
+/// these settings in `best`.
 std::size_t find_fastest(CeresPeer& peer, const CeresStop& stop, SolveFigures& best) {
   std::size_t fastest = 0;
   const auto rank = [](const SolveFigures& f) { return std::pair(f.arrival_s, f.arrived() ? 0 : f.chi2); };
   for (std::size_t k = 0; k < all_ceres_settings().size(); ++k) {
     SolveFigures run = run_ceres(peer, all_ceres_settings()[k], stop);
-    if (run.arrived()) {  // a second run, in case the first one was disturbed
+    if (run.arrived()) {  // keep the faster of two runs, in case one was disturbed
       run.arrival_s = std::min(run.arrival_s, run_ceres(peer, all_ceres_settings()[k], stop).arrival_s);
     }
     if (k > 0 && rank(run) >= rank(best)) continue;
@@ -86,8 +86,8 @@ void require_equal(const char* what, double a, double b) {
   throw std::runtime_error(fmt::format("{}: expected {:.15g} within 1e-9, got {:.15g}", what, a, b));
 }
 
-/// Checks that all contestants solve the same problem: chi2 at the start is equal, and the two kinds of edges
-/// for Ceres have equal gradients.
+/// Checks that boxplus and Ceres solve the same problem. At the start, chi2 must be equal in boxplus and
+/// Ceres, and Ceres must compute equal gradients with analytic Jacobians and with automatic differentiation.
 void check_start(CeresPeer& analytic, CeresPeer& autodiff, double chi2) {
   const CeresStop at_once{.iterations = 0};
   const CeresRun by_hand = analytic.solve(all_ceres_settings()[0], at_once);

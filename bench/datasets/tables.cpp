@@ -14,7 +14,7 @@ std::string line_of(const Cells& cells) {
   return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-/// Returns the head of a table. The first column contains text, and all other columns contain numbers.
+/// Returns the head of a table in Markdown. The first column is left-aligned, the others are right-aligned.
 std::string head_of(const Cells& titles) {
   std::string rule = "|---|";
   for (std::size_t k = 1; k < titles.size(); ++k) rule += "--:|";
@@ -30,7 +30,7 @@ std::string times(double theirs, double ours) {
   return fmt::format("{:.2f}", theirs / ours);
 }
 
-/// Returns one row per file. If `cells` returns nothing for a file, the row contains the reason.
+/// Returns one row per file. If `cells` returns nothing for a file, the row contains the error message.
 std::string rows_of(const Results& results, const std::function<Cells(const DatasetResults&)>& cells) {
   std::string rows;
   for (const DatasetResults& result : results.datasets) {
@@ -52,11 +52,11 @@ std::string linear_tables(const Results& results) {
       "## One linear system\n\n"
       "Times in ms for H at the estimates of the file. For CHOLMOD, the table shows the configuration\n"
       "that factorizes fastest, of eight: AMD or METIS, on scalars or on blocks, supernodal or\n"
-      "simplicial. The analyses with AMD are compared separately; for CHOLMOD, in the form (supernodal\n"
-      "or simplicial) that factorizes faster. \"Dissect\" is the time of our analysis with nested\n"
-      "dissection, if that ordering is predicted to be faster. \"In float\" has values if this is the\n"
-      "automatic choice: the factorization is in float, and the solution is refined in double to a\n"
-      "residual of 1e-10.\n\n";
+      "simplicial. \"Analyze\" is the time of boxplus's analysis with minimum degree. The next columns\n"
+      "are CHOLMOD's analyses with AMD, supernodal or simplicial, whichever factorizes faster.\n"
+      "\"Dissect\" is the time of boxplus's analysis with nested dissection, if boxplus chooses this\n"
+      "ordering. The columns after \"in float\" have values if boxplus chooses to factorize in float,\n"
+      "and to refine the solution in double to a residual of 1e-10.\n\n";
   out +=
       head_of({"file", "scalars", "analyze", "CHOLMOD AMD", "×", "AMD on blocks", "×", "dissect", "factorize",
                "CHOLMOD", "×", "solve", "CHOLMOD", "×", "in float: factorize", "×", "solve", "both ×"});
@@ -105,9 +105,9 @@ std::string iteration_table(const Results& results) {
   std::string out =
       "## Linearization and iterations\n\n"
       "Times in ms, from the runs of the next table: the mean time of a linearization, including the\n"
-      "first, and the median time of an iteration, without the first. Our linearization also adds up H\n"
-      "and the gradient. Ceres's evaluation of the Jacobian writes the Jacobian and the gradient; its\n"
-      "linear solver multiplies JᵀJ later.\n\n";
+      "first, and the median time of an iteration, without the first. The linearization of boxplus\n"
+      "includes the assembly of H and the gradient. The evaluation by Ceres computes the Jacobian and\n"
+      "the gradient; its linear solver multiplies JᵀJ later.\n\n";
   out += head_of({"file", "linearize + assemble", "Ceres autodiff", "×", "Ceres analytic", "×", "iteration",
                   "Ceres analytic", "×", "Ceres autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -143,11 +143,13 @@ std::string iterations(const SolveFigures& figures) {
 std::string arrival_table(const Results& results) {
   std::string out =
       "## To within 1e-6 of the best chi2\n\n"
-      "Times in ms from the call until chi2 is within 1e-6 of the best, including the analysis. Both\n"
-      "start at the estimates of the file. \"Automatic\" is our Start::kAutomatic, which compares these\n"
-      "estimates with a chordal guess. For Ceres, the table shows the fastest configuration of six:\n"
+      "Times in ms from the call until chi2 is within 1e-6 of the best, including the analysis. boxplus\n"
+      "and Ceres start at the estimates of the file. In the columns \"automatic\", boxplus uses\n"
+      "Start::kAutomatic, which chooses between these estimates and the chordal guess. For Ceres, the\n"
+      "table shows the fastest configuration of six:\n"
       "Levenberg-Marquardt (LM); LM with post-ordering, with a radius of 1e16, or non-monotonic;\n"
-      "dogleg; subspace dogleg. \"Stuck at\" names chi2 after at most 100 iterations.\n\n";
+      "dogleg; subspace dogleg. If a run did not get there, \"stuck at\" shows its final chi2 after at\n"
+      "most 100 iterations.\n\n";
   out += head_of({"file", "chi2 of the file", "best chi2", "iterations", "ms", "automatic: iterations", "ms",
                   "Ceres", "iterations", "analytic", "×", "autodiff", "×"});
   return out + rows_of(results, [](const DatasetResults& result) -> Cells {
@@ -199,8 +201,8 @@ Cells thread_cells(const ThreadComparison& comparison) {
 std::string thread_table(const Results& results) {
   std::string out =
       "## Two threads\n\n"
-      "Times in ms of optimize() with Start::kAutomatic, including all preparations. The final chi2 has\n"
-      "the same bits.\n\n";
+      "Times in ms of a call of optimize() with Start::kAutomatic. The final chi2 with one thread and\n"
+      "with two threads has the same bits.\n\n";
   out += head_of({"file", "one thread", "two threads", "×"});
   out += rows_of(results, [](const DatasetResults& result) -> Cells {
     return result.threads ? thread_cells(*result.threads) : Cells{};
@@ -217,9 +219,9 @@ std::string scale_table(const Results& results) {
   std::string out =
       "## Scale\n\n"
       "Simulated worlds: one run of each, in its own process, with one thread and five iterations from\n"
-      "the odometry. LinearSolverKind::kAutomatic chooses the solver: Cholesky, unless its factor is\n"
-      "predicted not to fit into half of the memory, or to take several times as long as a rough\n"
-      "solution by pcg.\n\n";
+      "the odometry. LinearSolverKind::kAutomatic chooses the solver. It chooses Cholesky, unless the\n"
+      "factor is predicted not to fit into half of the memory, or a factorization is predicted to take\n"
+      "several times as long as a rough solution by pcg.\n\n";
   out += head_of({"world", "poses", "edges", "load s", "plan s", "iteration s", "µs per pose", "write s",
                   "all s", "peak MiB", "solver", "predicted: factorize s", "pcg s"});
   for (const ScaleResult& result : results.scale) {

@@ -7,7 +7,7 @@
 namespace boxplus::bench {
 
 struct ThreadComparison {
-  double one_s = 0, two_s = 0;  ///< the time of optimize() with Start::kAutomatic, including all preparations
+  double one_s = 0, two_s = 0;  ///< the time of one call of optimize() with Start::kAutomatic
 };
 
 /// Throws std::runtime_error if the final chi2 with one thread and with two threads differs in any bit.

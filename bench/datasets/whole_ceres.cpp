@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// whole_ceres FILE OUTPUT SETTINGS: does the same with Ceres, but reads and writes the files with boxplus.
-// SETTINGS is an index into all_ceres_settings().
+// whole_ceres FILE OUTPUT SETTINGS: optimizes like whole_boxplus, but with Ceres. The files are read and
+// written by boxplus. SETTINGS is an index into all_ceres_settings().
 #include <fmt/core.h>
 
 #include <exception>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares boxplus and Ceres from file to file. Each run ends if the relative decrease of its cost is below
-// 1e-10.
+// Compares boxplus and Ceres when they read a file, optimize, and write the result. Each optimization ends
+// when the relative decrease of its cost is below 1e-10.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct WholeComparison {
   WholeRun ours, ceres;
 };
 
-/// `programs` is the folder of whole_boxplus and whole_ceres. If the first run of Ceres does not reach
-/// `target`, Ceres is run only once.
+/// `programs` is the folder of whole_boxplus and whole_ceres. `ceres_settings` is an index into
+/// all_ceres_settings(). If the first run of Ceres does not reach the chi2 `target`, Ceres is run only once.
 WholeComparison run_whole_comparison(const std::string& programs, const std::string& file, int ceres_settings,
                                      double target);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// whole_scale FILE OUTPUT: loads the file, runs five iterations from its estimates, and writes the result,
-// with one thread. Prints ScaleFigures.
+// whole_scale FILE OUTPUT: loads the file, runs five iterations from its estimates, and writes the result.
+// All of this uses one thread. Then prints the numbers of ScaleFigures.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace boxplus;
 
 namespace {
 
-/// Returns the median time between the ends of two consecutive iterations.
+/// Returns the median time of an iteration. The first iteration is not counted.
 double median_iteration(const Report& report) {
   std::vector<double> seconds;
   for (std::size_t k = 1; k < report.records.size(); ++k)

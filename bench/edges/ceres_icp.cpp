@@ -10,7 +10,7 @@
 namespace boxplus::bench {
 namespace {
 
-/// The error of one point. The pose has two parameter blocks, as in Ceres's own example.
+/// The error of one Match. The pose has two parameter blocks, as in Ceres's example pose_graph_3d.
 struct PlaneError {
   explicit PlaneError(const Match& match) : p(match.p.data()), q(match.q.data()), n(match.n.data()) {}
 
@@ -32,7 +32,7 @@ double seconds_of_thread() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Records the CPU time after each iteration.
+/// Records the CPU time of this thread after each iteration.
 struct Marks final : ceres::IterationCallback {
   std::vector<double> marks;
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {

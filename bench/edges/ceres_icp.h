@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs Ceres with automatic differentiation on the same problem. Ceres is in a separate library;
+// Solves an IcpProblem by Ceres with automatic differentiation. This code is a separate library;
 // datasets/ceres/ceres_peer.h says why.
 #pragma once
 
@@ -13,7 +13,8 @@ class __attribute__((visibility("default"))) CeresIcp {
  public:
   explicit CeresIcp(const IcpProblem& problem);
   ~CeresIcp();
-  /// Solves the problem from its start with one thread, by DENSE_NORMAL_CHOLESKY or DENSE_QR.
+  /// Solves the problem from IcpProblem::start with one thread. The linear solver is DENSE_NORMAL_CHOLESKY if
+  /// `normal_equations` is true, and otherwise DENSE_QR.
   IcpRun run(bool normal_equations);
 
  private:

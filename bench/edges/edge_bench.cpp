@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares custom edges with Ceres (automatic differentiation) and with a handwritten loop. Prints a table
-// that `make bench` appends to its results.
+// Compares custom edges of boxplus with Ceres (automatic differentiation) and with a handwritten loop. Prints
+// a table that `make bench` appends to bench/RESULTS.md.
 //
-//     edge_bench             measures all contestants
-//     edge_bench dual        repeats only our edges with dual numbers, for a profiler
-//     edge_bench analytic    repeats only our edges with Jacobians, for a profiler
+//     edge_bench             measures boxplus, Ceres and the handwritten loop
+//     edge_bench dual        repeats only boxplus with dual numbers, for a profiler
+//     edge_bench analytic    repeats only boxplus with analytic Jacobians, for a profiler
 #include <fmt/core.h>
 
 #include <Eigen/Cholesky>
@@ -144,7 +144,7 @@ void print_comparison(std::size_t count) {
              peer / ms(0), ms(1), peer / ms(1), ms(4), ms(1) / ms(4));
 }
 
-/// Repeats one contestant, for a profiler.
+/// Repeats boxplus with the edges that `which` names ("dual" or "analytic"), for a profiler.
 void repeat(const char* which, std::size_t count) {
   const IcpProblem problem = make_icp_problem(count);
   Graph graph = std::strcmp(which, "analytic") == 0 ? make_graph<PlaneWithJacobians>(problem)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures reading and writing a simulated graph of 200 MB. For comparison, also measures reading it with a
-// plain std::istream.
+// Measures how fast boxplus reads and writes a file of 200 MB with a simulated graph. For comparison, also
+// measures a simple reader that uses std::istream.
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace boxplus {
 namespace {
 
-/// The graph file, which is created once and removed at the end.
+/// A graph and its file. The constructor writes the file, and the destructor removes it.
 class LargeFile {
  public:
   LargeFile() {

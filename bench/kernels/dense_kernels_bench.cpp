@@ -24,7 +24,8 @@ void report(benchmark::State& state, double flops) {
   state.counters["GFLOP/s"] = benchmark::Counter(flops * 1e-9, benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// Factorizes a panel of `columns` columns, with a square at the top and `below` more rows.
+/// Computes the Cholesky factorization of a panel: the first `columns` rows are a square, and `below` more
+/// rows follow.
 template <class Scalar>
 void factor_panel(benchmark::State& state, const dense::FactorKernels<Scalar>& kernels) {
   const int columns = static_cast<int>(state.range(0)), below = static_cast<int>(state.range(1));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures one step of a robot that optimizes while it drives. A step adds a pose and its edges, and runs one
-// iteration. Compares the CPU time of three ways, in turns: all vertices with an extended plan, all vertices
-// with a new plan, and only a window of the last poses.
+// Measures one step of a robot that optimizes while it drives. A step adds a pose and its edges, and then
+// runs one iteration. The benchmark compares the CPU time of three kinds of iterations: over all vertices
+// with an extended plan, over all vertices with a new plan, and over a window of the last poses. A plan
+// contains the elimination order and memory layout of H; docs/live.md describes when it can be extended.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -22,7 +23,7 @@ double cpu_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A simulated graph that is built again, pose by pose.
+/// Builds a copy of a simulated graph, pose by pose.
 template <class Pose>
 class Drive {
  public:
@@ -55,7 +56,7 @@ class Drive {
   std::vector<VertexRef> window(std::size_t size) const {
     return {poses_.end() - static_cast<std::ptrdiff_t>(std::min(size, poses_.size())), poses_.end()};
   }
-  /// Makes the next optimization compute a new plan.
+  /// Makes the next optimization compute a new plan, because a vertex was fixed since the last one.
   void touch() {
     graph.fix(poses_[1]);
     graph.unfix(poses_[1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A plug-in for the tool `g2o` with two types: a vertex for a beacon at an unknown position, and an edge for
-// the measured distance between a pose and a beacon. Their lines in files:
+// the measured distance between a pose and a beacon. In files, vertices and edges have these lines:
 //
 //     VERTEX_BEACON id x y        EDGE_RANGE pose beacon meters information
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cup of tea cools: T(t) = room + heat · exp(−t / tau). Three unknowns, eight readings of a thermometer.
+// Fits the temperature of a cooling cup of tea, T(t) = room + heat · exp(−t / tau), to eight readings of a
+// thermometer. room, heat and tau are unknown.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -16,7 +17,7 @@
 #include "g2o/solvers/dense/linear_solver_dense.h"
 
 // [vertex]
-/// (room, heat, tau): °C, °C, minutes.
+/// The unknowns: room (°C), heat (°C) and tau (minutes).
 class VertexCup : public g2o::BaseVertex<3, Eigen::Vector3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -48,7 +49,7 @@ class EdgeReading : public g2o::BaseUnaryEdge<1, double, VertexCup> {
 };
 // [/edge]
 
-/// Runs the algorithm from an initial guess. Returns chi2 after each iteration.
+/// Fits the model from an initial guess with the given algorithm. Returns chi2 after each iteration.
 template <class Algorithm>
 std::vector<double> fit(const Eigen::Vector3d& guess, int iterations) {
   // [problem]

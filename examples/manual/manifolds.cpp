@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which way is up? An accelerometer at rest measures the direction of gravity, with noise. Directions are
-// unit vectors: three scalars, two degrees of freedom.
+// Estimates the direction of gravity from noisy measurements of an accelerometer at rest. The direction is a
+// unit vector. It has three coordinates, but only two degrees of freedom.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -16,7 +16,7 @@
 
 // [vertex]
 /// A unit vector. A step (a, b) rotates the vector by a and b radians about two axes that are orthogonal to
-/// it.
+/// the vector.
 class VertexDirection : public g2o::BaseVertex<2, Eigen::Vector3d> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -29,7 +29,7 @@ class VertexDirection : public g2o::BaseVertex<2, Eigen::Vector3d> {
     _estimate.normalize();  // otherwise rounding errors add up
   }
 
-  /// Two axes, orthogonal to the vector and to each other.
+  /// Returns two unit vectors that are orthogonal to the estimate and to each other.
   Eigen::Matrix<double, 3, 2> axes() const {
     Eigen::Matrix<double, 3, 2> result;
     result.col(0) = _estimate.unitOrthogonal();
@@ -70,8 +70,8 @@ class EdgeAcceleration : public g2o::BaseUnaryEdge<3, Eigen::Vector3d, VertexDir
 // [/edge]
 
 // [check]
-/// The largest difference between the Jacobian that an edge computes and the numeric Jacobian of its base
-/// class.
+/// Returns the largest difference between the Jacobian that an edge computes and the numeric Jacobian that
+/// its base class computes.
 template <class OwnEdge>
 double jacobian_error(OwnEdge& edge) {
   g2o::JacobianWorkspace workspace;
@@ -79,7 +79,7 @@ double jacobian_error(OwnEdge& edge) {
   workspace.allocate();
   auto& base = static_cast<g2o::OptimizableGraph::Edge&>(edge);
   edge.computeError();
-  base.linearizeOplus(workspace);  // lets the Jacobians point into the workspace, and computes them
+  base.linearizeOplus(workspace);  // maps the Jacobians to the workspace and computes them
   const Eigen::MatrixXd own = edge.template jacobianOplusXn<0>();
   edge.OwnEdge::BaseFixedSizedEdge::linearizeOplus();
   return (edge.template jacobianOplusXn<0>() - own).cwiseAbs().maxCoeff();

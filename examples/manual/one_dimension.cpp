@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two positions on a line, and one measurement: the second position is 1 larger than the first.
+// Estimates two positions on a line from one measurement: the second position is 1 larger than the first
+// position. The gauge is free unless a position is fixed or has a prior.
 #include <cmath>
 #include <cstdio>
 #include <istream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How high is the ceiling? Six echoes come from the ceiling, and two from a lamp that hangs below the
-// ceiling.
+// Estimates the height of a ceiling from eight echoes. Six echoes come from the ceiling, and two echoes come
+// from a lamp that hangs below the ceiling.
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -65,7 +65,7 @@ double with_kernel(const char* name) {
   Room room;
   // [kernel]
   for (EdgeEcho* echo : room.echoes) {
-    echo->setRobustKernel(g2o::RobustKernelFactory::instance()->construct(name));  // nullptr for no kernel
+    echo->setRobustKernel(g2o::RobustKernelFactory::instance()->construct(name));  // nullptr for "none"
     if (echo->robustKernel() != nullptr) echo->robustKernel()->setDelta(2);  // width in standard deviations
   }
   room.optimizer.initializeOptimization();
@@ -85,7 +85,7 @@ double in_two_rounds() {
     echo->setLevel(echo->chi2() > 25 ? 1 : 0);  // errors of more than five standard deviations
     echo->setRobustKernel(nullptr);
   }
-  room.optimizer.initializeOptimization(0);  // the edges of level 0
+  room.optimizer.initializeOptimization(0);  // only the edges of level 0
   room.optimizer.optimize(10);
   // [/rounds]
   std::printf("%-8s %.3f m, from %zu of %zu echoes\n", "rounds", room.height->estimate(),

@@ -50,7 +50,7 @@ class EndAfterSmallGains : public HyperGraphAction {
 };
 // [/action]
 
-/// A robot drives a loop of 30 poses; some of its measurements are wrong.
+/// Adds a loop of 30 poses with two odometry measurements per side. Some measurements are wrong.
 void add_loop(SparseOptimizer& optimizer) {
   constexpr int kPoses = 30;
   const double turn = 2 * const_pi() / kPoses;

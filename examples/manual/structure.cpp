@@ -50,7 +50,7 @@ int main() {
   add_edge<EdgeSE2PointXY>(optimizer, {1, 4});
   auto* both = add_edge<EdgeSE2TwoPointsXY>(optimizer, {3, 4, 5});
   both->setInformation(Matrix4::Identity() +
-                       Matrix4::Constant(0.5));  // the errors of the two points are correlated
+                       Matrix4::Constant(0.5));  // the two points have correlated errors
   optimizer.initializeOptimization();
   // [/graph]
 

@@ -8,7 +8,7 @@ namespace g2o {
 namespace tutorial {
 
 // [edge]
-/// The motion of the robot between two poses. In a file: TUTORIAL_EDGE_SE2 id1 id2 x y θ, then Ω.
+/// The measured motion of the robot between two poses. In a file: TUTORIAL_EDGE_SE2 id1 id2 x y θ, then Ω.
 class EdgeSE2 : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

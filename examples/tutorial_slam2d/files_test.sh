@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks that boxplus computes the same chi2 for the tutorial's files as
-# the tutorial, and that boxplus can plot the files. Before that, the tool g2o renames the types in the files to types
-# that boxplus knows.
+# files_test.sh TUTORIAL G2O BOXPLUS WORK_DIR: checks the files that the tutorial writes. boxplus must compute the same
+# chi2 as the tutorial, and must plot the files. First, the tool g2o replaces the tutorial's tags in the files by tags
+# that boxplus can read.
 set -euo pipefail
 tutorial_program="$1" g2o_program="$2" boxplus_program="$3" work="$4"
 rm -rf "$work" && mkdir -p "$work" && cd "$work"

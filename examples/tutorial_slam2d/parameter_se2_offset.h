@@ -22,8 +22,8 @@ class ParameterSE2Offset : public Parameter {
   SE2 _offset;
 };
 
-/// The pose of the sensor in the world for one pose of the robot. It is computed once for all edges that use
-/// it. Its tag is TUTORIAL_CACHE_SE2_OFFSET.
+/// The pose of the sensor in the world for one pose of the robot. All edges of this pose use the same cache,
+/// so the pose of the sensor is computed only once. Tag: TUTORIAL_CACHE_SE2_OFFSET.
 class CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -14,14 +14,14 @@ class SE2 {
   SE2() : _R(0), _t(0, 0) {}
   SE2(double x, double y, double theta) : _R(theta), _t(x, y) {}
 
-  /// ⊕: transforms a point first by the other motion, then by this motion.
+  /// The composition ⊕. The product transforms a point by the other motion first, and then by this motion.
   SE2 operator*(const SE2& other) const {
     SE2 product;
     product._t = _t + _R * other._t;
     product._R.angle() = normalize_theta(_R.angle() + other._R.angle());
     return product;
   }
-  /// Transforms a point from this frame to the outer frame.
+  /// Transforms a point by this motion.
   Vector2 operator*(const Vector2& point) const { return _t + _R * point; }
 
   SE2 inverse() const {

@@ -8,8 +8,8 @@ namespace g2o {
 namespace tutorial {
 namespace {
 
-/// Drives straight ahead, with a random quarter turn now and then. Also turns if the next step would leave
-/// the world.
+/// Returns poses of a robot that drives straight ahead and sometimes makes a random quarter turn. The robot
+/// also turns if the next step would leave the world.
 std::vector<SE2> drive(const SimulationOptions& options, Noise& noise) {
   const double quarter = const_pi() / 2;
   const auto stays_inside = [&](const SE2& pose) {

@@ -14,7 +14,7 @@ namespace tutorial {
 struct SimulationOptions {
   int poses = 300;
   int landmarks = 100;
-  double world = 12;     ///< half the side length of the square that contains the robot and the landmarks
+  double world = 12;     ///< half the side of the square that contains the robot and the landmarks
   double step = 1;       ///< distance between consecutive poses
   double range = 5;      ///< largest distance at which the sensor sees landmarks
   double opening = 1.5;  ///< largest angle between the sensor's axis and a landmark that it sees
@@ -42,12 +42,12 @@ struct Simulation {
   Matrix2 landmark_information;
 };
 
-/// Returns the same world for the same options on every machine.
+/// Simulates a world. The result depends only on the options, not on the platform.
 Simulation simulate(const SimulationOptions& options);
 // [/simulation]
 
-/// Pseudo-random numbers that are the same on all platforms. The distributions of the standard library are
-/// not.
+/// Generates pseudo-random numbers that are the same on all platforms. The distributions of the standard
+/// library do not guarantee this.
 class Noise {
  public:
   explicit Noise(unsigned seed) : _engine(seed) {}

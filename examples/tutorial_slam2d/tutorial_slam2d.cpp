@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// 2-D SLAM from scratch: simulates a robot, turns its measurements into a graph of custom types, and
-// optimizes the graph. The exit code is 1 if the result is far from the truth.
+// 2-D SLAM with custom types: simulates a robot, builds a graph from its measurements, and optimizes the
+// graph. The exit code is 1 if the result is far from the truth.
 //
 //     tutorial_slam2d [-poses 300] [-landmarks 100] [-seed 1] [-o FOLDER]
 //
@@ -30,12 +30,12 @@ G2O_USE_TYPE_GROUP(tutorial_slam2d);
 using namespace g2o;
 using namespace g2o::tutorial;
 
-constexpr int kSensor = 0;             // the id of the parameter
+constexpr int kSensor = 0;             // the id of the parameter with the sensor's pose on the robot
 constexpr int kFirstLandmark = 10000;  // the ids of poses are smaller
 
 // [graph]
-/// Adds the vertices and edges of all measurements. The initial poses come from the odometry alone. The
-/// initial position of a landmark comes from the first observation of the landmark.
+/// Adds an edge for each measurement, and the vertices of these edges. The initial poses come from the
+/// odometry alone. The initial position of a landmark comes from its first observation.
 void add_graph(const Simulation& world, const SE2& sensor_offset, SparseOptimizer& optimizer) {
   auto* offset = new ParameterSE2Offset;
   offset->setId(kSensor);
@@ -102,8 +102,8 @@ Distance distance_from_truth(const Simulation& world, const SparseOptimizer& opt
           std::sqrt(sum.landmarks / std::max(seen, 1))};
 }
 
-/// Returns n − m for n rows of errors and m free unknowns. If noise is the only error, chi2 at the minimum
-/// has mean n − m and variance 2 (n − m).
+/// Returns n − m for n rows of errors and m free unknowns. If the measurements have only Gaussian noise with
+/// the information Ω, the minimum of chi2 has mean n − m and variance 2 (n − m).
 double degrees_of_freedom(const SparseOptimizer& optimizer) {
   double freedom = 0;
   for (const auto* e : optimizer.activeEdges()) freedom += e->dimension();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: builds a user's project by the steps in docs/first_steps.md. The project
-# contains the program in README.md.
+# test.sh CMAKE BUILD_DIR WORK_DIR COMPILER: installs boxplus and builds a user's project with the commands in
+# docs/first_steps.md. The project contains the program in README.md.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4"
 examples="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -22,8 +22,8 @@ configure build
 "$cmake" --build build
 build/my_robot
 
-# If the user sets no build type, this project sets a build type that optimizes. A project that does not do this gets a
-# notice.
+# If the user sets no build type, the project's CMakeLists.txt selects Release. If the project does not do this, CMake
+# prints a notice.
 grep -q -e '-O3' build/compile_commands.json || { echo "expected an optimized build"; exit 1; }
 configure debug -DCMAKE_BUILD_TYPE=Debug >/dev/null
 grep -q -e '-O3' debug/compile_commands.json && { echo "expected the requested build type"; exit 1; }

@@ -5,8 +5,8 @@ get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
 get_property(G2O_FOREIGN_NAMES GLOBAL PROPERTY G2O_FOREIGN_NAMES)
 set(G2O_IS_SHARED_BUILD ${BUILD_SHARED_LIBS})
 
-# g2oTargets.cmake has the shared libraries. A static build installs both kinds, and g2oStaticTargets.cmake has the
-# static libraries.
+# g2oTargets.cmake has the shared libraries. A static build also installs the static libraries, with
+# g2oStaticTargets.cmake.
 install(TARGETS g2o_headers EXPORT g2o)
 install(TARGETS g2o_headers EXPORT g2o_static)
 foreach(name IN LISTS G2O_LIBRARY_NAMES)
@@ -24,7 +24,7 @@ if(NOT BUILD_SHARED_LIBS)
 endif()
 configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_DESTINATION ${g2o_package_dir}
                               PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
-# Clients ask for the version of the interface.
+# The version of the package is the version of the g2o API, because clients request that version.
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake VERSION 1.0.0
                                  COMPATIBILITY AnyNewerVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/g2oConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake

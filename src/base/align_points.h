@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the motion between two sets of corresponding points.
+// Finds the rigid motion or similarity that fits two sets of corresponding points best.
 #pragma once
 
 #include <Eigen/Core>

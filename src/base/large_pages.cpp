@@ -12,8 +12,8 @@ namespace boxplus::detail {
 
 void prefer_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(MADV_HUGEPAGE)
-  // Includes only large pages that lie entirely in `memory`, because other objects may use the rest of a
-  // page.
+  // Rounds the range inward to whole large pages, because other objects may use the rest of the first and the
+  // last page.
   constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t begin = (address + kPage - 1) / kPage * kPage, end = (address + bytes) / kPage * kPage;

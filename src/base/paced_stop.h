@@ -8,8 +8,9 @@
 
 namespace boxplus {
 
-/// Checks a token only once in `steps` steps, so that all other steps cost only a subtraction and a branch.
-/// If a step takes about 50 ns (a cache miss or two), the default leads to a check about every 50 µs.
+/// Checks a token only once in `steps` steps, because a check is slow; all other steps cost only a
+/// subtraction and a branch. If a step takes about 50 ns (one or two cache misses), the default of 1024 steps
+/// means a check about every 50 µs.
 class PacedStop {
  public:
   static constexpr std::int64_t kSteps = 1024;

@@ -38,7 +38,7 @@ void pause_briefly() {
 #endif
 }
 
-/// Waits until ready() holds: spins for kSpin, then sleeps on the condition variable.
+/// Waits until ready() returns true: spins for kSpin, and then sleeps on the condition variable.
 template <class Ready>
 void spin_then_sleep(std::mutex& mutex, std::condition_variable& wake, Ready ready) {
   const auto deadline = std::chrono::steady_clock::now() + kSpin;
@@ -52,7 +52,7 @@ void spin_then_sleep(std::mutex& mutex, std::condition_variable& wake, Ready rea
   }
 }
 
-/// Runs task(first) … task(last − 1) on this thread. If a task throws, still runs the remaining ones, and
+/// Runs task(first) … task(last − 1) on this thread. If a task throws, still runs the remaining tasks, and
 /// then returns the first exception.
 std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
   std::exception_ptr failure;
@@ -70,8 +70,8 @@ std::exception_ptr run_here(const Task& task, int first, int last) noexcept {
 ///
 /// posted_ and done_ count the posted and the finished tasks. The owner posts the next task only after
 /// wait(). Both counters change only under the mutex, so that a sleeping thread misses no change. A spinning
-/// thread reads them without the mutex. Because they are atomic, a thread that sees a new count also sees the
-/// new task_ or failure_.
+/// thread reads the counters without the mutex. Because the counters are atomic, a thread that reads a new
+/// count also reads the new task_ or failure_.
 class Worker {
  public:
   explicit Worker(int index) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The eigendecomposition of symmetric matrices, compiled only once for all callers.
+// The eigendecomposition of symmetric matrices. It is not a template, so that Eigen's code is compiled only
+// once.
 #pragma once
 
 #include <Eigen/Core>

@@ -36,7 +36,7 @@ EdgePool::EdgePool(std::vector<std::uint32_t> vertex_pools, int tails)
   if (tails > 0) vertex_start_.push_back(0);
 }
 
-/// vertex_pool() for edges with several tails.
+/// vertex_pool() for edges that have more than one argument with a variable number of vertices (a tail).
 std::uint32_t EdgePool::pool_in_tails(std::uint32_t edge, int i) const {
   const std::size_t singles = vertex_pools_.size() - static_cast<std::size_t>(tails_);
   auto rest = static_cast<std::size_t>(i);
@@ -71,7 +71,8 @@ InformationKind EdgePool::informations(std::span<const std::uint32_t> edges, int
   return InformationKind::kFull;
 }
 
-/// chi2() of at most EdgeTile::kCapacity edges. Returns false if there are no kernels for them.
+/// chi2() of at most EdgeTile::kCapacity edges, computed in SIMD lanes. Returns false if there are no kernels
+/// for these edges.
 bool EdgePool::chi2_in_lanes(std::span<const std::uint32_t> edges, double* out) const {
   constexpr int kMostRows = dense::kMostEdgeRows, kMostNumbers = kMostRows * (kMostRows + 1) / 2;
   double errors[EdgeTile::kCapacity * kMostRows], full[EdgeTile::kCapacity * kMostNumbers];
@@ -138,8 +139,8 @@ void EdgePool::reserve_slots(std::size_t edges) {
   information_.reserve(growth);
 }
 
-/// The position in free_ of a slot for edges of this arity, or free_.size() if it finds none. Looks only at
-/// the last few entries of free_.
+/// The position in free_ of a slot for edges of this arity, or free_.size() if there is no such slot. Looks
+/// only at the last few entries of free_.
 std::size_t EdgePool::find_free(std::size_t arity) const {
   constexpr std::size_t kLook = 16;
   for (std::size_t k = 1; k <= std::min(kLook, free_.size()); ++k) {

@@ -8,8 +8,8 @@
 
 namespace boxplus {
 
-/// A list of edges for each vertex. A removed edge stays in the list until the list is read or grows. Its
-/// stale handle shows that it was removed.
+/// A list of edges for each vertex. A removed edge stays in the list until the list is read or grows; the
+/// stale handle shows that the edge was removed.
 class Graph::Incidence {
  public:
   /// O(vertices + edges).

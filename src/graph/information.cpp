@@ -151,7 +151,7 @@ Information Information::from_matrix(const Eigen::MatrixXd& matrix) {
   for (int i = 0; i < n; ++i) {
     for (int j = i; j < n; ++j) {
       const double tolerance = 1e-9 * std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also true if one of them is NaN
+      if (!(std::abs(matrix(i, j) - matrix(j, i)) <= tolerance)) {  // also true if one of the entries is NaN
         throw InvalidArgument(fmt::format(
             "information: expected a symmetric matrix, but ({0},{1}) = {2:.9g} and ({1},{0}) = {3:.9g}", i, j,
             matrix(i, j), matrix(j, i)));

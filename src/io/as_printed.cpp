@@ -26,7 +26,7 @@ double rounded(double x, int decimals) {
   return std::nearbyint(x * power) / power;
 }
 
-/// The number of decimals that shows x with `digits` significant digits.
+/// The number of decimals with which x has `digits` significant digits.
 int decimals_of(double x, int digits) {
   int decimals = digits;  // for 0.1 ≤ |x| < 1
   for (double least = 0.1; decimals < kMostDecimals && std::abs(x) < least && x != 0; least /= 10) ++decimals;
@@ -43,8 +43,9 @@ Numbers normalized_numbers(const Numbers& q) {
 }
 
 /// Finds four numbers that are proportional to q and become q when they are normalized. Number i has
-/// decimals[i] decimals. The largest number determines the factor: it was printed either as the nearest
-/// number with so many decimals, or as one of the two neighbors of the nearest number.
+/// decimals[i] decimals. `largest` is the index of the largest number of q. The function rounds this number
+/// to its decimals, or to one of the two neighboring values; the result determines the factor for all four
+/// numbers.
 std::optional<Numbers> printed_with(const Decimals& decimals, const Numbers& q, std::size_t largest) {
   constexpr double kRoundingNoise = 0.01;
   const double power = kPowers[static_cast<std::size_t>(decimals[largest])];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds short decimal numbers that give the same value when they are read back, although the reader
-// normalizes or wraps what it reads.
+// Finds decimal numbers with few digits that a reader turns into exactly the given quaternion or angle, when
+// it normalizes the quaternion or wraps the angle.
 #pragma once
 
 #include "boxplus/manifold/quaternion.h"
 
 namespace boxplus {
 
-/// A quaternion with fewer digits that becomes `q`, bit for bit, when it is normalized. Returns `q` itself if
+/// A quaternion with few digits that becomes `q`, bit for bit, when it is normalized. Returns `q` itself if
 /// there is no such quaternion.
 detail::Quaternion<double> as_printed(const detail::Quaternion<double>& q);
 

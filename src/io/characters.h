@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recognizes blanks in text files, and quotes parts of text files in messages.
+// Recognizes blanks in text files, and quotes parts of text files for messages.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the decimal numbers that are common in graph files: up to 19 digits, no exponent. This is a header,
-// so that the compiler can inline it into the loop that reads a line.
+// Reads the decimal numbers that are common in graph files: up to 19 digits, no exponent. The function is in
+// a header, so that the compiler can inline it into the loop that reads a line.
 #pragma once
 
 #include <array>
@@ -53,8 +53,8 @@ inline std::uint64_t load(const char* at) {
   return word ^ in_all_lanes('0');
 }
 
-/// The top bit of each lane that does not hold a digit, so the result is 0 if all lanes hold digits. The bits
-/// of lanes above the first lane without a digit may be wrong.
+/// Sets the top bit of each lane that is not a digit, so the result is 0 if all lanes are digits. Above the
+/// first lane that is not a digit, the result may be wrong.
 inline std::uint64_t not_digits(std::uint64_t word) {
   return ((word + in_all_lanes(0x80 - 10)) | word) & in_all_lanes(0x80);
 }
@@ -63,8 +63,8 @@ inline int count_before(std::uint64_t lane_bits) {
   return std::countr_zero(lane_bits) / 8;
 }
 
-/// The number with these eight digits. Joins neighbors: digits to pairs, pairs to groups of four, and the two
-/// groups to one number.
+/// The number that consists of these eight digits. Joins the digits to pairs, the pairs to groups of four,
+/// and the two groups to one number.
 inline std::uint64_t joined(std::uint64_t word) {
   word = (word * 10 + (word >> 8)) & 0x00FF'00FF'00FF'00FF;
   word = (word * 100 + (word >> 16)) & 0x0000'FFFF'0000'FFFF;
@@ -86,8 +86,9 @@ inline bool append(std::uint64_t& w, int count, std::uint64_t digits) {
 /// w / 10^k, correctly rounded.
 inline double rounded_quotient(std::uint64_t w, int k) {
   if (w == 0) return 0;
-  // Shifts w and 5^k up until their top bits are set. Then the quotient has 62 or 63 bits, more than a double
-  // holds. Its lowest bit is also set if there is a remainder.
+  // Shifts w and 5^k up until their top bits are set. Then the quotient has 62 or 63 bits, which is more than
+  // a double can represent. If there is a remainder, the lowest bit of the quotient is set, so that the
+  // conversion to double rounds correctly.
   constexpr int kShift = 62, kBias = 1023, kFractionBits = 52;
   const std::uint64_t five = kPowers<5, kMostDecimals>[static_cast<std::size_t>(k)];
   const int shift_w = std::countl_zero(w), shift_five = std::countl_zero(five);
@@ -111,9 +112,9 @@ inline double with_sign(double magnitude, bool is_negative) {
 /// has no `end`, and the caller must use a general reader.
 ///
 /// Digits are read eight at a time, in the lanes of one word (Lamport, Multiple byte processing with
-/// full-word instructions, 1975). The number that they form is divided by a power of five in integer
-/// arithmetic, and the remainder determines the rounding. All numbers take the same path, because branches
-/// would be hard to predict.
+/// full-word instructions, 1975). The integer that the digits form is divided by a power of five in integer
+/// arithmetic, and the remainder determines the rounding. The code is the same for all numbers, because
+/// branches would be hard to predict.
 inline Decimal read_decimal(const char* at) {
   using namespace decimal;
   if constexpr (!kHasWideIntegers || std::endian::native != std::endian::little) return {};

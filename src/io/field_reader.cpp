@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// Whether `parse` reads `text` up to its end. Skips a leading +, which `parse` does not accept.
+/// Whether `parse` accepts the whole `text`. Skips a leading +, which `parse` does not accept.
 template <class Parse>
 bool is_all_of(std::string_view text, Parse&& parse) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -24,7 +24,8 @@ bool is_all_of(std::string_view text, Parse&& parse) {
 
 }  // namespace
 
-/// The position of the field that has `field` fields before it, or the end of the line if there is none.
+/// The position of the field that has `field` fields before it, or the end of the line if there is no such
+/// field.
 std::size_t FieldReader::position_of(std::size_t field) const {
   const auto next = [this](std::size_t at, bool blank) {
     while (at < line_.size() && is_blank(line_[at]) == blank) ++at;

@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Reads `count` values. If they have already been converted to numbers, returns them without a copy.
+/// Reads `count` values. If the values have already been converted to numbers, returns them without a copy.
 std::span<const double> read_listed(FieldReader& in, std::size_t count) {
   if (const auto converted = in.converted(count); !converted.empty()) return converted;
   auto& values = detail::thread_scratch<std::vector<double>, struct ListedInformation>();

@@ -12,8 +12,8 @@
 namespace boxplus {
 
 /// Calls prepare(k, item) for k = 0 … count − 1 on any worker, and then consume(item) on the calling thread,
-/// in the order of k. There are only a few items per worker, which are reused. `threads` is the maximum
-/// number of workers; 0 means one worker per hardware thread.
+/// in the order of k. Allocates only a few items per worker, and reuses them. `threads` is the maximum number
+/// of workers; 0 means one worker per hardware thread.
 template <class Item, class Prepare, class Consume>
 void prepare_and_consume(std::size_t count, int threads, Prepare&& prepare, Consume&& consume) {
   constexpr std::size_t kItemsPerWorker = 4;

@@ -8,7 +8,7 @@
 namespace boxplus {
 namespace {
 
-/// Whether the parameters among the vertices of an edge are exactly the ones that the tag declares.
+/// Whether exactly those vertices of an edge are parameters that the tag declares as parameters.
 bool has_parameters_of(const Tag& tag, const Graph& graph, std::span<const VertexRef> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Tag::Argument& argument = tag.arguments[std::min(i, tag.arguments.size() - 1)];

@@ -26,7 +26,8 @@ static_assert(std::atomic<Slot::State>::is_always_lock_free, "signal handlers mu
 constexpr int kSlots = 8;  // the largest number of temporary files that a signal handler can remove
 std::array<Slot, kSlots> slots;
 
-/// Copies `name` to a free slot. Returns the index of the slot, or -1 if there is no room.
+/// Copies `name` to a free slot. Returns the index of the slot, or -1 if no slot is free or the name is too
+/// long.
 int find_slot(const std::string& name) {
   if (name.size() >= PATH_MAX) return -1;
   for (int k = 0; k < kSlots; ++k) {

@@ -52,8 +52,8 @@ bool is_special_file(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// The file to which `path` leads through symbolic links. The caller replaces or creates this file, so that
-/// the links stay.
+/// The file to which `path` leads through symbolic links. The caller replaces or creates this file, and not a
+/// link.
 std::string target_of(const std::string& path) {
   constexpr int kMostLinks = 40;
   std::filesystem::path target = path;
@@ -73,9 +73,9 @@ void write_to(const FileDescriptor& file, const std::string& path,
   if (const int error = flush(file.value()); error != 0) fail(path, "cannot be written", error);
 }
 
-/// A file in the folder of `target` that will replace `target`. Until then it has no name, if the file system
-/// supports this, so that it disappears if the process ends early. Otherwise, remove_temporary_files() knows
-/// its name.
+/// A new file in the folder of `target` that will replace `target`. If the file system supports files without
+/// a name, the new file gets its name only at the end, so that it disappears if the process ends early.
+/// Otherwise, the file has a temporary name, and remove_temporary_files() can remove it.
 class Replacement {
  public:
   Replacement(const std::string& path, const std::string& target) : path_(path), target_(target) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors and Jacobians of relative-pose edges, one edge per lane. The formulas, and the plain functions that
-// tests use as a reference, are in between_jacobians.h of boxplus/types/slam2d and boxplus/types/slam3d.
+// Computes errors and Jacobians of relative-pose edges, one edge per lane. The formulas are in
+// between_jacobians.h of boxplus/types/slam2d and boxplus/types/slam3d, together with plain functions that
+// tests use as a reference.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -12,7 +13,7 @@ inline Pack all(double value) {
   return Pack{} + value;
 }
 
-/// Wraps an angle in (−2π, 2π) to (−π, π].
+/// Wraps an angle that lies in (−2π, 2π) to (−π, π].
 inline Pack wrapped(Pack angle) {
   constexpr double kPi = 3.14159265358979323846;
   const Pack above = angle > all(kPi) ? angle - 2 * kPi : angle;
@@ -130,7 +131,7 @@ inline void between_se3_of(const Pack* z, const Pack* i, const Pack* j, double* 
   }
 }
 
-/// Applies `between` to all edges. Each pose is given as N values.
+/// Applies `between` to all edges. Each pose consists of N values.
 template <int N, int kRows, class Between>
 inline void between_all(const PosePairs& edges, double* error, double* jacobian, Between&& between) {
   for (int k = 0; k < edges.count; k += kLanes) {

@@ -17,8 +17,8 @@ int factor_panel(Scalar* panel, int rows, int columns, int ld, const Scalar* min
 }
 
 /// Computes columns [begin, end) of C = −A Aᵀ, but only the lower triangle. May overwrite the entries above
-/// the diagonal. C is size × size, A is size × k. The result does not depend on how the calls split up the
-/// columns.
+/// the diagonal. C is size × size, A is size × k. The result does not depend on the ranges into which the
+/// caller divides the columns.
 template <class Scalar>
 void set_to_minus_square(Scalar* c, int ldc, const Scalar* a, int lda, int size, int k, int begin, int end) {
   factor_kernels<Scalar>().set_to_minus_square(c, ldc, a, lda, size, k, begin, end);

@@ -186,7 +186,7 @@ void add_edges_of(const EdgeLanes& tile) {
 template <int R, int... D>
 struct Sizes {};
 
-/// Calls f with the kind as a compile-time constant.
+/// Calls f with `kind` as a compile-time constant.
 template <class F>
 inline void for_kind(EdgeNumbers::Kind kind, F&& f) {
   switch (kind) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arithmetic of the Schur complement on one block W of an eliminated column. W has R rows and N columns.
+// The operations of the Schur complement that process one block W. W has R rows and N columns, and lies in
+// the columns of an eliminated vertex.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -19,7 +20,7 @@ struct ColumnPart {
 #endif
 };
 
-/// N consecutive doubles in registers. Reads and writes no byte beyond them.
+/// N consecutive doubles in registers. Loads and stores access no memory beyond these N doubles.
 template <int N>
 struct Column {
   static constexpr int kWidth = ColumnPart<N>::kWidth;
@@ -51,7 +52,7 @@ struct Column<0> {
   void scale(double) {}
 };
 
-/// Y = W L⁻ᵀ; the diagonal of L holds reciprocals.
+/// Y = W L⁻ᵀ. The diagonal of L contains the reciprocals of its entries.
 template <int R, int N>
 void half_block(int, int, const double* l, const double* w, double* y) {
   Column<R> columns[N];

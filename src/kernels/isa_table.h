@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each isa_*.cpp includes this file once, for its instruction set.
+// Defines the table of the kernels for one instruction set. Each isa_*.cpp includes this file once.
 #include "kernels/between_lanes.h"
 #include "kernels/edge_lanes.h"
 #include "kernels/elimination_kernels.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The dense kernels, compiled once per instruction set. The program chooses a set when it first uses one.
+// The tables of the dense kernels, which are compiled once per instruction set. The library chooses a table
+// when it first uses a kernel.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +49,8 @@ using AddEdges = void (*)(const EdgeLanes& edges);
 using SquaredNorms = void (*)(int count, const double* error, EdgeNumbers::Kind kind,
                               const double* const* omega, double* out);
 
-/// Unary edges of one shape. Their values are stored edge after edge. The other members are as in EdgeLanes.
+/// Unary edges whose Jacobians have the same shape. The Jacobians and errors are stored edge after edge. All
+/// other members have the same meaning as in EdgeLanes.
 struct UnaryEdges {
   int count;
   const double *jacobian, *error;  // of each edge: rows × cols values column by column, and rows values
@@ -67,8 +69,8 @@ struct PosePairs {
   const double *const *measurement, *const *from, *const *to;
 };
 
-/// The products of one block A with `count` blocks B, which lie one after the other. Block k has b_rows[k]
-/// rows, and its product is subtracted from the block at values + targets[k].
+/// The products of one block A with `count` blocks B, which are stored one after the other. Block k has
+/// b_rows[k] rows, and its product is subtracted from the block at values + targets[k].
 struct BlockProducts {
   const double* b;
   const int* b_rows;
@@ -107,8 +109,8 @@ struct ExtendAdd {
   std::uint32_t row_origin, column_origin;  // the row and column of the parent's front that `to` points to
 };
 
-/// The number of columns that are factorized together before the rest of a panel is updated. It is small
-/// enough for a strip of these columns to stay in the L1 cache.
+/// The number of columns that are factorized together before the remaining columns of a panel are updated. It
+/// is so small that a strip of these columns stays in the L1 cache.
 inline constexpr int kBlock = 64;
 
 /// The kernels of a factorization in double or float. dense_kernels.h documents them.
@@ -135,16 +137,16 @@ struct FactorKernels {
   void (*extend_add)(const ExtendAdd<Scalar>& task);
 };
 
-/// One set of kernels.
+/// The kernels for one instruction set.
 struct KernelTable {
   const char* name;
-  /// The nanoseconds per operation for fronts of medium size, measured on processors from about 2023.
+  /// The time per floating-point operation for fronts of medium size, measured on processors from about 2023.
   double nanoseconds_per_flop;
   FactorKernels<double> in_double;
   FactorKernels<float> in_float;
-  /// products = JᵀΩJ, column-major with the returned stride, and gradient = JᵀΩe. `products` must have room
-  /// for kMostEdgeColumns columns of kMostEdgeColumns values, and `gradient` for one such column. Values
-  /// beyond `cols` may be overwritten.
+  /// products = JᵀΩJ, column-major with the returned stride, and gradient = JᵀΩe. `products` must have memory
+  /// for kMostEdgeColumns² values, and `gradient` for kMostEdgeColumns values. The kernel may overwrite
+  /// values beyond the first `cols` of a column.
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
   /// block += source. The block is rows × cols and dense; the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
@@ -165,10 +167,10 @@ struct KernelTable {
   const EliminationKernels* (*elimination_kernels_for)(int rows, int dim);
 };
 
-/// The sets of kernels that this processor can run, with the best one last.
+/// The tables of kernels that this processor can run. The fastest table is last.
 std::span<const KernelTable* const> usable_kernels();
-/// The set of kernels in use. This is the one that the environment variable BOXPLUS_ISA names (baseline,
-/// avx2, avx512) if the processor can run it. Otherwise, it is the best one.
+/// The table of kernels that is in use. If the environment variable BOXPLUS_ISA names a table (baseline,
+/// avx2, avx512) that the processor can run, this table is used. Otherwise, the fastest table is used.
 const KernelTable& kernels();
 template <class Scalar>
 const FactorKernels<Scalar>& factor_kernels() {
@@ -178,7 +180,7 @@ const FactorKernels<Scalar>& factor_kernels() {
     return kernels().in_float;
   }
 }
-/// Changes the set in use. Only tests may call this, and only while no other thread uses kernels.
+/// Changes the table that is in use. Only tests may call this, and only while no other thread uses kernels.
 void use_kernels(const KernelTable& table);
 
 namespace baseline {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Register tiles: products of a few packs of rows and a strip of columns, accumulated over k in registers.
+// Register tiles: parts of a matrix product, a few packs high and one strip of columns wide, that are
+// accumulated over k in registers.
 #pragma once
 
 #include "kernels/simd_pack.h"

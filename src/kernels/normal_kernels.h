@@ -8,15 +8,15 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Holds ΩJ row by row, with lanes across columns. Rows is the number of rows, or 0 if it is known only at
-/// run time.
+/// Computes and stores ΩJ row by row. The lanes of a pack are consecutive columns. Rows is the number of
+/// rows, or 0 if it is known only at run time.
 template <int Rows, int Packs>
 class NormalProducts {
  public:
   explicit NormalProducts(const EdgeNumbers& edge) : edge_(edge) { weigh(); }
 
-  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe. They equal JᵀΩJ and JᵀΩe, because Ω is
-  /// symmetric.
+  /// products = (ΩJ)ᵀJ, column by column, and gradient = (ΩJ)ᵀe. These products equal JᵀΩJ and JᵀΩe, because
+  /// Ω is symmetric.
   void multiply(double* products, double* gradient) const {
     int b = 0;
     if constexpr (Packs <= 3) {

@@ -65,10 +65,10 @@ int factor_narrow_panel(Scalar* panel, int rows, int columns, int ld, const Scal
 }
 
 /// Computes C −= A Aᵀ or C = −A Aᵀ for the columns [begin, end) of the lower trapezoid. A has k ≤ kBlock
-/// columns; without any, `a` may be null.
+/// columns. If k = 0, `a` may be null.
 template <TileUse Use, class Scalar>
 void update_trapezoid(Scalar* c, int ldc, const Scalar* a, int lda, int rows, int k, int begin, int end) {
-  if (k == 0) a = c;  // it is not read, but a null pointer must not be advanced
+  if (k == 0) a = c;  // `a` is not read, but a null pointer must not be advanced
   for (int j = begin; j < end;) {
     const int width = strip_width(end - j);
     run_strip<Use>(width, at(c, ldc, j, j), ldc, a + j, lda, Operand<Scalar>{a + j, lda, 1}, rows - j, k);

@@ -8,8 +8,8 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// Divides [0, length) into parts that fit into a pack, and calls f(first, lanes) for each of them. `lanes`
-/// can load and store the part.
+/// Divides [0, length) into parts that fit into a pack, and calls f(first, lanes) for each part. The object
+/// `lanes` loads and stores the part.
 template <class Scalar, class F>
 inline void for_packs(int length, F&& f) {
   struct All {
@@ -34,8 +34,8 @@ void add_numbers(const Scalar* from, Scalar* to, int length) {
   });
 }
 
-/// Adds rows × columns values. If the columns are short, runs over all columns for one pack of rows after the
-/// other, so that the lanes for these rows are computed only once.
+/// Adds rows × columns values. If the columns are short, the outer loop is over packs of rows and the inner
+/// loop over columns, so that the mask of the lanes is computed only once per pack of rows.
 template <class Scalar>
 void add_rectangle(const Scalar* from, long from_stride, Scalar* to, long to_stride, int rows, int columns) {
   constexpr int kShort = 4 * kLanesOf<Scalar>;

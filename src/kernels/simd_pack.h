@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Packs: a few values, double or float, that are loaded, multiplied and stored together.
 //
-// The kernels are compiled once per instruction set, each time in a different namespace, BOXPLUS_ISA. They
-// must not call functions that several instruction sets compile under the same name, because the linker keeps
-// only one copy, which may be the copy for the wrong instruction set.
+// The kernels are compiled once per instruction set, each time in a different namespace, BOXPLUS_ISA. A
+// kernel must not call an inline function outside of this namespace: all instruction sets would compile the
+// function under the same name, and the linker would keep only one copy, possibly the copy for the wrong
+// instruction set.
 #pragma once
 
 #if defined(__AVX2__)

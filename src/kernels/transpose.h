@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Transposes between two layouts: contiguous values for each element, and packs that hold one value of each
-// of several elements.
+// Transposes between two layouts: elements whose values are contiguous, and packs that contain one value of
+// each of several elements.
 #pragma once
 
 #include "kernels/kernel_table.h"

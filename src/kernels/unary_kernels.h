@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adds JᵀΩJ and JᵀΩe of unary edges, one after the other. As long as consecutive edges have the same vertex,
-// its block of H and its gradient stay in registers.
+// the vertex's block of H and its gradient stay in registers.
 #pragma once
 
 #include "kernels/kernel_table.h"
@@ -9,9 +9,9 @@
 
 namespace boxplus::dense::BOXPLUS_ISA {
 
-/// H (C × C) and the gradient (C) of one vertex, with lanes across rows. Each edge is added term by term to
-/// these sums. So the bits of the result depend only on the order of the edges, not on how the calls split
-/// them up.
+/// The block of H (C × C) and the gradient (C) of one vertex. The lanes of a pack are consecutive rows. Each
+/// term of each edge is added directly to these sums. So the bits of the result depend only on the order of
+/// the edges, and not on how the caller divides the edges into calls.
 template <int R, int C>
 class UnarySums {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangular solves with one right-hand side, four columns at a time. Most of their time is spent reading L.
+// Triangular solves with one right-hand side. Reading L takes most of the time, so the kernels process four
+// columns of L at a time.
 #pragma once
 
 #include "kernels/simd_pack.h"

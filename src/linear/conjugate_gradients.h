@@ -12,7 +12,7 @@ namespace boxplus {
 
 class ConjugateGradients {
  public:
-  /// y = A x, or z = M⁻¹ r.
+  /// Computes y = A x, or y = M⁻¹ x with the preconditioner M.
   using Operator = detail::FunctionRef<void(const double* x, double* y)>;
 
   void resize(std::size_t size);

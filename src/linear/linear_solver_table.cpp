@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only file that knows every linear solver. To add a solver, add a line to its table.
+// The table of all linear solvers. To add a solver to the library, add a line to the table.
 #include "boxplus/linear/linear_solver_table.h"
 
 #include <string>
@@ -58,10 +58,10 @@ std::string_view to_string(LinearSolverKind kind) {
 }
 
 LinearSolverOptions for_newton_steps(LinearSolverOptions options) {
-  // For the block Cholesky in mixed precision. Newton's method squares its error in each step, so this
-  // tolerance is as good as an exact solution, but it needs only half as much refinement.
+  // The tolerance of the block Cholesky in mixed precision. Newton's method squares its error in each step,
+  // so this tolerance is as good as an exact solution, but it needs only half as much refinement.
   constexpr double kRefined = 1e-6;
-  // For pcg. On large maps, this tolerance takes far fewer iterations than an exact step.
+  // The tolerance of pcg. On large maps, this tolerance takes far fewer iterations than an exact step.
   constexpr double kRough = 0.1;
   options.block_cholesky.min_tolerance = kRefined;
   options.automatic.min_tolerance = kRough;

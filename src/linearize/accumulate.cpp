@@ -9,7 +9,7 @@ namespace boxplus {
 namespace {
 
 /// Adds Jiᵀ WJj to a di × dj block, or its transpose to a dj × di block. Ji and WJj have `rows` rows. If Rows
-/// > 0, it is the number of rows, known at compile time.
+/// is positive, it must be equal to `rows`, so that the number of rows is known at compile time.
 template <int Rows>
 void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed,
                  double* block) {
@@ -81,7 +81,7 @@ void weigh(const EdgeSystem& edge, const detail::InformationView& information, d
   }
 }
 
-/// Adds an edge with scalar loops. The edge may have any size, and a rank-one term in its weight.
+/// Adds an edge with scalar loops. Works for edges of any size, and for weights with a rank-one term.
 void accumulate_any(const EdgeSystem& edge, const detail::InformationView& information,
                     const EdgeWeight& weight, const std::uint32_t* targets, double* values, double* gradient,
                     double* weighted, double* weighted_error) {

@@ -11,13 +11,14 @@
 
 namespace boxplus {
 
-/// The weights of one edge. They replace its Ω by first · Ω + second · Ωe eᵀΩ. `first` is max(0, ρ′).
+/// The weights of one edge. The weights replace the edge's Ω by first · Ω + second · Ωe eᵀΩ. `first` is
+/// max(0, ρ′). `second` is Triggs' correction 2ρ″, limited so that the result is still positive semidefinite.
 struct EdgeWeight {
   double first = 1;
   double second = 0;
 };
 
-/// The weights of an edge with the squared error e2. `second` is 0 unless `triggs` is true.
+/// Computes the weights of an edge with the squared error e2. `second` is 0 unless `triggs` is true.
 EdgeWeight edge_weight(const RobustKernel* kernel, double e2, bool triggs);
 
 /// One edge of a tile.

@@ -20,7 +20,7 @@ Flags make_flags(const Graph& graph, std::uint8_t value) {
   return flags;
 }
 
-/// The vertices that may move, which are neither fixed nor outside of the requested subset.
+/// The vertices that may move: all vertices of the requested subset that are not fixed.
 Flags movable_vertices(const Graph& graph, const PlanRequest& request) {
   Flags movable = make_flags(graph, request.vertices.empty());
   for (const VertexRef& vertex : request.vertices) {

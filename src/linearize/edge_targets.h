@@ -33,7 +33,7 @@ inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks
   return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(chunk, b); });
 }
 
-/// Appends an edge, whose vertices have these blocks, to a scatter of the chunk.
+/// Appends `edge` to `scatter`, which belongs to `chunk`. `blocks` lists the blocks of the edge's vertices.
 void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
                  const BlockStructure& structure, const Chunk& chunk, Scatter& scatter);
 

@@ -24,15 +24,15 @@ BlockOf block_of(const Graph& graph, const Plan& plan) {
   return result;
 }
 
-/// Finds the additions, or finds out that they need a new plan.
+/// Finds the additions, and decides whether they need a new plan.
 class Finder {
  public:
   Finder(const Graph& graph, const PlanRequest& request, std::span<const std::uint32_t> vertices,
          std::span<const std::uint32_t> edges, const Plan& plan)
       : graph_(graph), request_(request), old_vertices_(vertices), old_edges_(edges), plan_(plan) {}
 
-  /// `blocks` holds the blocks of the plan. Adds the blocks of the new vertices that take part. Returns false
-  /// if a new plan is needed.
+  /// `blocks` contains the blocks of the plan. Adds the blocks of the new vertices that take part. Returns
+  /// false if a new plan is needed.
   bool find(BlockOf& blocks, Additions& out) {
     if (!request_.vertices.empty() || !request_.edges.empty()) return false;
     return find_edges(out) && find_vertices(blocks, out) && look_at_edges(blocks, out) && is_connected();
@@ -93,7 +93,7 @@ class Finder {
     if (!std::any_of(plan_.vertices.begin(), plan_.vertices.end(), has_list)) return false;
     if (pool.eliminated(vertex.slot) || pool.parameter(vertex.slot)) return false;
     if (!pool.fixed_directions(vertex.slot).empty()) return false;
-    // The held vertex must still be the one that a new plan would choose: the first of the largest dimension.
+    // A new plan would hold the first vertex of the largest dimension. This must still be the held vertex.
     return plan_.held.empty() ||
            (plan_.held[0].vertex.pool == vertex.pool
                 ? pool.id(vertex.slot) > plan_.held[0].id
@@ -105,8 +105,8 @@ class Finder {
   }
 
   /// Records which vertices are connected. Returns false if an edge makes an inactive old vertex active. Also
-  /// returns false if a vertex is held because the whole graph can move freely, but an edge may measure this
-  /// motion. (An edge that only measures a relative pose cannot measure it.)
+  /// returns false if a vertex is held because the whole graph can move freely, but a new edge may measure
+  /// this motion. (An edge that measures only the relative pose of two moving vertices cannot measure it.)
   bool look_at_edges(const BlockOf& blocks, const Additions& out) {
     sets_ = DisjointSets(1 + out.vertices.size());  // 0 stands for all old vertices
     const auto old = static_cast<std::uint32_t>(plan_.block_vertex.size());
@@ -149,7 +149,7 @@ class Finder {
   DisjointSets sets_{0};
 };
 
-/// The new blocks of H, by column.
+/// The new blocks of H, sorted by column.
 std::vector<BlockCoordinate> new_blocks(const Graph& graph, const Additions& additions,
                                         const BlockOf& block_of, const BlockStructure& structure) {
   std::vector<BlockCoordinate> added;
@@ -173,8 +173,8 @@ std::vector<BlockCoordinate> new_blocks(const Graph& graph, const Additions& add
   return added;
 }
 
-/// The distances by which values of H have moved. The values from value[k] to value[k + 1] have moved by
-/// shift[k].
+/// Inserting new blocks moves the values of H in memory. All values from value[k] up to value[k + 1], by
+/// their old indices, move by shift[k].
 struct Shifts {
   std::vector<std::uint32_t> value, shift;
 
@@ -263,7 +263,7 @@ class GrownStructure {
   std::uint32_t next_ = 0;  // the next old block of H to be copied
 };
 
-/// The number of values of H with these additions.
+/// The number of values of H after the new blocks are added.
 std::uint64_t count_values(const BlockStructure& structure, std::span<const std::uint32_t> new_dims,
                            std::span<const BlockCoordinate> added) {
   const auto dim = [&](std::uint32_t block) -> std::uint64_t {
@@ -275,7 +275,7 @@ std::uint64_t count_values(const BlockStructure& structure, std::span<const std:
   return values;
 }
 
-/// Shifts the targets of the edges that the plan already had: the blocks of H have moved.
+/// Shifts the targets of the edges that the plan already had, because the blocks of H have moved.
 void move_targets(const Graph& graph, const Shifts& shifts, Scatter& scatter) {
   if (shifts.value.empty()) return;
   const detail::EdgePool& pool = *graph.edge_pools()[scatter.pool];

@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// Whether all directions of the vertex's tangent are fixed.
+/// Whether all tangent directions of the vertex are fixed.
 bool all_directions_fixed(const detail::VertexPool& pool, std::uint32_t slot);
 
 /// Fills Plan::fixed_scalars and Chunk::fixed of an otherwise complete plan. Takes O(nonzero blocks of H) if

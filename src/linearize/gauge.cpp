@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Vertices that move together, and the edges between them.
+/// A connected component: moving vertices, and the edges that join them.
 struct Component {
   std::vector<VertexSlot> vertices;
   std::vector<EdgeSlot> edges;
@@ -98,7 +98,7 @@ class GaugeFinder {
       });
     });
     std::vector<Component> result;
-    std::vector<std::uint32_t> component_of(count, kNone);  // the index in `result`, by root
+    std::vector<std::uint32_t> component_of(count, kNone);  // the index in `result` of each root
     std::vector<std::uint8_t> seen(count, 0);
     for_each_edge([&](EdgeSlot edge) {
       std::uint32_t root = kNone;
@@ -138,8 +138,8 @@ class GaugeFinder {
     return {v.pool, v.slot, graph_.vertex_pools()[v.pool]->generation(v.slot)};
   }
 
-  /// The rank of a vertex. The vertex with the lowest rank is held. Vertices are ranked by dimension (the
-  /// largest first), then by kind (poses, points, others), then by id. Eliminated vertices come last.
+  /// The rank of a vertex. The vertex with the lowest rank is held fixed. Vertices are ranked by dimension
+  /// (the largest first), then by kind (poses, points, others), then by id. Eliminated vertices come last.
   auto rank(VertexSlot v) const {
     const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     detail::Frame frame;
@@ -228,8 +228,8 @@ class GaugeFinder {
     return taken_by(v, freedom) == graph_.vertex_pools()[v.pool]->tangent_dim(v.slot);
   }
 
-  /// The vertex that removes most of the gauge freedom if it is held. Among several of them, prefers a vertex
-  /// whose directions are all gauge freedom.
+  /// The vertex that removes most of the gauge freedom if it is held. Among several such vertices, prefers a
+  /// vertex whose directions are all gauge freedom.
   VertexSlot gauge_vertex(const Component& component, const SimilarityFreedom& freedom) const {
     const auto role = [&](VertexSlot v) { return (*freedom.roles)[v.pool][v.slot]; };
     std::vector<VertexSlot> firsts;  // the vertex with the lowest rank of each vertex pool and role

@@ -18,8 +18,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Measures how much the errors resist each motion. Sums the squared changes of the errors over all rows of
-/// the edges' Jacobians. If the terms of a row cancel to within `tolerance`, the row resists no motion.
+/// Measures how much the errors resist each motion (see SimilarityTest). Sums the squared changes of the
+/// errors over all rows of the edges' Jacobians. If the terms of a row cancel to within `tolerance`, the row
+/// resists no motion.
 class Resistance {
  public:
   explicit Resistance(int motions) : motions_(motions) {}

@@ -44,7 +44,8 @@ struct SimilarityFreedom {
 /// because enabling an edge does not change the structure of the problem.
 ///
 /// All vertices of one kind have the same role. Vertices are of one kind if they have the same type and occur
-/// at the same positions in the same types of edges. The test finds the roles by trial.
+/// at the same positions in the same types of edges. The test tries combinations of roles on a sample of the
+/// edges, and uses the combination with the most free motions.
 class SimilarityTest {
  public:
   /// kSample tests at most kTestedEdges edges of each pool, evenly spaced. This is enough if every step is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adds the edges of a tile to H and to the gradient, several at a time.
+// Adds the edges of a tile to H and to the gradient, several edges at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace boxplus {
 /// size, one by one.
 class TileAdder {
  public:
-  /// Makes room for tiles with `values` values of Jacobians and `rows` values of errors.
+  /// Allocates memory for tiles with `values` values of Jacobians and `rows` values of errors.
   TileAdder(std::size_t values, std::size_t rows);
 
-  /// Chooses the kernel for edges of these sizes. Returns false if there is none.
+  /// Chooses the kernel for edges of these sizes. Returns false if there is no such kernel.
   bool choose(int rows, std::span<const int> dims);
-  /// Whether the chosen kernel also accepts tiles in lanes.
+  /// Whether the chosen kernel also accepts tiles with EdgeTile::in_lanes.
   bool takes_lanes() const { return add_edges_ != nullptr; }
   /// Adds ρ′ JᵀΩJ and ρ′ JᵀΩe of a tile, in the order of its edges, at the places in `targets` (see Scatter).
   void add(const detail::EdgePool& pool, std::span<const std::uint32_t> edges, const detail::EdgeTile& tile,
@@ -37,7 +37,7 @@ class TileAdder {
   dense::AddEdges add_edges_ = nullptr;             // the kernel for edges in lanes
   dense::AddUnaryEdges add_unary_edges_ = nullptr;  // the kernel, if the edges are unary
   std::vector<double> jacobian_, error_;            // copies of a tile's Jacobians and errors in lanes
-  std::vector<double> omega_;                       // all Ω in full, for tiles with Ω of several kinds
+  std::vector<double> omega_;                       // all Ω as full matrices, if their kinds differ
   std::vector<double> weights_;                     // empty if no edge has a robust kernel
   std::vector<const double*> omegas_;
 };

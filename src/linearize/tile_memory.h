@@ -12,8 +12,8 @@
 namespace boxplus {
 
 struct TileMemory {
-  /// Makes room for tiles with `values` values of Jacobians and `rows` values of errors. `dense_values` is
-  /// the largest dense_scratch() of an edge.
+  /// Allocates memory for tiles with `values` values of Jacobians and `rows` values of errors. `dense_values`
+  /// is the largest dense_scratch() of an edge.
   TileMemory(std::size_t values, std::size_t rows, std::size_t dense_values)
       : error(rows),
         jacobian(values),
@@ -26,7 +26,7 @@ struct TileMemory {
   }
 
   /// Gathers at most `capacity` enabled edges from the part [next, end) of a run, with their targets.
-  /// Advances `next` past them.
+  /// Advances `next` past these edges.
   std::span<const std::uint32_t> gather(const detail::EdgePool& pool, const Scatter& scatter,
                                         std::uint32_t& next, std::uint32_t end, std::size_t capacity) {
     const int arity = static_cast<int>(dims.size());

@@ -96,8 +96,8 @@ double BatchSystem::curvature(std::span<const double> d) {
   return dot(d, product_);
 }
 
-/// λD, plus the damping of the gauge, plus the diagonal of H for scalars that are held. If λ > 0, the scalars
-/// of the gauge need not be held, because damping removes the gauge freedom.
+/// The diagonal matrix to add to H: λD, plus the damping of the gauge, plus the diagonal entry of H for each
+/// held scalar. If λ > 0, does not hold Plan::held_scalars, because λD already removes the gauge freedom.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
   const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
@@ -152,9 +152,10 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   return result;
 }
 
-/// Holds the direction of a loose block whose pivot vanished. If the solver does not eliminate the loose
-/// blocks last, the pivot of another block may vanish; then holds the next direction of a loose block. If e
-/// is a gauge direction, (H + c e eᵀ) δ = −g gives the Gauss-Newton step with δ = 0 along e.
+/// If the pivot that vanished belongs to a direction of a loose block, holds this direction, so that the step
+/// is zero along it. If the pivot belongs to another block, because the solver does not eliminate the loose
+/// blocks last, holds the next direction of a loose block. Returns false if no direction is left. Holding a
+/// gauge direction e is correct: the solution of (H + c e eᵀ) δ = −g is the Gauss-Newton step with eᵀδ = 0.
 bool BatchSystem::hold_lost_pivot() {
   if (gauge_ != GaugePolicy::kFixFirst) return false;
   const auto hold = [&](std::uint32_t scalar) {
@@ -175,8 +176,8 @@ bool BatchSystem::hold_lost_pivot() {
 
 /// Whether the held directions are still gauge freedom. The gradient vanishes along every free direction. So
 /// if the step along held directions is larger than a rounding error, the edges measure these directions now.
-/// This happens after estimates for which poses coincide or lie on a line, because more directions are free
-/// there.
+/// This happens if the plan was made when poses coincided or were on a line, because more directions are free
+/// at such estimates.
 bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const double> step) const {
   constexpr double kOfDecrease = 1e-9, kOfChi2 = 1e-11, kExact = 1e-20;
   double along = 0;  // the decrease of chi2 along held directions
@@ -188,8 +189,8 @@ bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const dou
   return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
 }
 
-/// Whether any moving vertex is neither a pose nor a point. The plan finds all freedom of poses and points,
-/// but does not know the motions of other types.
+/// Whether any moving vertex is neither a pose nor a point. The plan contains all gauge freedom of poses and
+/// points, but not the freedom of other types.
 bool BatchSystem::has_other_types() const {
   detail::Frame frame;
   return std::any_of(plan_->vertices.begin(), plan_->vertices.end(), [&](const VertexList& list) {

@@ -17,8 +17,8 @@ namespace boxplus {
 
 class BatchSystem final : public System {
  public:
-  /// Makes the plan and allocates all memory. `graph` must outlive this system and keep its structure.
-  /// `solver` must not be null. Throws Stopped when request.stop is raised.
+  /// Makes the plan and allocates all memory. `graph` must outlive this system. Its structure must not
+  /// change, except before extend(). `solver` must not be null. Throws Stopped when request.stop is raised.
   BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
               SchurMode schur);
 
@@ -49,10 +49,10 @@ class BatchSystem final : public System {
   /// The elimination order of the plan's blocks. Empty if the solver has no such order, or if the Schur
   /// complement eliminates some of the blocks.
   std::span<const std::uint32_t> elimination_order() const { return solver_->elimination_order(); }
-  /// Whether a component can move without changing any error. May factorize H at the current estimates to
-  /// find out.
+  /// Whether any component of the graph can move without changing an error. May factorize H at the current
+  /// estimates to find out.
   bool is_free();
-  /// False after it has turned out that edges measure a motion that seemed free.
+  /// Returns false after a step has shown that edges measure a motion that the plan considers free.
   bool gauge_is_free() const { return holds_; }
   /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
   int held_directions() const { return static_cast<int>(lost_scalars_.size()); }

@@ -38,7 +38,7 @@ class CovarianceMaker {
  private:
   static constexpr std::uint32_t kNoBlock = 0xFFFFFFFFu;
 
-  /// Finds the block of each vertex in H, if it has one.
+  /// Finds the block of each vertex in H. Vertices that do not move have no block.
   void list(std::span<const VertexRef> vertices) {
     std::map<VertexRef, std::uint32_t> block_of;
     for (std::uint32_t block = 0; block < plan_.structure.blocks(); ++block)
@@ -58,7 +58,7 @@ class CovarianceMaker {
       result_.blocks_.resize(result_.block_index(blocks_.size() - 1, blocks_.size() - 1) + 1);
   }
 
-  /// Fails if a motion is neither measured nor held.
+  /// Fails if a component has a free motion that no edge measures and that no held vertex removes.
   void refuse_freedoms() {
     for (const detail::GaugeFreedom& freedom : plan_.freedoms) {
       if (result_.ok() && !is_gauge(freedom))
@@ -133,7 +133,8 @@ class CovarianceMaker {
   }
 
   void hold(std::uint32_t block, std::uint32_t scalar) {
-    // The factor on the diagonal of H. It makes the variance smaller than any rounding error.
+    // To hold a direction, adds this multiple of the diagonal entry of H to the entry. The variance of the
+    // direction is then smaller than any rounding error.
     constexpr double kStiff = 1e30;
     const std::uint32_t dim = plan_.structure.dim(block), i = scalar - plan_.structure.offset[block];
     const double* diagonal =
@@ -205,7 +206,7 @@ class CovarianceMaker {
   Plan plan_;
   Linearizer linearizer_;
   std::shared_ptr<LinearSolver> solver_;
-  std::vector<double> stiffness_;      // the terms that hold directions, added to the diagonal of H
+  std::vector<double> stiffness_;      // added to the diagonal of H, to hold directions
   std::vector<std::uint32_t> blocks_;  // the block in H of each vertex, or kNoBlock
   Covariance result_;
 };

@@ -41,7 +41,7 @@ class Descent {
   const StopToken& stop() const { return stop_; }
   std::vector<IterationRecord>& records() { return records_; }
 
-  /// Runs the algorithm from the current estimates, whose chi2 is given.
+  /// Runs the algorithm from the current estimates. `chi2` is their chi2.
   RunResult run(double chi2);
   /// Like run(), but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
   /// false.

@@ -33,8 +33,8 @@ void Dogleg::scale_from(const System& system) {
 }
 
 /// Computes the Gauss-Newton step. If H is not positive definite, uses H + λD instead, with the smallest λ of
-/// a geometric series for which H + λD is positive definite. The series begins one value below the last λ in
-/// use.
+/// a geometric series for which H + λD is positive definite. The series begins one value below the λ of the
+/// previous iteration.
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
   regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
   for (;;) {

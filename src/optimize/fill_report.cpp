@@ -33,8 +33,8 @@ void reset(Report& report) {
   report.message = std::move(message);
 }
 
-/// Whether large weights of some edges may be the reason for this result, because they hide other edges. The
-/// result is then not a minimum of the whole problem.
+/// Whether this result may be wrong because some edges have such large weights that other edges have no
+/// effect. The final estimates are then not at a minimum of the whole problem.
 bool may_be_swamped(const RunResult& result) {
   return result.status == Report::Status::kConverged || result.reason == Report::Reason::kMaxIterations ||
          result.reason == Report::Reason::kNoStepFound ||

@@ -8,7 +8,7 @@
 
 namespace boxplus {
 
-/// Empties the report but keeps its memory, and reserves room for a run.
+/// Empties the report but keeps its memory, and reserves memory for the records of a run.
 void begin_report(Report& report, const Options& options);
 
 /// Fills everything that is known when the plan has been made: sizes, solvers, threads, gauge, and sources of

@@ -37,8 +37,8 @@ void LevenbergMarquardt::raise_damping() {
   growth_ *= 2;
 }
 
-/// Computes the step δ with (H + λD) δ = −g, and so δᵀ(H + λD)δ = −gᵀδ. If λD contributes more than half of
-/// this curvature, the step counts as cut short by damping.
+/// Computes the step δ with (H + λD) δ = −g. Its curvature is δᵀ(H + λD)δ = −gᵀδ. If λD contributes more than
+/// half of this curvature, the step counts as cut short by damping.
 LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, IterationRecord& record) {
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
@@ -59,8 +59,8 @@ LinearStatus LevenbergMarquardt::find_first_step(System& system, double chi2, It
   }
 }
 
-/// Takes the step if it lowers chi2, and then updates the damping: the better the model predicted the
-/// decrease, the lower the new damping. Otherwise returns false and takes no step.
+/// If the step lowers chi2, takes it, updates the damping, and returns true. The better the model predicted
+/// the decrease, the lower the new damping is. Otherwise, takes no step and returns false.
 bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord& record) {
   record.step_max = max_abs(step_);
   record.predicted_decrease = predicted_;

@@ -7,7 +7,7 @@
 
 namespace boxplus {
 
-/// "the edge Between<SE2> between vertices 3 4"
+/// Describes an edge for a message, such as "the edge Between<SE2> between vertices 3 4".
 std::string edge_text(const Graph& graph, const EdgeRef& edge);
 
 /// Describes the part of the problem that is not finite at the current estimates, and the edge that causes

@@ -63,7 +63,7 @@ struct Optimizer::Impl {
   Graph& checked_graph() const;
 
   Graph* graph;
-  std::shared_ptr<detail::LifeState> life;  // knows whether `graph` still exists
+  std::shared_ptr<detail::LifeState> life;  // tells whether `graph` still exists
   Options options;
   PlannedSystem planned;
   Estimates memory;  // scratch memory of minimize_from_starts()

@@ -14,8 +14,9 @@ namespace boxplus {
 /// Decides whether further decreases of chi2 are insignificant compared with the noise of the measurements.
 ///
 /// If Ω is right, a decrease of chi2 by 1 corresponds to estimates that move by one standard deviation in one
-/// direction. If Ω is right only up to a factor, this change of the estimates corresponds to a decrease by
-/// the variance s² = chi2 / degrees of freedom.
+/// direction. If Ω is right only up to an unknown factor, the same movement decreases chi2 by the estimated
+/// variance s² = chi2 / degrees of freedom. So a decrease is insignificant if it is below
+/// Options::noise_tolerance · s².
 class Significance {
  public:
   /// `tolerance` is Options::noise_tolerance.
@@ -24,7 +25,7 @@ class Significance {
 
   /// Records an iteration. Returns true if the actual and the predicted decreases of the last two iterations
   /// are insignificant, or if the sum of these decreases over the last ten iterations is insignificant.
-  /// Returns false if the decreases grow, because this means that a trust region was too small.
+  /// Returns false if the decreases grow, because then a small trust region has limited them.
   bool is_lost(const IterationRecord& record) {
     std::rotate(gains_.begin(), gains_.end() - 1, gains_.end());
     gains_[0] = std::max(std::abs(record.chi2_decrease), record.predicted_decrease);

@@ -43,9 +43,9 @@ struct Candidate {
   }
 };
 
-/// Whether the first try of a step decreased chi2 by about the predicted amount: the ratio is within the
-/// bounds that trust-region methods call "very good". The quadratic model then holds as far as the minimum,
-/// so the estimates lie in the valley of this minimum.
+/// Whether the first try of a step decreased chi2 by about the predicted amount. The ratio must be within the
+/// bounds that trust-region methods call "very good". In this case, the quadratic model is accurate as far as
+/// the minimum, so the estimates are in the valley (the basin of attraction) of this minimum.
 bool keeps_prediction(const IterationRecord& step) {
   constexpr double kLeast = 0.75, kMost = 1.25;
   const double kept = step.chi2_decrease / step.predicted_decrease;
@@ -148,8 +148,8 @@ class StartSearch {
   /// Runs from the better of two starts. One is the chordal guess, which is in the graph. The other is
   /// fallback_, with the chi2 `chi2_current`. The guess counts as better if its chi2 is below the chi2 of the
   /// original estimates. If the result is worse than the chi2 of the other start, also runs from the other
-  /// start. With robust kernels, chi2 tells little about the valley, and runs need many iterations. In this
-  /// case, the first run leaves half of the iterations for the second run.
+  /// start. With robust kernels, chi2 does not show which start is in the better valley, and runs need many
+  /// iterations. So with robust kernels, the first run leaves half of the iterations for the second run.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
@@ -173,8 +173,8 @@ class StartSearch {
     return is_unfinished ? descent_.run(best.chi2) : best;
   }
 
-  /// The number of iterations for the next run: half of the remaining ones if it has to leave some for
-  /// another run, otherwise all of them.
+  /// The number of iterations for the next run. If the run has to leave iterations for another run, it gets
+  /// half of the remaining iterations. Otherwise, it gets all of them.
   int share_of_iterations(bool leaves_iterations) const {
     const int left = descent_.iterations_left();
     return leaves_iterations ? (left + 1) / 2 : left;

@@ -23,13 +23,14 @@ inline double max_abs(std::span<const double> a) {
   return largest;
 }
 
-/// The decrease of F along δ that the quadratic model predicts: −(2 gᵀδ + δᵀHδ).
+/// The decrease of chi2 that the quadratic model predicts for the step δ: −(2 gᵀδ + δᵀHδ). `curvature` is
+/// δᵀHδ.
 inline double model_decrease(std::span<const double> gradient, std::span<const double> step,
                              double curvature) {
   return -(2 * dot(gradient, step) + curvature);
 }
 
-/// A decrease below this fraction of F is only a rounding error.
+/// A decrease below this fraction of chi2 is only a rounding error.
 inline constexpr double kRounding = 1e-12;
 
 }  // namespace boxplus

@@ -16,7 +16,7 @@ struct SwampingEdge {
 
 /// Finds the swamping edge with the largest contribution to H at the current estimates. Because H loses the
 /// contribution of the other edge, steps may ignore the measurement of the other edge. Takes O(edges).
-/// Linearizes edges only if the entries of their Ω differ by that much.
+/// Linearizes edges only if the diagonal entries of all Ω span more digits than double precision has.
 std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

@@ -121,7 +121,7 @@ class Simulator {
     true_poses_.push_back(result_.truth.add_vertex(truth));
   }
 
-  /// A measurement z whose error e = z⁻¹ A has the distribution N(0, Ω⁻¹). A is the true motion.
+  /// Returns a noisy measurement z of the true motion A. Its error e = z⁻¹ A has the distribution N(0, Ω⁻¹).
   Between<Pose> measure(const Pose& from, const Pose& to) {
     Vector<double, kDim> e;
     for (int i = 0; i < kDim; ++i) e[i] = noise_factor_ * deviation_[i] * random.normal();

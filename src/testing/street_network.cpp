@@ -17,7 +17,7 @@ constexpr double kMissing = 0.2;  // the share of streets that are missing; aven
 constexpr double kLane = 1.5;     // the meters from the middle line to the lane
 constexpr int kLaneChange = 12;   // the number of steps to get into the lane
 
-/// Whether a column or a row of the lattice is an avenue. Every fifth one is.
+/// Whether a column or a row of the lattice is an avenue. Every fifth column and every fifth row is.
 bool is_avenue(int line) {
   return line % 5 == 1;
 }
@@ -85,7 +85,7 @@ void StreetNetwork::lay_crossings(int block, RandomNumbers& random) {
   }
 }
 
-/// Adds streets between neighboring crossings of the lattice. Leaves out some of them, but keeps at least two
+/// Adds streets between neighboring crossings of the lattice. Leaves out some streets, but keeps at least two
 /// streets at each crossing, and a path between every two crossings.
 void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   std::vector<Street> spare;
@@ -121,9 +121,9 @@ void StreetNetwork::lay_streets(int block, RandomNumbers& random) {
   }
 }
 
-/// Adds third passes around whole blocks. Then adds third and fourth passes, there and back, along single
-/// streets. Stops when all passes together have `steps` steps. The number of passes that end at a crossing
-/// stays even, as a closed tour requires.
+/// Adds a third pass to all four streets of some blocks. Then adds a third and a fourth pass, there and back,
+/// to some single streets. Stops when all passes together have `steps` steps. The number of passes that end
+/// at a crossing stays even, as a closed tour requires.
 void StreetNetwork::add_passes(int steps, RandomNumbers& random) {
   std::int64_t missing = steps;
   for (const Street& street : streets_) missing -= std::int64_t{street.passes} * street.steps;

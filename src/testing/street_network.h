@@ -15,8 +15,8 @@ namespace boxplus {
 struct Street {
   int from = 0, to = 0;  ///< the crossings at its ends
   int steps = 0;         ///< the number of steps; positions go from 0 (at `from`) to `steps` (at `to`)
-  double bow = 0;        ///< the distance of its middle to the left of the straight line between its ends
-  int passes = 2;
+  double bow = 0;        ///< how far its middle is to the left of the straight line between its ends
+  int passes = 2;        ///< how often a route drives along the street
 };
 
 /// One drive along a whole street.
@@ -29,8 +29,8 @@ struct Leg {
 /// displaced at random. Avenues are complete, but some other streets are missing.
 class StreetNetwork {
  public:
-  /// Makes streets of about `block` steps. Their number is such that a route of about `steps` steps drives
-  /// each of them 2 to 4 times. No street has fewer than 4/5 `block` steps.
+  /// Makes streets of about `block` steps. Makes as many streets as a route of about `steps` steps can drive
+  /// 2 to 4 times each. No street has fewer than 4/5 `block` steps.
   StreetNetwork(int steps, int block, RandomNumbers& random);
 
   const std::vector<Vector2>& crossings() const { return crossings_; }
@@ -41,8 +41,8 @@ class StreetNetwork {
   /// turns around and drives back.
   std::vector<Leg> route(RandomNumbers& random) const;
 
-  /// A pose on the right-hand side of the street, in the direction of the drive. `position` counts from
-  /// Street::from in both directions.
+  /// A pose on the right-hand side of the street, in the direction of the drive. `position` is counted from
+  /// Street::from for both directions of the drive.
   SE2 pose(const Leg& leg, int position) const;
   /// The point `left` meters to the left of the street's middle line, seen from Street::from.
   Vector2 beside(const Street& street, double position, double left) const;

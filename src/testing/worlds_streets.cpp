@@ -59,7 +59,8 @@ class PlaceMemory {
     last = simulator_.size() - 1;
   }
 
-  /// Adds edges to three poses of each earlier pass along this street: behind, here and ahead.
+  /// For each earlier pass along this street, adds edges to three of its poses: one behind, one beside and
+  /// one ahead of the current pose.
   void arrive_in_street(const Leg& leg, int position) {
     constexpr int kSightings[] = {-2, 0, 2};
     const int steps = network_.street(leg).steps, pose = simulator_.size() - 1;

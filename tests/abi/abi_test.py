@@ -6,9 +6,9 @@
 
 Installs the build, then builds the programs in client/ against the installed library with g++ and with clang++.
 A program with all flags of the target boxplus::boxplus always links, and AddressSanitizer finds no error in it. A
-program NAME_bare removes the flag for Eigen's alignment. If Eigen's default alignment for its other flags equals the
-alignment of the library, it also links and runs without errors. Otherwise the linker reports an undefined symbol
-whose name ends with the alignment of the program.
+program NAME_bare is compiled without the flag that sets Eigen's alignment. If Eigen's default alignment for the
+remaining flags equals the alignment of the library, this program also links and runs without errors. Otherwise the
+linker reports an undefined symbol whose name ends with the alignment of the program.
 """
 
 import os

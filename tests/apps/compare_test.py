@@ -112,7 +112,7 @@ class CompareTest(CommandCase):
         errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (before, after)]
         self.assertLess(errors[1], 0.2 * errors[0])
 
-    def test_with_false_loop_closures_a_kernel_helps_only_from_the_first_iteration(self):
+    def test_with_false_loop_closures_a_robust_kernel_helps_only_if_it_is_used_from_the_first_iteration(self):
         # The example of docs/first_steps.md under "Outliers".
         graph, squares, robust, late, truth = (self.path / f"{name}.g2o" for name in ("graph", "squares", "robust", "late", "truth"))
         run("simulate", "streets", "--poses", 2000, "--outliers", 0.2, "-o", graph, "--truth", truth)

@@ -8,8 +8,8 @@ from command_case import TOWN, CommandCase, main, run
 
 UNIT = "1 0 0 1 0 1"  # the information matrix of an EDGE_SE2
 
-# Two components. Nothing holds the first one in place, and its loop closure is wrong by 3 meters. The second
-# one has a fixed vertex.
+# Two components. The first component has no fixed vertex, and its loop closure is wrong by 3 meters. The
+# second component has a fixed vertex.
 GRAPH = f"""\
 VERTEX_SE2 0 0 0 0
 VERTEX_SE2 2 1 0 0
@@ -77,7 +77,7 @@ class InfoTest(CommandCase):
         report = json.loads(run("optimize", graph, "--json", "-").stdout)
         self.assertEqual(report["gauge"]["held"], [0])
 
-    def test_a_prior_holds_its_component(self):
+    def test_no_vertex_is_held_in_a_component_with_a_prior(self):
         prior = f"EDGE_PRIOR_SE2 0 0 0 0 {UNIT}\n"
         first = facts_of(GRAPH + prior)["components"][0]
         self.assertEqual((first["priors"], first["held"]), (1, []))

@@ -30,7 +30,7 @@ class Picture:
         self.words = [text.text for text in self.root.iter(f"{SVG}text")]
 
     def closures(self):
-        """The colors of loop closures, one for each path. Gray paths are thinner than the others."""
+        """The colors of loop closures, one for each path. Gray paths are thinner than paths of other colors."""
         return [path.get("stroke") for path in self.paths
                 if path.get("stroke-opacity") and path.get("stroke-width") in ("0.7", "1")]
 
@@ -72,7 +72,7 @@ class PlotTest(CommandCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return Picture(done.stdout)
 
-    def test_shows_the_graph_before_and_after(self):
+    def test_shows_the_graph_before_and_after_optimization(self):
         for world in ("sphere", "city"):
             graph = self.path / f"{world}.g2o"
             run("simulate", world, "--poses", 400, "-o", graph)
@@ -123,7 +123,7 @@ class PlotTest(CommandCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertLess((self.path / "p.svg").stat().st_size, 8_000_000)
 
-    def test_of_edges_that_cover_each_other_only_the_worst_is_drawn(self):
+    def test_if_edges_cover_each_other_only_the_edge_with_the_largest_chi2_is_drawn(self):
         copies = "".join(f"EDGE_SE2 0 3 3 1 0 {INFORMATION}\n" for _ in range(50))
         colors = self.drawn("-", stdin=CHAIN + copies + f"EDGE_SE2 0 3 3 400 0 {INFORMATION}\n").closures()
         self.assertEqual(len(colors), 1)

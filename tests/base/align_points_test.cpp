@@ -21,7 +21,7 @@ Eigen::MatrixXd as_matrix(const PointAlignment& motion) {
   return result;
 }
 
-TEST(AlignPoints, EqualsTheReferenceOfEigen) {
+TEST(AlignPoints, ReturnsTheSameMotionAsEigensUmeyama) {
   for (int dimension : {2, 3}) {
     for (bool with_scale : {false, true}) {
       for (int count : {dimension, dimension + 1, 50}) {  // with fewer points, the rotation is not unique
@@ -37,7 +37,7 @@ TEST(AlignPoints, EqualsTheReferenceOfEigen) {
   }
 }
 
-TEST(AlignPoints, RotatesPointsThatOnlyAReflectionWouldMatch) {
+TEST(AlignPoints, ReturnsARotationEvenIfOnlyAReflectionMatchesThePoints) {
   const Eigen::MatrixXd from = noisy_points(3, 20, 3);
   Eigen::MatrixXd to = from;
   to.row(0) *= -1;

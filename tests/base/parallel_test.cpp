@@ -66,7 +66,7 @@ TEST(ParallelTasks, RunNothingForANegativeCount) {
   detail::parallel_tasks(-1, [](int) { FAIL(); });
 }
 
-TEST(ParallelTasks, RunOnOneThreadEachAndTheFirstTaskRunsOnTheCallingThread) {
+TEST(ParallelTasks, RunOnDifferentThreadsAndTheFirstTaskRunsOnTheCallingThread) {
   const auto ids = threads_of_tasks(6);
   EXPECT_EQ(std::set(ids.begin(), ids.end()).size(), 6U);
   EXPECT_EQ(ids[0], std::this_thread::get_id());

@@ -14,7 +14,7 @@ namespace boxplus::app {
 
 struct OptionDescription {
   std::vector<std::string> names;  ///< such as "-o" and "--output"; a positional argument has one name
-  std::string value;  ///< the placeholder for the value, such as FILE; empty for flags and arguments
+  std::string value;  ///< the placeholder for the value, such as FILE; empty if there is no placeholder
   std::vector<std::string> choices;  ///< the allowed values, if they can be listed
   std::string text, default_text, group;
   bool positional = false, required = false;

@@ -15,10 +15,10 @@ struct PosePair {
   TrajectoryPose result, truth;
 };
 
-/// Pairs poses with equal ids. If both trajectories have times instead of ids, pairs two poses if each is the
-/// nearest in time to the other one and they are at most `most_seconds` apart. The pairs are in the order of
-/// the truth. Takes O(n) time. Throws InvalidArgument if one trajectory has times and the other has ids, or
-/// if one lies in the plane and the other in space.
+/// Pairs poses with equal ids. If both trajectories have times instead of ids, pairs a pose of the result
+/// with a pose of the truth if each is the nearest in time to the other, and if they are at most
+/// `most_seconds` apart. The pairs are in the order of the truth. Takes O(n) time. Throws InvalidArgument if
+/// one trajectory has times and the other has ids, or if one lies in the plane and the other in space.
 std::vector<PosePair> matched(const Trajectory& result, const Trajectory& truth, double most_seconds);
 
 enum class AlignmentKind : std::uint8_t { kRigid, kFirst, kNone };

@@ -12,8 +12,8 @@
 namespace boxplus::app {
 namespace {
 
-/// Returns true if the text is a TUM file. Lines of TUM files begin with times, lines of graph files with
-/// tags.
+/// Returns true if the text is a TUM file. Lines of TUM files begin with times; lines of graph files begin
+/// with tags.
 bool is_tum(std::string_view text) {
   while (!text.empty()) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -33,7 +33,7 @@ TrajectoryPose pose_of(const detail::Frame& frame, Id id) {
     for (int column = 0; column < frame.dimension; ++column)
       pose.rotation(row, column) = frame.rotation[static_cast<std::size_t>(row * frame.dimension + column)];
   }
-  // Files contain quaternions with rounding errors, so the rotation must be normalized.
+  // Quaternions in files have rounding errors, so the rotation must be normalized.
   pose.rotation = detail::rotation_matrix(detail::normalized(detail::quaternion_of(pose.rotation)));
   return pose;
 }

@@ -7,8 +7,7 @@
 namespace boxplus::app {
 namespace {
 
-/// Returns, for each pair, the distance in meters that the truth has traveled from the first pair to this
-/// pair.
+/// Returns one length per pair: the length of the true path from the first pair to this pair, in meters.
 std::vector<double> traveled(const std::vector<PosePair>& pairs) {
   std::vector<double> lengths(pairs.size(), 0);
   for (std::size_t k = 1; k < pairs.size(); ++k)
@@ -16,7 +15,7 @@ std::vector<double> traveled(const std::vector<PosePair>& pairs) {
   return lengths;
 }
 
-/// Calls f(begin, end) for all combinations of two pairs that `span` selects.
+/// Calls f(begin, end) for each combination of two pairs that `span` selects.
 template <class F>
 void for_each_span(const std::vector<PosePair>& pairs, const RelativeSpan& span, F&& f) {
   if (span.distance > 0) {

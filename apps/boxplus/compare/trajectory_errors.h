@@ -21,8 +21,8 @@ ErrorStatistics statistics(std::vector<double> errors);
 ErrorStatistics absolute_error(const std::vector<PosePair>& pairs, const Alignment& alignment);
 
 /// Selects the poses between which the relative error is computed. If `distance` is 0, the second pose is
-/// `steps` pairs after the first pose. If `distance` is above 0, the second pose is the first one that the
-/// truth reaches after this many meters.
+/// `steps` pairs after the first pose. If `distance` is above 0, the second pose is the first pose whose
+/// distance from the first pose along the true path is at least `distance` meters.
 struct RelativeSpan {
   int steps = 1;
   double distance = 0;

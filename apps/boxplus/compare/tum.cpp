@@ -15,8 +15,8 @@
 namespace boxplus::app {
 namespace {
 
-/// The limits for the length of a quaternion. Outside of these limits, the file is wrong, because rounding
-/// errors are much smaller.
+/// The limits for the norm of a quaternion. A norm outside of these limits means that the file is wrong,
+/// because rounding errors are much smaller.
 constexpr double kShortest = 0.5, kLongest = 2;
 
 detail::Quaternion<double> read_quaternion(FieldReader& in) {

@@ -29,7 +29,7 @@ class Sets {
   }
 
  private:
-  std::unordered_map<Id, std::size_t> index_;  // the index of each vertex if vertices are sorted by id
+  std::unordered_map<Id, std::size_t> index_;  // the position of each vertex in the list sorted by id
   std::vector<std::size_t> parent_;
 };
 

@@ -11,8 +11,8 @@
 namespace boxplus::app {
 
 /// Returns the line number of each edge in `file.edges`. `text` is the text from which `file` was read.
-/// Returns an empty list if the number of lines with edges differs from the number of edges, because the line
-/// numbers are uncertain then.
+/// If the number of lines with edges differs from the number of edges, the line numbers are uncertain, and
+/// the result is empty.
 std::vector<std::int64_t> find_edge_lines(std::string_view text, const GraphFile& file,
                                           const ReadOptions& reading);
 

@@ -47,7 +47,7 @@ struct ComponentFacts {
   std::vector<Id> fixed;  ///< the vertices that the file fixes
   std::vector<Id> held;   ///< the vertices that optimize holds, because nothing else holds the component
   std::size_t priors = 0;
-  /// The motions that change no error even if `held` is held; empty if there are none.
+  /// The motions that change no error even while the vertices in `held` are fixed; empty if there are none.
   std::string_view free;
 };
 
@@ -55,7 +55,7 @@ struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
   std::array<std::size_t, kEdgeRoles> roles{};  ///< the number of edges with each EdgeRole
-  std::vector<ComponentFacts> components;       ///< all components but isolated vertices, the largest first
+  std::vector<ComponentFacts> components;       ///< the components with edges, the largest first
   std::vector<Id> isolated;                     ///< the ids of the vertices without edges
   std::vector<EdgeFacts> worst;                 ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;

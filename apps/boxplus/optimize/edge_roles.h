@@ -14,7 +14,7 @@ enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
 
 enum class EdgeRole : std::uint8_t {
-  kOdometry,     ///< an edge between poses with consecutive ids, apart from ids of landmarks
+  kOdometry,     ///< an edge between consecutive poses if all poses are sorted by id
   kLoopClosure,  ///< an edge between other poses
   kObservation,  ///< an edge with a landmark
   kPrior,        ///< an edge with only one vertex
@@ -34,7 +34,7 @@ class EdgeRoles {
 
  private:
   const Graph* graph_;
-  std::unordered_map<Id, std::size_t> rank_;  ///< the index of each pose if poses are sorted by id
+  std::unordered_map<Id, std::size_t> rank_;  ///< the position of each pose in the list sorted by id
 };
 
 }  // namespace boxplus::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes Ctrl-C (SIGINT) and SIGTERM requests to stop soon and keep the result so far.
+// Turns Ctrl-C (SIGINT) and SIGTERM into requests to stop soon and to keep the result so far.
 #pragma once
 
 #include <atomic>

@@ -11,7 +11,7 @@ namespace boxplus::app {
 /// upper or lower case. Replaces each name by its usual spelling.
 CLI::Validator kernel_name();
 
-/// Returns "DCS and GemanMcClure", the kernels whose width is in units of e².
+/// Returns the names of the kernels whose width is in units of e²: "DCS and GemanMcClure".
 std::string kernels_with_squared_width();
 
 }  // namespace boxplus::app

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the lengths in a picture: ticks with their values, arrows along x, y and z, and the scale bar.
+// Draws the parts of a picture that show lengths and directions: ticks with their values, arrows along x, y
+// and z, and the scale bar.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colors of pictures. Color-blind people can distinguish them. The time along the trajectory has cold
-// colors. Errors have warm colors, and larger errors are darker.
+// The colors of pictures, which color-blind people can distinguish. Cold colors show the time along the
+// trajectory. Warm colors show errors; larger errors have darker colors.
 #pragma once
 
 #include <span>
@@ -15,9 +15,9 @@ inline constexpr Rgb kLandmarkColor{0x1e, 0x29, 0x3b}, kTruthColor{0xf2, 0xd0, 0
 /// Returns the color at a time between the beginning (0) and the end (1) of the trajectory.
 Rgb trajectory_color(double time);
 
-/// One color scale for all scenes. It is gray up to chi2 = 1 per row, because noise explains such errors.
-/// Above 1, it is logarithmic. It ends at the smallest power of ten that is at least as large as 99 % of the
-/// errors.
+/// The color scale for errors, which all scenes share. It is gray up to chi2 = 1 per row, because noise
+/// explains such errors. Above 1, it is logarithmic. It ends at the smallest power of ten that is at least as
+/// large as 99 % of the errors.
 class ErrorColors {
  public:
   static constexpr int kBins = 16;

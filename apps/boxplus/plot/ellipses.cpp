@@ -15,8 +15,8 @@ namespace {
 /// The 95 % quantile of the chi-squared distribution with two degrees of freedom: −2 ln 0.05.
 constexpr double kChi2 = 5.991464547107979;
 
-/// Returns the matrix that maps vectors to the picture plane: from the frame of a pose or, for a point, from
-/// the world.
+/// Returns the matrix that maps vectors to the picture plane. For a pose, the vectors are in the frame of the
+/// pose; for a point, they are in the world frame.
 Eigen::MatrixXd to_picture(const detail::Frame& frame, const View& view) {
   const int d = frame.dimension;
   Eigen::MatrixXd plane(2, d), rotation = Eigen::MatrixXd::Identity(d, d);
@@ -43,7 +43,7 @@ double reach(const Ellipse& ellipse, double x, double y) {
 }
 
 bool lies_over(const Ellipse& a, const Ellipse& b, double gap) {
-  // The fraction of the distance at which two ellipses touch. A small overlap is legible.
+  // As a fraction of the distance at which the ellipses touch. Ellipses that overlap a little are legible.
   constexpr double kPart = 0.9;
   if (a.is_pose != b.is_pose) return false;
   const double dx = b.center[0] - a.center[0], dy = b.center[1] - a.center[1], distance = std::hypot(dx, dy);

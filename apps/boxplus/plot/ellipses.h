@@ -19,8 +19,8 @@ namespace boxplus::app {
 void add_ellipses(Scene& scene, const Graph& graph, const View& view, const std::string& name);
 
 /// Returns the ellipses that can be told apart, beginning with the vertex with the highest id. Leaves out
-/// ellipses that are smaller than a few pixels, and ellipses that lie over another ellipse of the same kind
-/// (poses or points). `pixel` is the size of a pixel in meters. Returns at most a few hundred ellipses.
+/// ellipses that are smaller than a few pixels, and ellipses that lie over an earlier ellipse of the same
+/// kind (pose or point). `pixel` is the size of a pixel in meters. Returns at most a few hundred ellipses.
 std::vector<Ellipse> legible(const std::vector<Ellipse>& ellipses, double pixel);
 
 /// Draws the parts of the ellipses inside a box. The lines are `width` pixels wide.

@@ -89,7 +89,8 @@ class ScenePainter {
     }
   }
 
-  /// Draws the segments in pieces, because viewers take quadratic time for the crossings within a path.
+  /// Draws the segments as several short paths, because viewers take quadratic time for the crossings within
+  /// a path.
   void draw(std::span<const Segment* const> segments, const Stroke& stroke) {
     constexpr std::size_t kPiece = 256;
     for (; !segments.empty(); segments = segments.subspan(std::min(kPiece, segments.size()))) {

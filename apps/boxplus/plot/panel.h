@@ -20,8 +20,8 @@ struct PanelStyle {
   const ErrorColors& colors;
   const View& view;
 };
-/// Draws the scene with `scale` pixels per meter. Also draws the parts around the scene that the options ask
-/// for.
+/// Draws the scene with `scale` pixels per meter. Also draws the frame, the header, the axes and the scale
+/// bar, if the options ask for them.
 void draw_panel(const Scene& scene, const PanelLayout& place, double scale, const PanelStyle& style,
                 Canvas& canvas);
 

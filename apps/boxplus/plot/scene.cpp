@@ -13,7 +13,7 @@ namespace {
 struct Place {
   Spot spot{};
   bool is_known = false, is_pose = false;
-  std::size_t order = 0;  ///< the index of a pose in the order of ids
+  std::size_t order = 0;  ///< the position of a pose in the list of poses sorted by id
   Id id = 0;
 };
 

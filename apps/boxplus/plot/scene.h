@@ -42,7 +42,7 @@ struct Ellipse {
 struct Scene {
   std::vector<Segment> segments;  ///< all segments, in the order of time
   std::vector<Spot> landmarks;
-  std::vector<Dot> dots;  ///< the poses that are not on the trajectory, or all poses if there are few
+  std::vector<Dot> dots;  ///< the poses that are not on the trajectory; if there are few poses, all of them
   std::vector<Ellipse> ellipses;
   bool has_ellipses =
       false;           ///< true if the user asked for ellipses, even if all of them are too small to see
@@ -65,7 +65,8 @@ struct View {
   double azimuth_deg = -31.5, elevation_deg = 24;
   bool operator==(const View&) const = default;
 };
-/// Returns the point (x, y, z) as it is seen. Points in the plane are seen from above, for any view.
+/// Projects the point (x, y, z) onto the picture plane. Points of a graph in the plane are seen from above
+/// for any view.
 Spot project(const std::array<double, 3>& point, int dimension, const View& view);
 
 /// The true positions of vertices by id, in the frame of the graph.

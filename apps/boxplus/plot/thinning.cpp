@@ -16,9 +16,9 @@ Cell cell_of(const Spot& spot, const Spot& origin, double pixel) {
   return {std::llround((spot[0] - origin[0]) / pixel), std::llround((spot[1] - origin[1]) / pixel)};
 }
 
-/// Joins steps of the trajectory that are shorter than a pixel. The segments must be in the order of time. If
-/// the last steps before a gap or the end are shorter than a pixel even when they are joined, they are left
-/// out.
+/// Joins consecutive steps of the trajectory until the joined step begins and ends in different pixels. The
+/// segments must be in the order of time. If the last steps before a gap or before the end stay within one
+/// pixel even when they are joined, they are left out.
 std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, const Spot& origin,
                                        double pixel) {
   std::vector<Segment> result;
@@ -37,8 +37,8 @@ std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, con
   return result;
 }
 
-/// Keeps one item of each group of items with equal identities: the first in order. The keys are (identity,
-/// order, …, index).
+/// Keeps one item of each group of items with equal identities: the first item in the order of the keys,
+/// which have the form (identity, order, …, index).
 template <class T, class Keys>
 std::vector<T> without_copies(const std::vector<T>& items, Keys keys) {
   std::sort(keys.begin(), keys.end());

@@ -8,7 +8,7 @@ namespace boxplus::app {
 
 /// Joins steps of the trajectory that are shorter than `pixel` meters. If segments or spots cover each other,
 /// keeps only the one with the largest chi2. If more than `most` elements remain, repeats this with larger
-/// pixels. Every error above noise stays visible at its position.
+/// pixels. Every error that is larger than noise stays visible at its position.
 Scene thinned(Scene scene, double pixel, std::size_t most);
 
 }  // namespace boxplus::app

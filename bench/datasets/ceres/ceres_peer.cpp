@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Records the time when the cost is reached, and ends the run at that point.
+/// Records the time of the first iteration whose chi2 is at most the target, and ends the run there.
 class ArrivalCallback final : public ceres::IterationCallback {
  public:
   explicit ArrivalCallback(double chi2) : cost_(chi2 / 2) {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs Ceres on the same graph as boxplus: with the same errors, the same weights and the same fixed poses.
 //
-// The peer is a separate library, compiled for this processor and with hidden symbols, so that neither side
-// runs code that was compiled for the other.
+// This code is a separate shared library, because it is compiled with -march=native and boxplus is not. Its
+// symbols are hidden, so that boxplus and Ceres do not share template functions, such as those of Eigen.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,7 @@
 
 #include "datasets/plain_graph.h"
 
-/// Marks the symbols that the library exports.
+/// Marks a symbol that the shared library exports.
 #define BOXPLUS_PEER __attribute__((visibility("default")))
 
 namespace boxplus::bench {
@@ -31,7 +31,7 @@ struct CeresSettings {
 BOXPLUS_PEER std::span<const CeresSettings> all_ceres_settings();
 
 struct CeresStop {
-  double chi2 = 0;  ///< the target: the run has arrived if chi2 is at most this
+  double chi2 = 0;  ///< the target: the run ends when chi2 is at most this
   int iterations = 100;
   double seconds = 120;
   double cost_tolerance = 1e-12;  ///< the run ends if the relative decrease of the cost is below this

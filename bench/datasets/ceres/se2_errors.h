@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errors in the plane for Ceres: for automatic differentiation, and with analytic Jacobians. A pose is
-// one parameter block (x, y, θ).
+// The errors of 2D poses and points for Ceres. Each error exists twice: as a functor for automatic
+// differentiation, and as a cost function with analytic Jacobians. A pose is one parameter block (x, y, θ).
 #pragma once
 
 #include <ceres/sized_cost_function.h>
@@ -20,7 +20,7 @@ T wrapped(const T& angle) {
   return angle - kTurn * floor((angle + kTurn / 2) / kTurn);
 }
 
-/// The error S vec(z⁻¹ xi⁻¹ xj), with the information matrix SᵀS.
+/// The error S vec(z⁻¹ xi⁻¹ xj) of a relative pose z, with the information matrix SᵀS.
 struct SE2MotionError {
   explicit SE2MotionError(const PlainGraph::Motion& motion)
       : z(motion.z.data()),
@@ -76,7 +76,7 @@ class SE2MotionCost final : public ceres::SizedCostFunction<3, 3, 3> {
   SE2MotionError error_;
 };
 
-/// The error S (x⁻¹ l − z), with the information matrix SᵀS.
+/// The error S (x⁻¹ l − z) of a point l that is observed from the pose x, with the information matrix SᵀS.
 struct PointError {
   explicit PointError(const PlainGraph::Observation& observation)
       : z(observation.z.data()), root(observation.root_information.data()) {}

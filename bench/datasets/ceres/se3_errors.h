@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The error of a relative pose in space for Ceres: for automatic differentiation, and with analytic
-// Jacobians. A pose has two parameter blocks, the position and the quaternion (x, y, z, w), as in Ceres's own
-// example.
+// The error of a relative 3D pose for Ceres. It exists twice: as a functor for automatic differentiation, and
+// as a cost function with analytic Jacobians. A pose has two parameter blocks, the position and the
+// quaternion (x, y, z, w), as in Ceres's example pose_graph_3d.
 #pragma once
 
 #include <ceres/sized_cost_function.h>
@@ -43,12 +43,13 @@ inline Eigen::Matrix3d cross_with(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// The same error with analytic Jacobians. They are derivatives with respect to the four scalars of each
-/// quaternion, like the Jacobians of automatic differentiation:
+/// The error of SE3MotionError, with analytic Jacobians. As in automatic differentiation, the Jacobian with
+/// respect to a quaternion q = (v, w) has four columns. The derivatives follow from these formulas:
 ///   rotate(q*, d) = d − 2w (v × d) + 2 v × (v × d)
 ///     ⇒ ∂/∂v = 2 (w [d]× − [v × d]× − [v]× [d]×),  ∂/∂w = −2 v × d
 ///   vec(p q) = (p_w I + [p_v]×) q_v + p_v q_w
-///   vec(p q* r) likewise, with q* = (−v, w) and q* r = ((r_w I − [r_v]×) q*_v + r_v w, −r_vᵀ q*_v + r_w w).
+///   vec(p q* r) is the second formula for p and q* r, with q* = (−v, w) and
+///     q* r = ((r_w I − [r_v]×) q*_v + r_v w, −r_vᵀ q*_v + r_w w).
 class SE3MotionCost final : public ceres::SizedCostFunction<6, 3, 4, 3, 4> {
  public:
   explicit SE3MotionCost(const PlainGraph::Motion& motion)

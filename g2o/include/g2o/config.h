@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every header of the g2o API includes this one first.
+// Makes sure that a client and the g2o libraries are compiled with compatible settings. Every header of the
+// g2o API includes this header first.
 //
-// Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit. The classes
-// from which clients derive could therefore have two layouts in one program. Other Eigen macros and the debug
-// mode of the standard library cause the same problem. Every header therefore references the symbol
-// g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. If settings differ, the
-// program does not link. The name of the missing symbol also says which flag to add or remove. The CMake
-// targets set EIGEN_MAX_ALIGN_BYTES=16.
+// Eigen derives the alignment of its fixed-size types from the -m flags of each translation unit. So the same
+// class could have one layout in a client and another layout in a library. Other Eigen macros and the debug
+// mode of the standard library cause the same problem. To detect the problem, this header references the
+// symbol g2o_abi_1_<EIGEN_MAX_ALIGN_BYTES>, and the libraries define only g2o_abi_1_16. If the settings of a
+// client differ, the client does not link. The name of the missing symbol also says which flag to add or
+// remove. The CMake targets set EIGEN_MAX_ALIGN_BYTES=16.
 #pragma once
 #ifndef G2O_CONFIG_H
 #define G2O_CONFIG_H
@@ -21,7 +22,7 @@
 #define G2O_API_EXPORT __attribute__((visibility("default")))
 #endif
 
-// LinearSolverCholmod and LinearSolverCSparse are always available.
+// LinearSolverCholmod and LinearSolverCSparse are always available, because they do not need these libraries.
 #define G2O_HAVE_CHOLMOD 1
 #define G2O_HAVE_CSPARSE 1
 

@@ -11,7 +11,8 @@ AbstractHyperGraphElementCreator::~AbstractHyperGraphElementCreator() = default;
 
 namespace {
 
-// Not destroyed at exit, because static objects in plug-ins may still unregister themselves at that time.
+// The factory is not destroyed at exit, because static objects in plug-ins may still unregister themselves at
+// that time.
 Factory*& factory_slot() {
   static Factory* slot = nullptr;
   return slot;

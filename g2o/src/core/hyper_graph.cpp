@@ -189,9 +189,9 @@ bool HyperGraph::removeEdge(Edge* e) {
   return true;
 }
 
-// Deletes the edges first, because their destructors may access their vertices. After that, accesses only
-// vertices that are still in vertices(). A client that owns its vertices may have emptied vertices() and
-// deleted them before.
+// Deletes the edges first, because the destructor of an edge may access its vertices. After that, accesses
+// only vertices that are still in vertices(), because a client that owns its vertices may have deleted them
+// and emptied vertices().
 void HyperGraph::clear() {
   for (Edge* e : _edges) release(e);
   _edges.clear();

@@ -9,8 +9,8 @@
 namespace g2o {
 namespace internal {
 
-/// A line of a file that load() reads. A type's read() stores its error message here, because load() knows
-/// the line number and read() does not.
+/// A line of a file that load() reads. A type's read() stores its error message here, and load() logs the
+/// message with the line number.
 class G2O_CORE_API LineStream : public std::istringstream {
  public:
   explicit LineStream(const std::string& line);

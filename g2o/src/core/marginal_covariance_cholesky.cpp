@@ -21,8 +21,8 @@ void MarginalCovarianceCholesky::setCholeskyFactor(int n, int* Lp, int* Li, doub
 }
 
 /// Computes the entries of Z = L⁻ᵀ L⁻¹ on the pattern of L, from the last column to the first: Z_ij = −Σ_k
-/// Z_ik L_kj / L_jj and Z_jj = (1 / L_jj − Σ_k L_kj Z_kj) / L_jj. Here i and k are the rows of the entries of
-/// column j below the diagonal. For each such pair, the entry (i, k) is also on the pattern.
+/// Z_ik L_kj / L_jj and Z_jj = (1 / L_jj − Σ_k L_kj Z_kj) / L_jj. Here i and k are rows below the diagonal in
+/// which column j has entries. For all such i and k, the pattern of L contains the entry (i, k), too.
 void MarginalCovarianceCholesky::sweep() {
   inverse_.assign(static_cast<size_t>(_Ap[_n]), 0.0);
   std::vector<int> place(static_cast<size_t>(_n), -1);  // the position of each row in column j, or -1

@@ -8,9 +8,9 @@
 namespace g2o {
 namespace internal {
 
-// The error of central differences with step δ is δ² e‴/6 + ε|e|/δ. The g2o document uses the step 1e-9. With
-// the step 1e-6, rounding costs about three fewer digits, and the truncation error is still below the
-// accuracy of any sensor.
+// Central differences with the step δ have the truncation error δ² e‴/6 and the rounding error ε|e|/δ. The
+// g2o document uses the step 1e-9. The step 1e-6 makes the rounding error a thousand times smaller, and its
+// truncation error is still below the accuracy of any sensor.
 void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex, double* jacobian) {
   constexpr double kStep = 1e-6;
   const auto rows = static_cast<size_t>(edge.dimension());

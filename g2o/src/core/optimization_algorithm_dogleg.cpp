@@ -37,8 +37,8 @@ bool OptimizationAlgorithmDogleg::init(bool online) {
   return false;
 }
 
-/// Computes the Gauss-Newton step. If H is not positive definite, uses H + λI instead, with a λ for which H +
-/// λI is positive definite.
+/// Computes the Gauss-Newton step. If H is not positive definite, solves with H + λI instead, and increases λ
+/// until H + λI is positive definite.
 bool OptimizationAlgorithmDogleg::solveGaussNewton() {
   constexpr double kLargestLambda = 1e3;
   bool solved = false;

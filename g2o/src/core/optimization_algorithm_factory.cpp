@@ -10,7 +10,8 @@
 namespace g2o {
 namespace {
 
-// Not destroyed at exit, because static objects in plug-ins may still unregister themselves at that time.
+// The factory is not destroyed at exit, because static objects in plug-ins may still unregister themselves at
+// that time.
 OptimizationAlgorithmFactory*& factory_slot() {
   static OptimizationAlgorithmFactory* slot = nullptr;
   return slot;

@@ -22,9 +22,9 @@ double largest_decrease_along(const Solver& solver, double lambda) {
   return curvature > 0 ? slope * slope / curvature : std::numeric_limits<double>::infinity();
 }
 
-/// Whether both the predicted and the actual decrease of chi2 are below rounding error. The largest decrease
-/// that the model predicts along the step must also be small. Otherwise, the step may be short only because λ
-/// is large.
+/// Whether both the predicted and the actual decrease of chi2 are below rounding error. Also requires that
+/// the largest decrease that the model predicts along the step is small, because a large λ alone can make the
+/// step short.
 bool is_below_rounding(double chi2, double predicted, double largest_predicted, double decrease) {
   constexpr double kRounding = 1e-13, kMostShortening = 1000;
   return predicted <= kRounding * chi2 && std::abs(decrease) <= kRounding * chi2 &&

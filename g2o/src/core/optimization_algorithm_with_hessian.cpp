@@ -15,8 +15,8 @@
 namespace g2o {
 namespace {
 
-/// Reports the first edge whose error is not finite. If there is none, reports that a derivative is not
-/// finite.
+/// Reports the first edge whose error is not finite. If all errors are finite, reports that a derivative is
+/// not finite.
 void report_edge(const SparseOptimizer& optimizer) {
   for (const OptimizableGraph::Edge* e : optimizer.activeEdges()) {
     if (std::isfinite(e->chi2())) continue;

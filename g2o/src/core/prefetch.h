@@ -13,7 +13,7 @@ namespace internal {
 inline void prefetch(const void* object, std::size_t bytes) {
 #if defined(__GNUC__)
   constexpr std::size_t kLine = 64;
-  const auto begin = reinterpret_cast<std::uintptr_t>(object);  // an integer may leave the object
+  const auto begin = reinterpret_cast<std::uintptr_t>(object);  // integers may point past the object
   for (std::size_t at = 0; at < bytes; at += kLine)
     __builtin_prefetch(reinterpret_cast<const void*>(begin + at));
 #else
@@ -22,8 +22,8 @@ inline void prefetch(const void* object, std::size_t bytes) {
 #endif
 }
 
-/// Calls f for each edge. Prefetches the next edges and their vertices, because all of them are separate heap
-/// objects.
+/// Calls f for each edge. Meanwhile, prefetches the next edges and their vertices, because each of them is a
+/// separate heap object.
 template <class F>
 void for_each_ahead(const OptimizableGraph::EdgeContainer& edges, F&& f) {
   constexpr std::size_t kEdgesAhead = 6, kVerticesAhead = 3;

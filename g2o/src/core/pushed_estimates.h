@@ -5,8 +5,8 @@ namespace g2o {
 namespace internal {
 
 /// Saves the estimates of a vertex, or of the active vertices of an optimizer, before a step that may be
-/// rejected. The destructor restores them unless keep() was called. So the estimates are also restored if
-/// client code throws.
+/// rejected. The destructor restores the estimates unless keep() or restore() was called, so that the
+/// estimates are also restored when client code throws.
 template <class Stack>
 class PushedEstimates {
  public:
@@ -17,7 +17,7 @@ class PushedEstimates {
     if (stack_ == nullptr) return;
     try {
       stack_->pop();
-    } catch (...) {  // thrown by client code; the first exception is reported
+    } catch (...) {  // client code threw; a destructor must not throw
     }
   }
   /// Keeps the current estimates.

@@ -14,8 +14,8 @@
 namespace g2o {
 namespace {
 
-/// Sets rho to (ρ, ρ′, ρ″) of a kernel of the engine. A kernel with a width of 0 or less ignores every error:
-/// rho is zero.
+/// Sets rho to (ρ, ρ′, ρ″) of a kernel of boxplus with the width `delta`. If the width is not positive, sets
+/// rho to zero, so that the error has no effect.
 template <class Kernel>
 void robustify_by(double delta, double e2, Vector3& rho) {
   if (!(delta > 0)) {
@@ -180,8 +180,8 @@ void RobustKernelFactory::fillKnownKernels(std::vector<std::string>& types) cons
 
 }  // namespace g2o
 
-// The symbol that G2O_USE_ROBUST_KERNEL(classname) needs. It is weak, because a client may register a class
-// of the same name.
+// Defines the symbol that G2O_USE_ROBUST_KERNEL(classname) needs. It is weak, because a client may register a
+// class of the same name.
 #define DEFINE_FOR_USE(classname) \
   G2O_API_EXPORT __attribute__((weak)) void g2o_robust_kernel_##classname(void) {}
 extern "C" {

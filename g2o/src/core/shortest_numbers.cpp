@@ -31,7 +31,7 @@ ShortestNumbers::~ShortestNumbers() {
   if (!stream_.bad()) return;
   try {
     to_.setstate(std::ios::badbit);
-  } catch (const std::ios::failure&) {  // if exceptions are enabled; badbit is set either way
+  } catch (const std::ios::failure&) {  // setstate() has set badbit before it throws
   }
 }
 

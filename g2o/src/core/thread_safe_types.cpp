@@ -18,8 +18,8 @@ struct ThreadSafeTypes {
   std::atomic<std::uint64_t> revision = 0;
 };
 
-/// Not destroyed at exit, because static objects of clients and plug-ins may still withdraw their
-/// declarations at that time.
+/// The object is not destroyed at exit, because static objects of clients and plug-ins may still withdraw
+/// their declarations at that time.
 ThreadSafeTypes& thread_safe_types() {
   static ThreadSafeTypes& instance = *new ThreadSafeTypes;
   return instance;

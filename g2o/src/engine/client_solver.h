@@ -10,8 +10,8 @@
 namespace g2o {
 namespace internal {
 
-/// A client's solver factorizes and solves in one call. So factorize() only adds the damping to copies of the
-/// diagonal blocks, and lists all blocks for solve().
+/// factorize() only adds the damping to copies of the diagonal blocks and lists all blocks for solve(),
+/// because a client's solver factorizes and solves in one call.
 class ClientSolver final : public boxplus::LinearSolver {
  public:
   /// Sets the client's solver that the next calls of solve() use.

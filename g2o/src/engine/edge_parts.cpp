@@ -34,8 +34,8 @@ class LastType {
 };
 
 /// Assigns vertices to parts. Vertices are numbered in the order in which edges first use them, and each part
-/// gets a range of numbers. Vertices with similar numbers are mostly neighbors, so most edges lie in one
-/// part.
+/// gets a range of numbers. Vertices with similar numbers are mostly neighbors, so most edges have all of
+/// their vertices in one part.
 class VertexParts {
  public:
   explicit VertexParts(const OptimizableGraph::EdgeContainer& edges, int vertices)
@@ -48,8 +48,8 @@ class VertexParts {
     }
   }
 
-  /// Returns the number of the part that contains all movable vertices of an edge, or −1 if there is none.
-  /// There are `count` parts.
+  /// Returns the index of the part that contains all vertices of an edge except the fixed vertices, or −1 if
+  /// there is no such part. There are `count` parts.
   int of(const OptimizableGraph::Edge& edge, int count) const {
     int part = -1;
     for (const HyperGraph::Vertex* v : edge.vertices()) {

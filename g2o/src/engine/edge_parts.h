@@ -22,10 +22,10 @@ inline bool is_complete(const OptimizableGraph::Edge& edge) {
   return true;
 }
 
-/// Edges in different parts have no movable vertex in common, so they add to different blocks of H and b. One
-/// thread processes the remaining edges: edges with vertices in different parts, and edges of types that are
-/// not known to be thread-safe. The number of parts does not depend on the number of threads, so the order of
-/// additions does not depend on it, either.
+/// Edges in different parts have no vertex in common except fixed vertices. Therefore, they add to different
+/// blocks of H and b. One thread processes the remaining edges: edges with vertices in different parts, and
+/// edges of types that are not known to be thread-safe. The number of parts is constant, so the order of
+/// additions does not depend on the number of threads.
 class EdgeParts {
  public:
   using Edge = OptimizableGraph::Edge;

@@ -14,7 +14,7 @@ struct LinearEngine::State {
   boxplus::BlockStructure structure;
   std::vector<double> values;
   std::unique_ptr<boxplus::AssembledSystem>
-      system;                                     // refers to `values`; solve() of iterative solvers reads it
+      system;                                     // refers to `values`; iterative solvers read it in solve()
   std::unique_ptr<boxplus::LinearSolver> solver;  // nullptr, or a solver that is analyzed for the structure
   int iterations = 0;
 };

@@ -12,8 +12,9 @@
 namespace g2o {
 namespace internal {
 
-/// Forwards all calls to `solver`. Converts EngineSettings::tolerance to a relative tolerance, because only
-/// this solver knows the right-hand side of the system that remains after the elimination.
+/// Forwards all calls to `solver`. Converts EngineSettings::tolerance to a relative tolerance, because the
+/// conversion needs the right-hand side of the system that remains after the elimination, which only this
+/// solver receives.
 class MeasuredSolver final : public boxplus::LinearSolver {
  public:
   MeasuredSolver(std::unique_ptr<boxplus::LinearSolver> solver, const EngineSettings& settings)

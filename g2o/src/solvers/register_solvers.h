@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Macros that register the algorithms with one linear solver in the factory.
+// Macros that register algorithms in the factory. A call registers all algorithms that use one linear solver.
 #pragma once
 
 #include <functional>

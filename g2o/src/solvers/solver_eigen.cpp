@@ -2,9 +2,9 @@
 #include "g2o/solvers/eigen/linear_solver_eigen.h"
 #include "solvers/register_solvers.h"
 
-// Programs with G2O_USE_OPTIMIZATION_LIBRARY(cholmod) or G2O_USE_OPTIMIZATION_LIBRARY(csparse) also link
-// without the libraries solver_cholmod and solver_csparse. The factory then uses the algorithms of this
-// library instead.
+// These symbols let programs with G2O_USE_OPTIMIZATION_LIBRARY(cholmod) or
+// G2O_USE_OPTIMIZATION_LIBRARY(csparse) link without the libraries solver_cholmod and solver_csparse. The
+// factory then uses the algorithms of this library instead.
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_cholmod(void) {}
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_csparse(void) {}
 

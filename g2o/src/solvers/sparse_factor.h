@@ -25,7 +25,7 @@ struct UpperTriangle {
 };
 
 /// The factor L in compressed columns. Each column begins with its diagonal entry. `place[k]` is the row of L
-/// for row k of the matrix. If `place` is null, both have the same order.
+/// for row k of the matrix. If `place` is null, the rows of L and of the matrix have the same order.
 struct LowerFactor {
   int *p = nullptr, *i = nullptr;
   double* x = nullptr;

@@ -14,7 +14,7 @@ std::mt19937& shared_generator() {
 }  // namespace
 
 // Uses a new distribution for each value, because a distribution may compute two values at once and store one
-// of them. With such a stored value, a new seed would not restart the sequence.
+// of them. After a new seed, the next call would return the stored value, which belongs to the old seed.
 double sampleGaussian(std::mt19937* generator) {
   std::normal_distribution<double> gaussian;
   return gaussian(generator != nullptr ? *generator : shared_generator());

@@ -35,8 +35,8 @@ void write_line(std::ostream& os, const Vector& numbers) {
 }
 
 /// Writes an element for gnuplot. If Library::write() does not write the element, this action writes the
-/// lines of its sketch. Each of them becomes two lines of coordinates and an empty line. Skips edges that
-/// lack a vertex.
+/// lines of its sketch. Each line of the sketch becomes two lines of coordinates and an empty line. Skips
+/// edges that lack a vertex.
 template <class Library, class T>
 class GnuplotAction : public WriteGnuplotAction {
  public:
@@ -133,7 +133,7 @@ class DrawElementAction : public DrawAction {
   }
 };
 
-/// Registers both actions for each of the types, as long as this object exists.
+/// Both actions of each of the types are registered as long as this object exists.
 template <class Library, class... T>
 class RegisterActions {
  private:

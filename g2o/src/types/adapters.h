@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adapters from the ready-made types of the g2o API to the types of the engine. They cover errors, Jacobians,
-// and fields of files.
+// Adapters from the ready-made types of the g2o API to the types of the engine (boxplus). They convert
+// errors, Jacobians, and fields of files.
 #pragma once
 
 #include <array>

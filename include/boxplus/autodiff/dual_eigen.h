@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lets Eigen use dual numbers as scalars, as in Vector<Dual<double, 3>, 2>. They mix with matrices of double.
+// Lets Eigen use dual numbers as scalars, as in Vector<Dual<double, 3>, 2>. Expressions may mix matrices of
+// dual numbers with matrices of double.
 //
 // Eigen's blocked product cannot multiply duals by doubles if both matrices have a run-time size (a matrix
 // times a vector works). Write A.lazyProduct(B) instead, or cast one of them.

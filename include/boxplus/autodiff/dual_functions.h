@@ -3,9 +3,10 @@
 // std::sin; sin(x)`, in any namespace, x may be a dual number or a plain scalar.
 //
 // Some functions have an infinite slope at some point (sqrt at 0, asin at 1, log at 0). There, the derivative
-// is zero in each direction in which the argument does not change. So the norm of a constant zero vector has
-// derivative 0, not NaN. At a kink, a function returns one of its one-sided derivatives: abs at 0, the right
-// one; fmin and fmax of equal arguments, the derivative of the first argument.
+// is zero in each direction in which the argument does not change. Therefore, the norm of a constant zero
+// vector has the derivative 0, not NaN. At a kink, a function has a one-sided derivative: abs() at 0 has the
+// derivative from the right, and fmin() and fmax() of equal arguments have the derivative of the first
+// argument.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,7 @@ namespace boxplus::detail {
 template <class S, int N>
 struct Dual;
 
-/// Whether a value of type T acts as a constant when it is combined with duals over S. This holds if T is an
+/// Whether a value of type T acts as a constant when it is combined with duals over S. True if T is an
 /// arithmetic type, S itself, or a scalar type nested in S.
 template <class T, class S>
 struct IsLowerScalar : std::bool_constant<std::is_arithmetic_v<T> || std::is_same_v<T, S>> {};
@@ -44,7 +44,8 @@ struct Dual {
   constexpr Dual(const S& value_in, const std::array<S, N>& derivative_in)
       : value(value_in), derivative(derivative_in) {}
 
-  /// The independent variable `index`: its derivative is one in that direction, zero in the others.
+  /// The independent variable `index`: its derivative is 1 in the direction `index` and 0 in all other
+  /// directions.
   static constexpr Dual variable(const S& value, int index) {
     Dual x(value);
     x.derivative[index] = S(1);

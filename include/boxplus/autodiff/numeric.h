@@ -27,7 +27,7 @@ class NumericDerivative {
   explicit NumericDerivative(const NumericOptions& options = {}) : options_(options) {}
 
   /// Fills derivative[0 … size) with df/dh at h = 0, for f(double h, double* values). Returns the largest
-  /// estimated error of any component. It is infinite if f was not finite anywhere near 0.
+  /// estimated error of any component. The estimated error is infinite if f was not finite anywhere near 0.
   template <class F>
   double operator()(const F& f, int size, double* derivative) {
     start(size);
@@ -51,8 +51,8 @@ class NumericDerivative {
     row_.assign(static_cast<std::size_t>(size) * options_.max_rows, 0.0);
   }
 
-  /// Appends one row to the tableau of component i. At the beginning, tableau[k] is the entry of order k in
-  /// the previous row; at the end, in the new row.
+  /// Appends one row to the tableau of component i. Before the call, tableau[k] is the entry of order k of
+  /// the previous row. After the call, it is the entry of order k of the new row.
   void extrapolate(int i, int row, double step) {
     double* tableau = row_.data() + static_cast<std::size_t>(i) * options_.max_rows;
     double entry = (plus_[i] - minus_[i]) / (2 * step);
@@ -73,7 +73,8 @@ class NumericDerivative {
     if (row == 0) best_[i] = entry;
   }
 
-  /// Whether every component is within the tolerance, or as accurate as rounding permits from this step on.
+  /// Whether the error of every component is within the tolerance, or below the rounding error of a central
+  /// difference with this step.
   bool converged(double step) const {
     double slope = 0, value = 0, error = 0;
     for (std::size_t i = 0; i < best_.size(); ++i) {

@@ -3,9 +3,9 @@
 //
 // In each translation unit, the -m flags of the compiler determine the alignment of Eigen's fixed-size types
 // and the allocator of its other types. So one struct may have two layouts in one program. The value types of
-// boxplus do not depend on these flags, but users' types inside our templates may. So every public header
-// references the symbol boxplus_abi_<version>_<EIGEN_MAX_ALIGN_BYTES>, and the library defines exactly one
-// such symbol. The CMake target boxplus::boxplus sets EIGEN_MAX_ALIGN_BYTES=16, so that its users always
+// boxplus do not depend on these flags, but users' types inside our templates may. Therefore, every public
+// header references the symbol boxplus_abi_<version>_<EIGEN_MAX_ALIGN_BYTES>, and the library defines exactly
+// one such symbol. The CMake target boxplus::boxplus sets EIGEN_MAX_ALIGN_BYTES=16, so that its users always
 // match.
 #pragma once
 
@@ -24,7 +24,8 @@
 
 extern "C" const char BOXPLUS_ABI_SYMBOL;
 
-// `used` stops the compiler from removing the reference, `retain` stops the linker's --gc-sections.
+// `used` stops the compiler from removing the reference, and `retain` stops the linker's --gc-sections from
+// removing it.
 #if __has_cpp_attribute(gnu::retain)
 [[gnu::used, gnu::retain]]
 #else

@@ -10,13 +10,14 @@ namespace boxplus::detail {
 /// Number of hardware threads, at least 1.
 int hardware_threads() noexcept;
 
-/// Runs task(0) … task(count − 1), task i on worker i (worker 0 is the caller), and returns when all have
-/// ended.
+/// Runs task(0) … task(count − 1), task i on worker i (worker 0 is the caller), and returns when all tasks
+/// have ended.
 ///
 /// The whole process shares the workers. They start on first use, spin for 50 µs after their last task, then
 /// sleep. A call allocates nothing if `count` workers exist. Calls from several threads run one after the
 /// other. A call from inside a task runs its tasks in order on the calling worker. If the system grants fewer
-/// threads, the caller runs the remaining tasks. So tasks of one call must not wait for each other.
+/// threads, the caller runs the remaining tasks. Therefore, the tasks of one call must not wait for each
+/// other.
 ///
 /// All tasks run, even if some of them throw. Then the first exception in the order of the tasks is rethrown.
 void parallel_tasks(int count, FunctionRef<void(int)> task);

@@ -11,8 +11,8 @@
 
 namespace boxplus {
 
-/// Thrown when a token is raised, by computations that cannot return a status. optimize() catches it and
-/// reports the reason.
+/// The exception of computations that are stopped by a token and cannot return a status. optimize() catches
+/// it and reports the reason.
 class Stopped : public Error {
  public:
   explicit Stopped(bool by_flag)
@@ -29,10 +29,10 @@ class StopToken {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Never raised.
+  /// A token that is never raised.
   StopToken() = default;
-  /// Raised while `*flag` is true, and from the time `begin` + `seconds` on. `flag` may be null; otherwise
-  /// the flag must outlive the token.
+  /// A token that is raised while `*flag` is true, and from the time `begin` + `seconds` on. `flag` may be
+  /// null; otherwise the flag must outlive the token.
   explicit StopToken(const std::atomic<bool>* flag, Clock::time_point begin = {}, double seconds = kUnlimited)
       : flag_(flag), deadline_(deadline(begin, seconds)) {}
 

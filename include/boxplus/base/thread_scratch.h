@@ -4,9 +4,10 @@
 
 namespace boxplus::detail {
 
-/// The T of the calling thread for this Tag. It is created on first use, and freed when its thread ends.
-/// Unlike a thread_local T, it is created again if it is used after that, as by destructors of global
-/// objects, which run after the main thread's thread_local objects are destroyed.
+/// Returns the object of type T that belongs to the calling thread and to this Tag. The first call creates
+/// the object, and the end of the thread destroys it. A later call creates a new object; a thread_local T
+/// could not be used any more. Destructors of global objects need this, because they run after the
+/// thread_local objects of the main thread are destroyed.
 template <class T, class Tag>
 T& thread_scratch() {
   struct Owner {

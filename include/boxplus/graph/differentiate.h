@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Jacobians of an error function with respect to the step δ of x ⊞ δ: exact, analytic or numeric.
 //
-// Each fills a column-major block of rows × cols. The columns of x_1 come first, then the columns of x_2, …
+// Each function fills a column-major block of rows × cols. The columns of x_1 come first, then the columns of
+// x_2, …
 #pragma once
 
 #include <algorithm>
@@ -59,8 +60,8 @@ detail::Rebind<T, S> lift(const T& x, int column, int first) {
   }
 }
 
-/// An argument over dual numbers: the lifted estimate, or the lifted elements of a tail. An estimate that
-/// consecutive edges share is lifted only once.
+/// An argument that is converted ("lifted") to dual numbers: an estimate, or the elements of a tail. An
+/// estimate that consecutive edges share is lifted only once.
 template <class V, class S>
 class LiftedArgument {
  public:
@@ -113,7 +114,7 @@ class AutomaticJacobian {
   void columns(const E& e, double* error, double* jacobian, int rows, int cols, int first,
                std::span<const std::uint32_t> slots, Argument<V>... x) {
     int column = 0;
-    std::size_t position = 0;  // in `slots`. A tail does not use its slot, and may be empty.
+    std::size_t position = 0;  // next index in `slots`; a tail does not use its slot, and may be empty
     const auto next_slot = [&] { return position < slots.size() ? slots[position++] : 0; };
     std::apply([&](auto&... a) { (a.lift(x, next_slot(), column, first), ...); }, lifted_);
     const auto result = std::apply([&](const auto&... a) { return evaluate(e, a.get()...); }, lifted_);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pool that stores all edges of one type, and the tile that holds the errors and Jacobians of a few.
+// The pool that stores all edges of one type, and the tile that holds the errors and Jacobians of a few
+// edges.
 #pragma once
 
 #include <algorithm>
@@ -52,19 +53,21 @@ class EdgePool {
  public:
   virtual ~EdgePool() = default;
 
-  /// A copy with the same slots and generations. It uses `vertex_pools`, which are copies of the original's.
+  /// A copy with the same slots and generations. The edges of the copy use the vertices in `vertex_pools`,
+  /// which are copies of the original's pools.
   virtual std::unique_ptr<EdgePool> clone(
       std::span<const std::unique_ptr<VertexPool>> vertex_pools) const = 0;
   virtual std::string_view type_name() const = 0;
   virtual EdgeShape shape(std::uint32_t edge) const = 0;
-  /// Whether all edges of the pool have the same shape. Otherwise they are linearized one at a time.
+  /// Whether all edges of the pool have the same shape. Otherwise, the edges are linearized one at a time.
   virtual bool uniform_shape() const = 0;
   /// The errors of the listed edges, one after the other.
   virtual void errors(std::span<const std::uint32_t> edges, double* out) const = 0;
   /// eᵀΩe per listed edge, before any robust kernel.
   void chi2(std::span<const std::uint32_t> edges, double* out) const;
   /// Fills count, rows, cols, error and jacobian for the listed edges: at most EdgeTile::kCapacity edges of
-  /// the same shape. Several workers may call it at once. `force_numeric` asks for numeric Jacobians.
+  /// the same shape. Several workers may call this function at once. `force_numeric` asks for numeric
+  /// Jacobians.
   virtual void linearize(std::span<const std::uint32_t> edges, EdgeTile& tile, bool force_numeric) const = 0;
   virtual JacobianSource jacobian_source() const = 0;
   /// Computes the errors of at most EdgeTile::kCapacity edges, in lanes. Does nothing and returns false if
@@ -75,7 +78,8 @@ class EdgePool {
   /// True if each edge of this type completely measures a pose or a point relative to a pose, or a pose
   /// relative to the world (kRigid in graph/error_function.h).
   virtual bool is_rigid() const { return false; }
-  /// Sets `out` to the relative frame that the edge measures, for initial guesses. Returns false if none.
+  /// Sets `out` to the relative frame that the edge measures, for initial guesses. Returns false if it
+  /// measures none.
   virtual bool relative_frame(std::uint32_t /*edge*/, RelativeFrame& /*out*/) const { return false; }
 
   /// Reserves memory for a total of `edges` edges with the sizes of the existing ones. Changes nothing else.
@@ -129,9 +133,9 @@ class EdgePool {
   /// The slot that acquire_slot() will return for an edge of this arity: the slot of a removed edge, or
   /// slots().
   std::uint32_t next_slot(std::size_t arity) const;
-  /// Registers a new edge and returns its slot. This is the slot of a removed edge of the same arity, or a
-  /// new slot at the end; then the derived class must also append an element. If the function throws, nothing
-  /// has changed.
+  /// Registers a new edge and returns its slot. If there is a slot of a removed edge of the same arity,
+  /// returns this slot. Otherwise, returns a new slot at the end, and the derived class must also append an
+  /// element. If the function throws, nothing has changed.
   std::uint32_t acquire_slot(std::span<const std::uint32_t> vertex_slots,
                              std::span<const std::uint32_t> tail_sizes, const Information& information,
                              int rows);

@@ -4,12 +4,12 @@
 // Either the type has a member `error(x_1, …, x_q) const`, or it is callable itself (a lambda). Estimates are
 // passed by const reference. If the arity of the edge is chosen at run time, the last arguments are
 // std::span<const T>, each with a different T. Vectors are Vector<S, N> (base/matrix.h). A function that
-// takes Eigen::Matrix<S, N, 1> gets copies; copying a span of vectors allocates memory. The result is a
-// scalar, a std::array, or an Eigen vector, of fixed or run-time size.
+// takes Eigen::Matrix<S, N, 1> gets copies of its arguments; copying a span of vectors allocates memory. The
+// result is a scalar, a std::array, or an Eigen vector, of fixed or run-time size.
 //
 // Threads: optimize() calls error() and jacobians() of different edges on several threads at once, unless
-// Options::threads is 1. Both are const. An edge that writes to shared or mutable data (a counter, a cache)
-// must protect it.
+// Options::threads is 1. Both functions are const. An edge that writes to shared or mutable data (a counter,
+// a cache) must protect it.
 //
 // There are three ways to get Jacobians:
 //   - If the function is generic in the scalar of its arguments, dual numbers differentiate it exactly.
@@ -259,8 +259,8 @@ requires requires {
   using Type = typename R::value_type;
 };
 
-/// The return type of a call, found without compiling the call: Eigen declares conversions between vectors of
-/// different scalars, but they do not compile.
+/// The return type of a call, found without compiling the call, because Eigen declares conversions between
+/// vectors of different scalars that do not compile.
 template <class E, class... A>
 struct UnevaluatedResult {
   using Type = std::invoke_result_t<const E&, A...>;
@@ -274,8 +274,8 @@ template <class E, class... A>
 requires(!CallableAsIs<E, A...>) struct UnevaluatedResult<E, A...> : UnevaluatedResult<E, Aligned<A>...> {
 };
 
-/// If the arguments have the scalar S, the result has it, too. (A function of plain Eigen vectors seems to
-/// accept vectors of S, because Eigen declares a conversion; but its result has plain scalars.)
+/// Whether the result of E has the scalar S if the arguments have it. (A function of plain Eigen vectors
+/// seems to accept vectors of S, because Eigen declares a conversion, but the result has plain scalars.)
 template <class E, class S, class... A>
 concept Carries = Callable<E, A...> &&
     std::is_same_v<typename RowScalar<std::remove_cvref_t<typename UnevaluatedResult<E, A...>::Type>>::Type,
@@ -292,9 +292,9 @@ concept WantsNumeric = requires {
 };
 
 /// Whether E declares `static constexpr bool kRigid = true`. Such an error measures the position of one
-/// vertex completely, in the frame of another vertex or in the world. So if some of its vertices are rotated,
-/// shifted or scaled, the error changes; only a rigid motion of all of them may leave it unchanged. Therefore
-/// the search for gauge freedom can skip the edge.
+/// vertex completely, in the frame of another vertex or in the world. Therefore, the error changes if some of
+/// its vertices are rotated, shifted or scaled. Only a rigid motion of all of its vertices may leave the
+/// error unchanged, so the search for gauge freedom can skip the edge.
 template <class E>
 inline constexpr bool kIsRigid = [] {
   if constexpr (requires { E::kRigid; }) {

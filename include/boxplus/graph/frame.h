@@ -7,7 +7,7 @@
 
 namespace boxplus::detail {
 
-/// A pose (T_world_body) or, without rotation, a point in the world.
+/// A pose (T_world_body), or a point in the world, which has no rotation.
 struct Frame {
   int dimension = 0;                    ///< 2 or 3
   bool has_rotation = false;            ///< false if it is a point

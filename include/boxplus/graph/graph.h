@@ -100,8 +100,8 @@ class Graph {
     return register_vertex<detail::StoredEstimate<T>>(std::move(estimate), chosen, vertex_ids_);
   }
 
-  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed at first, but does not hold
-  /// the gauge. Parameters have their own ids. To calibrate the constant, unfix() it.
+  /// Adds a shared constant (a sensor offset, a camera): a vertex that is fixed at first, but does not remove
+  /// gauge freedom. Parameters have their own ids. To calibrate the constant, unfix() it.
   template <class T>
   VertexHandle<detail::StoredEstimate<T>> add_parameter(T value, std::optional<Id> id = std::nullopt) {
     static_assert(detail::check_vertex_type<detail::StoredEstimate<T>>());
@@ -161,13 +161,15 @@ class Graph {
   ///
   /// In fixed directions, every optimization step and the covariance are exactly zero, with any edges,
   /// kernels, solvers and elimination. The ⊞ of the type determines which values of the estimate keep their
-  /// bits: the entries of a vector or a Product do; z of an SE3 does only while the z axis of the body is
-  /// parallel to the z axis of the world. Throws InvalidArgument if a direction is not in [0, tangent_dim).
+  /// bits. The entries of a vector or a Product keep their bits. The z of an SE3 keeps its bits only while
+  /// the z-axis of the body is parallel to the z-axis of the world. Throws InvalidArgument if a direction is
+  /// not in [0, tangent_dim).
   void fix_directions(VertexRef vertex, std::span<const int> directions);
   void fix_directions(VertexRef vertex, std::initializer_list<int> directions) {
     fix_directions(vertex, std::span(directions.begin(), directions.size()));
   }
-  /// In ascending order. Valid until the next call of fix_directions() for any vertex.
+  /// The fixed directions in ascending order. The span is valid until the next call of fix_directions() for
+  /// any vertex.
   std::span<const int> fixed_directions(VertexRef vertex) const;
 
   /// Marks a vertex to be eliminated first, by the Schur complement (such as a point in bundle adjustment).
@@ -243,8 +245,8 @@ class Graph {
   requires std::derived_from<K, RobustKernel>
   void set_kernel(EdgeRef edge, const K& kernel) { set_kernel(edge, std::make_shared<const K>(kernel)); }
   const RobustKernel* kernel(EdgeRef edge) const;
-  /// A disabled edge has zero weight, but stays in the structure of the problem. So GaugePolicy still treats
-  /// it as holding its part of the graph in place, like an edge whose Ω is zero.
+  /// A disabled edge has zero weight, but stays in the structure of the problem. Therefore, GaugePolicy
+  /// treats it like an enabled edge, as it does with an edge whose Ω is zero.
   void set_enabled(EdgeRef edge, bool enabled);
   bool is_enabled(EdgeRef edge) const;
   /// Options::level selects the edges that take part.
@@ -255,9 +257,9 @@ class Graph {
   /// eᵀΩe of one edge, without its kernel. error() returns e.
   double chi2(EdgeRef edge) const;
   std::vector<double> error(EdgeRef edge) const;
-  /// The factor by which an optimizer multiplies Ω of one edge at the current estimates: ρ′(eᵀΩe) of its
-  /// kernel, but at least 0; 1 without a kernel; 0 for a disabled edge. The weighted information of the edge
-  /// is weight(edge) * information(edge).matrix().
+  /// The factor by which an optimizer multiplies Ω of one edge at the current estimates. It is ρ′(eᵀΩe) of
+  /// the kernel, but at least 0. It is 1 if the edge has no kernel, and 0 if the edge is disabled. The
+  /// weighted information of the edge is weight(edge) * information(edge).matrix().
   double weight(EdgeRef edge) const;
   /// The Jacobian of one edge's error at the current estimates, as one block per vertex, including fixed
   /// vertices. Block i belongs to vertices(edge)[i]: it is ∂ error(…, x_i ⊞ δ, …) / ∂δ at δ = 0, with rows ×
@@ -290,12 +292,13 @@ class Graph {
 
   std::span<const std::unique_ptr<detail::VertexPool>> vertex_pools() const { return vertex_pools_; }
   std::span<const std::unique_ptr<detail::EdgePool>> edge_pools() const { return edge_pools_; }
-  /// Changes when the structure of the problem changes: elements, fixed and eliminated flags, fixed
-  /// directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the structure.
+  /// A number that changes when the structure of the problem changes: elements, fixed and eliminated flags,
+  /// fixed directions, levels, sizes. Estimates, weights, kernels and enabled flags are not part of the
+  /// structure.
   std::uint64_t revision() const { return revision_; }
   /// The revision of the last change of the structure that did more than append elements to the ends of their
-  /// pools. If a caller knows the structure at this revision or a later one, all changes since then are new
-  /// elements, in slots that the pools did not have at the known revision.
+  /// pools. If a caller knows the structure at this revision or at a later revision r, all changes after r
+  /// are new elements, in slots that the pools did not have at r.
   std::uint64_t last_rewrite() const { return last_rewrite_; }
 
   /// Tells an observer whether this is still the same graph, and whether it is in use.
@@ -321,8 +324,8 @@ class Graph {
   };
 
   /// The first generation of a graph's pools. Each call returns a different number, and the numbers are as
-  /// far apart as possible. So a graph detects handles of another graph and handles from before clear().
-  /// Thread-safe.
+  /// far apart as possible. Therefore, a graph detects handles of another graph and handles from before
+  /// clear(). Thread-safe.
   static std::uint32_t new_epoch() noexcept;
   void note_rewrite() { last_rewrite_ = ++revision_; }
   void note_addition(bool at_the_end) { at_the_end ? void(++revision_) : note_rewrite(); }
@@ -341,7 +344,7 @@ class Graph {
   std::vector<double> stacked_jacobian(EdgeRef edge) const;
   void save(Saved saved);
 
-  /// Appends a handle, or a range of them, to the vertices of a new edge.
+  /// Appends a handle, or a range of handles, to the vertices of a new edge.
   template <class List, class T>
   void gather(List& out, const VertexHandle<T>& vertex) const {
     typed_pool<T>(vertex);

@@ -11,7 +11,7 @@
 
 namespace boxplus {
 
-/// The integer name of a vertex: chosen by the user or read from a file, otherwise the next free one.
+/// The integer name of a vertex: chosen by the user or read from a file, otherwise the next free number.
 using Id = std::int64_t;
 
 /// A vertex of any type, in slot `slot` of vertex pool `pool`. `generation` distinguishes the elements that

@@ -11,8 +11,8 @@ namespace boxplus::detail {
 
 /// A hash table in one block of memory. Consecutive ids are neighbors in memory, so the vertices of an edge
 /// are found quickly: their ids are usually close to each other. If an entry is taken, the search continues
-/// with a stride that depends on the hash of the id, so that no pattern of ids makes the search slow. All
-/// calls are O(1) on average over the ids; growth is amortized.
+/// with a stride that depends on the hash of the id, so that no pattern of ids makes the search slow. find(),
+/// insert() and erase() are O(1) on average over the ids. The cost of growth is amortized.
 class IdMap {
  public:
   std::size_t size() const { return size_; }

@@ -32,8 +32,8 @@ struct InformationView {
     for (int i = 0; i < rows; ++i) sum += e[i] * e[i];
     return values[0] * sum;
   }
-  /// Inline, like all functions that return an Eigen matrix of run-time size: the code that frees the matrix
-  /// must also allocate it, because Eigen's allocator depends on compiler flags.
+  /// Eigen's allocator depends on compiler flags, so the code that frees a matrix must also allocate it.
+  /// Therefore, this function is inline, like all functions that return an Eigen matrix of run-time size.
   Eigen::MatrixXd matrix() const {
     Eigen::MatrixXd full(rows, rows);
     for (int i = 0; i < rows; ++i) {

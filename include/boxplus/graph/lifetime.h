@@ -15,7 +15,7 @@ struct LifeState {
 };
 
 /// A member of the observed object. The life of the object ends when it is destroyed, moved from or assigned
-/// to by move. The target of a move begins a new life. Objects are copied with a new member.
+/// to by move. The target of a move begins a new life. A copy of the object gets a new Lifetime.
 class Lifetime {
  public:
   Lifetime() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Growth in two steps: first reserve memory in several vectors, then append to each of them. So an element is
-// added to all of the vectors or to none.
+// Growth in two steps: first reserve memory in several vectors, then append to each of them. Therefore, an
+// element is added to all of the vectors or to none of them.
 #pragma once
 
 #include <algorithm>

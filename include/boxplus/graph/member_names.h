@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds out whether an error function has a member of a given name, with any signature. A member with a wrong
-// signature is a mistake; a missing member is not.
+// signature is a mistake, but a missing member is not a mistake.
 #pragma once
 
 #include <type_traits>

@@ -71,7 +71,7 @@ class TypedEdgePool final : public EdgePool {
   }
 
   /// Puts another error function into a slot. If E cannot be assigned (a lambda with captures), the old
-  /// object is destroyed and a new one constructed.
+  /// object is destroyed, and a new object is constructed.
   void replace(std::uint32_t slot, E edge) {
     if constexpr (std::is_move_assignable_v<E>) {
       edges_[slot] = std::move(edge);

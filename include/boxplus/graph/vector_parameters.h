@@ -28,7 +28,8 @@ struct ParametersOf<R (C::*)(P...) const> {
 template <class R, class C, class... P>
 struct ParametersOf<R (C::*)(P...) const noexcept> : ParametersOf<R (C::*)(P...) const> {};
 
-/// The parameters of an error function that is neither a template nor overloaded; void for all others.
+/// The parameters of an error function that is neither a template nor overloaded; void for all other error
+/// functions.
 template <class E>
 struct KnownParameters {
   using Type = void;

@@ -50,7 +50,7 @@ class VertexPool {
   /// Copies the k-th estimate of `saved` to slots[k]. The list that was passed to save() must have had the
   /// same length.
   virtual void restore(std::span<const std::uint32_t> slots, const SavedEstimates& saved) = 0;
-  /// The frame of the pose or point in `slot`. Returns false if the type is neither.
+  /// The frame of the pose or point in `slot`. Returns false if the type is neither a pose nor a point.
   virtual bool get_frame(std::uint32_t /*slot*/, Frame& /*out*/) const { return false; }
   virtual void set_frame(std::uint32_t /*slot*/, const Frame& /*frame*/) {}
   /// Computes the δ for which (estimate ⊞ δ) has the given frame, and its other parts are unchanged. δ is
@@ -75,8 +75,8 @@ class VertexPool {
  protected:
   /// The slot that acquire_slot() will return: the slot of a removed vertex, or slots().
   std::uint32_t next_slot() const { return free_.empty() ? slots() : free_.back(); }
-  /// Returns the slot for a new vertex: a free slot, or a new slot at the end; then the derived class must
-  /// also append an element. If the function throws, nothing has changed.
+  /// Returns the slot for a new vertex: a free slot if there is one. Otherwise, returns a new slot at the
+  /// end, and the derived class must also append an element. If the function throws, nothing has changed.
   std::uint32_t acquire_slot(Id id);
 
  private:

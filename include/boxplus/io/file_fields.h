@@ -47,10 +47,10 @@ struct FileFields<SE2> {
   static void write(const SE2& x, FieldWriter& out);
 };
 
-/// x y z qx qy qz qw. The length of the quaternion must be within kNormTolerance of 1. If it is within
-/// kRounding of 1, the difference may come from rounding to few digits, and the pose is kept bit for bit as
-/// it was read. The chi2 of the file is then the same as in other programs, and the file is written as it was
-/// read. Otherwise the quaternion is normalized.
+/// x y z qx qy qz qw. The length of the quaternion must be within kNormTolerance of 1. If the length is
+/// within kRounding of 1, the difference may come from rounding to few digits. The pose is then kept bit for
+/// bit as it was read, so that the chi2 of the file is the same as in other programs, and the pose is written
+/// with the digits that were read. Otherwise, the quaternion is normalized.
 template <>
 struct FileFields<SE3> {
   static constexpr double kNormTolerance = 1e-3, kRounding = 1e-5;

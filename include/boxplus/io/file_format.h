@@ -52,14 +52,14 @@ class FileFormats {
   /// Throws InvalidArgument if the name or the extension is empty or taken, or if recognize or read is
   /// missing.
   void add(FileFormat format);
-  /// In the order in which they were added.
+  /// All formats in the order in which they were added.
   std::span<const FileFormat> all() const { return formats_; }
   /// The format with this name; nullptr if there is none.
   const FileFormat* find(std::string_view name) const;
   /// The format with the extension of this path; nullptr if there is none.
   const FileFormat* of_path(std::string_view path) const;
   /// The format that recognizes the beginning of a file, or nullptr. The format that was added last is tried
-  /// first. So .g2o, which accepts any text, is tried after all others.
+  /// first. Therefore, .g2o, which accepts any text, is tried after all other formats.
   const FileFormat* recognize(std::string_view beginning) const;
 
  private:

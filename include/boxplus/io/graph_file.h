@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading and writing graphs, in any of the formats of a FileFormats: .g2o, and TORO's .graph (reading only).
 //
-// Both have one element per line: a tag (see Registry), ids and values, separated by blanks. `#` begins a
-// comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters, angles in
-// radians, and Ω is listed as its upper triangle by rows.
+// Both formats have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
+// begins a comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters,
+// angles in radians, and Ω is listed as its upper triangle by rows.
 #pragma once
 
 #include <cstdint>
@@ -69,7 +69,7 @@ struct GraphFile {
 /// type, indefinite Ω, and quaternions that are far from unit length. Unknown tags are not errors: their
 /// lines are kept and noted.
 GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
-/// The same from memory. Messages use `name` as the name of the file.
+/// Does the same as read_graph() for a text in memory. Messages use `name` as the name of the file.
 GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options = {});
 
 /// Writes a file. A .g2o file lists parameters by id, then vertices by id, each followed by its FIX line,

@@ -16,7 +16,7 @@
 
 namespace boxplus {
 
-/// Maps tags to types and types to tags. If several tags stand for one type, the first is written. All
+/// Maps tags to types and types to tags. If several tags stand for one type, the first tag is written. All
 /// functions that add a tag throw InvalidArgument if the tag is taken or is not valid in a file.
 class Registry {
  public:
@@ -33,13 +33,15 @@ class Registry {
   void edge(std::string name) {
     add(detail::edge_tag<EdgeFields<E>, E, V...>(std::move(name)));
   }
-  /// Adds a type for lines with that tag that end with the same parameter twice. V… lists it once.
+  /// Adds the type of the edges whose lines have this tag and end with the same parameter twice. V… lists
+  /// this parameter once.
   template <class E, class... V>
   void edge_with_shared_parameter(const std::string& name) {
     add_shared(name, detail::edge_tag<EdgeFields<E>, E, V...>(name));
   }
-  /// Adds an old tag of vertices (edges). It is only read; they are written with another tag. Fields reads
-  /// them; it has the interface of FileFields (EdgeFields), but needs no write().
+  /// Adds an old tag of vertices (edges). The tag is only read; the vertices (edges) are written with another
+  /// tag. The class Fields reads the fields of a line. It has the interface of FileFields (EdgeFields), but
+  /// needs no write().
   template <class T, class Fields = FileFields<T>>
   void old_vertex(std::string name) {
     add_old(detail::vertex_tag<Fields, T>(std::move(name)));
@@ -64,11 +66,11 @@ class Registry {
   std::multimap<std::type_index, std::shared_ptr<const Tag>> by_pool_;
 };
 
-/// The tags of .g2o files for the ready-made types, and those of TORO.
+/// The tags of .g2o files for the ready-made types, and the tags of TORO.
 void register_slam2d(Registry& registry);
 void register_slam3d(Registry& registry);
 void register_toro(Registry& registry);
-/// All of the above.
+/// A registry with the tags of all three functions above.
 const Registry& default_registry();
 
 }  // namespace boxplus

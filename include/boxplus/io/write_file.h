@@ -13,9 +13,9 @@ void write_file(const std::string& path, std::string_view text);
 /// Throws the FileError that write_file() would throw for this path, as far as this can be checked without
 /// writing. Call it before a long computation, so that its result can be saved.
 void require_writable(const std::string& path);
-/// Removes the unfinished files of these functions. It is only for handlers of signals that end the process,
-/// and may be called at any time. If the file system supports it, unfinished files have no name and vanish by
-/// themselves.
+/// Removes the temporary files that unfinished calls of these functions have created. This function is only
+/// for handlers of signals that end the process, and may be called at any time. If the file system supports
+/// it, temporary files have no name and vanish by themselves.
 void remove_temporary_files() noexcept;
 
 }  // namespace boxplus

@@ -13,9 +13,10 @@ namespace boxplus {
 /// The lower triangle, diagonal included, of a symmetric matrix of blocks in compressed block columns.
 ///
 /// Block row or column i spans the scalars [offset[i], offset[i+1]). Column j holds the blocks k in
-/// [column_start[j], column_start[j+1]). Block k lies in row row[k]; rows ascend, and the first is the
-/// diagonal, row j. The dim(row[k]) × dim(j) values of block k begin at values[value_start[k]], column-major.
-/// Diagonal blocks hold both of their triangles. The values of the columns are contiguous and in order.
+/// [column_start[j], column_start[j+1]). Block k lies in row row[k]. The rows of a column ascend, and its
+/// first block is the diagonal block (j, j). The dim(row[k]) × dim(j) values of block k begin at
+/// values[value_start[k]], column-major. Diagonal blocks hold both of their triangles. The values of the
+/// columns are contiguous and in order.
 struct BlockStructure {
   std::vector<std::uint32_t> offset{0};
   std::vector<std::uint32_t> column_start{0};

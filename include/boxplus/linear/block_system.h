@@ -21,7 +21,8 @@ class BlockSystem {
   virtual void block_diagonal(double* out) const = 0;
 };
 
-/// A BlockSystem over a structure and values that it does not own. Both must outlive it.
+/// A BlockSystem over a structure and values that it does not own. The structure and the values must outlive
+/// it.
 class AssembledSystem final : public BlockSystem {
  public:
   AssembledSystem(const BlockStructure& structure, std::span<const double> values)

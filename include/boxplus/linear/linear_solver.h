@@ -37,8 +37,8 @@ struct FactorResult {
   std::uint32_t failed_scalar = BlockStructure::kAbsent;
 };
 
-/// How accurately to solve, and when to give up. factorize() gets it as well as solve(), because a solver can
-/// save work there, too, if less accuracy is required.
+/// How accurately to solve, and when to give up. Not only solve() but also factorize() takes a SolveControl,
+/// because a solver may save work in both functions if less accuracy is required.
 struct SolveControl {
   /// Iterative solvers and refinement stop when ‖b − (A + λD) x‖ ≤ relative_tolerance · ‖b‖: the forcing term
   /// of an inexact Newton method. Direct solvers may ignore it.
@@ -54,7 +54,7 @@ struct SolveResult {
   LinearStatus status = LinearStatus::kOk;
   int iterations = 0;  ///< of an iterative solver, or refinement steps; only for reports
   /// Whether x solves the system to within rounding, so that xᵀ(A + λD)x = bᵀx. If false, algorithms that
-  /// need the curvature along x multiply by A. So false is always correct, but slower.
+  /// need the curvature along x multiply by A. Therefore, false is always correct, but slower.
   bool exact = false;
   /// As in FactorResult, if the status is kNotPositiveDefinite and only solve() could detect this.
   std::uint32_t failed_block = BlockStructure::kAbsent;
@@ -70,12 +70,12 @@ struct AnalyzeHints {
   /// one by one (make_schur_solver()). Other solvers may ignore this.
   std::uint32_t eliminated_blocks = 0;
   /// Blocks that must come last in the elimination order, in this order. May be empty. (optimize() and
-  /// covariance() list one block of each component that nothing holds in place, so that gauge freedom makes
-  /// the pivots of that block vanish. An incremental solver lists the blocks that change next.)
+  /// covariance() list one block of each connected component that may have gauge freedom, so that this
+  /// freedom makes the pivots of the block vanish. An incremental solver lists the blocks that change next.)
   std::span<const std::uint32_t> last = {};
   /// An elimination order of all blocks for the solver to use, from another structure with the same or almost
-  /// the same pattern. If empty, the solver computes one. Only analyze() reads it. Ignored if `last` is not
-  /// empty.
+  /// the same pattern. If empty, the solver computes an order. Only analyze() reads it. Ignored if `last` is
+  /// not empty.
   std::span<const std::uint32_t> order = {};
   /// Whether A may be singular. Then factorize() should name the pivot that vanishes. (With a factor in
   /// float, this is not possible.)

@@ -35,7 +35,7 @@ std::string_view to_string(Precision precision);
 
 /// The form in which the Schur complement of eliminated blocks is used.
 enum class SchurMode : std::uint8_t {
-  kAutomatic,  ///< explicit for solvers that need blocks, implicit for those that need only products
+  kAutomatic,  ///< explicit for solvers that need blocks, implicit for solvers that need only products
   kExplicit,   ///< as a matrix
   kImplicit    ///< as an operator that multiplies vectors
 };

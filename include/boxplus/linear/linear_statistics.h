@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facts about the analysis and the factor of a linear solver.
+// Facts about the analysis and the factor of a linear solver, for reports.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,6 @@
 
 namespace boxplus {
 
-/// Facts about the analysis, for reports.
 struct LinearStatistics {
   std::uint64_t factor_nonzeros = 0;  ///< number of scalars in L, including the zeros that amalgamation adds
   double factor_flops = 0;            ///< number of useful floating-point operations in one factorization
@@ -17,8 +16,9 @@ struct LinearStatistics {
   double factor_seconds = 0;        ///< predicted time of one factorization on one thread
   /// LinearSolverKind::kAutomatic: the predicted time of one rough solution by pcg on one thread.
   double pcg_seconds = 0;
-  /// LinearSolverKind::kAutomatic: if it chose pcg, the memory that a Cholesky factor would have taken;
-  /// otherwise 0. It chooses pcg if this is too much, or if a factorization would take far longer than pcg.
+  /// If LinearSolverKind::kAutomatic chose pcg, the memory that a Cholesky factor would have taken; otherwise
+  /// 0. kAutomatic chooses pcg if a factor takes too much memory, or if a factorization takes far longer than
+  /// pcg.
   std::uint64_t refused_factor_bytes = 0;
   Ordering ordering = Ordering::kMinimumDegree;  ///< of the blocks, if the solver orders them
   Precision precision = Precision::kDouble;      ///< of the factor in use

@@ -33,7 +33,8 @@ struct LinearSolverOptions {
   AutomaticSolverOptions automatic = {};
 };
 
-/// The same options, but solutions are only as accurate as the steps of Newton's method need to be.
+/// Returns the same options, except that solutions are only as accurate as the steps of Newton's method need
+/// to be.
 LinearSolverOptions for_newton_steps(LinearSolverOptions options);
 
 /// Throws InvalidArgument if there is no such kind.
@@ -41,8 +42,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const LinearSolverOptions& options = {});
 
 /// A solver that eliminates the first AnalyzeHints::eliminated_blocks blocks by the Schur complement, and
-/// lets `inner` solve for the others. It has the name of `inner`. If no blocks, or all of them, are to be
-/// eliminated, `inner` solves for all blocks.
+/// lets `inner` solve for the other blocks. It has the name of `inner`. If no blocks, or all of them, are to
+/// be eliminated, `inner` solves for all blocks.
 std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner,
                                                 SchurMode mode = SchurMode::kAutomatic);
 

@@ -11,9 +11,9 @@ namespace boxplus {
 
 /// How to treat a connected component that can move without changing any error.
 enum class GaugePolicy : std::uint8_t {
-  /// Consider the vertices with the largest dimension: during the solve, hold the one with the lowest id, if
-  /// all of its directions are gauge freedom. Its estimate and its fixed flag do not change. For other
-  /// freedom (a scale, a heading), hold single directions, unless the algorithm damps H anyway.
+  /// Of the vertices with the largest dimension, take the vertex with the lowest id. If all of its directions
+  /// are gauge freedom, hold it at its estimate during the solve. Its fixed flag does not change. For other
+  /// gauge freedom (a scale, a heading), hold single directions, unless the algorithm damps H anyway.
   kFixFirst,
   kDamp,  ///< multiply each diagonal entry of H by 1 + 1e-10
   kError  ///< stop with Report::Status::kGaugeFreedom

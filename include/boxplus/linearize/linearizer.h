@@ -24,11 +24,12 @@ struct LinearizeOptions {
   bool triggs_correction = false;
 };
 
-/// The values that change from iteration to iteration, and the loops that fill them. Allocates only in the
-/// constructor and in extend().
+/// Computes H and the gradient in each iteration, and stores them. Allocates only in the constructor and in
+/// extend().
 ///
-/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0. So F(x ⊞ δ) ≈ F + 2 gradientᵀδ + δᵀHδ, and
-/// the Gauss-Newton step solves H δ = −gradient. The results have the same bits for any number of workers.
+/// H = Σ ρ′ JᵀΩJ and gradient = Σ ρ′ JᵀΩe, with ρ′ clamped to ≥ 0. Therefore, F(x ⊞ δ) ≈ F + 2 gradientᵀδ +
+/// δᵀHδ, and the Gauss-Newton step solves H δ = −gradient. The results have the same bits for any number of
+/// workers.
 class Linearizer {
  public:
   Linearizer(const Graph& graph, const Plan& plan);
@@ -38,13 +39,14 @@ class Linearizer {
   void extend();
 
   void linearize(const LinearizeOptions& options);
-  /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not.
+  /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not finite.
   double chi2();
   /// When the token is raised, linearize() and chi2() end soon. H and the gradient are then not usable,
   /// chi2() returns NaN, and stopped() is true until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }
   bool stopped() const { return stopped_; }
-  /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) (or Jacobian or weight) is not finite.
+  /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) is not finite. find_non_finite_jacobian()
+  /// checks the Jacobian and the weight instead.
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 

@@ -19,7 +19,7 @@ namespace boxplus {
 struct PlanRequest {
   int level = 0;  ///< edges of this level take part; if negative, edges of all levels
   std::span<const VertexRef> vertices =
-      {};  ///< if not empty, only these move, and only edges that touch them take part
+      {};  ///< if not empty, only these vertices move, and only their edges take part
   std::span<const EdgeRef> edges = {};  ///< if not empty, only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
   int threads = 1;      ///< maximum number; small problems use fewer
@@ -33,7 +33,8 @@ struct VertexList {
   std::vector<std::uint32_t> offsets;  ///< index of the first entry of each vertex in a step vector
 };
 
-/// The active edges of one pool, in slot order. `first` is the index of the first one among all active edges.
+/// The active edges of one pool, in slot order. `first` is the index of the first of these edges among all
+/// active edges.
 struct EdgeList {
   std::uint32_t pool;
   std::uint32_t first;
@@ -62,7 +63,8 @@ struct Scatter {
 
 /// The share of one worker: the block columns of H that it owns, and the edges that touch these columns. If
 /// an edge touches columns of two workers, both linearize it, and each adds to its own columns. Exactly one
-/// worker sums each block of H, in the order of its runs. So H has the same bits for any number of workers.
+/// worker sums each block of H, in the order of its runs. Therefore, H has the same bits for any number of
+/// workers.
 struct Chunk {
   struct Run {
     std::uint32_t scatter, begin, end;  ///< edges [begin, end) of scatters[scatter]
@@ -82,7 +84,7 @@ struct Chunk {
   std::vector<Run> runs;
 };
 
-/// A vertex that is held because nothing else holds its component.
+/// A vertex that is held at its estimate to remove the gauge freedom of its component.
 struct GaugeVertex {
   VertexRef vertex;
   Id id = 0;
@@ -99,11 +101,11 @@ struct Plan {
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
   std::vector<GaugeVertex> held;               ///< GaugePolicy::kFixFirst
-  std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains when `held` is held
+  std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains if the vertices `held` are held
   /// The entries of a step that are held at zero because of `freedoms` (GaugePolicy::kFixFirst).
   std::vector<std::uint32_t> held_scalars;
-  /// One block of each component that nothing holds in place and whose freedom is not known. The block is
-  /// eliminated last. If pivots of the block vanish, their directions are gauge freedom.
+  /// One block of each component that may have gauge freedom other than a similarity. The block is eliminated
+  /// last. If pivots of the block vanish, their directions are gauge freedom.
   std::vector<std::uint32_t> loose_blocks;
   std::vector<std::uint32_t> fixed_scalars;  ///< zero in every step (Graph::fix_directions())
   int max_tile_values = 0;                   ///< doubles of the largest tile

@@ -14,8 +14,8 @@ inline constexpr double kPi = std::numbers::pi;
 
 namespace boxplus::detail {
 
-/// The angle in (−π, π] that differs from x by a multiple of 2π. An x in that range is returned bit for bit.
-/// On dual numbers the derivative is 1.
+/// The angle in (−π, π] that differs from x by a multiple of 2π. If x is already in that range, returns x
+/// unchanged. For dual numbers, the derivative is 1.
 template <class S>
 S normalize_angle(const S& x) {
   if constexpr (std::is_floating_point_v<S>) {

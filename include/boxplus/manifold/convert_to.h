@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conversions between the motion types of boxplus, Eigen's types, and types with the interface of Sophus.
+// Converts rotations, rigid motions and similarities between the types of boxplus, the types of Eigen, and
+// types with the interface of Sophus.
 //
 //     SE3 x = convert_to<SE3>(isometry);  // an Eigen::Isometry3d
 //     auto isometry = convert_to<Eigen::Isometry3d>(x);
 //     auto y = convert_to<Sophus::SE3d>(x);
 //
-//   boxplus                  Eigen                       a type T with
+//   boxplus                  Eigen                       any type T with these members
 //   SO2                      Rotation2D                  unit_complex(), T(angle)
-//   SE2                      Isometry2                   …, translation(), T(angle, translation)
+//   SE2                      Isometry2                   unit_complex(), translation(), T(angle, translation)
 //   SO3, SO3RotationVector   Quaternion, AngleAxis       unit_quaternion(), T(unit quaternion)
-//   SE3, SE3RotationVector   Isometry3                   …, translation(), T(unit quaternion, translation)
+//   SE3, SE3RotationVector   Isometry3                   unit_quaternion(), translation(),
+//                                                        T(unit quaternion, translation)
 //   Sim3                     Affine3, of the form s R    quaternion(), scale(), translation(),
 //                                                        T(√scale · unit quaternion, translation)
 //
-// Each type converts to the other types in its row. It also converts to the types in lower rows of the same
-// space: a rotation becomes a motion without translation, and a motion becomes a similarity of scale 1. A
-// conversion that would lose a part does not compile. The scalars of Eigen and T may be float. A matrix or
-// quaternion must be a rotation up to rounding; the conversion normalizes it.
+// Each type converts to the other types in its row. It also converts to the types in lower rows, if these are
+// in the same space (the plane or 3D space): a rotation becomes a motion without translation, and a motion
+// becomes a similarity of scale 1. A conversion that would lose a translation or a scale does not compile.
+// The scalar type of Eigen's types and of T may be float. A matrix or quaternion must be a rotation up to
+// rounding errors; the conversion normalizes it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -43,10 +46,10 @@ struct SpaceMotion {
   double scale = 1;
 };
 
-/// The parts that a type has.
+/// The parts of a motion: rotation only; rotation and translation; rotation, translation and scale.
 enum class Parts { kRotation, kRigid, kSimilar };
 
-/// Reads and writes a type. M is PlaneMotion or SpaceMotion.
+/// Form<T> converts T to and from the common form M, which is PlaneMotion or SpaceMotion.
 template <class M, Parts kHas>
 struct FormOf {
   using Motion = M;
@@ -219,14 +222,15 @@ struct Form<T> : FormOf<SpaceMotion, Parts::kSimilar> {
   }
 };
 
-/// The type To has every part that the type From has.
+/// Both types are motions of the same space, and the type To has every part that the type From has.
 template <class From, class To>
 concept Fits = std::is_same_v < typename Form<From>::Motion,
 typename Form<To>::Motion > &&(Form<From>::kParts <= Form<To>::kParts);
 
 }  // namespace conversion
 
-/// Converts `x` to a To; see the table above. Exact up to rounding; bit for bit between types of boxplus.
+/// Converts `x` to the type To, if the table above allows it. The result is exact up to rounding. Between
+/// types of boxplus, the conversion copies all numbers unchanged.
 template <class To, class From>
 requires conversion::Fits<From, To> To convert_to(const From& x) {
   return conversion::Form<To>::write(conversion::Form<From>::read(x));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trait that makes a type a manifold, so that it can be a vertex; and the laws of the trait.
+// Manifold<T>: the trait that makes a type T a manifold, so that T can be the type of a vertex.
 //
-// Specialize the trait for your type, or for a type of another library:
+// Specialize the trait for your own type, or for a type of another library:
 //
 //     template <> struct boxplus::Manifold<Pose> {
 //       static constexpr int kDim = 3;                                      // tangent size, or kDynamic
@@ -16,7 +16,8 @@
 //     template <class S> static BasicPose<S> cast(const Pose& x);
 //   and Manifold<BasicPose<S>>::oplus(const BasicPose<S>&, const S* delta).
 //
-// Without them the edges are differentiated numerically, and the Report says so.
+// Without these three members, the edges of the vertex are differentiated numerically, and the Report says
+// so.
 //
 // Laws, for all x, y and all small δ (testing/check_manifold.h checks them):
 //   (1) x ⊞ 0 = x                  (2) x ⊞ (y ⊟ x) = y
@@ -38,7 +39,7 @@ struct Manifold;
 
 namespace boxplus::detail {
 
-/// A type with a complete trait. T is a copyable value.
+/// A copyable type T for which the trait Manifold<T> is complete.
 template <class T>
 concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, const double* in, double* out) {
   { Manifold<T>::kDim } -> std::convertible_to<int>;
@@ -49,7 +50,7 @@ concept ManifoldType = std::copyable<T> && requires(const T& x, const T& y, cons
   };
 };
 
-/// The tangent size of x.
+/// The dimension of the tangent space at x.
 template <ManifoldType T>
 constexpr int tangent_dim(const T& x) {
   if constexpr (Manifold<T>::kDim == kDynamic) {
@@ -59,7 +60,7 @@ constexpr int tangent_dim(const T& x) {
   }
 }
 
-/// T over the scalar S.
+/// The type T with the scalar S in place of double.
 template <class T, class S>
 using Rebind = typename Manifold<T>::template Rebind<S>;
 

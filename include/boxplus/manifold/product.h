@@ -10,8 +10,9 @@
 
 namespace boxplus {
 
-/// The parts, in order. The tangent consists of the tangents of the parts, one after the other. Parts of
-/// run-time size are allowed. `auto& [pose, velocity] = product;` works, as does product.get<0>().
+/// A value that consists of several parts. Its tangent consists of the tangents of the parts, in the same
+/// order. Parts whose size is chosen at run time are allowed. `auto& [pose, velocity] = product;` works, as
+/// does product.get<0>().
 template <class... Parts>
 struct Product {
   std::tuple<Parts...> parts;
@@ -32,9 +33,9 @@ struct Product {
 template <class... Parts>
 struct Manifold<Product<Parts...>> {
   using Point = Product<Parts...>;
+  // conditional_t makes the look-up of each part's Rebind depend on T.
   template <class T>
-  using Rebind =
-      Product<detail::Rebind<std::conditional_t<false, T, Parts>, T>...>;  // delays the look-up of Rebind
+  using Rebind = Product<detail::Rebind<std::conditional_t<false, T, Parts>, T>...>;
   static constexpr int kDim =
       ((Manifold<Parts>::kDim == kDynamic) || ...) ? kDynamic : (0 + ... + Manifold<Parts>::kDim);
 
@@ -51,7 +52,8 @@ struct Manifold<Product<Parts...>> {
     };
     return std::apply(
         [&](const Parts&... part) {
-          // Braces evaluate their entries from left to right.
+          // part_oplus() advances `delta`, so the order of the calls matters. Inside braces, it is from left
+          // to right.
           return from_tuple(std::tuple<std::decay_t<decltype(part_oplus(part))>...>{part_oplus(part)...});
         },
         x.parts);
@@ -76,7 +78,7 @@ struct Manifold<Product<Parts...>> {
   }
 
  private:
-  /// tangent_dim(), also for parts that are lifted to another scalar.
+  /// Like tangent_dim(), but also accepts parts that are lifted to another scalar.
   template <class Part>
   static int tangent_size(const Part& part) {
     if constexpr (Manifold<Part>::kDim == kDynamic) {

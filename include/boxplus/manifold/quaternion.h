@@ -10,7 +10,7 @@
 
 namespace boxplus::detail {
 
-/// x i + y j + z k + w. A rotation if its norm is one.
+/// The quaternion x i + y j + z k + w. It describes a rotation if its norm is one.
 template <class S>
 struct Quaternion {
   S x, y, z, w;
@@ -38,8 +38,9 @@ Quaternion<S> scaled(const Quaternion<S>& q, const S& factor) {
   return {q.x * factor, q.y * factor, q.z * factor, q.w * factor};
 }
 
-/// If a squared norm is this close to one, the difference counts as rounding, and the coefficients are kept
-/// bit for bit. So reading a value from a file does not change it, and neither does a zero step.
+/// If the squared norm differs from one by less than this, the difference counts as rounding error, and the
+/// coefficients are not changed. So a unit quaternion from a file keeps its digits, and a zero step changes
+/// nothing.
 inline constexpr double kUnitNormTolerance = 1e-15;
 
 /// q, scaled to unit norm. The zero quaternion becomes the identity.
@@ -58,8 +59,8 @@ inline double renormalizing_factor(double n2) {
   return std::abs(n2 - 1) < kUnitNormTolerance ? 1.0 : 1.5 - 0.5 * n2;
 }
 
-/// Removes the rounding error of one product from the norm of a unit quaternion. Does not change dual
-/// numbers: at unit norm, the derivative of the Newton step along the sphere is zero.
+/// Removes the rounding error of one product from the norm of a unit quaternion. Returns quaternions of dual
+/// numbers unchanged, because at unit norm this correction does not change derivatives along the sphere.
 template <class S>
 Quaternion<S> renormalized(const Quaternion<S>& q) {
   if constexpr (std::is_floating_point_v<S>) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vector spaces as manifolds: every Eigen column vector, and the scalar itself (one-dimensional). ⊞ is
-// addition.
+// Vector spaces as manifolds: all Eigen column vectors, and single numbers (one-dimensional). ⊞ is addition.
 #pragma once
 
 #include "boxplus/autodiff/dual.h"

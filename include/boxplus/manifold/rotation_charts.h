@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two charts of rotations in space: how three scalars become a unit quaternion, and back.
 //
-// Dual numbers differentiate both exactly, also at 0. Their units differ by a factor of two: the quaternion
-// chart measures about half the angle per axis. So the same Ω has a different meaning in each chart.
+// Dual numbers differentiate both charts exactly, also at 0. The units of the charts differ by a factor of
+// two, because the quaternion chart measures about half the angle per axis. So the same information matrix Ω
+// has a different meaning in each chart.
 #pragma once
 
 #include <cmath>
@@ -11,8 +12,8 @@
 
 namespace boxplus::detail {
 
-/// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). If |δ| ≥ 1, q = (δ/|δ|, 0). Covers every
-/// rotation once, with w ≥ 0. The chart of VERTEX_SE3:QUAT.
+/// δ is the vector part of the quaternion: q = (δ, √(1 − |δ|²)). If |δ| ≥ 1, q = (δ/|δ|, 0). The chart covers
+/// every rotation once, with w ≥ 0. VERTEX_SE3:QUAT uses this chart.
 struct QuaternionChart {
   template <class S>
   static Quaternion<S> exp(const S& x, const S& y, const S& z) {

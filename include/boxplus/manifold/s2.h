@@ -21,8 +21,8 @@ class BasicS2 {
 
   /// The direction of the z axis.
   BasicS2() : coefficients_{S(0), S(0), S(1)} {}
-  /// The direction of v, which must not be zero. If v is a unit vector up to rounding, it is kept bit for
-  /// bit.
+  /// The direction of v, which must not be zero. If v is already a unit vector up to rounding, its
+  /// coordinates are not changed.
   template <class Derived>
   explicit BasicS2(const Eigen::MatrixBase<Derived>& v) : coefficients_{S(v[0]), S(v[1]), S(v[2])} {
     using std::sqrt;
@@ -43,9 +43,9 @@ class BasicS2 {
   const S* data() const { return coefficients_.data(); }
 
   /// An orthonormal basis of the tangent plane: the images of e_x and e_y (up to sign) under the Householder
-  /// reflection that maps ∓e_z to the direction. The sign of e_z is chosen so that nothing cancels (cf. Duff
-  /// et al., "Building an orthonormal basis, revisited", JCGT 2017). Smooth except at points where z changes
-  /// sign.
+  /// reflection that maps ∓e_z to the direction. The sign of e_z is chosen so that no digits cancel (cf. Duff
+  /// et al., "Building an orthonormal basis, revisited", JCGT 2017). The basis is a smooth function of the
+  /// direction except at z = 0.
   Matrix<S, 3, 2> tangent_basis() const {
     const S &x = coefficients_[0], &y = coefficients_[1], &z = coefficients_[2];
     const double sign = z < S(0) ? -1 : 1;

@@ -7,7 +7,8 @@
 
 namespace boxplus::detail {
 
-/// The scalar of an expression in A and B. If one is a dual number and the other a double: the dual number.
+/// The scalar of the product of an A and a B. If one of the types is a dual number and the other is double,
+/// this is the dual number.
 template <class A, class B>
 using Promoted = std::decay_t<decltype(std::declval<const A&>() * std::declval<const B&>())>;
 
@@ -25,8 +26,8 @@ requires requires {
 template <class X>
 using ScalarOf = typename ScalarOfType<X>::Type;
 
-/// Below this squared angle (rad²), functions of the angle use their Taylor series. The series have enough
-/// terms for values and first derivatives to be exact to rounding on both sides.
+/// Below this squared angle (rad²), functions of the angle use their Taylor series. The series have so many
+/// terms that, below this limit, values and first derivatives are exact up to rounding.
 inline constexpr double kSmallSquaredAngle = 1e-4;
 
 }  // namespace boxplus::detail

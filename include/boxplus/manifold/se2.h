@@ -12,10 +12,9 @@
 
 namespace boxplus {
 
-/// A pose (x, y, θ) with θ in (−π, π]. A heading in that range is kept bit for bit.
-/// T_world_body * p_body = p_world. Tangent: (Δx, Δy, Δθ) in the body frame.
-/// The cosine and sine of θ are stored as well. They are computed once per estimate, so products of poses and
-/// points need no trigonometric functions.
+/// A pose (x, y, θ) with θ in (−π, π]. A heading that is already in this range is not changed. T_world_body *
+/// p_body = p_world. Tangent: (Δx, Δy, Δθ) in the body frame. The cosine and sine of θ are stored as well.
+/// They are computed once per estimate, so products of poses and points need no trigonometric functions.
 template <class S>
 class BasicSE2 {
  public:
@@ -78,7 +77,7 @@ class BasicSE2 {
     return {x() + (c * p[0] - s * p[1]), y() + (s * p[0] + c * p[1])};
   }
 
-  /// inverse() * b, with one rotation fewer.
+  /// inverse() * b, computed with one rotation fewer.
   template <class T>
   BasicSE2<detail::Promoted<S, T>> inverse_times(const BasicSE2<T>& b) const {
     const S &c = cos_theta(), &s = sin_theta();

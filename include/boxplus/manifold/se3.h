@@ -11,9 +11,9 @@
 
 namespace boxplus {
 
-/// A pose, stored as x y z qx qy qz qw as in files. T_world_body * p_body = p_world. Chart selects the
-/// tangent, which is in the body frame: (Δt, q_v) with QuaternionChart, (Δt, ω) with RotationVectorChart.
-/// VERTEX_SE3:QUAT and the information of EDGE_SE3:QUAT use QuaternionChart.
+/// A pose, stored as x y z qx qy qz qw, which is also the order in g2o files. T_world_body * p_body =
+/// p_world. Chart selects the tangent, which is in the body frame: (Δt, q_v) with QuaternionChart, (Δt, ω)
+/// with RotationVectorChart. VERTEX_SE3:QUAT and the information of EDGE_SE3:QUAT use QuaternionChart.
 template <class S, class Chart = detail::QuaternionChart>
 class BasicSE3 {
  public:
@@ -91,8 +91,9 @@ class BasicSE3 {
     return {coefficients_[0] + r[0], coefficients_[1] + r[1], coefficients_[2] + r[2]};
   }
 
-  /// inverse() * b, with one rotation fewer. Unlike the product, it does not correct the norm of the
-  /// quaternion, so that error functions compute the same for every scalar.
+  /// inverse() * b, computed with one rotation fewer. Unlike operator*, it does not correct the norm of the
+  /// quaternion. operator* corrects the norm only for double, and error functions must have the same value
+  /// for double and for dual numbers.
   template <class T>
   BasicSE3<detail::Promoted<S, T>, Chart> inverse_times(const BasicSE3<T, Chart>& b) const {
     return BasicSE3<detail::Promoted<S, T>, Chart>::from_unit(inverse_times(b.translation()),
@@ -119,9 +120,11 @@ class BasicSE3 {
 using SE3 = BasicSE3<double>;
 using SE3RotationVector = BasicSE3<double, detail::RotationVectorChart>;
 
-/// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. The step is a unit quaternion,
-/// so ⊞ keeps the norm of x's quaternion. So a pose that was read from rounded digits (from_unit) keeps its
-/// meaning, and the chi2 of the file stays the same. y ⊟ x = (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
+/// Right perturbation: t += R Δt, R ← R · Exp(δ_R), with the Exp of the chart. Exp returns a unit quaternion,
+/// and ⊞ does not normalize the product, so a step does not change the norm of the quaternion. This matters
+/// for poses that were read from files by from_unit(). Their quaternions do not have exactly unit norm,
+/// because the digits in the file are rounded. If the first step normalized them, chi2 would change. y ⊟ x =
+/// (R_xᵀ (t_y − t_x), Log(R_xᵀ R_y)).
 template <class S, class Chart>
 struct Manifold<BasicSE3<S, Chart>> {
   template <class T>

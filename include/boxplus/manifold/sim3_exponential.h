@@ -6,8 +6,8 @@
 //     W = ∫₀¹ e^{σu} Exp(uω) du = C I + A [ω]× + B [ω]×².
 // With θ = |ω|, z = σ + iθ and φ(z) = (e^z − 1)/z = Σ zⁿ/(n+1)! the coefficients are
 //     C = φ(σ),   A = Im φ(z) / θ,   B = (φ(σ) − Re φ(z)) / θ²,
-// which are entire functions of (σ, θ²). For |z| < 4 the series is summed, with as many terms as |z| needs,
-// so small angles are no special case. For |z| ≥ 4 the closed form is used.
+// which are entire functions of (σ, θ²). If |z| < 4, the code sums the series; the number of terms depends on
+// |z|. The series needs no special case for small angles. If |z| ≥ 4, the code uses the closed form.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ template <class S>
 struct Sim3Coupling {
   S a, b, c;
 
-  /// The number of terms N for |z|² = z2 < 16. The remainder of a, b, c and of their derivatives is bounded
-  /// by N³ |z|ᴺ⁻³ / (N + 1)!, which is then below 1e-17.
+  /// The number N of terms of the series, for |z|² = z2 < 16. N is so large that the remainder of a, b, c and
+  /// of their derivatives, at most N³ |z|ᴺ⁻³ / (N + 1)!, is below 1e-17.
   static int series_terms(const S& z2) {
     if (z2 < S(1.0 / 256)) return 12;
     return z2 < S(1) ? 22 : kSeriesTerms;
   }
 
-  /// Sums the series. With zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ²: pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, rₙ₊₁
-  /// = σ rₙ + qₙ, without a division by θ.
+  /// Sums the series, by recurrences that do not divide by θ. Let zⁿ = pₙ + iθ qₙ and rₙ = (σⁿ − pₙ)/θ². Then
+  /// pₙ₊₁ = σ pₙ − θ² qₙ, qₙ₊₁ = pₙ + σ qₙ, and rₙ₊₁ = σ rₙ + qₙ.
   static Sim3Coupling from_series(const S& sigma, const S& theta2) {
     S p(1), q(0), r(0), power(1);
     Sim3Coupling sum{S(0), S(0), S(1)};
@@ -51,8 +51,9 @@ struct Sim3Coupling {
     return sum;
   }
 
-  /// φ(z) in closed form, for |z| ≥ 4. If θ² < 1/400, then |σ| is large, and the coefficients follow from the
-  /// moments Iₙ = ∫ uⁿ e^{σu} du.
+  /// Computes the coefficients from the closed form of φ(z), for |z| ≥ 4. If θ² < 1/400, |σ| must be large,
+  /// and a short series in θ² with the moments Iₙ = ∫₀¹ uⁿ e^{σu} du is used, to avoid a division by a small
+  /// θ.
   static Sim3Coupling from_closed_form(const S& sigma, const S& theta2) {
     using std::cos;
     using std::exp;

@@ -11,7 +11,8 @@
 
 namespace boxplus {
 
-/// A rotation by an angle (radians) in (−π, π]. An angle in that range is kept bit for bit. Tangent: Δθ.
+/// A rotation by an angle (radians) in (−π, π]. An angle that is already in this range is not changed.
+/// Tangent: Δθ.
 template <class S>
 class BasicSO2 {
  public:

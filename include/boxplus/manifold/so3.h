@@ -12,7 +12,7 @@
 namespace boxplus {
 
 /// A rotation. Chart selects the tangent: QuaternionChart (vector part of the quaternion) or
-/// RotationVectorChart. q and −q are the same rotation; the object keeps the given sign.
+/// RotationVectorChart. q and −q describe the same rotation; the object keeps the sign that it was given.
 template <class S, class Chart = detail::QuaternionChart>
 class BasicSO3 {
  public:

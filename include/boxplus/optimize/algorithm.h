@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The interface of nonlinear least-squares methods. An algorithm sees the problem only as a System.
+// The interface of nonlinear least-squares methods. An algorithm accesses the problem only through the
+// interface System.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace boxplus {
 
 enum class IterationOutcome : std::uint8_t {
   kAccepted,       ///< took a step that lowers chi2 (Gauss-Newton: took a step)
-  kAcceptedShort,  ///< the same, but damping or a trust region shortened the step, so that a small step or
+  kAcceptedShort,  ///< like kAccepted, but damping or a trust region shortened the step, so a small step or
                    ///< a small decrease does not indicate a minimum
   kNoFurtherDecrease,  ///< no step lowers chi2, and the predicted decrease is below rounding error
   kNoStepFound,        ///< no step lowers chi2, although the model predicts a decrease
@@ -20,15 +21,15 @@ enum class IterationOutcome : std::uint8_t {
   kStopped
 };
 
-/// The caller calls reset() once, and then iterate() until the caller or the outcome ends the run. Allocates
-/// only in reset().
+/// The caller calls reset() once, and then iterate() until the outcome or the caller itself ends the run. An
+/// algorithm allocates memory only in reset().
 class Algorithm {
  public:
   virtual ~Algorithm() = default;
   virtual std::string_view name() const = 0;
   virtual void reset(const Options& options, std::size_t scalars) = 0;
-  /// Linearizes at the current estimates, whose cost is `chi2`, finds a step and takes it. Fills the record,
-  /// except for iteration and time; record.chi2 is the cost afterwards.
+  /// Linearizes at the current estimates, whose cost is `chi2`, finds a step and takes it. Fills all members
+  /// of the record except the number of the iteration and the time. record.chi2 is the cost after the step.
   virtual IterationOutcome iterate(System& system, double chi2, IterationRecord& record) = 0;
   /// The number of steps for which H had to be damped because it was not positive definite.
   virtual int regularized_steps() const { return 0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The algorithms of the library, in one table.
+// A table of all algorithms of the library.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,8 @@ namespace boxplus::detail {
 struct AlgorithmEntry {
   AlgorithmKind kind;
   std::string_view name;  ///< for command lines: "gauss-newton"
-  /// Null for kAutomatic, which is replaced by another kind when the plan is known.
+  /// Null for kAutomatic, because the optimizer replaces kAutomatic by another kind as soon as the plan is
+  /// known.
   std::unique_ptr<Algorithm> (*make)();
 };
 

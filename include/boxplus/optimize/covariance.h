@@ -17,7 +17,8 @@
 
 namespace boxplus {
 
-/// Blocks of H⁻¹, with H = Σ ρ′JᵀΩJ at the estimates at the time of the computation.
+/// Blocks of H⁻¹. H = Σ ρ′JᵀΩJ is evaluated at the estimates that the graph has when the covariance is
+/// computed.
 ///
 /// The covariance of a vertex x is the covariance of δ in x ⊞ δ. It has the order, units and frame of the
 /// tangent: for SE2 (Δx, Δy, Δθ) in the body frame, for SE3 (Δt, Δq) in the body frame. Δq is the vector part
@@ -26,22 +27,24 @@ class [[nodiscard]] Covariance {
  public:
   enum class Status : std::uint8_t {
     kOk,
-    kSingular,  ///< the edges leave a vertex undetermined: failed_vertex() names it
+    kSingular,  ///< the edges do not determine a vertex; failed_vertex() names it
     kNotFinite  ///< an error, a Jacobian or a weight is NaN or infinite
   };
 
   Status status() const { return status_; }
   bool ok() const { return status_ == Status::kOk; }
-  /// One sentence that says why there is no covariance. Empty if there is one.
+  /// One sentence that says why there is no covariance; empty if the computation succeeded.
   const std::string& message() const { return message_; }
   std::optional<VertexRef> failed_vertex() const { return failed_vertex_; }
-  /// The vertices that were held because nothing else holds their component of the graph (GaugePolicy). Their
-  /// covariance is zero, and the covariances of all other vertices are relative to them. (If the scale of the
-  /// component is free, too, one direction of another vertex is held; its variance is zero.)
+  /// The vertices that were held, that is, fixed for this computation only, because nothing else determines
+  /// where their component of the graph is (GaugePolicy). Their covariance is zero, and the covariances of
+  /// all other vertices are relative to them. (If the scale of the component is free, too, one direction of
+  /// another vertex is also held, and the variance in this direction is zero.)
   const std::vector<VertexRef>& held() const { return held_; }
 
   /// The covariance of one of the requested vertices; symmetric. Throws InvalidArgument if the vertex was not
-  /// requested, and Error with message() if there is no covariance. O(block), plus a search.
+  /// requested, and Error with message() if there is no covariance. Takes a search for the vertex, and a copy
+  /// of the block.
   Eigen::MatrixXd of(VertexRef vertex) const;
   /// The cross-covariance E[δ_a δ_bᵀ], of tangent_dim(a) × tangent_dim(b) entries. Throws the same exceptions
   /// as of(vertex), and InvalidArgument if a and b differ and only marginal covariances were requested.
@@ -64,34 +67,35 @@ class [[nodiscard]] Covariance {
   std::vector<VertexRef> held_, vertices_;
   std::map<VertexRef, Place> places_;
   bool is_joint_ = false;
-  /// One column-major block per vertex. If is_joint_, one per pair (i, j) with j ≤ i, in the order (0,0)
-  /// (1,0) (1,1) … A zero block is empty.
+  /// One column-major block per vertex or, if is_joint_ is true, per pair (i, j) with j ≤ i, in the order
+  /// (0,0) (1,0) (1,1) … A block of zeros is stored as an empty vector.
   std::vector<std::vector<double>> blocks_;
 };
 
-/// The covariances of `vertices` at the current estimates, with all cross-covariances. Nothing is damped, and
+/// The covariances of `vertices` at the current estimates, with all cross-covariances. H is not damped, and
 /// no estimate changes.
 ///
 /// Fixed vertices, fixed directions (Graph::fix_directions()), fixed parameters and vertices outside of
-/// Options::vertices have zero covariance. The covariance of vertices that are held to fix the gauge is zero,
-/// too. The covariances of all other vertices are relative to them; to choose the reference yourself, fix a
-/// vertex or add a prior. Eliminating a vertex does not change its covariance. A robust edge has its weight
-/// at the estimates. The options `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and
-/// `triggs_correction` mean the same as for optimize(); others are ignored.
+/// Options::vertices have zero covariance. Vertices that are held to fix the gauge (Covariance::held()) have
+/// zero covariance, too, and the covariances of all other vertices are relative to the held vertices. To
+/// choose the reference yourself, fix a vertex or add a prior. Whether a vertex is eliminated does not affect
+/// its covariance. An edge with a robust kernel has the weight ρ′ at the current estimates. The options
+/// `level`, `vertices`, `edges`, `gauge`, `threads`, `numeric_jacobians` and `triggs_correction` mean the
+/// same as for optimize(); all other options are ignored.
 ///
 /// If H is singular or not finite, status() says so, and failed_vertex() names a vertex (not necessarily a
 /// requested one): fix it, or leave it out (Options::vertices). Throws InvalidArgument for stale handles.
 ///
-/// The cost is one linearization, and the analysis and one factorization of H by a block Cholesky in double.
-/// In addition, there are two triangular solves per tangent dimension of `vertices`. If it is cheaper, the
-/// inverse on the pattern of the factor is used instead; it costs about three factorizations and the memory
-/// of a second factor.
+/// The function linearizes once, and analyzes and factorizes H once by a block Cholesky in double. Then it
+/// performs two triangular solves per tangent dimension of `vertices`. If it is cheaper, it instead computes
+/// those entries of H⁻¹ that are in the nonzero pattern of the factor; this takes about as long as three
+/// factorizations, and the memory of a second factor.
 Covariance covariance(const Graph& graph, std::span<const VertexRef> vertices, const Options& options = {});
 Covariance covariance(const Graph& graph, std::initializer_list<VertexRef> vertices,
                       const Options& options = {});
 
-/// The same without the cross-covariances: only the covariance of each vertex with itself. It is cheap enough
-/// for all vertices of a large graph.
+/// Like covariance(), but computes only the covariance of each vertex with itself. This is cheap enough for
+/// all vertices of a large graph.
 Covariance marginal_covariances(const Graph& graph, std::span<const VertexRef> vertices,
                                 const Options& options = {});
 
@@ -112,7 +116,8 @@ Covariance marginal_covariances(const Graph& graph, const R& vertices, const Opt
   return marginal_covariances(graph, std::vector<VertexRef>(vertices.begin(), vertices.end()), options);
 }
 
-// Inline, so that clients allocate the matrices that they free: Eigen's allocator depends on compiler flags.
+// These functions are inline because Eigen's allocator depends on compiler flags: the client's own code must
+// allocate the matrices that the client frees.
 
 inline Eigen::MatrixXd Covariance::of(VertexRef vertex) const {
   return of(vertex, vertex);

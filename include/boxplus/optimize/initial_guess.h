@@ -3,7 +3,7 @@
 // vertices that they set.
 //
 // A relative measurement is an edge whose type has a relative_frame() hook (graph/frame.h). A vertex is a
-// pose or a point if its type has a FrameTrait. All guesses have this in common:
+// pose or a point if its type has a FrameTrait. All functions of this header follow the same rules:
 //
 //   - Only active vertices of the plan move; parameters never move. A vertex keeps its estimate if no
 //     relative measurement reaches it, or if it is not a pose or point. Edges that are disabled or have zero
@@ -12,7 +12,7 @@
 //     measurements (RelativeFrame::kWorld). In a component without a root, the pose of lowest id keeps its
 //     place. If there are measurements of absolute positions, or of points with known positions, the
 //     component is then moved rigidly to fit them.
-//   - A guess has the same bits in every run.
+//   - A guess is bitwise reproducible: it has the same bits in every run.
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,9 @@ struct [[nodiscard]] GuessResult {
   std::string_view note;  ///< the reason why no guess was made; static text
 };
 
-/// The resources that a guess may use, and a hint.
+/// The resources that a guess may use.
 struct GuessLimits {
-  StopToken stop = {};                 ///< once raised, no guess is made
+  StopToken stop = {};                 ///< if it is raised, the guess ends without a result
   std::uint64_t max_factor_bytes = 0;  ///< see AutomaticSolverOptions::max_factor_bytes
   int threads = 1;                     ///< maximum number; it does not affect the result
   /// An order in which to eliminate all or some of the plan's blocks; empty: the guess computes one.
@@ -50,11 +50,11 @@ GuessResult guess_spanning_tree(Graph& graph, const Plan& plan, const GuessLimit
 
 /// Solves one joint sparse linear least-squares problem for relaxed rotations, positions and landmarks,
 /// projects the rotations onto SO(d), and solves again for positions and landmarks with these rotations. If a
-/// vertex is not measured in all directions, it keeps its estimate in the unmeasured ones, and the note says
-/// so. The cost is about that of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust rotation and
-/// translation estimation in multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis & Dellaert,
-/// "Initialization techniques for 3D SLAM: a survey on rotation estimation and its use in pose graph
-/// optimization", ICRA 2015.)
+/// vertex is not measured in all directions, it keeps its estimate in the directions that are not measured,
+/// and the note says so. The cost is about that of one Gauss-Newton iteration. (Martinec & Pajdla, "Robust
+/// rotation and translation estimation in multiview reconstruction", CVPR 2007; Carlone, Tron, Daniilidis &
+/// Dellaert, "Initialization techniques for 3D SLAM: a survey on rotation estimation and its use in pose
+/// graph optimization", ICRA 2015.)
 GuessResult guess_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits = {});
 
 }  // namespace boxplus

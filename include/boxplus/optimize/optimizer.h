@@ -16,7 +16,7 @@ class Algorithm;
 ///
 ///     Optimizer optimizer(graph, options);
 ///     Report first = optimizer.run();   // plans
-///     Report second = optimizer.run();  // uses the plan again
+///     Report second = optimizer.run();  // reuses the plan
 ///
 /// The first run plans: it orders the vertices and lays out H. Later runs keep the plan if the structure of
 /// the graph has not changed (Report::plan_reused), and extend it if vertices and edges were only added
@@ -44,20 +44,20 @@ class Optimizer {
   void set_options(Options options);
 
   [[nodiscard]] Report run();
-  /// Fills a report that the caller can reuse. Allocates no memory if the plan is reused and all edges have a
-  /// fixed size. (LinearSolverKind::kEigenSparse always allocates.)
+  /// Fills a report that the caller can reuse. Allocates no memory if the plan is reused and the error of
+  /// every edge has a fixed size. (LinearSolverKind::kEigenSparse always allocates.)
   void run(Report& report);
 
   /// Runs a custom algorithm instead of Options::algorithm. If the algorithm needs exact steps, choose
-  /// Precision::kDouble: with kAutomatic, a step may come from a factor in float and be refined only to a
-  /// relative residual of 1e-6.
+  /// Precision::kDouble. With Precision::kAutomatic, the solver may compute a step from a factor in float and
+  /// refine it only to a relative residual of 1e-6.
   [[nodiscard]] Report run(Algorithm& algorithm);
   void run(Algorithm& algorithm, Report& report);
 
   /// Covariances at the current estimates: boxplus::covariance() with the options of this optimizer.
   [[nodiscard]] Covariance covariance(std::span<const VertexRef> vertices) const;
-  /// The cross-covariance of two vertices; if a is b, the marginal covariance. Throws Error with the reason
-  /// if there is none.
+  /// The cross-covariance of two vertices or, if a is b, the marginal covariance. If there is no covariance,
+  /// throws Error with the reason.
   [[nodiscard]] Eigen::MatrixXd covariance(VertexRef a, VertexRef b) const {
     const VertexRef vertices[] = {a, b};
     return covariance(vertices).of(a, b);
@@ -68,7 +68,8 @@ class Optimizer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Optimizes once, by a temporary Optimizer. To run again on the same graph, keep an Optimizer instead.
+/// Optimizes once, by a temporary Optimizer. To optimize the same graph several times, use an Optimizer,
+/// because it reuses its plan.
 Report optimize(Graph& graph, const Options& options = {});
 
 }  // namespace boxplus

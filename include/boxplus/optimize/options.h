@@ -31,12 +31,14 @@ enum class Start : std::uint8_t {
   kCurrent,       ///< the current estimates
   kOdometry,      ///< chained along edges between consecutive ids
   kSpanningTree,  ///< propagated along shortest paths from the fixed vertices
-  kChordal,       ///< one joint linear problem in relaxed rotations, positions and landmarks
-  /// The current estimates, if their first step lowers chi2 as the model predicts, they converge soon, and no
-  /// edge has a robust kernel. Otherwise the current estimates or the chordal guess, whichever has the lower
-  /// chi2. A second run starts at the other of the two if the first run does not converge, if it ends above
-  /// the chi2 at which the other begins, or if it began at the current estimates and ends far above the chi2
-  /// that noise explains. The better result is kept.
+  kChordal,       ///< the solution of a linear problem in relaxed rotations, positions and landmarks
+  /// The current estimates, if no edge has a robust kernel, and a run from these estimates converges soon
+  /// after a first step that lowers chi2 as the model predicts. Otherwise, the current estimates or the
+  /// chordal guess, whichever has the lower chi2. If the first run seems to end in a local minimum, a second
+  /// run starts from the other one of these two starts, and the better result is kept. The signs of a local
+  /// minimum are: the first run does not converge; its final chi2 is above the initial chi2 of the other
+  /// start; or it began at the current estimates, and its final chi2 is far above the chi2 that noise
+  /// explains.
   kAutomatic
 };
 std::string_view to_string(Start start);
@@ -49,10 +51,10 @@ struct IterationRecord {
   double step_max = 0;            ///< largest absolute entry of the accepted step
   double gradient_max = 0;        ///< largest absolute entry of the gradient before the step
   double lambda = 0;              ///< damping of the step; 0 if the algorithm has none
-  double radius = 0;          ///< trust-region radius; 0 if the algorithm has none, infinite while unbounded
-  int tries = 0;              ///< number of evaluated steps
-  int linear_iterations = 0;  ///< iterations of the linear solver, or steps of refinement
-  double time_s = 0;          ///< time since the start of optimize()
+  double radius = 0;              ///< trust-region radius; 0 if the algorithm has none; infinite if unbounded
+  int tries = 0;                  ///< number of evaluated steps
+  int linear_iterations = 0;      ///< iterations of the linear solver, or steps of refinement
+  double time_s = 0;              ///< time since the start of optimize()
 };
 
 struct Options {
@@ -61,9 +63,9 @@ struct Options {
 
   AlgorithmKind algorithm = AlgorithmKind::kAutomatic;
   LinearSolverKind linear_solver = LinearSolverKind::kAutomatic;
-  /// The precision of the block Cholesky's factor. kAutomatic means double for kGaussNewton, which takes
-  /// every step without a check. The other algorithms reject steps that do not lower chi2, so for them
-  /// kAutomatic may use a factor in float and refine the step.
+  /// The precision of the Cholesky factor. With kGaussNewton, kAutomatic means double, because Gauss-Newton
+  /// takes every step without a check. All other algorithms reject steps that do not lower chi2. With these
+  /// algorithms, kAutomatic may use a factor in float and refine the step.
   Precision precision = Precision::kAutomatic;
   /// A custom solver, used instead of `linear_solver`; it may be inexact. An Optimizer calls its analyze()
   /// once per structure. Nothing else may use the solver while that Optimizer exists.
@@ -73,38 +75,40 @@ struct Options {
   SchurMode schur = SchurMode::kAutomatic;
   DampingScale damping = DampingScale::kDiagonal;
 
-  /// The next options say when a run stops: as soon as one of these conditions holds.
+  /// The next options are the stopping criteria. A run stops as soon as one of them is met.
   int max_iterations = 100;       ///< stops after this many iterations, counting all runs of one call
   double cost_tolerance = 1e-10;  ///< stops when chi2 fell by less than this fraction of itself
-  /// Stops when each of two consecutive iterations lowers chi2 by less than this fraction of the noise
-  /// variance, as predicted; or when ten consecutive iterations together lower it by less than ten times that
-  /// amount. The noise variance is chi2 / (rows − unknowns), which is 1 if Ω is right. If chi2 falls by one
-  /// noise variance, the estimates move by one standard deviation in one direction. The decrease must also be
-  /// small relative to chi2: at most 2e-7 of chi2 in each of the two iterations, or at most 5e-6 of chi2 in
-  /// the ten together. 0 disables this criterion.
+  /// Stops when the decrease of chi2 is small compared with the noise variance, which is chi2 / (rows −
+  /// unknowns) (1 if all Ω are correct). If chi2 falls by one noise variance, the estimates move by one
+  /// standard deviation in one direction.
+  ///
+  /// The criterion is met if, in each of two consecutive iterations, the actual and the predicted decrease
+  /// are at most this fraction of the noise variance, and at most 2e-7 of chi2. It is also met if, over ten
+  /// consecutive iterations together, these decreases are at most ten times this fraction of the noise
+  /// variance, and at most 5e-6 of chi2. 0 disables the criterion.
   double noise_tolerance = 2e-2;
   /// Stops when no entry of the step exceeds this fraction of the largest step entry of the run.
   double step_tolerance = 1e-12;
   double gradient_tolerance = 0;  ///< stops when no entry of the gradient exceeds this
-  /// Stops when this much time has passed.
+  /// Stops when this much time has passed. The time limit and the flag `stop` apply in every phase of a run:
+  /// planning, initial guess, linearization, linear solver. In 99 of 100 runs with the edges of this library
+  /// and up to 100,000 poses, a run exceeds the limit by at most 1 ms or a tenth of the limit. After `stop`
+  /// is set, the AMD ordering may first run to its end (up to 110 ms for 100,000 poses).
   double time_limit_s = std::numeric_limits<double>::infinity();
   const std::atomic<bool>* stop = nullptr;  ///< stops when this flag becomes true; may be null
-  /// The time limit and the flag apply in every phase: plan, starts, linearization, linear solvers. A run
-  /// exceeds the limit by at most 1 ms or a tenth of it (in 99 of 100 runs, with the edges of this library,
-  /// up to 100,000 poses). After the flag is set, AMD may first finish its ordering (up to 110 ms for 100,000
-  /// poses).
-  ///
   /// Called after every iteration, including the last one. If it returns false, the run stops. If it changes
   /// the structure of the graph or optimizes the graph, InvalidArgument is thrown. It must not change
-  /// estimates or weights, because the next chi2 is compared with the last one. (It may exchange kernels.)
+  /// estimates or weights, because the algorithm compares the next chi2 with the last one. (The callback may
+  /// exchange kernels.)
   std::function<bool(const IterationRecord&)> callback = {};
 
   /// Levenberg-Marquardt: the first λ. 0 means 1e-5 or, if D = I, 1e-5 times the largest diagonal entry of H.
   double initial_lambda = 0;
   double initial_radius = 0;  ///< dogleg: first radius; 0: unbounded, so the first trial is Gauss-Newton
-  /// The relative residual at which iterative linear solvers and refinement stop (the forcing term). With a
-  /// factor in float, at least 1e-6 is used. If kAutomatic falls back to pcg, at least 0.1 is used, because
-  /// rough steps are so much cheaper that the run ends sooner.
+  /// The relative residual at which iterative linear solvers and iterative refinement stop (the forcing
+  /// term). With a factor in float, values below 1e-6 are raised to 1e-6. If LinearSolverKind::kAutomatic
+  /// chooses pcg, values below 0.1 are raised to 0.1, because rough steps are so much cheaper that the run
+  /// ends sooner.
   double linear_tolerance = 1e-10;
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
   bool triggs_correction = false;  ///< second-order term of robust kernels (see LinearizeOptions)
@@ -114,7 +118,7 @@ struct Options {
   std::uint64_t max_factor_bytes = 0;
   int threads = 0;  ///< maximum number; 0: one per hardware thread. It does not affect results.
   int level = 0;    ///< edges of this level take part; if negative, all edges
-  /// If not empty, only these vertices move, and only edges that touch them take part.
+  /// If not empty, only these vertices move, and only edges that contain at least one of them take part.
   std::vector<VertexRef> vertices = {};
   std::vector<EdgeRef> edges = {};  ///< if not empty, only these edges take part
 };

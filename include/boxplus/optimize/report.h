@@ -18,9 +18,9 @@ namespace boxplus {
 struct [[nodiscard]] Report {
   enum class Status : std::uint8_t {
     kConverged,     ///< a minimum to within the tolerances
-    kNotConverged,  ///< stopped before a minimum, for `reason`; the estimates are the best found
-                    ///< (Gauss-Newton: the last)
-    kFailed         ///< no step could be computed; the estimates are those of kNotConverged
+    kNotConverged,  ///< stopped before a minimum (see `reason`); the estimates are the best ones that
+                    ///< were found (Gauss-Newton: the last ones)
+    kFailed         ///< no step could be computed; the estimates are as for kNotConverged
   };
 
   enum class Reason : std::uint8_t {
@@ -28,7 +28,7 @@ struct [[nodiscard]] Report {
     kStepTolerance,
     kGradientTolerance,
     kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
-    kNothingToOptimize,  ///< no active edge touches a vertex that may move
+    kNothingToOptimize,  ///< no active edge contains a vertex that may move
     kMaxIterations,
     kTimeLimit,
     kStopFlag,
@@ -36,8 +36,8 @@ struct [[nodiscard]] Report {
     kNoStepFound,          ///< every damped step raised chi2
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
-    kWeightSpan,           ///< one edge's Ω is so large that others are lost to rounding in H; see `message`
-    kGaugeFreedom          ///< nothing holds a component of the graph, and the policy is GaugePolicy::kError
+    kWeightSpan,           ///< an Ω is so large that rounding in H loses other edges; see `message`
+    kGaugeFreedom          ///< the gauge of a component is free, and the policy is GaugePolicy::kError
   };
 
   /// The requested start, the start that was used, and how the starts compared.
@@ -45,8 +45,8 @@ struct [[nodiscard]] Report {
     Start requested = Start::kCurrent;
     Start used = Start::kCurrent;
     double chi2_current = 0;  ///< chi2 of the estimates before the run
-    /// kAutomatic: the decrease of chi2 by the first step from these estimates, as a fraction of the
-    /// predicted decrease; NaN if no step was tried.
+    /// Start::kAutomatic: the decrease of chi2 by the first step from the current estimates, as a fraction of
+    /// the predicted decrease; NaN if no step was tried.
     double first_step_kept = std::numeric_limits<double>::quiet_NaN();
     double chi2_guess = -1;        ///< chi2 of the initial guess; negative if none was made
     bool ran_both = false;         ///< kAutomatic: both starts were run
@@ -55,10 +55,10 @@ struct [[nodiscard]] Report {
   };
 
   struct GaugeReport {
-    std::vector<Id> held;  ///< vertices held in the solve, one per component that nothing else holds
-    /// The freedom that remains: a scale, a heading, or (depending on GaugePolicy) all of it.
+    std::vector<Id> held;  ///< vertices held fixed during the run: one per component with a free gauge
+    /// The gauge freedom that remains: a scale, a heading or, depending on GaugePolicy, the whole pose.
     std::vector<detail::GaugeFreedom> free;
-    /// The number of single directions of vertices that were held because no edge measured them.
+    /// The number of tangent directions of vertices that were held fixed because no edge measured them.
     int held_directions = 0;
   };
 
@@ -80,15 +80,15 @@ struct [[nodiscard]] Report {
   /// F = Σ ρ(eᵀΩe) over the active edges, at the estimates before the run. NaN if Options::time_limit_s or
   /// Options::stop ended the run before F was evaluated; the estimates are then unchanged.
   double chi2_initial = 0;
-  double chi2_final = 0;  ///< the same at the estimates after the run
-  int iterations = 0;     ///< number in all runs together
+  double chi2_final = 0;  ///< F at the estimates after the run
+  int iterations = 0;     ///< total number in all runs of this call
   StartReport start;
   GaugeReport gauge;
   std::vector<IterationRecord> records;  ///< records of the run that was kept
 
   std::string_view algorithm, linear_solver;
   std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
-  std::vector<EdgeJacobians> jacobians;  ///< sources for each edge type that takes part
+  std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;
   int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
   int threads = 1;             ///< maximum number of threads that the options allow

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The starts of the library, in one table.
+// A table of the values of Start, with their functions.
 #pragma once
 
 #include <span>

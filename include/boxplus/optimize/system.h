@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The problem as an algorithm sees it.
+// The interface through which an algorithm accesses the problem.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct [[nodiscard]] StepResult {
   bool exact = false;  ///< SolveResult::exact; if true, the step δ satisfies δᵀ(H + λD)δ = −gᵀδ
 };
 
-/// F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ around the current estimates.
+/// The cost F and its quadratic model around the current estimates: F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ.
 ///
 /// An iteration calls linearize(), and then solve() and try_step() any number of times. It ends each
 /// try_step() by a call of accept() or reject(). Spans stay valid until the next linearize().
@@ -32,9 +32,9 @@ class System {
   virtual double chi2() = 0;
   /// Computes g and H. Returns false if they are not finite.
   virtual bool linearize() = 0;
-  /// Whether the last call of linearize(), try_step() or chi2() was stopped (Options::stop, time_limit_s). A
-  /// stopped linearize() returned false, the other two returned NaN. After a stopped try_step(), call
-  /// reject().
+  /// Whether Options::stop or time_limit_s stopped the last call of linearize(), try_step() or chi2(). If
+  /// stopped, linearize() returns false, and try_step() and chi2() return NaN. After a stopped try_step(),
+  /// call reject().
   virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;
   /// The diagonal of H, which scales trust regions and damping.

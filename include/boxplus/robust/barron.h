@@ -7,10 +7,10 @@
 namespace boxplus {
 
 /// ρ(e²) = 2c² · (|α−2|/α) · ((e²/(c²|α−2|) + 1)^(α/2) − 1). This is Barron's loss (eq. 13) times 2c², so
-/// that ρ(e²) ≈ e² near 0, as for all other kernels. It is smooth in e² and continuous in α: α = 2 squared
-/// error · 1 pseudo-Huber · 0 Cauchy · −2 Geman-McClure · −∞ Welsch (their widths differ by constant
-/// factors). With α > 2 (also +∞), outliers get more weight than in least squares, and large errors
-/// overflow.
+/// that ρ(e²) ≈ e² near 0, as for all other kernels. It is smooth in e² and continuous in α. Special cases
+/// are, up to a constant factor of the width: the squared error (α = 2), pseudo-Huber (1), Cauchy (0),
+/// Geman-McClure (−2) and Welsch (−∞). If α > 2 (including +∞), outliers get more weight than in least
+/// squares, and ρ overflows for large errors.
 class Barron final : public RobustKernel {
  public:
   /// The shape may be any number or ±∞. c > 0 is the width in units of √e².

@@ -21,7 +21,8 @@ double chi2_quantile(int rows, double probability);
 ///
 ///     graph.set_kernel(edge, Cauchy(default_width(3)));
 ///
-/// The widths of GemanMcClure and DCS are in units of e², so use chi2_quantile(3, 0.95) for these.
+/// The widths of GemanMcClure and DCS are in units of e², so use chi2_quantile(3, 0.95) for these two
+/// kernels.
 double default_width(int rows);
 
 /// make_robust_kernel() with the default width for errors of `rows` rows: default_width(rows), or its square

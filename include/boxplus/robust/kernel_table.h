@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels that have a name, in one table.
+// A table of all robust kernels that can be chosen by name.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 namespace boxplus::detail {
 
 struct KernelEntry {
-  /// For command lines: "Huber"; "Barron:ALPHA" takes a parameter, the shape.
+  /// The name on command lines, such as "Huber". "Barron:ALPHA" takes a parameter, the shape.
   std::string_view name;
   /// `parameter` is the text after the colon. Throws InvalidArgument if the parameter or the width is
   /// invalid.

@@ -9,9 +9,9 @@
 
 namespace boxplus {
 
-/// The kernel of that name and width. "Barron:1.5" gives Barron's kernel with the shape 1.5; the shape may be
-/// -inf, too. Throws InvalidArgument for an unknown name (the message lists the known ones) or a width that
-/// is not positive.
+/// The kernel with the given name and width. "Barron:1.5" gives Barron's kernel with the shape 1.5; the shape
+/// may also be -inf. Throws InvalidArgument for an unknown name (the message lists the known ones) or a width
+/// that is not positive.
 std::unique_ptr<RobustKernel> make_robust_kernel(std::string_view name, double delta);
 
 }  // namespace boxplus

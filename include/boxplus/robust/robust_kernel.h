@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Robust kernels: an edge contributes ρ(e²) instead of e² = eᵀΩe, so that outliers count less.
 //
-// A kernel is a function of the SQUARED error. Contract, for 0 ≤ e² ≤ 1e100 δ² (testing/check_kernel.h checks
-// it):
+// A kernel is a function of the SQUARED error. A kernel must obey this contract for 0 ≤ e² ≤ 1e100 δ²
+// (testing/check_kernel.h checks it):
 //   ρ(0) = 0; ρ, ρ′ and ρ″ are finite, also at 0; ρ′ and ρ″ are the derivatives of ρ with respect to e², if
 //   they exist. At a kink, the kernel returns the derivatives on the side of smaller errors.
-// ρ′ is the weight of the edge in H and b. It should not be negative: the linearization replaces a negative
-// weight by 0, so the edge has no influence.
+// ρ′ is the weight of the edge in H and b. The weight should not be negative, because the linearization
+// replaces a negative weight by 0, so that the edge has no influence.
 #pragma once
 
 #include <memory>

@@ -4,9 +4,10 @@
 //     const JacobianCheck check = check_jacobians(MyEdge{…}, x_1, x_2);
 //     if (!check.ok) std::cerr << check.message;
 //
-// If the error is generic in its scalar, the check compares exact Jacobians (by dual numbers) with numeric
-// ones. It compares a member jacobians() with the exact ones or, if there are none, with the numeric ones.
-// Choose estimates away from kinks and from zero errors, so that no term of the Jacobians vanishes.
+// If the error function is a template over the scalar, the check compares the exact Jacobians (by dual
+// numbers) with numeric Jacobians. If the edge has a member jacobians(), the check compares its result with
+// the exact Jacobians or, without dual numbers, with the numeric Jacobians. Choose estimates at which the
+// error is neither zero nor at a kink, so that no term of the Jacobians vanishes.
 #pragma once
 
 #include <array>
@@ -21,8 +22,8 @@
 namespace boxplus {
 
 struct JacobianTolerances {
-  double analytic = 1e-10;  ///< analytic against exact, relative to the largest entry (at least 1)
-  double numeric = 1e-7;    ///< analytic or exact against numeric, relative to the same
+  double analytic = 1e-10;  ///< between analytic and exact, relative to the largest entry (at least 1)
+  double numeric = 1e-7;    ///< between numeric and the other two, with the same scale
 };
 
 struct [[nodiscard]] JacobianCheck {
@@ -38,18 +39,18 @@ struct [[nodiscard]] JacobianCheck {
 
 namespace detail {
 
-/// One argument's columns within the Jacobian.
+/// The columns of the Jacobian that belong to one argument.
 struct ArgumentColumns {
   std::string_view type;
   int first = 0, count = 0;
 };
 
-/// Adds the differences of two column-major Jacobians of `rows` rows to `check`.
+/// Compares two column-major Jacobians of `rows` rows, and adds their differences to `check`.
 void compare_jacobians(std::span<const double> expected, std::span<const double> actual, int rows,
                        double tolerance, std::span<const ArgumentColumns> arguments, std::string_view pair,
                        JacobianCheck& check);
 
-/// The type in which the edge receives an estimate. It is the same type as in a graph.
+/// The type in which the error function receives an estimate. In a graph, it receives the same type.
 template <class A>
 struct CheckedType {
   using Type = StoredEstimate<A>;
@@ -103,8 +104,8 @@ JacobianCheck check_jacobians_of(const E& e, const JacobianTolerances& tolerance
 
 }  // namespace detail
 
-/// Checks an edge at the given estimates; a std::vector of estimates stands for a tail of any number of
-/// vertices.
+/// Checks an edge at the given estimates. If an argument of the edge takes any number of vertices, pass a
+/// std::vector of estimates for it.
 template <class E, class... X>
 JacobianCheck check_jacobians(const JacobianTolerances& tolerances, const E& e, const X&... x) {
   return detail::check_jacobians_of<typename detail::CheckedType<X>::Type...>(

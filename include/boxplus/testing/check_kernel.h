@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the contract of a robust kernel (see robust/robust_kernel.h), such as a custom one. Needs no test
-// framework.
+// Checks whether a robust kernel, such as your own, obeys the contract of robust/robust_kernel.h. Needs no
+// test framework.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace boxplus {
 
-/// ok, or a message that names the violated law, the error at which it fails, and the amount.
+/// If `ok` is false, `message` says which rule of the contract is violated, at which error, and by how much.
 struct [[nodiscard]] KernelCheck {
   bool ok = true;
   std::string message;
@@ -42,8 +42,8 @@ inline KernelCheck check_kernel_at(const RobustKernel& kernel, double e2,
   if (options.monotone && rho.first < 0) return fail("ρ′ ≥ 0", 0, rho.first);
   if (e2 == 0) return rho.value == 0 ? KernelCheck{} : fail("ρ(0) = 0", 0, rho.value);
 
-  // Differentiates with respect to ln e2, so that one step suits all magnitudes. At a kink, the estimated
-  // error of the numeric derivative is large, so the difference is allowed.
+  // Differentiates with respect to ln e2, so that the same step size suits all magnitudes. At a kink, the
+  // estimated error of the numeric derivative is large, so the check allows a large difference there.
   const auto along = [&](double h, double* values) {
     const RobustKernel::Rho moved = kernel(e2 * std::exp(h));
     values[0] = moved.value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks the laws of manifold.h for a type, such as a custom one. Needs no test framework:
+// Checks whether a type, such as your own, obeys the laws of manifold.h. Needs no test framework:
 //
 //     const ManifoldCheck check = check_manifold<Pose>({Pose(…), Pose(…)});
 //     if (!check.ok) std::puts(check.message.c_str());
@@ -18,7 +18,7 @@
 
 namespace boxplus {
 
-/// ok, or a message that names the law that fails, the sample, and the amount.
+/// If `ok` is false, `message` says which law is violated, for which sample, and by how much.
 struct [[nodiscard]] ManifoldCheck {
   bool ok = true;
   std::string message;
@@ -81,8 +81,8 @@ class ManifoldChecker {
     return pivot > 1e-6 ? true : fail("law 4, ∂(x ⊞ δ)/∂δ has full rank: a pivot exceeds 0 only", pivot);
   }
 
-  /// ⊞ on dual numbers has the value and the derivative of ⊞ on double. Skipped if the type cannot be lifted,
-  /// or if the lifted type has no ⊟.
+  /// For dual numbers, ⊞ has the same value and derivative as for double. Skips this check if the type cannot
+  /// be lifted to dual numbers, or if the lifted type has no ⊟.
   bool lifted_agrees(const T& x, const Tangent& delta) {
     if constexpr (detail::LiftableManifold<T, D>) {
       if constexpr (requires(const detail::Rebind<T, D>& z, D* out) {
@@ -144,7 +144,7 @@ class ManifoldChecker {
     return largest;
   }
 
-  /// The smallest pivot of Gaussian elimination with full pivoting, relative to the first.
+  /// The smallest pivot of Gaussian elimination with full pivoting, divided by the first pivot.
   static double smallest_pivot(Matrix<double, kDynamic, kDynamic> a) {
     if (a.size() == 0) return 1;
     double first = 0, pivot = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Simulated graphs with known true estimates, for tests, benchmarks and demonstrations.
+// Simulates graphs with known true estimates, for tests, benchmarks and demonstrations.
 //
 // The same options give the same graph with every compiler, because the random number generator is part of
-// the library. Noise is drawn according to the information matrices of the edges. So without outliers, chi2
-// at the true estimates is about the number of rows of all errors. The first pose is fixed at its true place;
-// the other estimates start at the odometry.
+// the library. The covariances of the noise are the inverses of the edges' information matrices. So without
+// outliers, chi2 at the true estimates is about the number of rows of all errors. The first pose is fixed at
+// its true place; the initial estimates of all other vertices come from the odometry.
 #pragma once
 
 #include <array>
@@ -17,30 +17,30 @@
 namespace boxplus {
 
 enum class World : std::uint8_t {
-  kSphere,     ///< a robot winds around a sphere from pole to pole, and sees its places of one lap ago
-  kTorus,      ///< the same around a torus; the last lap meets the first
-  kGrid,       ///< it visits all points of a cubic lattice, and sees the neighbors of each
-  kManhattan,  ///< it walks at random through the streets of a plane, and recognizes crossings
-  kStreets,  ///< it drives every street of a town 2 to 4 times, at least 100 poses from crossing to crossing,
-             ///< and recognizes places that it has visited: about 4 edges per pose
-  kCity      ///< the same in short streets, where it sees lampposts and corners of houses instead
+  kSphere,     ///< a spiral on a sphere from pole to pole, with loop closures to the places one lap before
+  kTorus,      ///< laps around a torus, with loop closures as on the sphere; the last lap meets the first
+  kGrid,       ///< a walk through all points of a cubic lattice, with loop closures to neighboring points
+  kManhattan,  ///< a random walk through a plane grid of streets, with loop closures at crossings
+  kStreets,    ///< a drive through every street of a town, 2 to 4 times, with at least 100 poses between
+               ///< crossings and loop closures to places visited before; about 4 edges per pose
+  kCity        ///< a drive as in kStreets, but with short streets, and landmarks in place of loop closures
 };
 inline constexpr std::array kWorlds{World::kSphere,    World::kTorus,   World::kGrid,
                                     World::kManhattan, World::kStreets, World::kCity};
 std::string_view to_string(World world);
 
 struct SimulationOptions {
-  int poses = 2500;  ///< approximate number; sphere, torus and grid round to whole laps
+  int poses = 2500;  ///< approximate number, because sphere, torus and grid consist of whole laps
   std::uint64_t seed = 1;
-  double noise =
-      1;  ///< factor on all standard deviations; 0: exact measurements, with the weights of factor 1
-  /// The fraction of loop closures and observations that mistake one place (landmark) for another one, at
-  /// random. Odometry is never wrong, and all other measurements are the same as without outliers.
+  double noise = 1;  ///< factor on all standard deviations; 0: exact measurements, weighted as for factor 1
+  /// The fraction of loop closures and observations that are wrong, because they mistake one place or
+  /// landmark for another random one. Odometry is never wrong, and all other measurements are the same as
+  /// without outliers.
   double outliers = 0;
 };
 
 enum class EdgeKind : std::uint8_t {
-  kOdometry,     ///< from a pose to the next
+  kOdometry,     ///< odometry from a pose to the next pose
   kRecognition,  ///< a loop closure, or an observed landmark
   kOutlier       ///< a loop closure or observation of a wrong place
 };

@@ -22,14 +22,16 @@ struct BetweenText {
 };
 }  // namespace detail
 
-/// z measures b relative to a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent:
-///   SE2  vec(z⁻¹ a⁻¹ b) = (x, y, θ)                                   EDGE_SE2
+/// z measures b relative to a. Error: (a⁻¹ b) ⊟ z, in the units of T's tangent. The table shows the error for
+/// each T, and the tag in g2o files:
+///   SE2  (x, y, θ) of z⁻¹ a⁻¹ b                                       EDGE_SE2
 ///   SE3  (t, q_v) of z⁻¹ a⁻¹ b, with the sign of q that has w ≥ 0     EDGE_SE3:QUAT
 ///   Vector2, Vector3  (b − a) − z                                     EDGE_POINTXY, EDGE_POINTXYZ
-/// and likewise for every other T whose trait Manifold<T> has kDim, ominus, cast and Rebind. The motion from
-/// a to b is a.inverse_times(b), b − a or a.inverse() * b: the first one that T supports. It must be a T. For
-/// exact Jacobians, these functions must accept T over dual numbers (Rebind), and the types must have a
-/// member type Scalar. Product has none of these functions.
+/// Besides these types, T may be any type whose trait Manifold<T> has kDim, ominus, cast and Rebind. To
+/// compute the motion from a to b, the edge uses the first of the expressions a.inverse_times(b), b − a and
+/// a.inverse() * b that compiles; the result must be a T. For exact Jacobians, the expression must also
+/// accept T over dual numbers (Rebind), and T must have a member type Scalar. T cannot be a Product, because
+/// no such expression compiles for it.
 template <class T>
 struct Between {
   static constexpr std::string_view kName = detail::TypeLabel<detail::BetweenText, T>::kValue;
@@ -59,8 +61,9 @@ template <class T>
 Between(T) -> Between<detail::StoredEstimate<T>>;
 
 namespace detail {
-/// Computes errors of Between<SE2> and Between<SE3> in lanes, with the dense kernels; also Jacobians, unless
-/// `jacobian` is null. The arguments point to the values of each edge's measurement and poses.
+/// Computes the errors and, unless `jacobian` is null, the Jacobians of several Between<SE2> or Between<SE3>
+/// at once, with the dense kernels, one edge per SIMD lane. The arguments `measurement`, `from` and `to`
+/// point to the values of each edge's measurement and poses.
 void linearize_between(std::type_identity<SE2>, int count, const double* const* measurement,
                        const double* const* from, const double* const* to, double* error, double* jacobian);
 void linearize_between(std::type_identity<SE3>, int count, const double* const* measurement,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A prior on any number of vertices of several types, with all correlations between them. It is the result of
-// marginalizing the other vertices of a problem.
+// A prior on any number of vertices of several types, with all correlations between them. Marginalizing all
+// other vertices of a problem produces such a prior.
 #pragma once
 
 #include <span>
@@ -36,7 +36,7 @@ void evaluate(const Rows& rows, const double* delta, double* error);
 /// J ← R[:, first … first + dim) D. D is dim × dim.
 void multiply(const Rows& rows, int first, int dim, const double* D, double* jacobian);
 
-/// Throws InvalidArgument, because the number of vertices of the edge is not the number of means.
+/// Throws InvalidArgument with a message that the number of vertices of the edge is not the number of means.
 [[noreturn]] void throw_count(std::string_view type, std::size_t expected, std::size_t actual);
 
 }  // namespace dense_prior
@@ -46,10 +46,11 @@ void multiply(const Rows& rows, int first, int dim, const double* D, double* jac
 ///
 ///     graph.add_edge(DensePrior<SE3, Vector3>({pose_means, point_means}, R), poses, points);
 ///
-/// With Ω = 1 (the default) its cost is ‖Rδ + r‖². The means stay at the estimates at which the problem was
-/// linearized, as fixed-lag smoothers and consistent filters require. The Jacobian is R times the derivative
-/// of δ at the current estimates; computing it takes O(rows · cols · dim). So an iteration costs about as
-/// much as the dense product RᵀR, O(rows · cols²).
+/// With Ω = 1 (the default), the cost of the prior is ‖Rδ + r‖². The means stay at the estimates at which the
+/// problem was linearized, as fixed-lag smoothers and consistent filters require. The Jacobian is R times the
+/// derivative of δ at the current estimates; computing it takes O(rows · cols · dim), with the tangent
+/// dimension dim of one vertex. So the dense product JᵀJ, which takes O(rows · cols²), dominates the time of
+/// an iteration.
 template <class... T>
 class DensePrior {
  public:
@@ -124,7 +125,7 @@ class DensePrior {
     std::apply([&](const auto&... means) { (visit(x, means), ...); }, means_);
   }
 
-  /// Whether ⊟ takes estimates over dual numbers.
+  /// Whether ⊟ accepts estimates over dual numbers.
   template <class V>
   static constexpr bool kHasGenericMinus = [] {
     if constexpr (requires { requires detail::LiftableManifold<V, detail::DualFor<V>>; }) {

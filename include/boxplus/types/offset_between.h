@@ -14,8 +14,9 @@ struct OffsetBetweenText {
 }  // namespace detail
 
 /// z measures the sensor pose xj·pj relative to the sensor pose xi·pi. pi and pj are the poses of the sensors
-/// on the body: parameters, or vertices to calibrate. Error: (xi pi)⁻¹ (xj pj) ⊟ z. Vertices: xi, xj, pi, pj
-/// (EDGE_SE2_OFFSET, EDGE_SE3_OFFSET), or xi, xj, p if both ends have the same sensor (EDGE_SE2_CALIB).
+/// on the body. They are parameters or, if they are to be calibrated, vertices. Error: (xi pi)⁻¹ (xj pj) ⊟ z.
+/// Vertices: xi, xj, pi, pj (tags in g2o files: EDGE_SE2_OFFSET, EDGE_SE3_OFFSET), or xi, xj, p if both ends
+/// have the same sensor (EDGE_SE2_CALIB).
 template <class T>
 struct OffsetBetween {
   static constexpr std::string_view kName = detail::TypeLabel<detail::OffsetBetweenText, T>::kValue;

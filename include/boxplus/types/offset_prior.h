@@ -14,7 +14,7 @@ struct OffsetPriorText {
 }  // namespace detail
 
 /// z measures the sensor pose x·p in the world; p is the pose of the sensor on the body. Error: (x p) ⊟ z.
-/// For SE3: EDGE_SE3_PRIOR.
+/// The tag in g2o files is EDGE_SE3_PRIOR (for SE3).
 template <class T>
 struct OffsetPrior {
   static constexpr std::string_view kName = detail::TypeLabel<detail::OffsetPriorText, T>::kValue;

@@ -14,9 +14,10 @@ struct PositionPriorText {
 };
 }  // namespace detail
 
-/// z measures the position of a pose in the world. Error: t(x) − z. EDGE_PRIOR_SE2_XY, EDGE_SE3_XYZ_PRIOR.
-/// EDGE_SE3_XYZ_PRIOR names a sensor offset that its error does not use. The offset is the second vertex
-/// here, so that it is written back to files.
+/// z measures the position of a pose in the world. Error: t(x) − z, with the translation t(x) of the pose.
+/// The tags in g2o files are EDGE_PRIOR_SE2_XY and EDGE_SE3_XYZ_PRIOR. A line EDGE_SE3_XYZ_PRIOR also names a
+/// sensor offset, although the error does not depend on it. This edge has the offset as its second vertex, so
+/// that a writer can write the offset back to the file.
 template <class V>
 struct PositionPrior {
   static constexpr std::string_view kName = detail::TypeLabel<detail::PositionPriorText, V>::kValue;

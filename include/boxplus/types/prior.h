@@ -18,9 +18,9 @@ struct PriorText {
 };
 }  // namespace detail
 
-/// z measures x in the world. Error: x ⊟ z:
-///   SE2  vec(z⁻¹ x)                   EDGE_PRIOR_SE2
-///   SE3  (t, q_v) of z⁻¹ x
+/// z measures x in the world. Error: x ⊟ z. The table shows the error for each T, and the tag in g2o files:
+///   SE2  (x, y, θ) of z⁻¹ x           EDGE_PRIOR_SE2
+///   SE3  (t, q_v) of z⁻¹ x            none; see OffsetPrior
 ///   Vector2, Vector3  x − z           EDGE_PRIOR_XY, EDGE_POINTXYZ_PRIOR
 template <class T>
 struct Prior {

@@ -7,7 +7,8 @@
 namespace boxplus {
 
 /// z measures the distance (meters) between the positions of a and b, each a pose or a point. Error: |b − a|
-/// − z. If a and b coincide, the error has no derivative; 0 is used instead, so do not start from there.
+/// − z. If a and b coincide, the error has no derivative, and the Jacobian is 0. So do not start from
+/// estimates that coincide.
 struct Range {
   static constexpr std::string_view kName = "Range";
   double measurement;

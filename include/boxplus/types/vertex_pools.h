@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pools of poses and points are compiled in the library.
+// Declares that the pools of poses and points are compiled only once, in the library.
 #pragma once
 
 #include "boxplus/graph/typed_vertex_pool.h"

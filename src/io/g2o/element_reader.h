@@ -24,7 +24,7 @@ class ElementReader {
   };
   Edge read_edge(const Tag& tag, FieldReader& in);
 
-  /// Fixes the vertices that a FIX line lists. Returns false if one of them has not been read yet.
+  /// Fixes the vertices that a FIX line lists. Returns false if one of these vertices has not been read yet.
   bool fix(FieldReader& in);
 
   /// See VertexIds::end_of_vertices() and VertexIds::created().

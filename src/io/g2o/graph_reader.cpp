@@ -15,11 +15,11 @@
 namespace boxplus {
 namespace {
 
-/// A line that must wait until the end of the file, because the line itself, or an edge before it, refers to
-/// a vertex that has not been read yet.
+/// A line that is processed only at the end of the file, because the line itself, or an edge before it,
+/// refers to a vertex that has not been read yet.
 struct WaitingLine {
   Line line;
-  std::string text;  ///< a copy, because the line's block no longer exists when the line is read
+  std::string text;  ///< a copy, because the line's block no longer exists at the end of the file
   GraphFile::KeptLine::Place place;
   Id vertex;
 };
@@ -36,9 +36,9 @@ std::string counted(std::int64_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Builds a GraphFile. All workers split blocks into lines and numbers. One of them, always the same, adds
-/// the finished blocks to the graph in the order of the file. So the elements have the order of the file,
-/// except that edges wait for vertices that come after them.
+/// Builds a GraphFile. All workers split blocks into lines and numbers. The calling thread adds the finished
+/// blocks to the graph in the order of the file. So the elements have the order of the file, except that
+/// edges are added after all vertices if a vertex comes after an edge that refers to it.
 class GraphReader {
  public:
   GraphReader(const TextSource& text, const ReadOptions& options)
@@ -133,15 +133,15 @@ class GraphReader {
     for (WaitingLine& waiting : std::exchange(waiting_, {})) {
       Line& line = waiting.line;
       line.text = waiting.text;
-      line.is_numeric = false;  // the block that held the numbers no longer exists
+      line.is_numeric = false;  // the block with the numbers no longer exists
       place_ = waiting.place;
       vertex_ = waiting.vertex;
-      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // its tag is already noted
+      if (line.kind == Line::Kind::kUnknown) line.kind = Line::Kind::kComment;  // its tag already has a note
       guarded(line, [&] { take(line); });
     }
   }
 
-  /// Reads one line. A lenient reader notes an error and continues.
+  /// Reads one line. If the line has an error, a lenient reader adds a note and continues.
   template <class F>
   void guarded(const Line& line, F&& read_line) {
     try {

@@ -12,7 +12,8 @@
 namespace boxplus {
 namespace {
 
-/// Writes a graph in pieces: the workers format the pieces, and one worker writes them in order.
+/// Writes a graph in pieces. The workers format the pieces, and the calling thread writes the pieces in
+/// order.
 class GraphWriter {
  public:
   GraphWriter(const GraphFileView& file, const Registry& registry)
@@ -41,7 +42,8 @@ class GraphWriter {
     std::vector<std::vector<bool>> listed;
     for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
     for (EdgeRef& edge : edges_) {
-      // If an edge is listed twice or was removed, its entry only marks the place of the kept lines after it.
+      // If an edge is listed twice or was removed, its entry is not written. It only marks the place of the
+      // kept lines after it.
       if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
         edge = kNoEdge;
       } else {

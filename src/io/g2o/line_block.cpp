@@ -76,7 +76,8 @@ void LineBlock::place_fields() {
 }
 
 void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
-  // Some editors write this mark at the beginning of a file. In concatenated files, other lines may have it.
+  // Some editors write this mark at the beginning of a file. In a concatenation of files, it may also begin
+  // other lines.
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const char* const end = text.data() + text.size();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A block of lines, split into tags and numbers. Splitting needs no graph, so several threads can do it.
+// Splits a block of lines into tags and numbers. This does not access the graph, so several threads can split
+// blocks at once.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace boxplus {
 
 using Renames = std::map<std::string, std::string, std::less<>>;
 
-/// Looks up the tags of a file in the registry. Before that, replaces the tags that the user wants to rename.
+/// Looks up the tags of a file in the registry, after it has replaced the tags that the user wants to rename.
 class TagLookup {
  public:
   TagLookup(const Registry& registry, const Renames& renames) : registry_(registry), renames_(renames) {}
@@ -43,7 +44,7 @@ struct Line {
   std::string_view text;
   std::int64_t number = 0;  ///< the line number, from 1; in LineBlock::lines(), it counts within the block
   Kind kind = Kind::kUnknown;
-  bool is_numeric = false;  ///< whether it is an element whose fields are all numbers, held by `fields`
+  bool is_numeric = false;  ///< whether this is an element, and `fields` contains all its fields
   const Tag* tag = nullptr;
   NumericFields fields = {};
   std::size_t value_count = 0;

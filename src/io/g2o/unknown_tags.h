@@ -13,23 +13,23 @@
 
 namespace boxplus {
 
-/// The tags in a file for which no type is registered. Each of them gets a note. A line with an unknown tag
-/// may also be the reason why a vertex is missing.
+/// The tags in a file for which no type is registered. The report on the file contains a note for each of
+/// these tags. A line with an unknown tag may also be the reason why a vertex is missing.
 class UnknownTags {
  public:
-  /// Takes a line that begins with an unknown tag.
+  /// Records a line that begins with an unknown tag.
   void add(std::string_view line, std::int64_t number);
   /// The reason why there is no vertex (or parameter) with this id, if a line with an unknown tag has the id.
   /// Otherwise, an empty string.
   std::string reason_for_missing(Id id, bool is_parameter) const;
-  /// One note for each tag.
+  /// Appends one note for each tag.
   void append_notes(std::vector<GraphFile::Note>& notes) const;
 
  private:
   struct Occurrences {
     std::int64_t count = 0, first_line = 0;
   };
-  /// A line with an id after its tag. It may define a vertex or a parameter.
+  /// A line with an id after its tag. Such a line may define a vertex or a parameter.
   struct IdLine {
     const std::string* tag;
     std::int64_t number;

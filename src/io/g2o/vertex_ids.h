@@ -19,7 +19,7 @@ class VertexIds {
   VertexIds(Graph& graph, const UnknownTags& unknown) : graph_(graph), unknown_(unknown) {}
 
   /// Call this after the last vertex has been read. From then on, an id that is not in the graph is an error.
-  /// But if `create` is true and an edge has such an id, the edge creates a vertex with that id.
+  /// However, if `create` is true, reading an edge with such an id creates a vertex with that id.
   void end_of_vertices(bool create) {
     all_known_ = true;
     create_ = create;
@@ -29,7 +29,7 @@ class VertexIds {
   enum class Result : std::uint8_t { kKnown, kUnassigned, kNotYetKnown };
   /// Reads the ids of the vertices of an edge. The result says whether all vertices are known, one id is -1
   /// (no vertex), or one id belongs to a vertex that has not been read yet. In all other cases, throws
-  /// InputError. Creates missing vertices only after it has checked the rest of the line.
+  /// InputError. Checks the rest of the line before it creates missing vertices.
   Result read_of_edge(const Tag& tag, FieldReader& in);
   /// Reads the ids of the vertices in a FIX line. Returns false if a vertex has not been read yet.
   bool read_to_end(FieldReader& in);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tags of TORO (Grisetti, Stachniss, Burgard, "Nonlinear constraint network optimization for efficient
-// map learning", 2009). The reader accepts them. The writer uses the corresponding tags of .g2o instead.
+// map learning", 2009). The reader accepts these tags. The writer uses the corresponding tags of .g2o
+// instead.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -11,25 +11,25 @@
 namespace boxplus {
 namespace {
 
-/// Half of the memory, because the graph, H and other programs need the rest.
+/// Half of the physical memory, because the graph, H and other programs need the other half.
 std::uint64_t default_limit() {
   const std::uint64_t memory = physical_memory();
   return memory > 0 ? memory / 2 : std::numeric_limits<std::uint64_t>::max();
 }
 
-/// The predicted seconds that pcg takes for a rough solution. The number of iterations grows with the
-/// diameter of the graph. The cube root of the number of vertices approximates the diameter, because factors
-/// become too large only for graphs that are roughly three-dimensional. Each iteration reads H twice.
+/// The predicted time that pcg takes for a rough solution. The number of iterations grows with the diameter
+/// of the graph. The cube root of the number of vertices approximates the diameter, because a factor becomes
+/// too large only if the graph is roughly three-dimensional. Each iteration reads H twice.
 double pcg_seconds(const BlockStructure& structure) {
   constexpr double kIterations = 15, kSecondsPerByte = 2e-10;
   const double bytes = static_cast<double>(structure.nonzero_values()) * sizeof(double);
   return kIterations * std::cbrt(structure.blocks()) * 2 * bytes * kSecondsPerByte;
 }
 
-/// A factorization may take this many times as long as a rough solution by pcg, because a factorization is
-/// exact for any condition number of H.
+/// A factorization is accepted if it takes at most this many times as long as a rough solution by pcg,
+/// because it gives an exact solution, even if H is ill-conditioned.
 constexpr double kMaxSlowdown = 4;
-constexpr double kShortSeconds = 1;  // the predicted time that a factorization may take in any case
+constexpr double kShortSeconds = 1;  // a factorization is accepted if its predicted time is below this
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void AutomaticSolver::analyze(const BlockStructure& structure, const AnalyzeHint
   const std::uint64_t limit = wanted > 0 ? wanted : default_limit();
   auto fresh = std::make_unique<BlockCholesky>(options_.block_cholesky);
   BlockCholesky& cholesky = *fresh;
-  chosen_ = std::move(fresh);  // frees the memory of the last analysis first
+  chosen_ = std::move(fresh);  // frees the memory of the last analysis before the new analysis
   pcg_seconds_ = pcg_seconds(structure);
   bool accepted = false;
   const auto accepts = [&](const BlockCholesky::Forecast& forecast) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses the direct solver if its factor fits into memory and does not take too long. Otherwise, uses the
-// iterative solver.
+// Uses the direct solver if its factor fits into memory and the factorization does not take too long.
+// Otherwise, uses the iterative solver.
 #pragma once
 
 #include "linear/block_cholesky/block_cholesky.h"
@@ -13,11 +13,11 @@ namespace boxplus {
 /// for the choice.
 class AutomaticSolver final : public LinearSolver {
  public:
-  /// Uses the options of the automatic solver and the options of the block Cholesky.
+  /// Of `options`, only those of the automatic solver and of the block Cholesky matter.
   explicit AutomaticSolver(const LinearSolverOptions& options = {}) : options_(options) {}
 
   std::string_view name() const override { return chosen_->name(); }
-  /// The same as the needs of both solvers.
+  /// Both solvers have the same needs.
   Needs needs() const override { return Needs::kBlocks; }
   void analyze(const BlockStructure& structure, const AnalyzeHints& hints,
                const StopToken& stop = {}) override;

@@ -19,9 +19,9 @@ std::uint64_t memory_of_machine() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
 }
 
-/// The lowest limit of a control group ("/a/b") and of its parents. A group has no limit if its value is
-/// "max", or if this process cannot see the group. A process in a container cannot see the groups outside of
-/// it.
+/// The lowest limit of a control group ("/a/b") and of its parents. A group counts as unlimited if its value
+/// is "max", or if this process cannot see the group. (A process in a container cannot see the groups outside
+/// of the container.)
 std::uint64_t limit_of_group(const std::filesystem::path& mount, std::string group, const char* file) {
   std::uint64_t least = kUnlimited;
   for (;;) {

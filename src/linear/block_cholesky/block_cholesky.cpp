@@ -14,7 +14,8 @@
 namespace boxplus {
 namespace {
 
-/// A factor in float is used if it would still be faster with this many times the expected number of steps.
+/// Uses a factor in float only if it would be faster even with this many times the expected number of
+/// refinement steps.
 constexpr double kStepMargin = 1.3;
 
 }  // namespace
@@ -58,10 +59,11 @@ void BlockCholesky::complete(const FactorOutline& outline, const BlockStructure&
 }
 
 bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*stop*/) {
-  // The largest number of extensions after an analysis. They spread the time of the analysis over many calls.
+  // The largest number of extensions before the next analysis. Because it is large, the average time of an
+  // analysis per call is small.
   constexpr std::uint32_t kMostExtensions = 100;
   constexpr double kMostGrowth = 1.25;   // the largest growth of a factorization's predicted time per block
-  constexpr double kNegligible = 50e-6;  // the growth of the predicted time, in seconds, that does not matter
+  constexpr double kNegligible = 50e-6;  // a growth of the predicted time that does not matter, in seconds
   factorized_ = false;
   inverse_.clear();
   if (!structure_ || ++extensions_ > kMostExtensions || !extend_factor(*structure_, growth, symbolic_))
@@ -77,7 +79,7 @@ bool BlockCholesky::extend(const StructureGrowth& growth, const StopToken& /*sto
   return true;
 }
 
-/// Falls back to double until the next analysis.
+/// Falls back from float to double until the next analysis.
 void BlockCholesky::leave_mixed() {
   mixed_.release();
   fell_back_to_double_ = true;
@@ -163,8 +165,8 @@ SolveResult BlockCholesky::solve(const double* b, int columns, double* x, const 
 }
 
 /// Whether it is faster to solve for the requested columns than to compute the inverse on the whole pattern.
-/// A solve performs only two operations for each value of L that it reads, so it reaches only a fraction of
-/// the operations per second of a factorization.
+/// A solve performs only two operations for each value of L that it reads. So it performs far fewer
+/// operations per second than a factorization.
 bool BlockCholesky::columns_are_cheaper(std::span<const BlockCoordinate> blocks) const {
   constexpr double kSlowdown = 8, kInverseOverFactor = 3;
   std::vector<std::uint32_t> columns;

@@ -12,9 +12,10 @@
 
 namespace boxplus {
 
-/// The method is multifrontal for three reasons. Every front is one dense trapezoid, which has from 9 rows
-/// (2-D chains) to 1000 rows (3-D tori). Only the extend-add uses indirect addresses, and analyze() computes
-/// them as runs. Subtrees are independent of each other.
+/// The method is multifrontal for three reasons. First, every front is one dense trapezoid, with 9 rows (2-D
+/// chains) to 1000 rows (3-D tori). Second, only the extend-add uses indirect addresses, and analyze()
+/// computes these in advance as runs of consecutive values. Third, subtrees are independent of each other, so
+/// they can be factorized in parallel.
 class BlockCholesky final : public LinearSolver {
  public:
   explicit BlockCholesky(const BlockCholeskyOptions& options = {}, const AmalgamationRule& rule = {})
@@ -71,7 +72,7 @@ class BlockCholesky final : public LinearSolver {
   NumericFactor<double> factor_;
   MixedFactor mixed_;  // used instead of factor_ if it is allocated
   InverseOnPattern inverse_;
-  int batch_ = 1;  // the number of right-hand sides for which factor_ has room
+  int batch_ = 1;  // the number of right-hand sides for which factor_ has memory
   bool factorized_ = false, fell_back_to_double_ = false;
 };
 

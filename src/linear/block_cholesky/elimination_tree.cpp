@@ -49,7 +49,7 @@ std::vector<std::uint32_t> elimination_tree(const UpperPattern& pattern, const S
 std::vector<std::uint32_t> postorder(std::span<const std::uint32_t> parent, std::uint32_t keep) {
   const auto count = static_cast<std::uint32_t>(parent.size());
   const std::uint32_t movable = count - keep;
-  // The lists of children. They are in ascending order, because they are filled from the back. The index
+  // The lists of children. Each list is in ascending order, because it is filled from the back. The index
   // `movable` stands for all kept nodes together, and for the missing parent of a root.
   std::vector<std::uint32_t> first(movable + 1, kNoParent), sibling(movable, kNoParent);
   for (std::uint32_t j = movable; j-- > 0;) {

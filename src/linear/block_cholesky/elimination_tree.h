@@ -10,8 +10,8 @@
 
 namespace boxplus {
 
-// All functions here that take a StopToken throw Stopped when the token is raised. postorder() is so fast
-// that it needs no token.
+// All functions of this header that have a StopToken throw Stopped when the token is raised. postorder() is
+// so fast that it needs no token.
 
 inline constexpr std::uint32_t kNoParent = BlockStructure::kAbsent;
 
@@ -40,9 +40,9 @@ struct ColumnCounts {
   std::vector<std::uint32_t> blocks, scalars;
 };
 
-/// Counts by visiting the row subtrees (Liu 1990, section 5), in O(blocks of L) time and O(columns) memory.
-/// The nearly linear method of Gilbert, Ng and Peyton (1994) would save little, because this function visits
-/// blocks, not scalars.
+/// Computes the column counts. Visits the row subtrees (Liu 1990, section 5), in O(blocks of L) time and
+/// O(columns) memory. The method of Gilbert, Ng and Peyton (1994), whose time is nearly linear in the
+/// nonzeros of H, would be only slightly faster here, because this function visits blocks and not scalars.
 ColumnCounts count_columns(const UpperPattern& pattern, std::span<const std::uint32_t> parent,
                            std::span<const std::uint32_t> dims, const StopToken& stop = {});
 

@@ -16,8 +16,8 @@ std::uint32_t size_of(const std::vector<T>& v) {
   return static_cast<std::uint32_t>(v.size());
 }
 
-/// Moves the range [begin, end) of a list to the end of the list, so that the range can grow. Its old place
-/// remains unused.
+/// Moves the range [begin, end) of a list to the end of the list, so that the range can grow. The old place
+/// of the range remains unused.
 template <class T>
 void move_to_end(std::vector<T>& list, std::uint32_t& begin, std::uint32_t& end) {
   const std::uint32_t size = end - begin, target = size_of(list);
@@ -121,8 +121,8 @@ class Extension {
     change_leading(front);
   }
 
-  /// Adds the operations for `dim` more rows. A column with l entries below the diagonal takes (1 + l)²
-  /// operations.
+  /// Adds the number of operations that `dim` more rows cause. A column with l entries below the diagonal
+  /// takes (1 + l)² operations.
   void add_flops(const Front& front, std::uint32_t dim) {
     for (std::uint32_t i = 1; i <= front.columns; ++i) {
       const double before = front.below + double{0} + i, after = before + dim;
@@ -142,7 +142,7 @@ class Extension {
     }
   }
 
-  /// Sets the children of the new fronts. These are former roots and other new fronts.
+  /// Sets the children of the new fronts. The children are former roots and other new fronts.
   void adopt_roots() {
     for (std::uint32_t parent = old_fronts_; parent < f_.fronts.size(); ++parent) {
       f_.fronts[parent].child_begin = size_of(f_.children);

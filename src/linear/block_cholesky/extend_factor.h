@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A symbolic factorization that grows with its structure.
+// Extends a symbolic factorization when the structure of H grows.
 #pragma once
 
 #include "linear/block_cholesky/symbolic_factor.h"
@@ -7,9 +7,9 @@
 namespace boxplus {
 
 /// Appends the new blocks of the structure to the end of the elimination order. Each new block becomes a
-/// front. Among the old fronts, only those on the paths from its neighbors to the roots change: their rows
-/// now include the new block. Takes O(old fronts) cheap steps and, for the fronts on these paths, the work of
-/// an analysis.
+/// front. Of the old fronts, only those on the paths from the neighbors of the new block to the roots change:
+/// their rows now include the new block. Takes O(old fronts) cheap steps, and the time of an analysis for the
+/// fronts on these paths.
 ///
 /// Returns false and changes nothing if more than 16 blocks are new, or if a new off-diagonal block between
 /// old blocks is not in the pattern of the factor.

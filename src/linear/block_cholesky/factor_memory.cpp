@@ -9,7 +9,7 @@
 namespace boxplus {
 namespace {
 
-/// Places the panels one after the other, and sets the sizes of the fronts.
+/// Places the panels one after the other, and finds the largest sizes of all fronts.
 void place_panels(SymbolicFactor& f, PacedStop& pace) {
   f.panel_size = f.all_rows = 0;
   f.largest_front = f.most_columns = f.most_below = 0;
@@ -27,8 +27,9 @@ void place_panels(SymbolicFactor& f, PacedStop& pace) {
   }
 }
 
-/// Finds room for the front's update matrix, above `base`, while the update matrices of its children are
-/// still in use. Then releases the update matrices of the children that `plan` placed.
+/// Reserves memory for the front's update matrix while the update matrices of its children are still in use.
+/// Places it after the panels and after the first `base` values of the memory for update matrices. Then
+/// releases the update matrices of the children that `plan` placed.
 void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64_t base) {
   const std::uint64_t below = front.below, origin = f.panel_size + base;
   front.update = origin + plan.reserve(below * below);
@@ -41,7 +42,8 @@ void place_update(SymbolicFactor& f, Front& front, MemoryPlan& plan, std::uint64
 
 }  // namespace
 
-/// Each update matrix gets the first place that is large enough. Different subtrees share no memory.
+/// Each update matrix gets the first place that is large enough. Different subtrees share no memory, so that
+/// several threads can factorize them at the same time.
 void assign_memory(SymbolicFactor& f, PacedStop& pace) {
   place_panels(f, pace);
   f.update_size = 0;

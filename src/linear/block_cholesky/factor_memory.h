@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The places of the fronts of a factor in its arena.
+// The memory layout of a factor. All panels and update matrices of its fronts are in one arena.
 #pragma once
 
 #include "base/paced_stop.h"
@@ -7,9 +7,9 @@
 
 namespace boxplus {
 
-/// Assigns places to panels and update matrices, and sets the members of the factor that depend on the sizes
-/// of the fronts. The caller may call this again after fronts have changed. Takes O(fronts) time, plus the
-/// time to search for holes between update matrices.
+/// Assigns addresses in the arena to the panels and the update matrices, and sets the members of the factor
+/// that depend on the sizes of the fronts. The caller may call this again after fronts have changed. Takes
+/// O(fronts) time, plus the time to search for free memory between update matrices.
 void assign_memory(SymbolicFactor& factor, PacedStop& pace);
 
 /// The leading dimension of a panel with this many rows. Avoids multiples of 64, because the entries of a row

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of rows of a front, and their destinations.
+// Finds runs: ranges of consecutive rows that have consecutive destinations, so that they are moved together.
 #pragma once
 
 #include "linear/block_cholesky/symbolic_factor.h"
 
 namespace boxplus {
 
-/// Appends `run` to the list of runs that starts at `begin`. If `run` continues the last run of this list, in
-/// the source and in the destination, extends the last run instead.
+/// Appends `run` to the list of runs that starts at `begin`. If `run` continues the last run of this list in
+/// both the source and the destination, extends the last run instead.
 inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const ScalarRun& run) {
   constexpr std::uint32_t kLongest = 64;  // short enough to divide the runs evenly among threads
   if (runs.size() > begin && runs.back().length < kLongest &&
@@ -20,7 +20,7 @@ inline void append_run(std::vector<ScalarRun>& runs, std::uint32_t begin, const 
 }
 
 /// Lists the runs of rows of the child's update matrix, with their destinations in the parent's front.
-/// local(row) is the first scalar of a block in the parent's front.
+/// local(row) returns the index of the first scalar of block `row` in the parent's front.
 template <class Local>
 void find_runs(SymbolicFactor& f, Front& child, const Front& parent, Local&& local) {
   child.run_begin = child.run_split = static_cast<std::uint32_t>(f.runs.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Addresses in one arena for buffers whose lifetimes are known in advance.
+// Assigns addresses in one arena to buffers whose lifetimes are known in advance.
 #pragma once
 
 #include <cstdint>

@@ -58,8 +58,8 @@ SolveResult MixedFactor::solve(const double* b, double* x, const SolveControl& c
 
 double steps_that_pay(double seconds, double flops, double numbers, const BlockStructure& structure) {
   constexpr double kMinSeconds = 1e-3;  // the shortest time of a factorization for which float is considered
-  constexpr double kFloatShare = 0.5;   // the time of an operation or of reading a value, relative to double
-  constexpr double kSavedOfTheRest = 0.3;      // the share that float saves of the rest of the time
+  constexpr double kFloatShare = 0.5;   // the time of float relative to double, per operation or value
+  constexpr double kSavedOfTheRest = 0.3;      // the fraction of the remaining time that float saves
   constexpr double kSecondsPerByte = 0.8e-10;  // the time to read a byte of the factor or of A
   constexpr double kSecondsPerScalar = 5e-9;   // the time for the vectors of conjugate gradients, per step
   if (seconds < kMinSeconds) return 0;

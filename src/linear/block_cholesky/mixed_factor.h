@@ -13,9 +13,9 @@
 namespace boxplus {
 
 /// The factor is the preconditioner of conjugate gradients in double. If the factor has any correct digits,
-/// each step adds several digits to the solution. A direction in which the factor is wrong costs only one
-/// step, but would make plain iterative refinement diverge (Higham, Accuracy and Stability of Numerical
-/// Algorithms, ch. 12; Carson and Higham 2018).
+/// each step adds several correct digits to the solution. In a direction in which the factor is wrong, plain
+/// iterative refinement would diverge, but conjugate gradients need only one more step (Higham, Accuracy and
+/// Stability of Numerical Algorithms, ch. 12; Carson and Higham 2018).
 class MixedFactor {
  public:
   /// `steps_that_pay` is the result of steps_that_pay(), or infinite if time does not matter.
@@ -28,8 +28,9 @@ class MixedFactor {
   /// Whether all solutions so far took few enough steps to be faster than a factor in double.
   bool pays() const { return most_steps_ <= steps_that_pay_; }
 
-  /// kNotPositiveDefinite only means that float is not accurate enough; A + λD may be positive definite. The
-  /// system must not change until the last solve(); the damping is copied.
+  /// Factorizes A + λD in float. If this returns kNotPositiveDefinite, A + λD may still be positive definite,
+  /// because float may not be accurate enough. `values` must not change until the last solve(), but the
+  /// damping is copied.
   LinearStatus factorize(std::span<const double> values, const Damping& damping, const StopToken& stop);
   /// Solves for one right-hand side. If the status is not kOk, usually because the factor is too inaccurate,
   /// x does not change.

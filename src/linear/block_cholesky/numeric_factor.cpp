@@ -78,7 +78,7 @@ struct Context {
 
 constexpr FrontsResult kStoppedResult{LinearStatus::kStopped, 0};
 
-/// Assembles and factors one front whose children are done.
+/// Assembles and factorizes one front whose children are already factorized.
 template <class Scalar>
 FrontsResult factor_front(const Context<Scalar>& context, const Front& front, int threads,
                           Suspects& suspects) {
@@ -127,8 +127,9 @@ FrontsResult factor_in_order(const Context<Scalar>& context, Suspects& suspects)
   return {};
 }
 
-/// Factorizes the subtrees in parallel, and then each of the other fronts with all threads. If pivots are
-/// lost, the one that ends the factorization is not necessarily the first one.
+/// Factorizes the subtrees in parallel, and then each of the other fronts with all threads. Does not return a
+/// lost pivot, because the lost pivot that is found first is not always the first one in the elimination
+/// order.
 template <class Scalar>
 LinearStatus factor_in_parallel(const Context<Scalar>& context, NumericFactor<Scalar>& factor) {
   const auto& [threads, top] = context.symbolic.schedule;

@@ -14,12 +14,12 @@
 
 namespace boxplus {
 
-/// The pivots that lost the most digits, sorted by ratio, then by scalar.
+/// The few pivots that lost the most digits, sorted by ratio, then by scalar.
 class Suspects {
  public:
   struct Suspect {
     std::uint32_t scalar;  // in the elimination order
-    double ratio;
+    double ratio;          // the pivot divided by its limit in minimum_pivot()
   };
   void clear() { count_ = 0; }
   void add(Suspect suspect);
@@ -33,7 +33,7 @@ class Suspects {
   std::size_t count_ = 0;
 };
 
-/// The values of a factor, with room for right-hand sides. Scalar is double or float.
+/// The values of a factor, and memory for right-hand sides. Scalar is double or float.
 template <class Scalar>
 class NumericFactor {
  public:
@@ -48,8 +48,8 @@ class NumericFactor {
   Scalar* minimum_pivot() const { return minimum_pivot_; }
   /// The right-hand sides. For each scalar, the values of all right-hand sides are contiguous.
   Scalar* x() const { return x_; }
-  /// Scratch memory for either one column of the largest front per right-hand side, or one column of all
-  /// fronts.
+  /// Scratch memory. Its size suffices either for one column of the largest front per right-hand side, or for
+  /// one column of all fronts together.
   Scalar* work() const { return work_; }
 
   Suspects suspects;
@@ -68,14 +68,14 @@ struct FrontsResult {
 };
 
 /// Factorizes A + λD into the panels. Reads only the lower triangle of `values`. Checks `stop` before every
-/// front, and within large ones.
+/// front, and within large fronts.
 template <class Scalar>
 FrontsResult factorize_fronts(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               const double* values, const Damping& damping, const StopToken& stop,
                               NumericFactor<Scalar>& factor);
 
-/// Applies the test of kLostPivot to the suspects of a factorization. Returns the first lost pivot in the
-/// elimination order, or the number of scalars if no pivot is lost.
+/// Applies the test that is described at kLostPivot to the suspects of the last factorization. Returns the
+/// first lost pivot in the elimination order, or the number of scalars if no pivot is lost.
 template <class Scalar>
 std::uint32_t find_lost_pivot(const SymbolicFactor& symbolic, const BlockStructure& structure,
                               NumericFactor<Scalar>& factor);

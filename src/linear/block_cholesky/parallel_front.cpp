@@ -17,15 +17,15 @@ constexpr double kMinParallelFlops = 1e6;
 constexpr double kMinParallelAdditions = 1e5;
 constexpr double kBetweenStops = 1e9;  // the number of flops between two checks of the stop token
 
-/// The first column of part number `part`, if the lower trapezoid is divided into `parts` parts of equal
-/// area.
+/// Divides the columns of a lower trapezoid into `parts` ranges with equal numbers of values. Returns the
+/// first column of range `part`.
 int part_begin(int rows, int columns, int part, int parts) {
   const double r = rows, c = columns, area = (r * c - c * c / 2) * part / parts;
   return std::min(columns, static_cast<int>(r - std::sqrt(std::max(0.0, r * r - 2 * area))));
 }
 
-/// dense::factor_panel() for few columns. Factorizes the square at the top, and then divides the rows below
-/// it in parallel.
+/// Does the same as dense::factor_panel(), but for few columns. Factorizes the square at the top of the
+/// block, and then divides the rows below the square by its factor in parallel.
 template <class Scalar>
 int factor_block_column(int threads, Scalar* block, int rows, int width, int ld,
                         const Scalar* minimum_pivot) {

@@ -10,17 +10,19 @@ namespace boxplus {
 
 inline constexpr int kPanelStopped = -1;
 
-/// dense::factor_panel() with several threads. Returns kPanelStopped if the stop token was raised.
+/// Does the same as dense::factor_panel(), but with several threads. Returns kPanelStopped if the stop token
+/// was raised.
 template <class Scalar>
 int factor_panel_with(int threads, const StopToken& stop, Scalar* panel, int rows, int columns, int ld,
                       const Scalar* minimum_pivot);
 
-/// dense::set_to_minus_square() for all columns. Returns false if the stop token was raised.
+/// Does the same as dense::set_to_minus_square() for all columns, but with several threads. Returns false if
+/// the stop token was raised.
 template <class Scalar>
 bool set_to_minus_square_with(int threads, const StopToken& stop, Scalar* c, int ldc, const Scalar* a,
                               int lda, int size, int k);
 
-/// The extend-add, with its columns divided among threads.
+/// Does an extend-add. Divides its columns among the threads.
 template <class Scalar>
 void extend_add_with(int threads, const dense::ExtendAdd<Scalar>& task);
 

@@ -9,7 +9,8 @@
 namespace boxplus {
 namespace {
 
-/// A growing supernode. `merged_into` is the node itself until it is merged.
+/// A supernode during amalgamation. `merged_into` is the index of the parent into which the node was merged,
+/// or the node's own index if it was not merged.
 struct Node {
   std::uint32_t first_column, last_column, parent = kNoParent, merged_into;
   double columns, below;  // in scalars
@@ -92,8 +93,9 @@ class Groups {
   std::vector<std::uint32_t> start_, members_;
 };
 
-/// Merges nodes with their children if that pays. Visits nodes before their parents. Among the children of a
-/// node, tries the one that adds the fewest zeros first. Children of a merged child are not tried again.
+/// Merges nodes with their children if merging_pays(). Visits nodes before their parents. For each node,
+/// tries first the child whose merge adds the fewest zeros. Does not try the children of a merged child
+/// again.
 void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedStop& pace) {
   std::vector<std::uint32_t> parents;
   parents.reserve(nodes.size());
@@ -113,7 +115,7 @@ void amalgamate(std::vector<Node>& nodes, const AmalgamationRule& rule, PacedSto
 }
 
 /// The number of values in all panels, plus the largest number of values that update matrices hold at the
-/// same time. `sequence` is a postorder of `tops`.
+/// same time. `tops` lists the nodes that remain after merging, and `sequence` is a postorder of them.
 double count_numbers(const std::vector<Node>& nodes, std::span<const std::uint32_t> tops,
                      std::span<const std::uint32_t> top_parent, std::span<const std::uint32_t> sequence,
                      PacedStop& pace) {
@@ -148,7 +150,8 @@ SupernodePartition partition_columns(std::span<const std::uint32_t> parent, cons
   std::vector<Node> nodes = fundamental_supernodes(parent, counts, dims, keep, pace);
   const std::vector<Node> fundamental = nodes;  // with the columns before merging
   amalgamate(nodes, rule, pace);
-  // Finds the topmost node of each merged set. Parents come later, so one backward sweep is enough.
+  // Finds the topmost node of each merged set. One backward sweep is enough because parents come after their
+  // children.
   const auto count = static_cast<std::uint32_t>(nodes.size());
   std::vector<std::uint32_t> representative(count), number(count, 0), tops;
   for (std::uint32_t s = count; s-- > 0;) {

@@ -12,7 +12,8 @@
 namespace boxplus {
 
 /// Supernode s holds the columns order[start[s]] … order[start[s + 1] − 1] of the input numbering. In the new
-/// order, children come before parents, and each subtree is contiguous (except for the kept columns).
+/// order, children come before parents, and each subtree is contiguous. The only exceptions are the last
+/// `keep` columns of partition_columns().
 struct SupernodePartition {
   std::vector<std::uint32_t> start{0};
   std::vector<std::uint32_t> order;

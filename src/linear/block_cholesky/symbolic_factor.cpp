@@ -28,8 +28,8 @@ std::vector<std::uint32_t> composed(const std::vector<std::uint32_t>& order,
   return result;
 }
 
-/// The tree with new numbers: its node k is node sequence[k] of `tree`. If children come before their parents
-/// in the sequence, the result is the elimination tree of the reordered matrix (Liu 1990).
+/// Renumbers the nodes of a tree. Node k of the result is node sequence[k] of `tree`. If children come before
+/// their parents in the sequence, the result is the elimination tree of the reordered matrix (Liu 1990).
 std::vector<std::uint32_t> renumbered(const std::vector<std::uint32_t>& tree,
                                       const std::vector<std::uint32_t>& sequence) {
   std::vector<std::uint32_t> number(tree.size()), parent(tree.size(), kNoParent);
@@ -195,7 +195,7 @@ class Builder {
   const BlockStructure& structure_;
   SymbolicFactor& f_;
   PacedStop pace_;
-  std::vector<std::uint32_t> local_;  // the scalar offset in the current front, by position
+  std::vector<std::uint32_t> local_;  // the scalar offset of each position in the current front
   std::vector<std::uint32_t> mark_;
   std::vector<std::uint32_t> entry_start_;
   std::vector<Entry> entries_;
@@ -235,8 +235,8 @@ void check_order(std::span<const std::uint32_t> order, std::uint32_t blocks) {
                           " blocks");
 }
 
-/// Whether nested dissection is predicted to save more time than it takes. If it is better than minimum
-/// degree, it typically saves a fifth to a third of the operations. Times are in nanoseconds.
+/// Whether nested dissection is predicted to save more time than it takes. If nested dissection is better
+/// than minimum degree, it typically saves a fifth to a third of the operations. Times are in nanoseconds.
 bool dissection_pays(const BlockStructure& structure, double flops, const AmalgamationRule& rule) {
   constexpr double kFactorizations = 8, kSaving = 0.2, kPerEntry = 500;
   const double blocks = structure.blocks(), entries = static_cast<double>(structure.row.size());

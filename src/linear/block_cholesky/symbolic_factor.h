@@ -17,7 +17,8 @@ namespace boxplus {
 /// A run of consecutive scalars and its destination.
 using ScalarRun = dense::Run;
 
-/// The place of one block of A in the panel of its supernode, as an offset from the start of the panel.
+/// Describes how one block of A is copied to the panel of its supernode. `source` is an offset in the values
+/// of A, and `destination` is an offset in the panel.
 struct BlockCopy {
   std::uint32_t source, destination, block;  // `block` is the index of the block in the structure
   std::uint32_t rows, columns;               // as stored in A
@@ -33,18 +34,17 @@ struct Front {
   std::uint32_t leading;
   std::uint32_t parent = kNoParent;
   std::uint64_t panel = 0, update = 0;         // addresses in the arena
-  std::uint32_t row_begin = 0, row_end = 0;    // range in row_blocks: the blocks below, by position
+  std::uint32_t row_begin = 0, row_end = 0;    // range in row_blocks: positions of the blocks below
   std::uint32_t copy_begin = 0, copy_end = 0;  // range in copies
   std::uint32_t child_begin = 0, child_end = 0;
-  /// Range in runs, which map the rows of the update matrix to scalars of the parent's front. Destinations of
-  /// the runs before run_split are pivots of the parent.
+  /// A range of `runs`, which map the rows of the update matrix to scalars of the parent's front. The runs
+  /// before run_split map rows to pivots of the parent.
   std::uint32_t run_begin = 0, run_split = 0, run_end = 0;
   std::uint32_t row_run_begin = 0, row_run_end = 0;  // range in row_runs: update rows → permuted scalars
   std::uint64_t first_row = 0;                       // index of the first row among the rows of all fronts
   std::uint32_t rows() const { return columns + below; }
 };
 
-/// The symbolic factorization.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order, position;  // position → block of the structure, and back
   std::vector<std::uint32_t> offset;    // first permuted scalar of each position, and their total number
@@ -87,7 +87,7 @@ struct SymbolicFactor {
   }
 };
 
-/// The part of the analysis that needs little memory, even if the factor needs much.
+/// The first part of the analysis. It needs little memory, even if the factor needs much memory.
 struct FactorOutline {
   std::vector<std::uint32_t> order;  // the order before `partition`, which permutes it once more
   SupernodePartition partition;
@@ -95,7 +95,8 @@ struct FactorOutline {
   Ordering ordering = Ordering::kMinimumDegree;  // the method that was chosen
 };
 
-/// Orders the blocks, unless `order` is given, and forms the supernodes. Throws InvalidArgument if `order` is
+/// Finds the elimination order and the supernodes. Uses `order` if it is not empty and `last` is empty, and
+/// otherwise orders the blocks so that those in `last` come last. Throws InvalidArgument if `order` is
 /// neither empty nor an order of all blocks, and Stopped when the token is raised.
 FactorOutline outline_factor(const BlockStructure& structure, std::span<const std::uint32_t> last,
                              const AmalgamationRule& rule = {}, Ordering ordering = Ordering::kMinimumDegree,

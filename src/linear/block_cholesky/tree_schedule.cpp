@@ -14,11 +14,12 @@ namespace {
 using Subtree = TreeSchedule::Subtree;
 
 constexpr double kMinSavedNanoseconds = 200e3;  // the time that a worker may take to wake up
-constexpr double kSubtreesPerThread = 8;        // the number beyond which more subtrees do not help
-constexpr double kSerialShare = 0.2;            // the serial share of a front that several threads factorize
+constexpr double kSubtreesPerThread = 8;        // a larger number of subtrees does not help
+constexpr double kSerialShare = 0.2;            // the serial fraction of a front's work on several threads
 constexpr double kJoin = 20e3;  // the ns per front that threads lose by waiting for each other
 
-/// The fronts in two parts: subtrees, with the longest predicted time first, and the fronts above them.
+/// A division of the fronts into subtrees, sorted by descending predicted time, and the fronts above the
+/// subtrees.
 struct Parts {
   std::vector<Subtree> subtrees;
   std::vector<std::uint32_t> top;
@@ -87,8 +88,9 @@ Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int 
   std::sort(parts_.subtrees.begin(), parts_.subtrees.end(), is_longer);
 }
 
-/// Replaces the subtree of the root by the subtrees of its children. Also splits a subtree that is not
-/// contiguous, because a thread needs a contiguous range. Subtrees with kept blocks may not be contiguous.
+/// Moves the root to the top part, and adds the subtrees of its children. If the subtree of a child is not
+/// contiguous, splits it in the same way, because a thread needs a contiguous range of fronts. A subtree with
+/// kept blocks may not be contiguous.
 void Forest::take(std::uint32_t root) {
   std::vector<std::uint32_t> waiting{root};
   while (!waiting.empty()) {
@@ -142,7 +144,8 @@ double predicted_time(const Parts& parts, int threads) {
   return share_out(parts.subtrees, threads) + parts.top_time;
 }
 
-/// Splits subtrees until all of them are short. Returns the parts with the shortest predicted time.
+/// Splits subtrees until all of them are short. Of all divisions that occur, returns the one with the
+/// shortest predicted time.
 Parts best_parts(Forest& forest, int threads) {
   const double limit = forest.total() / (kSubtreesPerThread * threads);
   Parts best = forest.parts();

@@ -50,9 +50,9 @@ struct FrontView {
         pivots(x + symbolic.offset[front.first_block] * stride) {}
 };
 
-/// Solves for one right-hand side. Each front has separate contiguous memory for its rows. In the forward
-/// pass, the contributions of its children are added there, always in the same order, so the result does not
-/// depend on the number of threads.
+/// Solves for one right-hand side. Each front has separate contiguous memory for its rows. The forward pass
+/// adds the contributions of the front's children to this memory, always in the same order. So the result
+/// does not depend on the number of threads.
 template <class Scalar>
 class Substitution {
  public:
@@ -127,7 +127,8 @@ class Substitution {
     }
     return true;
   }
-  /// Substitutes backward in the same fronts, the last one first.
+  /// Substitutes backward in the fronts front_of(end − 1), …, front_of(begin). Returns false if the token was
+  /// raised.
   template <class F = std::identity>
   bool descend(std::uint32_t begin, std::uint32_t end, F&& front_of = {}) const {
     PacedStop pace(stop_, kNumbers);

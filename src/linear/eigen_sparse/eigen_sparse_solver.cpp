@@ -54,9 +54,9 @@ void EigenSparseSolver::load(const BlockSystem& system, const Damping& damping) 
   }
 }
 
-/// Applies the test of kLostPivot, but its expensive part only to the first 8 suspicious pivots. Returns the
-/// scalar of the first lost pivot in the numbering of the structure, or the number of scalars if none is
-/// lost.
+/// Applies the test that is described at kLostPivot. Does the expensive part of the test only for the first 8
+/// suspicious pivots. Returns the scalar of the first lost pivot in the numbering of the structure, or the
+/// number of scalars if no pivot is lost.
 std::uint32_t EigenSparseSolver::find_lost_pivot() {
   const auto& lower = factor_.matrixL().nestedExpression();
   const auto& to_unpermuted = factor_.permutationPinv().indices();

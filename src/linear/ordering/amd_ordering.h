@@ -17,13 +17,14 @@ namespace boxplus {
 /// The blocks of `last` come at the end, in the given order. All other blocks are ordered as if the blocks of
 /// `last` did not exist, because this does not change the fill among the blocks of `last`.
 ///
-/// AMD cannot be interrupted. So this throws Stopped if AMD is predicted to end after the deadline of `stop`.
+/// Because AMD cannot be interrupted, this function throws Stopped if AMD is predicted to end after the
+/// deadline of `stop`.
 std::vector<std::uint32_t> amd_ordering(const BlockStructure& structure,
                                         std::span<const std::uint32_t> last = {}, const StopToken& stop = {});
 
 inline constexpr int kIsLast = -1;
 /// Numbers the blocks that may be ordered freely. The blocks of `last` get kIsLast instead of a number.
-/// Throws InvalidArgument if `last` repeats a block or names one that does not exist.
+/// Throws InvalidArgument if `last` repeats a block or names a block that does not exist.
 std::vector<int> number_free_blocks(const BlockStructure& structure, std::span<const std::uint32_t> last);
 
 /// Constrained approximate minimum degree (CAMD): blocks of a lower rank (0 … blocks − 1) come before blocks

@@ -49,7 +49,8 @@ WeightedGraph graph_of(const BlockStructure& structure, std::span<const std::uin
   return graph;
 }
 
-/// The part of a graph that is on one side. `part_block_of` receives the blocks of its vertices.
+/// Returns the part of `graph` on the side `wanted`. `part_block_of` receives the block of each vertex of
+/// this part.
 WeightedGraph part_of(const WeightedGraph& graph, const std::vector<Side>& side, Side wanted,
                       const std::vector<std::uint32_t>& block_of, std::vector<std::uint32_t>& part_block_of,
                       PacedStop& pace) {

@@ -16,7 +16,7 @@ constexpr std::uint32_t kCoarsest = 100;  // the number of vertices of a graph t
 constexpr double kLeastShrinkage = 0.95;  // the largest useful ratio of the sizes after and before coarsening
 constexpr double kLargestSide = 0.6;      // the largest share of one side in the total weight
 constexpr double kImbalance = 0.5;        // the cost of unequal sides, relative to the separator's weight
-constexpr std::uint32_t kTries = 3;       // the number of coarsenings, of which the best result is used
+constexpr std::uint32_t kTries = 3;       // the number of divisions, of which the best is used
 constexpr std::uint32_t kSeeds = 5;       // the number of start vertices that are tried in the coarsest graph
 constexpr int kMostPasses = 3;            // the largest number of passes of the refinement
 constexpr int kPatience = 60;             // the number of moves without gain after which a pass ends
@@ -81,7 +81,7 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   }
   WeightedGraph coarse;
   coarse.weight.assign(count, 0);
-  std::vector<std::uint32_t> place(count, kNone);  // of each neighbor of vertex c in coarse.neighbor
+  std::vector<std::uint32_t> place(count, kNone);  // the index in coarse.neighbor of each neighbor
   for (std::uint32_t v = 0; v < n; ++v) {
     if (coarse.start.size() != coarse_of[v] + std::size_t{1}) continue;  // already merged with its partner
     const std::uint32_t c = coarse_of[v], first = coarse.start.back();
@@ -106,8 +106,8 @@ WeightedGraph contract(const WeightedGraph& graph, const std::vector<std::uint32
   return coarse;
 }
 
-/// Moves vertices out of the separator, as long as this makes the separator lighter, or may do so after more
-/// moves.
+/// Moves vertices out of the separator to decrease cost(). Also makes a limited number of moves that do not
+/// decrease it, because they may allow later moves that do.
 class Refiner {
  public:
   Refiner(const WeightedGraph& graph, std::vector<Side>& side, PacedStop& pace)
@@ -155,7 +155,7 @@ class Refiner {
     if (side_[v] != kSeparator || locked_[v]) return;
     for (const Side to : {kLeft, kRight}) queue_[to].push({gain(v, to), v});
   }
-  /// The vertex with the largest gain if it moves to a side, or kNone if no vertex can move there.
+  /// The vertex that has the largest gain if it moves to the side `to`, or kNone if no vertex can move.
   std::uint32_t best(Side to) {
     auto& queue = queue_[to];
     while (!queue.empty()) {
@@ -202,7 +202,8 @@ class Refiner {
     return (lighter == kLeft ? left : right) != kNone ? lighter : kSeparator;
   }
 
-  /// Makes one pass, and undoes all moves after the lowest cost. Returns whether the cost decreased.
+  /// Makes one pass. Then undoes all moves that were made after the cost was lowest. Returns whether the cost
+  /// decreased.
   bool pass() {
     std::fill(locked_.begin(), locked_.end(), 0);
     for (auto& queue : queue_) queue = {};

@@ -9,8 +9,8 @@
 
 namespace boxplus {
 
-/// Calls only multiply() and block_diagonal() of a system without values. factorize() copies the damping and
-/// keeps a reference to the system, which must live until the last solve(). If a diagonal block is not
+/// If a system has no values, calls only its multiply() and block_diagonal(). factorize() copies the damping
+/// and keeps a reference to the system, which must live until the last solve(). If a diagonal block is not
 /// positive definite, the result of factorize() names the block. If solve() finds a direction of curvature ≤
 /// 0, it returns kNotPositiveDefinite. If solve() does not return kOk, x holds the last iterate.
 class Pcg final : public LinearSolver {

@@ -14,10 +14,11 @@ namespace boxplus {
 
 class PacedStop;
 
-/// H = [V Wᵀ; W U], and V is block diagonal over the eliminated vertices (the first blocks). Solves (H + λD)
-/// x = r through S = U + λD − W (V + λD)⁻¹ Wᵀ. H does not change, so a different λ needs no new assembly of
-/// H. (Brown, "A solution to the general problem of multiple station analytical stereotriangulation", 1958;
-/// Triggs et al., "Bundle adjustment: a modern synthesis", 2000, §6.1.)
+/// Let H = [V Wᵀ; W U]. V belongs to the eliminated vertices, which are the first blocks of H, and is block
+/// diagonal. Solves (H + λD) x = r by means of the Schur complement S = U + λD − W (V + λD)⁻¹ Wᵀ. H does not
+/// change, so a different λ needs no new assembly of H. (Brown, "A solution to the general problem of
+/// multiple station analytical stereotriangulation", 1958; Triggs et al., "Bundle adjustment: a modern
+/// synthesis", 2000, §6.1.)
 ///
 /// Only the constructor allocates memory. `structure` must outlive this object.
 class Schur {
@@ -49,8 +50,8 @@ class Schur {
 
   /// x ← (V + λD)⁻¹ x for one eliminated block.
   void solve_eliminated(std::uint32_t block, double* x) const;
-  /// Calls f(kept block, values of the block of W, its number of rows) for each kept block that is joined
-  /// with `eliminated`, that is, whose block in this column of W is not zero.
+  /// Calls f(kept block, values of the block of W, its number of rows) for each nonzero block of W in the
+  /// column of the block `eliminated`.
   template <class F>
   void for_each_joined(std::uint32_t eliminated, F&& f) const {
     const auto [begin, end] =
@@ -110,7 +111,7 @@ class Schur {
   std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
 };
 
-/// S as an operator.
+/// The Schur complement S as an operator, without an explicit matrix.
 class ImplicitSchur final : public BlockSystem {
  public:
   explicit ImplicitSchur(Schur& schur) : schur_(&schur) {}

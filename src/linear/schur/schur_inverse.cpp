@@ -67,8 +67,8 @@ class ReducedInverse {
   std::vector<double> values_;
 };
 
-/// Computes (H + λD)⁻¹ as Mᵀ S⁻¹ M with M = [−Y, I], plus (V + λD)⁻¹ on the diagonal of the eliminated
-/// blocks.
+/// Computes (H + λD)⁻¹ as Mᵀ S⁻¹ M with M = [−Y, I] and the Y of invert_blocks(), plus (V + λD)⁻¹ on the
+/// diagonal of the eliminated blocks.
 class Inverter {
  public:
   Inverter(const Schur& schur, const StopToken& stop)
@@ -94,7 +94,7 @@ class Inverter {
   std::uint32_t kept(std::uint32_t block) const { return block - schur_.eliminated_blocks(); }
 
   /// Calls f for each block row of S⁻¹ that a block of H needs. A kept block needs its own row. An eliminated
-  /// block needs the rows of the kept blocks that it is joined with.
+  /// block needs the rows of the kept blocks that an edge joins with it.
   template <class F>
   void for_each_reached(std::uint32_t block, F&& f) const {
     if (eliminated(block)) {

@@ -13,7 +13,8 @@ namespace boxplus {
 /// complement, which `inner` must have factorized. Then
 ///   (H + λD)⁻¹ = [(V + λD)⁻¹ + Yᵀ S⁻¹ Y, −Yᵀ S⁻¹; −S⁻¹ Y, S⁻¹].
 /// Calls `inner` once, for all required blocks of S⁻¹. An eliminated block requires the blocks of S⁻¹ for the
-/// kept blocks that it is joined with. Returns false if `inner` cannot compute them, or if `stop` is raised.
+/// kept blocks that an edge joins with it. Returns false if `inner` cannot compute them, or if `stop` is
+/// raised.
 bool invert_blocks(const Schur& schur, LinearSolver& inner, std::span<const InverseRequest> requests,
                    const StopToken& stop);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A LinearSolver that eliminates blocks by the Schur complement, and solves for the others with another
-// solver.
+// A LinearSolver that eliminates blocks by the Schur complement, and solves for the remaining blocks with
+// another solver.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace boxplus {
 
-/// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the others.
-/// Returns the name and the statistics of `inner`. If the hints ask to eliminate no blocks or all blocks,
-/// `inner` solves for all blocks.
+/// Eliminates the first AnalyzeHints::eliminated_blocks blocks, and lets `inner` solve for the remaining
+/// blocks. Returns the name and the statistics of `inner`. If the hints ask to eliminate no blocks or all
+/// blocks, `inner` solves for all blocks.
 class SchurSolver final : public LinearSolver {
  public:
   /// `inner` must not be null.
@@ -50,7 +50,7 @@ class SchurSolver final : public LinearSolver {
   std::unique_ptr<Schur> schur_;
   std::unique_ptr<BlockSystem> reduced_;
   std::vector<double> reduced_vectors_;  // right-hand sides of the reduced system, and then their solutions
-  int batch_ = 1;                        // the number of vectors for which reduced_vectors_ has room
+  int batch_ = 1;                        // the number of vectors that fit in reduced_vectors_
   bool factorized_ = false;
   /// The right-hand side that factorize() has reduced to the first column of reduced_vectors_, or null.
   const double* reduced_for_ = nullptr;

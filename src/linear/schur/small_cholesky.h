@@ -7,8 +7,7 @@
 
 namespace boxplus {
 
-/// Calls f(n). If n is a common size, its argument is a compile-time constant, so that the compiler unrolls
-/// loops.
+/// Calls f(n). If n is 1, 2 or 3, passes it as a compile-time constant, so that the compiler unrolls loops.
 template <class F>
 inline auto with_small_size(int n, F&& f) {
   switch (n) {

@@ -3,8 +3,8 @@
 //
 // If rotations are relaxed to arbitrary d × d matrices, the measurements are linear in the unknowns:
 //   R_j = R_i R_ij,   t_j − t_i = R_i t_ij,   l − t_i = R_i z.
-// Row a of every R_i and coordinate a of every t_i appear together, but never together with another row. So
-// the problem separates into d problems with the same matrix, one per axis of the world. With X_i = [R_iᵀ;
+// Each scalar equation contains only row a of the R_i and coordinate a of the t_i, for a single axis a of the
+// world. So the problem separates into d problems with the same matrix, one per axis. With X_i = [R_iᵀ;
 // t_iᵀ], whose column a holds the unknowns of axis a, the equations are
 //   pose → pose      X_j = M X_i,                 M = [R_ijᵀ 0; t_ijᵀ 1]
 //   pose → position  [0 1] X_j = [t_ijᵀ 1] X_i    (l = [zᵀ 1] X_i for a point)
@@ -14,10 +14,10 @@
 // chi2, and adds ‖R_i R_ij − R_j‖² ≈ 2θ² to the relaxed equation. So the right weight of rotation rows is
 // ω/2. ω is the mean over the axes, because the axes of the world separate only if ω is a scalar. The weight
 // of translation rows is the mean information of the translation. But relaxed rotations shrink with their
-// distance from the roots. Measured lengths do not shrink, so they distort the rotations. Therefore, rotation
-// rows get kRotationEmphasis times more weight. Factors from 0.1 to 10⁴ were tried on public pose graphs and
-// landmark maps. On each of them, the factor 10 gave a lower chi2 than 1. Larger factors are better for
-// graphs without landmarks, but worse for graphs with landmarks.
+// distance from the known frames. Measured lengths do not shrink, so they distort the rotations. Therefore,
+// rotation rows get kRotationEmphasis times more weight. Factors from 0.1 to 10⁴ were tried on public pose
+// graphs and landmark maps. On each of them, the factor 10 gave a lower chi2 than 1. Larger factors are
+// better for graphs without landmarks, but worse for graphs with landmarks.
 #include <algorithm>
 #include <atomic>
 #include <utility>
@@ -54,8 +54,8 @@ class Chordal {
   /// Computes all frames without moving a vertex.
   LinearStatus solve();
   void move_vertices(FrameGraph& frames) const;
-  /// Whether some vertices were not measured in all directions, and kept their estimates in the other
-  /// directions.
+  /// Whether some vertices were not measured in all directions, and kept their estimates in the directions
+  /// that were not measured.
   bool anchored() const { return anchored_; }
 
  private:
@@ -211,9 +211,9 @@ void Chordal::add_joint_term(const Measurement& m, SeparableLeastSquares& system
 }
 
 /// Solves t_j − t_i = R_i t_ij for the positions again, with the projected rotations. This is necessary
-/// because the positions from solve_joint() shrink with the distance from the roots, as relaxed rotations do.
-/// On public graphs, the second solution lowers chi2 by a factor of 2 to 3000. Its matrix is a part of the
-/// joint matrix, so it is positive definite, too.
+/// because the positions from solve_joint() shrink with the distance from the known frames, as relaxed
+/// rotations do. On public graphs, the second solution lowers chi2 by a factor of 2 to 3000. Its matrix is a
+/// part of the joint matrix, so it is positive definite, too.
 LinearStatus Chordal::solve_positions() {
   SeparableLeastSquares system = make_system(std::vector<std::uint32_t>(unknowns_.size(), 1));
   LinearStatus status =
@@ -255,7 +255,7 @@ std::string_view why_not_solved(LinearStatus status) {
   }
 }
 
-/// Moves the vertices. If it throws Stopped, some of them may have moved.
+/// Makes the guess, and moves the vertices. If it throws Stopped, some vertices may have moved.
 GuessResult find_chordal(Graph& graph, const Plan& plan, const GuessLimits& limits) {
   FrameGraph frames(graph, plan, limits.stop);
   if (frames.measurements().empty()) return {false, kNothingMeasured};

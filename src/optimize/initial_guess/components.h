@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the connected parts of a graph, and roots for the parts that have none.
+// Finds the connected parts of a graph, and chooses roots for the parts that have no root.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 namespace boxplus::guess {
 
 /// The connected parts of the movable vertices. Landmarks connect the poses that see them, but constant
-/// vertices connect nothing.
+/// vertices do not connect their neighbors.
 ///
 /// A part has a root if one of its poses is measured relative to a constant pose or to the world, or if a
 /// constant pose sees one of its points. Other absolute measurements (the position of a pose, or a point with
-/// a known position) are not enough to start from. If a part has only such measurements, the guess starts at
-/// the part's pose with the lowest id. Afterwards, the part is moved to fit the absolute measurements.
+/// a known position) are not enough to start from, because they do not determine the orientation. If a part
+/// has only such measurements, the guess starts at the part's pose with the lowest id. Afterwards, the part
+/// is moved to fit the absolute measurements.
 class Components {
  public:
   /// The constructor and align() throw Stopped when the token is raised. The token must outlive this object.
   explicit Components(const FrameGraph& frames, const StopToken& stop);
 
-  /// The vertices that serve as roots of the parts without a root. They are points in parts without poses,
-  /// and poses in all other parts.
+  /// For each part without a root, the vertex from which the guess starts. It is a point if the part has no
+  /// poses, and otherwise a pose.
   const std::vector<Node>& free_roots() const { return free_roots_; }
   /// Whether the measurement is an absolute position in a part without a root. Only align() uses such a
   /// position.

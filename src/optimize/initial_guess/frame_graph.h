@@ -22,8 +22,8 @@ inline constexpr std::int64_t kBetweenStops = 256;
 /// motion is not stored, because the edge can compute it again when it is needed.
 struct Measurement {
   Node from, to;              ///< `from` may be FrameGraph::kWorld
-  std::uint32_t pool, edge;   ///< the edge that measures it
-  bool has_rotation;          ///< whether it measures the rotation of `to`, not only the position
+  std::uint32_t pool, edge;   ///< the edge of the measurement
+  bool has_rotation;          ///< whether the edge measures the rotation of `to`, not only its position
   bool leads_forward;         ///< whether the frame of `to` follows from the frame of `from`
   bool leads_backward;        ///< whether the frame of `from` follows from the frame of `to`
   double rotation_weight;     ///< the mean information per squared radian

@@ -13,8 +13,8 @@ using Square = Eigen::Matrix<double, D, D>;
 
 /// Replaces a matrix of norm 1 and positive determinant by its orthogonal polar factor. Uses Newton's
 /// iteration X ← (X + X⁻ᵀ) / 2, with scaling in the first steps (Higham, Computing the polar decomposition,
-/// 1986). It converges quadratically, and is far cheaper than a singular value decomposition. Returns false
-/// if the matrix is nearly singular.
+/// 1986). The iteration converges quadratically, and is far cheaper than a singular value decomposition.
+/// Returns false if the matrix is nearly singular.
 template <int D>
 bool polar_factor(Square<D>& x) {
   constexpr int kMostSteps = 12;

@@ -72,7 +72,8 @@ struct TextStyle {
 class Canvas {
  public:
   virtual ~Canvas() = default;
-  /// Draws a path with round ends and joins. Where lines of one path cross, the color does not become darker.
+  /// Draws a path with round ends and joins. The color does not become darker at points at which the path
+  /// crosses itself.
   virtual void stroke(const Path& path, const Stroke& stroke) = 0;
   /// Draws a filled rectangle with round corners.
   virtual void fill(const Box& box, double radius, Rgb color) = 0;

@@ -35,8 +35,8 @@ class BitWriter {
   int used_ = 0;
 };
 
-/// Writes a symbol (a literal, the end of the block, or a length) in the fixed Huffman code. The symbol of
-/// the end is 256 (RFC 1951, section 3.2.6).
+/// Writes a symbol in the fixed Huffman code (RFC 1951, section 3.2.6). Symbols below 256 are literals, 256
+/// is the end of the block, and larger symbols are lengths.
 void write_symbol(BitWriter& out, std::uint32_t symbol) {
   if (symbol < 144) {
     out.code(0x30 + symbol, 8);
@@ -49,9 +49,9 @@ void write_symbol(BitWriter& out, std::uint32_t symbol) {
   }
 }
 
-/// The code of a length minus 3 or of a distance minus 1. All values are divided into ranges, whose size
-/// doubles after every 2^`shift` ranges. The symbol is the index of the range, and the extra bits are the
-/// position in the range (RFC 1951, section 3.2.5).
+/// The code of a match length minus 3, or of a match distance minus 1 (RFC 1951, section 3.2.5). The values
+/// are divided into ranges, whose size doubles after every 2^`shift` ranges. The symbol is the index of the
+/// range, and the extra bits are the position of the value in the range.
 struct Ranged {
   std::uint32_t symbol, extra;
   int extra_bits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compression for PNG and PDF. The code is small, and with it the command needs no compression library.
+// Compression for PNG and PDF, so that the command needs no compression library.
 #pragma once
 
 #include <cstdint>

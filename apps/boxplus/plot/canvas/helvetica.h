@@ -5,7 +5,7 @@
 namespace boxplus::app {
 
 /// Returns the width of a letter of WinAnsiEncoding in thousandths of the text size. Outside of ASCII, only
-/// the middle dot and the ellipsis have their own widths; all other letters have the width of an n.
+/// the middle dot and the ellipsis have exact widths; for all other letters, returns the width of an n.
 int helvetica_width(unsigned char letter, bool is_bold);
 
 }  // namespace boxplus::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws pictures in pixels. How much of a pixel a line covers depends on the distance between them, as with a
-// box filter that is one pixel wide. The coverages of all lines of a path are combined before the path is
-// blended with the picture.
+// Draws pictures in pixels. The part of a pixel that a line covers is computed from the distance between the
+// line and the center of the pixel, as with a box filter that is one pixel wide. The coverages of all lines
+// of a path are combined before the path is blended with the picture.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

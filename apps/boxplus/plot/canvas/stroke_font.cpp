@@ -11,10 +11,10 @@
 namespace boxplus::app {
 namespace {
 
-/// A letter on a grid of 20 units per text size. Capital letters are 14 units high, small letters 10. "Mx,y"
-/// starts a line; if no other command follows, the line is a dot. "Lx,y" continues with a straight line to
-/// (x, y). "Kcx,cy x,y" continues with a quarter of an ellipse to (x, y). At its ends, this arc is tangent to
-/// the lines to the corner (cx, cy).
+/// A letter on a grid of 20 units per text size. Capital letters are 14 units high, and small letters are 10
+/// units high. The command "Mx,y" starts a line; if no other command follows, the line is a dot. "Lx,y"
+/// continues with a straight line to (x, y). "Kcx,cy x,y" continues with a quarter of an ellipse to (x, y),
+/// whose tangents at both ends pass through the corner (cx, cy).
 struct Glyph {
   double advance;
   const char* lines;

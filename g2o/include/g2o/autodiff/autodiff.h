@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of a functor that takes arrays of scalars.
+// Automatic differentiation of a functor whose arguments are arrays of scalars.
 #pragma once
 #ifndef G2O_AUTODIFF_H
 #define G2O_AUTODIFF_H
@@ -15,7 +15,8 @@ namespace g2o {
 namespace ceres {
 namespace internal {
 
-/// Differentiates a functor that is called as functor(x₀, x₁, …, error). Dims are the sizes of the arrays x.
+/// Differentiates a functor that is called as functor(x₀, x₁, …, error). The array x_k has Dims[k] values,
+/// and the array `error` has Rows values.
 template <int Rows, int... Dims>
 class AutoDiff {
  public:
@@ -23,8 +24,8 @@ class AutoDiff {
   using JetType = Jet<double, kColumns>;
   static constexpr std::size_t kArguments = sizeof...(Dims);
 
-  /// Computes error = f(x). Unless jacobians[k] is null, also writes the derivatives with respect to x_k to
-  /// jacobians[k], a column-major Rows × Dims[k] matrix. Returns false if the functor returns false.
+  /// Computes error = f(x). If jacobians[k] is not null, also writes the derivatives with respect to x_k to
+  /// jacobians[k], as a column-major Rows × Dims[k] matrix. Returns false if the functor returns false.
   template <typename Functor>
   static bool Differentiate(const Functor& functor, const double* const* parameters, double* error,
                             double** jacobians) {

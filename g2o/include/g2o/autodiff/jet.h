@@ -4,7 +4,7 @@
 // 2008, §3.1).
 //
 // Comparisons use only the values. If the slope of a function is infinite (sqrt at 0, log at 0), the
-// derivative of the result is still zero in each direction in which the argument does not change.
+// derivative of the result is still zero in each direction in which the derivative of the argument is zero.
 #pragma once
 #ifndef G2O_JET_H
 #define G2O_JET_H
@@ -86,7 +86,7 @@ struct Jet {
 
 namespace internal {
 
-/// Returns g(f), given the value and the slope of g at f.a. Treats 0 · ∞ as 0.
+/// Returns g(f), given the value and the slope of a function g at f.a. Treats 0 · ∞ as 0.
 template <typename T, int N>
 Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
   using std::isfinite;
@@ -96,7 +96,8 @@ Jet<T, N> chain(const T& value, const T& slope, const Jet<T, N>& f) {
 
 }  // namespace internal
 
-// The same functions for doubles. Clients call `ceres::sin(x)`, for example, with doubles and with Jets.
+// The functions of the standard library for doubles. Clients call, for example, `ceres::sin(x)` with doubles
+// and with Jets.
 using std::abs;
 using std::acos;
 using std::asin;
@@ -205,7 +206,7 @@ Jet<T, N> atan2(const Jet<T, N>& y, const Jet<T, N>& x) {
   const T inverse = T(1) / (x.a * x.a + y.a * y.a);
   return Jet<T, N>(atan2(y.a, x.a), y.v * (x.a * inverse) - x.v * (y.a * inverse));
 }
-/// At the origin, the derivative is defined as zero.
+/// The derivative does not exist at the origin. There, this function returns the derivative zero.
 template <typename T, int N>
 Jet<T, N> hypot(const Jet<T, N>& x, const Jet<T, N>& y) {
   const T length = hypot(x.a, y.a);
@@ -245,7 +246,7 @@ Jet<T, N> ceil(const Jet<T, N>& f) {
   return Jet<T, N>(ceil(f.a));
 }
 
-/// Tests the value and all derivatives.
+/// Returns true if the value and all derivatives are finite.
 template <typename T, int N>
 bool isfinite(const Jet<T, N>& f) {
   return isfinite(f.a) && f.v.allFinite();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges that compute their error and Jacobians from one function template:
+// Macros for edges with automatic differentiation. The edge class implements its error as a function
+// template, and a macro implements computeError() and linearizeOplus():
 //
 //     class EdgeCurve : public g2o::BaseUnaryEdge<1, Eigen::Vector2d, VertexCurve> {
 //      public:
@@ -8,8 +9,8 @@
 //       G2O_MAKE_AUTO_AD_FUNCTIONS
 //     };
 //
-// For each vertex, the template receives an array that holds the estimate. The array has as many values as
-// the vertex has dimensions. The vertex's oplusImpl() must add the increment to these values.
+// For each vertex, the function template receives the estimate as an array. The array must have as many
+// values as the vertex has dimensions, and oplusImpl() of the vertex must add the increment to these values.
 #pragma once
 #ifndef G2O_AUTO_DIFFERENTIATION_H
 #define G2O_AUTO_DIFFERENTIATION_H
@@ -40,7 +41,8 @@ AutoDifferentiationLayout<Edge, K...> autoDifferentiationLayout(std::index_seque
 
 }  // namespace internal
 
-/// Passes the template a pointer to the estimate: estimate().data(), or the address of a scalar estimate.
+/// Passes the function template a pointer to the estimate of each vertex: estimate().data(), or the address
+/// of a scalar estimate.
 template <typename EdgeType>
 class EstimateAccessor {
  public:
@@ -55,8 +57,9 @@ class EstimateAccessor {
   }
 };
 
-/// Passes the template a pointer to a copy of the estimate: the values of getEstimateData() if there is one
-/// value per dimension of the vertex, otherwise the values of getMinimalEstimateData().
+/// Passes the function template a pointer to a copy of the estimate of each vertex. The copy comes from
+/// getEstimateData() if this function returns one value per dimension of the vertex, otherwise from
+/// getMinimalEstimateData().
 template <typename EdgeType>
 class EstimateAccessorGet {
  public:
@@ -95,7 +98,8 @@ class AutoDifferentiation {
     static_cast<void>(call(*that, x, that->errorData(), Indices()));
   }
 
-  /// Computes the Jacobians of all non-fixed vertices. The Jacobians are zero if the template returns false.
+  /// Computes the Jacobians of all non-fixed vertices. The Jacobians are zero if the function template
+  /// returns false.
   static void linearize(Edge* that) {
     if (that->allVerticesFixed()) return;
     EstimateAccess access;
@@ -152,7 +156,8 @@ class AutoDifferentiation {
   G2O_MAKE_AUTO_AD_COMPUTEERROR    \
   G2O_MAKE_AUTO_AD_LINEARIZEOPLUS
 
-/// The same macros with getEstimateData(), for vertices whose estimate has no data().
+/// The same macros for vertices whose estimate has no function data(). They use getEstimateData() or
+/// getMinimalEstimateData().
 #define G2O_MAKE_AUTO_AD_COMPUTEERROR_BY_GET G2O_MAKE_AUTO_AD_COMPUTEERROR_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_BY_GET G2O_MAKE_AUTO_AD_LINEARIZEOPLUS_WITH_(g2o::EstimateAccessorGet)
 #define G2O_MAKE_AUTO_AD_FUNCTIONS_BY_GET \

@@ -42,7 +42,8 @@ class BaseBinaryEdge : public BaseFixedSizedEdge<D, E, VertexXi, VertexXj> {
   using Base::_measurement;
   using Base::_vertices;
 
-  /// The Hessian block of the vertices is _hessianTransposed if _hessianRowMajor is true, otherwise _hessian.
+  /// The off-diagonal Hessian block of the two vertices is mapped to _hessianTransposed if _hessianRowMajor
+  /// is true, otherwise to _hessian.
   bool& _hessianRowMajor;
   HessianBlockType& _hessian;
   HessianBlockTransposedType& _hessianTransposed;

@@ -12,8 +12,8 @@ namespace g2o {
 template <typename T>
 class BaseDynamicVertex : public BaseVertex<Eigen::Dynamic, T> {
  public:
-  /// Changes the number of dimensions and calls setDimensionImpl() to resize the estimate. Afterwards, call
-  /// initializeOptimization() again before you call optimize().
+  /// Changes the number of dimensions and calls setDimensionImpl() to resize the estimate. After this, call
+  /// initializeOptimization() before the next optimize().
   bool setDimension(int newDimension) {
     if (newDimension < 0) return false;
     const int before = this->_dimension;

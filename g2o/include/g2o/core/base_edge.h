@@ -20,14 +20,15 @@ struct BaseEdgeTraits {
   static constexpr int Dimension = D;
 };
 
-/// Computes jacobian = ∂e/∂v (stored by columns) by central differences through ⊞ (g2o document, eq. 34).
+/// Computes the Jacobian ∂e(v ⊞ δ)/∂δ at δ = 0, stored by columns, by central differences (g2o document, eq.
+/// 34).
 G2O_CORE_API void numericJacobian(OptimizableGraph::Edge& edge, OptimizableGraph::Vertex& vertex,
                                   double* jacobian);
 
 /// Enlarges the Jacobian workspace of the edge's graph if it is too small for the edge.
 G2O_CORE_API void roomForJacobians(OptimizableGraph::Edge& edge);
 
-/// normalProducts() computes JᵀΩJ in one call for edges with at most this many columns.
+/// The largest number of columns of J that normalProducts() supports.
 constexpr int kMostProductColumns = 16;
 constexpr bool hasNormalProducts(int rows, int cols) {
   return (rows == 2 || rows == 3 || rows == 6) && cols <= kMostProductColumns;
@@ -49,13 +50,14 @@ bool upperTriangle(const Omega& omega, double* triangle) {
 
 /// Computes products = JᵀΩJ and gradient = JᵀΩe from the columns of J and the rows of the upper triangle of
 /// Ω. Uses the fastest available instruction set. Returns the column stride (leading dimension) of
-/// `products`. `products` must have room for kMostProductColumns columns of this stride.
+/// `products`. `products` must have kMostProductColumns² elements.
 G2O_CORE_API int normalProducts(int rows, int cols, const double* const* jacobian, const double* omega,
                                 const double* error, double* products, double* gradient);
 
 }  // namespace internal
 
-/// An edge with a measurement of type E and an error with D rows (Eigen::Dynamic: chosen at run time).
+/// An edge with a measurement of type E and an error with D rows. If D is Eigen::Dynamic, the number of rows
+/// is chosen at run time.
 template <int D, typename E>
 class BaseEdge : public OptimizableGraph::Edge {
  public:
@@ -116,7 +118,7 @@ class BaseEdge : public OptimizableGraph::Edge {
   /// Returns ρ′Ω, or zero if ρ′ is negative, because a negative ρ′ would make the Hessian indefinite.
   InformationType robustInformation(const Vector3& rho) const { return std::max(0.0, rho[1]) * _information; }
 
-  /// These two functions read and write the upper triangle of Ω, row by row.
+  /// readInformationMatrix() and writeInformationMatrix() read and write the upper triangle of Ω, row by row.
   bool readInformationMatrix(std::istream& is) {
     for (int i = 0; i < information().rows(); ++i) {
       for (int j = i; j < information().cols(); ++j) {

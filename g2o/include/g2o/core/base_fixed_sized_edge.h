@@ -23,7 +23,8 @@
 namespace g2o {
 namespace internal {
 
-/// The index of the pair of positions (i, j) with i < j, in the order (0,1), (0,2), (1,2), (0,3), …
+/// Returns the index of the pair (i, j) of vertex positions with i < j. The order of the pairs is (0,1),
+/// (0,2), (1,2), (0,3), …
 constexpr int pair_to_index(int i, int j) {
   return j * (j - 1) / 2 + i;
 }
@@ -38,7 +39,7 @@ constexpr int pair_second(int k) {
   return j;
 }
 
-/// Two positions of vertices. index_to_pair() is the inverse of pair_to_index().
+/// A pair of vertex positions. index_to_pair() is the inverse of pair_to_index().
 struct TrivialPair {
   int first = 0, second = 0;
   constexpr TrivialPair(int f, int s) : first(f), second(s) {}
@@ -57,8 +58,8 @@ using JacobianMatrix =
 
 }  // namespace internal
 
-/// A derived class implements computeError(), read() and write(), and linearizeOplus() if it has analytic
-/// Jacobians.
+/// An edge between vertices of the types VertexTypes. A derived class implements computeError(), read() and
+/// write(). It also implements linearizeOplus() if it has analytic Jacobians.
 template <int D, typename E, typename... VertexTypes>
 class BaseFixedSizedEdge : public BaseEdge<D, E> {
  public:
@@ -93,7 +94,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   VertexXnType<VertexN>* vertexXn() {
     return static_cast<VertexXnType<VertexN>*>(this->_vertices[VertexN]);
   }
-  /// The number of dimensions of a vertex. Some vertex types choose it at run time.
+  /// Returns the number of dimensions of a vertex, which may be chosen at run time.
   template <int VertexN>
   int vertexDimension() const {
     constexpr int kDimension = VertexXnType<VertexN>::Dimension;
@@ -153,7 +154,8 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
   OptimizableGraph::Vertex* createVertex(int i) override {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>());
   }
-  /// Passes arguments to the constructor. Returns nullptr if the type at position i has no such constructor.
+  /// Returns a new vertex of the type at position i, constructed from these arguments. Returns nullptr if the
+  /// type has no such constructor.
   template <typename First, typename... Rest>
   OptimizableGraph::Vertex* createVertex(int i, First&& first, Rest&&... rest) {
     return createVertexAt(i, std::index_sequence_for<VertexTypes...>(), std::forward<First>(first),
@@ -228,7 +230,7 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
       ((VertexTypes::Dimension >= 0) && ...) ? (VertexTypes::Dimension + ... + 0) : -1;
   static constexpr bool kMultipliedAtOnce =
       ((VertexTypes::Dimension > 1) && ...) && internal::hasNormalProducts(D, kColumns);
-  /// The first column of the Jacobian of vertex N if all Jacobians are side by side.
+  /// Returns the first column of the Jacobian of vertex N in the matrix of all Jacobians side by side.
   template <int N>
   static constexpr int columnOf() {
     if constexpr (N == 0) {
@@ -264,13 +266,14 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
                                                 products, gradient);
     (addColumn<N>(products, stride, gradient, std::make_index_sequence<_nr_of_vertices - N - 1>()), ...);
   }
-  /// The block of `products` that starts at `row` and `column`.
+  /// Returns the block of `products` that starts at `row` and `column`.
   template <int Rows, int Cols>
   static auto productBlock(const double* products, int stride, int row, int column) {
     return Eigen::Map<const internal::JacobianMatrix<Rows, Cols>, 0, Eigen::OuterStride<>>(
         products + column * stride + row, Eigen::OuterStride<>(stride));
   }
-  /// Adds the products to the diagonal block of vertex N and to its blocks with the vertices after N.
+  /// Adds the products to the diagonal Hessian block of vertex N, and to the off-diagonal blocks of vertex N
+  /// with the vertices after N.
   template <int N, std::size_t... M>
   void addColumn(const double* products, int stride, const double* gradient, std::index_sequence<M...>) {
     VertexXnType<N>* from = vertexXn<N>();
@@ -295,7 +298,8 @@ class BaseFixedSizedEdge : public BaseEdge<D, E> {
         block += productBlock<kFirst, kSecond>(products, stride, columnOf<N>(), columnOf<M>());
     }
   }
-  /// Computes and adds the diagonal block of vertex N and its blocks with the vertices after N.
+  /// Computes JᵀΩJ and adds it to the diagonal Hessian block of vertex N, and to the off-diagonal blocks of
+  /// vertex N with the vertices after N.
   template <int N, std::size_t... M>
   void constructColumn(const InformationType& omega, const ErrorVector& weightedError,
                        std::index_sequence<M...>) {

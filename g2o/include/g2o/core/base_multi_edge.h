@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// The name that the g2o document gives to BaseVariableSizedEdge.
+/// An older name of BaseVariableSizedEdge. The g2o document uses this name.
 template <int D, typename E>
 class BaseMultiEdge : public BaseVariableSizedEdge<D, E> {};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An edge whose number of vertices is chosen at run time.
+// The base class of edges whose number of vertices is chosen at run time.
 #pragma once
 #ifndef G2O_BASE_VARIABLE_SIZED_EDGE_H
 #define G2O_BASE_VARIABLE_SIZED_EDGE_H
@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// Call resize() to set the number of vertices. A derived class implements computeError(), read() and
+/// An edge whose number of vertices is set by resize(). A derived class implements computeError(), read() and
 /// write(). It also implements linearizeOplus() if it has analytic Jacobians.
 template <int D, typename E>
 class BaseVariableSizedEdge : public BaseEdge<D, E> {
@@ -35,7 +35,7 @@ class BaseVariableSizedEdge : public BaseEdge<D, E> {
     const bool same = size == _vertices.size() && size == _jacobianOplus.size();
     BaseEdge<D, E>::resize(size);
     if (same) return;
-    // Create new maps, because an assignment to an Eigen::Map copies values.
+    // Creates new maps, because an assignment to an Eigen::Map would copy values.
     _hessian.clear();
     _hessian.resize(size * (size - (size > 0 ? 1 : 0)) / 2);
     _jacobianOplus.clear();

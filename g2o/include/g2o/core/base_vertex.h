@@ -17,7 +17,7 @@
 namespace g2o {
 namespace internal {
 
-/// The value (NaN) that stands for each entry of a Hessian block while the block is not mapped to memory.
+/// Returns a reference to a NaN. It replaces the entries of a Hessian block that is not mapped to memory.
 inline double& unmappedEntry() {
   thread_local double entry;
   entry = std::numeric_limits<double>::quiet_NaN();
@@ -26,8 +26,9 @@ inline double& unmappedEntry() {
 
 }  // namespace internal
 
-/// A vertex with an estimate of type T and D dimensions (Eigen::Dynamic: chosen at run time, see
-/// BaseDynamicVertex). A derived class implements oplusImpl(), setToOriginImpl(), read() and write().
+/// A vertex with an estimate of type T and D dimensions. If D is Eigen::Dynamic, the number of dimensions is
+/// chosen at run time (see BaseDynamicVertex). A derived class implements oplusImpl(), setToOriginImpl(),
+/// read() and write().
 template <int D, typename T>
 class BaseVertex : public OptimizableGraph::Vertex {
  public:

@@ -39,7 +39,8 @@ struct G2O_CORE_API G2OBatchStatistics {
   size_t hessianLandmarkDimension = 0;
   size_t choleskyNNZ = 0;
 
-  /// The statistics that the optimizer of this thread fills, or nullptr if it does not collect statistics.
+  /// Returns the statistics that the optimizer on this thread fills, or nullptr if it does not collect
+  /// statistics.
   static G2OBatchStatistics* globalStats();
   static void setGlobalStats(G2OBatchStatistics* b);
 };

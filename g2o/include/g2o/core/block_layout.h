@@ -10,13 +10,13 @@
 namespace g2o {
 namespace internal {
 
-/// The size of block i, given the end row (or column) of each block.
+/// Returns the size of block i, given the end row (or column) of each block.
 inline int blockSize(const std::vector<int>& ends, int i) {
   const auto at = static_cast<std::size_t>(i);
   return at > 0 ? ends[at] - ends[at - 1] : ends[at];
 }
 
-/// The first row (or column) of block i.
+/// Returns the first row (or column) of block i.
 inline int blockBase(const std::vector<int>& ends, int i) {
   return i > 0 ? ends[static_cast<std::size_t>(i - 1)] : 0;
 }
@@ -43,7 +43,8 @@ void visitScalars(const Columns& columns, const std::vector<int>& rowEnds, const
   }
 }
 
-/// `visit(begin, take)` visits the scalars of a matrix. Writes them to CCS arrays and returns their number.
+/// Writes the scalars of a matrix to CCS arrays and returns their number. `visit(begin, take)` must call
+/// `begin` and `take` like visitScalars().
 template <class Visit>
 int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
   int count = 0;
@@ -55,7 +56,7 @@ int fillCCS(Visit&& visit, int cols, int* Cp, int* Ci, double* Cx) {
   Cp[cols] = count;
   return count;
 }
-/// Writes only the values, in the same order.
+/// Writes only the values of the scalars, in the same order as the other overload.
 template <class Visit>
 int fillCCS(Visit&& visit, double* Cx) {
   int count = 0;

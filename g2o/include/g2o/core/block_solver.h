@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The library's implementation of Solver: a block Hessian, the Schur complement, and a LinearSolver for the
-// blocks that remain.
+// BlockSolver, the library's implementation of Solver. It builds the Hessian in blocks, eliminates
+// marginalized vertices by the Schur complement, and passes the remaining system to a LinearSolver.
 #pragma once
 #ifndef G2O_BLOCK_SOLVER_H
 #define G2O_BLOCK_SOLVER_H
@@ -17,7 +17,8 @@
 
 namespace g2o {
 
-/// The dimensions of poses and landmarks. The solver eliminates the landmarks that are marginalized.
+/// The block types of a BlockSolver. Landmarks are the marginalized vertices, which the Schur complement
+/// eliminates. Poses are all other vertices.
 template <int _PoseDim, int _LandmarkDim>
 struct BlockSolverTraits {
   static constexpr int PoseDim = _PoseDim;
@@ -34,7 +35,7 @@ struct BlockSolverTraits {
   using LinearSolverType = LinearSolver<PoseMatrixType>;
 };
 
-/// For dimensions that are known only at run time.
+/// The block types for vertices whose dimensions are known only at run time.
 template <>
 struct BlockSolverTraits<Eigen::Dynamic, Eigen::Dynamic> {
   static constexpr int PoseDim = Eigen::Dynamic;
@@ -58,8 +59,8 @@ class G2O_CORE_API BlockSolverBase : public Solver {
   virtual void multiplyHessian(double* dest, const double* src) const = 0;
 };
 
-/// The engine stores H in the same way for all traits. The traits determine the type of the LinearSolver and
-/// the dimension of marginalized vertices. A BlockSolver owns its linear solver.
+/// The traits determine the type of the LinearSolver and the dimension of the marginalized vertices. They do
+/// not change the storage of H (see BlockSolverEngine). A BlockSolver owns its linear solver.
 template <typename Traits>
 class BlockSolver : public BlockSolverBase {
  public:
@@ -83,11 +84,11 @@ class BlockSolver : public BlockSolverBase {
   bool init(SparseOptimizer* optimizer, bool online = false) override;
   bool buildStructure(bool zeroBlocks = false) override;
   /// Builds the whole structure again, because this costs little compared with a factorization. If there is
-  /// no structure yet, the next optimize() builds it.
+  /// no structure yet, does nothing, because the next optimize() builds it.
   bool updateStructure(const std::vector<HyperGraph::Vertex*>&, const HyperGraph::EdgeSet&) override {
     return !engine_.hasStructure() || buildStructure();
   }
-  /// Builds the structure first if it is not current, because an online optimize() does not call
+  /// If the structure is outdated, builds it first, because an online optimize() does not call
   /// buildStructure().
   bool buildSystem() override {
     if (this->_optimizer == nullptr) return false;
@@ -121,14 +122,16 @@ class BlockSolver : public BlockSolverBase {
   std::unique_ptr<LinearSolverType> _linearSolver;
   bool _doSchur = true;
 
-  /// Copies of the blocks of H without damping. buildSystem() makes them, but only in derived classes. _Hpp
-  /// has the upper triangle of the poses, _Hll the marginalized landmarks, and _Hpl the blocks between poses
-  /// (rows) and landmarks (columns). Writing to a copy does not change H.
+  /// Copies of the blocks of H, without damping. _Hpp has the upper triangle of the pose blocks. _Hll has the
+  /// landmark blocks. _Hpl has the blocks between poses (rows) and landmarks (columns). buildSystem() fills
+  /// the copies only in derived classes. Writing to a copy does not change H.
   std::unique_ptr<PoseHessianType> _Hpp;
   std::unique_ptr<LandmarkHessianType> _Hll;
   std::unique_ptr<PoseLandmarkHessianType> _Hpl;
-  /// The damped matrix for the linear solver: the upper triangle of the Schur complement of the poses. It
-  /// exists if a client implemented the linear solver, or if a derived class has landmarks.
+  /// The matrix that LinearSolver::solve() receives: the upper triangle of H + λI after the elimination of
+  /// the landmarks. It is nullptr if the engine (the library boxplus) solves the system without
+  /// LinearSolver::solve(). The engine never does this for a linear solver of a client, nor for a derived
+  /// class with landmarks.
   std::unique_ptr<PoseHessianType> _Hschur;
   int _numPoses = 0, _numLandmarks = 0;    ///< numbers of blocks
   int _sizePoses = 0, _sizeLandmarks = 0;  ///< numbers of scalars
@@ -136,14 +139,14 @@ class BlockSolver : public BlockSolverBase {
  private:
   bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
-  /// The settings of the linear solver. Also sets `exact` if the algorithm needs exact steps.
+  /// Returns the settings of the linear solver. Sets `exact` if the algorithm needs exact steps.
   internal::EngineSettings engineSettings() const;
   using EngineBlocks = std::vector<internal::EngineBlock>;
   bool solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks, double* x, double* b);
   bool layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks);
 
   internal::BlockSolverEngine engine_;
-  std::vector<PoseMatrixType*> reduced_blocks_;  ///< blocks of _Hschur in the order of the engine's blocks
+  std::vector<PoseMatrixType*> reduced_blocks_;  ///< the block of _Hschur for each EngineBlock
   double lambda_ = 0;
 };
 

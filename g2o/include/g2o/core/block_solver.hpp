@@ -82,13 +82,13 @@ template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   internal::EngineSettings settings = engineSettings();
-  if (isDerived() && _numLandmarks > 0) settings = {};  // so that _Hschur is filled for the derived class
+  if (isDerived() && _numLandmarks > 0) settings = {};  // makes the engine fill _Hschur
   return engine_.solve(lambda_, this->_b, this->_x, settings,
                        [this](const std::vector<int>& dims, const EngineBlocks& blocks, double* x,
                               double* b) { return solveByLinearSolver(dims, blocks, x, b); });
 }
 
-/// Creates the matrix for the linear solver. Called once per structure.
+/// Creates _Hschur, the matrix for the linear solver. Called once per structure.
 template <typename Traits>
 bool BlockSolver<Traits>::layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks) {
   std::vector<int> ends;

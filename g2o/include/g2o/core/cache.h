@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Caches: quantities that many edges derive from a vertex and some parameters, computed once per estimate.
+// Caches of vertices. A cache stores a quantity that depends on a vertex and on parameters, for example the
+// pose of a sensor. Several edges can share a cache. The quantity is computed only once per estimate of the
+// vertex.
 #pragma once
 #ifndef G2O_CACHE_HH_
 #define G2O_CACHE_HH_
@@ -18,7 +20,7 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
  public:
   friend class CacheContainer;
 
-  /// The tag of a cache in the Factory, and the parameters of the cache.
+  /// Identifies a cache of a vertex by the tag of its type and by its parameters.
   class G2O_CORE_API CacheKey {
    public:
     friend class CacheContainer;
@@ -50,7 +52,8 @@ class G2O_CORE_API Cache : public HyperGraph::HyperGraphElement {
   /// Returns another cache of the same vertex, creates it if necessary, and makes this cache depend on it.
   /// `parameterIndices` selects the parameters of the other cache from the parameters of this cache.
   Cache* installDependency(const std::string& type, const std::vector<int>& parameterIndices);
-  /// Called when the parameters and the container are known. Returns false if they do not fit the cache.
+  /// Called after the parameters and the vertex are set. Returns false if they do not have the types that the
+  /// cache needs.
   virtual bool resolveDependencies();
 
   bool _updateNeeded = true;
@@ -71,7 +74,8 @@ class G2O_CORE_API CacheContainer : public std::map<Cache::CacheKey, Cache*> {
   const OptimizableGraph::Vertex* vertex() const;
   OptimizableGraph* graph();
   Cache* findCache(const Cache::CacheKey& key);
-  /// Returns a new cache, or nullptr if the Factory does not know the tag or if the parameters do not fit.
+  /// Returns a new cache. Returns nullptr if the tag is not registered, or if resolveDependencies() returns
+  /// false.
   Cache* createCache(const Cache::CacheKey& key);
   void setUpdateNeeded(bool needUpdate = true);
   void update();

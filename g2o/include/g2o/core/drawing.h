@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The canvas of the action "draw". SvgDrawing writes files. A viewer can implement the same four functions.
+// The interface through which the action "draw" draws shapes. SvgDrawing implements the interface for SVG
+// files. A viewer can implement the same four functions.
 #pragma once
 #ifndef G2O_DRAWING_H
 #define G2O_DRAWING_H
@@ -23,8 +24,8 @@ class G2O_CORE_API Drawing {
  public:
   virtual ~Drawing();
 
-  /// Draws straight lines from corner to corner, and back to the first one if `isClosed` is true. The width
-  /// is in pixels.
+  /// Draws straight lines from corner to corner. If `isClosed` is true, also draws a line from the last
+  /// corner to the first corner. The width is in pixels.
   virtual void polyline(const std::vector<Vector3>& corners, bool isClosed, const Color& color,
                         double width) = 0;
   /// Draws a dot. The diameter is in pixels.

@@ -16,7 +16,8 @@ template <typename Type>
 struct dynamic_aligned_buffer {
   explicit dynamic_aligned_buffer(std::size_t size) : memory_(size) {}
 
-  /// Returns memory for n elements. It stays valid until a larger request. Its contents are unspecified.
+  /// Returns memory for n elements. The memory stays valid until a call with a larger n. Its contents are
+  /// unspecified.
   Type* request(std::size_t n) {
     if (n > memory_.size()) memory_.resize(n);
     return memory_.data();

@@ -13,8 +13,9 @@
 
 namespace g2o {
 
-/// The cost of estimating a vertex from other vertices through an edge. The cost is
-/// std::numeric_limits<double>::max() if that is impossible. By default, active edges determine the cost.
+/// Computes the cost of initializing the estimate of a vertex from other vertices of the same edge. The cost
+/// is std::numeric_limits<double>::max() if this is impossible. By default, the cost of an active edge is
+/// Edge::initialEstimatePossible(), and the use of other edges is impossible.
 class G2O_CORE_API EstimatePropagatorCost {
  public:
   explicit EstimatePropagatorCost(SparseOptimizer* graph);
@@ -36,11 +37,12 @@ class G2O_CORE_API EstimatePropagatorCostOdometry : public EstimatePropagatorCos
   const char* name() const override { return "odometry"; }
 };
 
-/// Dijkstra's algorithm for hyper-edges.
+/// Propagates estimates along the cheapest paths, which Dijkstra's algorithm computes. Edges may have more
+/// than two vertices.
 class G2O_CORE_API EstimatePropagator {
  public:
-  /// Called for each vertex that is reached. By default, calls Edge::initialEstimate() unless the vertex is
-  /// fixed.
+  /// The action of propagate(), which is called for each vertex on a path. By default, it calls
+  /// Edge::initialEstimate() unless the vertex is fixed.
   struct G2O_CORE_API PropagateAction {
     virtual ~PropagateAction();
     virtual void operator()(OptimizableGraph::Edge* e, const OptimizableGraph::VertexSet& from,

@@ -19,9 +19,10 @@
 
 namespace g2o {
 
-/// Has one tag per type. Logs an error and rejects a second type with the same tag or a second tag for the
-/// same type. A type may be registered again with its own tag, for example by another copy of a library. The
-/// new registration takes effect when the first registration is withdrawn.
+/// Creates elements by the tag of their type. Each type has one tag. If a second type is registered with the
+/// same tag, or a second tag for the same type, the factory rejects the registration and logs an error. A
+/// type may be registered again with its own tag, for example by another copy of a library. The second
+/// registration takes effect when the first registration is withdrawn.
 class G2O_CORE_API Factory {
  public:
   static Factory* instance();
@@ -40,7 +41,7 @@ class G2O_CORE_API Factory {
                                            const HyperGraph::GraphElemBitset& elemsToConstruct) const;
   /// `elementType` receives the HyperGraph::HyperGraphElementType, or −1 if the tag is unknown.
   bool knowsTag(const std::string& tag, int* elementType = nullptr) const;
-  /// The tag of an element, or an empty string if its type is not registered.
+  /// Returns the tag of the type of an element, or an empty string if the type is not registered.
   const std::string& tag(const HyperGraph::HyperGraphElement* v) const;
   void fillKnownTypes(std::vector<std::string>& types) const;
   void printRegisteredTypes(std::ostream& os, bool comment = false) const;
@@ -106,7 +107,8 @@ constexpr bool isValidTag(const char* text) {
   extern "C" void g2o_type_##classname(void); \
   static g2o::ForceLinker proxy_##classname(g2o_type_##classname);
 
-/// Names the types of a library, so that G2O_USE_TYPE_GROUP() can force a program to link them.
+/// Gives the types of a library a group name. A program that contains G2O_USE_TYPE_GROUP() with this name
+/// links the types, even if it does not use them directly.
 #define G2O_REGISTER_TYPE_GROUP(type_group_name) \
   extern "C" void G2O_FACTORY_EXPORT g2o_type_group_##type_group_name(void) {}
 

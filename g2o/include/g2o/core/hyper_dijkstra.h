@@ -15,13 +15,13 @@ namespace g2o {
 
 struct G2O_CORE_API HyperDijkstra {
   /// The cost of going from one vertex of an edge to another vertex of the same edge. Returns
-  /// std::numeric_limits<double>::max() if that is impossible.
+  /// std::numeric_limits<double>::max() if this is impossible.
   struct G2O_CORE_API CostFunction {
     virtual double operator()(HyperGraph::Edge* e, HyperGraph::Vertex* from, HyperGraph::Vertex* to) = 0;
     virtual ~CostFunction();
   };
 
-  /// Called for each vertex of a tree.
+  /// The action of visitAdjacencyMap(), which is called for each vertex of a tree of shortest paths.
   struct G2O_CORE_API TreeAction {
     virtual ~TreeAction();
     virtual double perform(HyperGraph::Vertex* v, HyperGraph::Vertex* vParent, HyperGraph::Edge* e);
@@ -59,7 +59,8 @@ struct G2O_CORE_API HyperDijkstra {
 
   /// Computes the shortest paths from one vertex, or from the nearest of several vertices, to all vertices at
   /// a distance below maxDistance. A new path replaces a known path if it is shorter by more than
-  /// comparisonConditioner. If `directed` is true, follows edges only from their first vertex.
+  /// comparisonConditioner. If `directed` is true, paths use an edge only from its first vertex to its other
+  /// vertices.
   void shortestPaths(HyperGraph::Vertex* v, HyperDijkstra::CostFunction* cost,
                      double maxDistance = std::numeric_limits<double>::max(),
                      double comparisonConditioner = 1e-3, bool directed = false,
@@ -69,11 +70,11 @@ struct G2O_CORE_API HyperDijkstra {
                      double comparisonConditioner = 1e-3, bool directed = false,
                      double maxEdgeCost = std::numeric_limits<double>::max());
 
-  /// Fills children() of all entries according to their parent().
+  /// Computes children() of all entries from parent() of all entries.
   static void computeTree(AdjacencyMap& amap);
   /// Calls the action from the roots to the leaves. Passes the distance if useDistance is true.
   static void visitAdjacencyMap(AdjacencyMap& amap, TreeAction* action, bool useDistance = false);
-  /// Adds the vertices of startingSet that can be reached from v to `connected`.
+  /// Adds to `connected` all vertices of startingSet that can be reached from v.
   static void connectedSubset(HyperGraph::VertexSet& connected, HyperGraph::VertexSet& visited,
                               HyperGraph::VertexSet& startingSet, HyperGraph* g, HyperGraph::Vertex* v,
                               HyperDijkstra::CostFunction* cost, double distance,
@@ -88,7 +89,7 @@ struct G2O_CORE_API HyperDijkstra {
   HyperGraph* _graph;
 };
 
-/// Every edge costs 1.
+/// A cost function that returns 1 for every edge.
 struct G2O_CORE_API UniformCostFunction : public HyperDijkstra::CostFunction {
   double operator()(HyperGraph::Edge* edge, HyperGraph::Vertex* from, HyperGraph::Vertex* to) override;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A directed hyper-graph. An integer id identifies a vertex, and a pointer identifies an edge.
+// A directed hyper-graph. Vertices are identified by integer ids, and edges are identified by pointers.
 #pragma once
 #ifndef G2O_AIS_HYPER_GRAPH_HH
 #define G2O_AIS_HYPER_GRAPH_HH
@@ -75,7 +75,7 @@ class G2O_CORE_API HyperGraph {
     DataContainer* _dataContainer = nullptr;
   };
 
-  /// An element that can hold user data, which it owns.
+  /// The base class of elements that can have user data. It owns the data.
   class G2O_CORE_API DataContainer {
    public:
     DataContainer() = default;
@@ -148,7 +148,7 @@ class G2O_CORE_API HyperGraph {
   const Vertex* vertex(int id) const;
 
   /// Removes an element and deletes it. Returns false if the element is not in the graph. If `detach` is
-  /// true, keeps the edges of the vertex and leaves its position in these edges empty.
+  /// true, the edges of the vertex remain in the graph, with a nullptr at the position of the vertex.
   virtual bool removeVertex(Vertex* v, bool detach = false);
   virtual bool removeEdge(Edge* e);
   /// Deletes all vertices and edges.

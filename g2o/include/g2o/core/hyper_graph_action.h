@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Actions on a graph, which are called before and after iterations, and actions on elements of a graph, which
-// are found by name and type.
+// Two kinds of actions. A HyperGraphAction is called for a graph before or after each iteration. A
+// HyperGraphElementAction is called for elements of a graph, for example to draw them. The library finds
+// element actions by name and type.
 #pragma once
 #ifndef G2O_HYPER_GRAPH_ACTION_H
 #define G2O_HYPER_GRAPH_ACTION_H
@@ -22,7 +23,7 @@ namespace g2o {
 
 class CacheContainer;
 
-/// An action on a graph. Returns itself if it succeeded, otherwise nullptr.
+/// An action on a graph. operator() returns the action itself if it succeeded, otherwise nullptr.
 class G2O_CORE_API HyperGraphAction {
  public:
   class G2O_CORE_API Parameters {
@@ -40,14 +41,16 @@ class G2O_CORE_API HyperGraphAction {
   virtual HyperGraphAction* operator()(const HyperGraph* graph, Parameters* parameters = nullptr);
 };
 
-/// The action name() for elements of one type. Returns itself if it did something, otherwise nullptr.
+/// An action on elements of one type. Actions of several types may have the same name(). operator() returns
+/// the action itself if it did something, otherwise nullptr.
 class G2O_CORE_API HyperGraphElementAction {
  public:
   struct G2O_CORE_API Parameters {
     virtual ~Parameters();
   };
   using HyperGraphElementActionPtr = std::shared_ptr<HyperGraphElementAction>;
-  /// Maps typeid(T).name() to an action, or (in the library) a name to a collection of actions.
+  /// Maps typeid(T).name() to an action. The library uses the same type to map the name of an action to a
+  /// collection.
   using ActionMap = std::map<std::string, HyperGraphElementActionPtr>;
 
   explicit HyperGraphElementAction(const std::string& typeName_ = "");
@@ -94,7 +97,7 @@ class G2O_CORE_API HyperGraphActionLibrary {
   static HyperGraphActionLibrary* instance();
   static void destroy();
 
-  /// The collection with this name, or nullptr.
+  /// Returns the collection of the actions with this name, or nullptr.
   HyperGraphElementAction* actionByName(const std::string& name);
   bool registerAction(const HyperGraphElementActionPtr& action);
   bool unregisterAction(const HyperGraphElementActionPtr& action);
@@ -127,7 +130,7 @@ class RegisterActionProxy {
   HyperGraphElementActionPtr _action;
 };
 
-/// The action "writeGnuplot", which writes elements as text for gnuplot.
+/// The base class of the actions "writeGnuplot", which write elements as text for gnuplot.
 class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
  public:
   struct G2O_CORE_API Parameters : public HyperGraphElementAction::Parameters {
@@ -136,8 +139,8 @@ class G2O_CORE_API WriteGnuplotAction : public HyperGraphElementAction {
   explicit WriteGnuplotAction(const std::string& typeName_);
 };
 
-/// The action "draw", which draws elements. The action for a type draws the elements of the type, their user
-/// data, and the caches of vertices. Elements are not drawn if their type has no action.
+/// The base class of the actions "draw". The action for a type draws the elements of the type, their user
+/// data, and the caches of vertices. Elements whose type has no action are not drawn.
 ///
 /// The parameters have properties that set the appearance of each type: `<typeName>::SHOW` (bool, true by
 /// default) and further properties of the type's action, such as `<typeName>::POINT_SIZE`. The first drawing
@@ -158,9 +161,9 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
   ~DrawAction() override;
 
  protected:
-  /// Points the property members to the properties of `params_`, and creates missing properties. Returns
-  /// false if `params_` is not a DrawAction::Parameters or has no drawing. Must be called before every
-  /// drawing.
+  /// Finds the properties of this type in `params_`, creates missing properties, and stores pointers to them
+  /// in members. Returns false if `params_` is not a DrawAction::Parameters or has no drawing. Call this
+  /// function before you draw an element.
   virtual bool refreshPropertyPtrs(HyperGraphElementAction::Parameters* params_);
   /// Draw the caches of a vertex, or the user data of an element, with the actions for their types.
   void drawCache(CacheContainer* caches, HyperGraphElementAction::Parameters* params_);
@@ -175,7 +178,8 @@ class G2O_CORE_API DrawAction : public HyperGraphElementAction {
 
 namespace internal {
 
-/// Gives the action for a type the class name that it has in g2o. Forwards calls to `action`.
+/// The base of action classes that exist because g2o has classes with these names. Forwards calls to
+/// `action`.
 template <class Base>
 class NamedAction : public Base {
  public:

@@ -10,7 +10,7 @@
 namespace g2o {
 namespace internal {
 
-/// Reads as many values as the vector has. Returns false if there are fewer.
+/// Reads all values of a vector. Returns false if the stream has fewer values.
 template <typename Derived>
 bool readVector(std::istream& is, Eigen::DenseBase<Derived>& b) {
   for (Eigen::Index i = 0; i < b.size(); ++i) is >> b(i);

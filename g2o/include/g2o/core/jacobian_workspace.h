@@ -13,8 +13,8 @@ namespace g2o {
 
 struct OptimizableGraph;
 
-/// The memory into which edges write their Jacobians. It has one part for each vertex of an edge. Each edge
-/// overwrites the Jacobians of the previous edge.
+/// The memory into which edges write their Jacobians. There is a separate buffer for each vertex position of
+/// an edge. All edges use the same buffers, so each edge overwrites the Jacobians of the previous edge.
 class G2O_CORE_API JacobianWorkspace {
  public:
   using WorkspaceVector = std::vector<VectorX>;

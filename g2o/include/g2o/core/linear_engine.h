@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine's linear solvers for a SparseBlockMatrix. The LinearSolver classes of the library use them.
+// The linear solvers of the engine (the library boxplus), for a SparseBlockMatrix. The library's LinearSolver
+// classes use these solvers.
 #pragma once
 #ifndef G2O_LINEAR_ENGINE_H
 #define G2O_LINEAR_ENGINE_H
@@ -15,14 +16,15 @@
 namespace g2o {
 namespace internal {
 
-/// kCholesky computes an ordering of blocks, and kScalarCholesky computes an ordering of scalars.
+/// The solver of the engine. kCholesky orders the blocks of the matrix, and kScalarCholesky orders its
+/// scalars. kNone means that the engine does not solve the system.
 enum class EngineSolver { kNone, kCholesky, kScalarCholesky, kDense, kPcg };
 
 struct EngineSettings {
   EngineSolver solver = EngineSolver::kNone;
   double tolerance = 1e-10;        ///< kPcg: the largest accepted residual, relative to the right-hand side
   bool absoluteTolerance = false;  ///< kPcg: also stop at an absolute residual of `tolerance`
-  int maxIterations = 0;           ///< kPcg: the limit; 0 selects the default of the engine
+  int maxIterations = 0;           ///< kPcg: the iteration limit (0: the default of the engine)
   bool exact = false;              ///< kCholesky: never use a single-precision factor
 };
 
@@ -32,7 +34,8 @@ struct EngineBlock {
   const double* values;
 };
 
-/// Factorizes and solves. Reuses the symbolic analysis while the structure does not change.
+/// Factorizes matrices and solves linear systems. Reuses the symbolic analysis while the structure does not
+/// change.
 class G2O_CORE_API LinearEngine {
  public:
   explicit LinearEngine(const EngineSettings& settings);
@@ -40,14 +43,16 @@ class G2O_CORE_API LinearEngine {
   LinearEngine& operator=(const LinearEngine&) = delete;
   ~LinearEngine();
 
-  /// Forgets the structure.
+  /// Drops the symbolic analysis.
   void reset();
   void setSettings(const EngineSettings& settings);
-  /// `blocks` is the lower triangle, sorted by column and row. It must have every diagonal block.
+  /// `dims` are the sizes of the diagonal blocks. `blocks` is the lower triangle of the matrix, sorted by
+  /// column and row. It must contain every diagonal block.
   bool factorize(const std::vector<int>& dims, const std::vector<EngineBlock>& blocks);
   /// Call factorize() first. b and x may point to the same memory.
   bool solve(const double* b, double* x);
-  /// Calls `take` with these blocks (row, column) of the inverse, in this order.
+  /// Computes the given blocks (row, column) of the inverse. Calls `take` with the index in `blocks` and the
+  /// value of each block, in the order of `blocks`.
   bool inverse(const std::vector<std::pair<int, int>>& blocks,
                const std::function<void(size_t, const MatrixX&)>& take);
   int iterations() const;

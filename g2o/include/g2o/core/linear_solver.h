@@ -74,13 +74,14 @@ class LinearSolver {
     }
   }
 
-  /// The settings with which the engine can replace this solver, so that a BlockSolver does not need to build
-  /// a SparseBlockMatrix. By default, the engine does not replace the solver.
+  /// Returns the settings of an equivalent solver of the engine (the library boxplus). A BlockSolver then
+  /// uses the engine instead of solve(), and does not build a SparseBlockMatrix. By default, returns
+  /// EngineSolver::kNone, so that a BlockSolver calls solve().
   virtual internal::EngineSettings engine() const { return {}; }
 };
 
-/// A solver that uses compressed columns. A derived class that factorizes A implements solveBlocks_impl() to
-/// provide marginals.
+/// The base class of solvers that use compressed columns. A derived class can implement solveBlocks_impl() to
+/// support the computation of marginal covariances.
 template <typename MatrixType>
 class LinearSolverCCS : public LinearSolver<MatrixType> {
  public:
@@ -98,7 +99,7 @@ class LinearSolverCCS : public LinearSolver<MatrixType> {
   }
 
   bool blockOrdering() const { return _blockOrdering; }
-  /// If true, the ordering permutes blocks. Otherwise, it permutes scalars.
+  /// If blockOrdering is true, the fill-reducing ordering permutes blocks. Otherwise, it permutes scalars.
   virtual void setBlockOrdering(bool blockOrdering) { _blockOrdering = blockOrdering; }
   bool writeDebug() const override { return _writeDebug; }
   void setWriteDebug(bool b) override { _writeDebug = b; }

@@ -14,16 +14,16 @@ namespace g2o {
 
 /// Computes entries of the inverse of A = Pᵀ L Lᵀ P from the Cholesky factor L.
 ///
-/// One backward sweep (Takahashi, Fagan, Chin, 1973) computes all entries on the pattern of L. For other
-/// entries, each column of the inverse costs two triangular solves.
+/// One backward sweep (Takahashi, Fagan, Chin, 1973) computes all entries of the inverse in the sparsity
+/// pattern of L. For entries outside the pattern, each column of the inverse costs two triangular solves.
 class G2O_CORE_API MarginalCovarianceCholesky {
  public:
   MarginalCovarianceCholesky();
   ~MarginalCovarianceCholesky();
 
-  /// L has n compressed columns. Each column begins with its diagonal entry and must have all fill-in of the
-  /// elimination. permInv[i] is the row of L for scalar i of A. If permInv is null, L has the same order as
-  /// A. All four arrays must stay valid until the last computation.
+  /// L has n compressed columns. Each column begins with its diagonal entry and must include all fill-in.
+  /// permInv[i] is the row of L for scalar i of A. If permInv is null, L has the same order as A. All four
+  /// arrays must stay valid until the last computation.
   void setCholeskyFactor(int n, int* Lp, int* Li, double* Lx, int* permInv);
 
   /// Computes the diagonal blocks, stored by columns. Block i ends at scalar blockIndices[i] and is written

@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// Locks nothing, because no lock is necessary: edges are linearized on one thread unless their type is
+/// Does nothing, because no lock is necessary. Edges are linearized on one thread unless their type is
 /// declared thread-safe, and edges on different threads never write to the same block.
 class OpenMPMutex {
  public:

@@ -73,22 +73,23 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       updateCache();
     }
 
-    /// The (i, j) entry, the determinant, and the memory of the vertex's diagonal block of the Hessian. The
-    /// values are NaN and the memory is null until optimize() allocates the Hessian. They are valid until the
-    /// next initializeOptimization().
+    /// Return the entry (i, j), the determinant, and the memory of the vertex's diagonal block of the
+    /// Hessian. Until optimize() allocates the Hessian, the values are NaN and the memory is nullptr. The
+    /// results are valid until the next initializeOptimization().
     virtual const double& hessian(int i, int j) const = 0;
     virtual double& hessian(int i, int j) = 0;
     virtual double hessianDeterminant() const = 0;
     virtual double* hessianData() = 0;
-    /// Maps the diagonal block to the memory at `d`, stored by columns.
+    /// Maps the diagonal block of the Hessian to the memory at `d`, stored by columns.
     virtual void mapHessianMemory(double* d) = 0;
-    /// Copies b = −Jᵀ Ω e to `b_` and returns the number of entries.
+    /// Copies b = −Σ JᵀΩe, the sum over the edges of this vertex, to `b_`. Returns the number of entries.
     virtual int copyB(double* b_) const = 0;
     virtual const double& b(int i) const = 0;
     virtual double& b(int i) = 0;
     virtual double* bData() = 0;
     virtual void clearQuadraticForm() = 0;
-    /// Moves only this vertex, by the solution of (A + λ I) x = b. Returns the determinant of A + λ I.
+    /// Moves only this vertex, by the solution of (A + λI) x = b, with the vertex's diagonal block A of the
+    /// Hessian. Returns the determinant of A + λI.
     virtual double solveDirect(double lambda = 0) = 0;
 
     /// Set or get the estimate as an array of estimateDimension() values. These functions return false if the
@@ -204,8 +205,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     OpenMPMutex _quadraticFormMutex;
     std::unique_ptr<CacheContainer> _cacheContainer;
 
-    /// Implements ⊞. Override one of the two overloads. By default, the first overload calls the second one.
-    /// The library's types override the second one.
+    /// Implements ⊞. Override one of the two overloads. By default, the overload for const double* calls the
+    /// overload for double*, which the library's types override.
     virtual void oplusImpl(const double* v);
     virtual void oplusImpl(double* v);
     virtual void setToOriginImpl() = 0;
@@ -213,7 +214,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool setMinimalEstimateDataImpl(const double*) { return false; }
 
    private:
-    int addedAs_ = InvalidId;  // the id under which the graph lists the vertex
+    int addedAs_ = InvalidId;  // the key of the vertex in vertices()
   };
 
   /// A measurement. BaseUnaryEdge, BaseBinaryEdge, … implement everything except computeError(), read() and
@@ -231,7 +232,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual double* errorData() = 0;
     virtual const double* informationData() const = 0;
     virtual double* informationData() = 0;
-    /// eᵀΩe with the error of the last computeError(), without the robust kernel.
+    /// Returns eᵀΩe with the error e of the last computeError(), without the robust kernel.
     virtual double chi2() const = 0;
 
     /// Sets the measurement from an array of measurementDimension() values.
@@ -242,7 +243,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool setMeasurementFromState();
 
     RobustKernel* robustKernel() const { return _robustKernel; }
-    /// Takes ownership and deletes the previous kernel.
+    /// Takes ownership of the kernel and deletes the previous kernel.
     void setRobustKernel(RobustKernel* ptr);
 
     /// Adds JᵀΩJ to the mapped blocks of the Hessian, and −JᵀΩe to b of each vertex.
@@ -255,7 +256,7 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 
     /// Sets the estimate of `to` from the estimates of `from`.
     virtual void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) = 0;
-    /// The cost of initialEstimate(), or a value ≤ 0 if it is impossible.
+    /// Returns the cost of initialEstimate(), or a value ≤ 0 if the edge cannot compute an estimate of `to`.
     virtual double initialEstimatePossible(const OptimizableGraph::VertexSet& from,
                                            OptimizableGraph::Vertex* to) {
       (void)from;
@@ -263,7 +264,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
       return -1.;
     }
 
-    /// An optimization uses only the edges of one level.
+    /// An optimization uses only the edges of one level, unless initializeOptimization() selects several
+    /// levels.
     int level() const { return _level; }
     void setLevel(int l) { _level = l; }
     /// The number of rows of the error.
@@ -277,10 +279,10 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     virtual bool read(std::istream& is) = 0;
     virtual bool write(std::ostream& os) const = 0;
 
-    /// Whether the assigned vertices have the types that the edge expects.
+    /// Returns whether the assigned vertices have the types that the edge expects.
     virtual bool verticesFit() const { return true; }
 
-    /// A number that increases with each edge that is added to the graph.
+    /// The number of the edge in the order in which edges were added to the graph.
     long long internalId() const { return _internalId; }
     OptimizableGraph* graph();
     const OptimizableGraph* graph() const;
@@ -302,7 +304,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
     long long _internalId = -1;
     std::vector<int> _cacheIds;
 
-    /// Makes addEdge() point `p` to parameter `argNo` of this edge.
+    /// Declares that parameter `argNo` of this edge has the type ParameterType. addEdge() then sets `p` to
+    /// the parameter.
     template <typename ParameterType>
     bool installParameter(ParameterType*& p, size_t argNo, int paramId = -1) {
       if (argNo >= _parameters.size()) return false;
@@ -354,8 +357,9 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool addEdge(HyperGraph::Edge* e) override;
   bool addEdge(OptimizableGraph::Edge* e);
 
-  /// Adds an edge that does not have all its vertices yet (data without association, id −1 in files). save()
-  /// writes the edge, but the optimization ignores it until setEdgeVertex() has set all its vertices.
+  /// Adds an edge that does not have all its vertices yet, because its data association is unknown. In files,
+  /// a missing vertex has the id −1. save() writes the edge, but the optimization ignores the edge until
+  /// setEdgeVertex() has set all its vertices.
   bool addUnassignedEdge(OptimizableGraph::Edge* e);
 
   /// Returns false and changes nothing if the vertex is already at another position of the edge, is not in
@@ -403,10 +407,12 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   bool saveEdge(std::ostream& os, Edge* e) const;
   bool saveUserData(std::ostream& os, HyperGraph::Data* v) const;
 
-  /// With "A=B,C=D", tag A in a file means tag B of the factory, and C means D. "" removes all renamings.
+  /// Sets the tags that load() replaces. With "A=B,C=D", tag A in a file means tag B of the factory, and tag
+  /// C in a file means tag D of the factory. An empty string removes all replacements.
   void setRenamedTypesFromString(const std::string& types);
 
-  /// Whether an algorithm supports vertices with these dimensions. By default, checks the graph's vertices.
+  /// Returns whether an algorithm supports vertices with these dimensions. If `vertDims` is empty, checks the
+  /// dimensions of the graph's vertices.
   bool isSolverSuitable(const OptimizationAlgorithmProperty& solverProperty,
                         const std::set<int>& vertDims = std::set<int>()) const;
 
@@ -417,15 +423,16 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   ParameterContainer& parameters() { return _parameters; }
   const ParameterContainer& parameters() const { return _parameters; }
 
-  /// Returns whether Ω is finite, symmetric and positive semi-definite for all edges. If `verbose` is true,
-  /// logs a warning for each edge for which this does not hold.
+  /// Returns whether the information matrices of all edges are finite, symmetric and positive semi-definite.
+  /// If `verbose` is true, logs a warning for each edge with an invalid information matrix.
   bool verifyInformationMatrices(bool verbose = false) const;
 
   JacobianWorkspace& jacobianWorkspace() { return _jacobianWorkspace; }
   const JacobianWorkspace& jacobianWorkspace() const { return _jacobianWorkspace; }
   void recomputeJacobianWorkspaceSize();
 
-  /// Does nothing. The function exists in g2o, but here, no initialization is necessary.
+  /// Does nothing, because no initialization is necessary. The function exists because g2o has a function
+  /// with this name.
   static bool initMultiThreading();
 
   void forEachVertex(const std::function<void(OptimizableGraph::Vertex*)>& fn);
@@ -433,7 +440,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
 
  protected:
   bool addAction(int type, HyperGraphAction* action);
-  /// Calls the actions of a type. An action may remove itself or others, and may delete the removed actions.
+  /// Calls the actions of a type. An action may remove itself or other actions, and may delete the removed
+  /// actions.
   void callActions(int type, HyperGraphAction::Parameters* parameters = nullptr);
 
   std::map<std::string, std::string> _renamedTypesLookup;

@@ -33,7 +33,8 @@ class G2O_CORE_API OptimizationAlgorithm {
                                 const std::vector<std::pair<int, int>>& blockIndices) = 0;
   virtual bool updateStructure(const std::vector<HyperGraph::Vertex*>& vset,
                                const HyperGraph::EdgeSet& edges) = 0;
-  /// Appends the method's own values to the verbose line about an iteration.
+  /// Appends values of the algorithm, for example λ, to the line about an iteration that verbose output
+  /// prints.
   virtual void printVerbose(std::ostream& os) const { (void)os; }
 
   const SparseOptimizer* optimizer() const { return _optimizer; }

@@ -78,7 +78,8 @@ class RegisterOptimizationAlgorithmProxy {
 
 #define G2O_OAF_EXPORT G2O_API_EXPORT
 
-/// Names the algorithms of a library. G2O_USE_OPTIMIZATION_LIBRARY() can then force a program to link them.
+/// Gives the algorithms of a library a group name. A program that contains G2O_USE_OPTIMIZATION_LIBRARY()
+/// with this name links the algorithms, even if it does not use them directly.
 #define G2O_REGISTER_OPTIMIZATION_LIBRARY(libraryname) \
   extern "C" void G2O_OAF_EXPORT g2o_optimization_library_##libraryname(void) {}
 

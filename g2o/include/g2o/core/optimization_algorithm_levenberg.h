@@ -41,7 +41,7 @@ class G2O_CORE_API OptimizationAlgorithmLevenberg : public OptimizationAlgorithm
   int _levenbergIterations = 0;
 
   double computeLambdaInit() const;
-  /// The predicted decrease of chi2.
+  /// Returns the predicted decrease of chi2.
   double computeScale() const;
 };
 

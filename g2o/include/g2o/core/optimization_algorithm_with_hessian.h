@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// An algorithm that uses a Solver.
+/// The base class of algorithms that use a Solver to build and solve a linear system in each iteration.
 class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorithm {
  public:
   explicit OptimizationAlgorithmWithHessian(Solver& solver);
@@ -36,10 +36,11 @@ class G2O_CORE_API OptimizationAlgorithmWithHessian : public OptimizationAlgorit
   Solver& _solver;
   Property<bool>* _writeDebug;  ///< owned by _properties
 
-  /// Computes errors and Jacobians. In the first iteration, builds the structure of the linear system, too.
+  /// Computes errors and Jacobians, and builds the linear system. In the first iteration, also builds the
+  /// structure of the linear system.
   bool linearize(int iteration, bool online);
-  /// Returns `finite`. If it is false, logs an error. The message names an edge if the error of that edge is
-  /// not finite.
+  /// Returns `finite`. If `finite` is false, logs an error. The message names an edge with a non-finite error
+  /// if there is such an edge.
   bool reportUnlessFinite(bool finite) const;
   /// Solves the system and records the time.
   bool solveSystem();

@@ -25,7 +25,8 @@ class G2O_CORE_API ParameterContainer : protected std::map<int, Parameter*> {
   /// Returns false if the id is negative or taken. The caller then still owns the parameter.
   bool addParameter(Parameter* p);
   Parameter* getParameter(int id) const;
-  /// Removes the parameter without deleting it. Returns nullptr if no parameter has this id.
+  /// Removes a parameter without deleting it, and returns the parameter. Returns nullptr if no parameter has
+  /// this id.
   Parameter* detachParameter(int id);
   /// Reads the lines that describe parameters and skips all other lines. `renameMap` maps tags of the file to
   /// tags of the factory.

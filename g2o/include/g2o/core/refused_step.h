@@ -9,8 +9,8 @@ namespace g2o {
 namespace internal {
 
 /// A vertex calls this function in oplusImpl() if the step would make its estimate infinite or NaN. The
-/// vertex keeps its estimate. The log then names the vertex, and the algorithm rejects the step or
-/// stops.
+/// vertex then does not change its estimate. The function logs a warning that names the first such vertex,
+/// and the algorithm rejects the step or stops.
 G2O_CORE_API void refuseStep(const OptimizableGraph::Vertex& v);
 
 }  // namespace internal

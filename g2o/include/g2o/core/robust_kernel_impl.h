@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the library. The code in boxplus/robust computes their values.
+// The robust kernels of the library, which use the kernels in boxplus/robust. The comments describe ρ as a
+// function of the error.
 #pragma once
 #ifndef G2O_ROBUST_KERNEL_IMPL_H
 #define G2O_ROBUST_KERNEL_IMPL_H
@@ -8,7 +9,7 @@
 
 namespace g2o {
 
-/// Scales another kernel ρ: δ² ρ(e²/δ²).
+/// Scales another kernel ρ. The result is δ² ρ(e²/δ²).
 class G2O_CORE_API RobustKernelScaleDelta : public RobustKernel {
  public:
   explicit RobustKernelScaleDelta(const RobustKernelPtr& kernel, double delta = 1.);
@@ -42,14 +43,14 @@ class G2O_CORE_API RobustKernelCauchy : public RobustKernel {
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded. δ has the unit of the squared error.
+/// ρ is bounded. δ has the unit of the squared error.
 class G2O_CORE_API RobustKernelGemanMcClure : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded. Approaches its bound exponentially.
+/// ρ is bounded, and approaches its bound exponentially.
 class G2O_CORE_API RobustKernelWelsch : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;
@@ -63,7 +64,7 @@ class G2O_CORE_API RobustKernelFair : public RobustKernel {
   void robustify(double e2, Vector3& rho) const override;
 };
 
-/// Bounded, and constant beyond δ.
+/// Increases smoothly up to δ, and is constant beyond δ.
 class G2O_CORE_API RobustKernelTukey : public RobustKernel {
  public:
   using RobustKernel::RobustKernel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registrations that are hidden by another registration with the same name.
+// A list of registrations that are hidden by other registrations with the same names.
 #pragma once
 #ifndef G2O_SHADOWED_H
 #define G2O_SHADOWED_H
@@ -13,9 +13,9 @@
 namespace g2o {
 namespace internal {
 
-/// Several copies of a library in one process may share one registry and register the same names. Each copy
-/// withdraws its own registrations when it is unloaded. The registrations of the other copies then remain,
-/// whether they are hidden or not.
+/// Keeps the hidden registrations of a registry. Several copies of a library in one process may register the
+/// same names in one registry. When a copy is unloaded, it withdraws only its own registrations, so that the
+/// registrations of the other copies remain.
 template <class T>
 class Shadowed {
  public:

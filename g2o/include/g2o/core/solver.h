@@ -18,7 +18,8 @@ namespace g2o {
 
 class SparseOptimizer;
 
-/// Solves (H + λI) x = b with H = Σ JᵀΩJ and b = −Σ JᵀΩe over the active edges of an optimizer.
+/// Builds and solves (H + λI) x = b, with H = Σ JᵀΩJ and b = −Σ JᵀΩe. The sums include the active edges of an
+/// optimizer.
 ///
 /// An algorithm calls init() and buildStructure() once per structure. In each iteration it calls
 /// buildSystem(), and then setLambda(), solve() and restoreDiagonal() any number of times.
@@ -57,14 +58,14 @@ class G2O_CORE_API Solver {
   bool levenberg() const { return _isLevenberg; }
   void setLevenberg(bool levenberg);
 
-  /// Whether steps may be inexact. Levenberg-Marquardt and dogleg allow inexact steps, because they compare
-  /// the actual decrease with the predicted decrease. If steps must be exact, the library's direct solvers
-  /// use only double precision. g2o does not have this setting.
+  /// Returns whether steps may be inexact. Levenberg-Marquardt and dogleg allow inexact steps, because these
+  /// algorithms compare the actual decrease of chi2 with the predicted decrease. If steps must be exact, the
+  /// library's direct solvers use only double precision. g2o does not have this setting.
   bool inexactSteps() const { return inexact_steps_; }
   void setInexactSteps(bool inexactSteps);
 
   virtual bool supportsSchur() { return false; }
-  /// Whether the Schur complement eliminates marginalized vertices first.
+  /// Returns whether the solver eliminates marginalized vertices by the Schur complement.
   virtual bool schur() = 0;
   virtual void setSchur(bool s) = 0;
 
@@ -76,7 +77,7 @@ class G2O_CORE_API Solver {
   /// Writes H to a file for Octave.
   virtual bool saveHessian(const std::string& fileName) const = 0;
 
-  // Names that the g2o document uses.
+  // Older names of functions. The g2o document uses these names.
   G2O_ATTRIBUTE_DEPRECATED(bool initializeStructure()) { return buildStructure(); }
   G2O_ATTRIBUTE_DEPRECATED(bool updateLevenbergSystem(double lambda)) { return setLambda(lambda, true); }
   G2O_ATTRIBUTE_DEPRECATED(void recoverSystem(double)) { restoreDiagonal(); }

@@ -22,8 +22,9 @@
 
 namespace g2o {
 
-/// Block column c is a map from block rows to blocks. Block row r spans the scalar rows [rowBaseOfBlock(r),
-/// rowBaseOfBlock(r) + rowsOfBlock(r)). The same holds for columns.
+/// A sparse matrix of dense blocks. Each block column is a map from block rows to blocks. Block row r spans
+/// the scalar rows from rowBaseOfBlock(r) to rowBaseOfBlock(r) + rowsOfBlock(r) − 1. Block columns span
+/// scalar columns in the same way.
 template <class MatrixType = MatrixX>
 class SparseBlockMatrix {
  public:
@@ -66,7 +67,8 @@ class SparseBlockMatrix {
     }
   }
 
-  /// Returns the block at (r, c) or nullptr. If `alloc` is true, a missing block is created and set to zero.
+  /// Returns the block at (r, c), or nullptr if there is none. If `alloc` is true, creates a missing block
+  /// and sets it to zero.
   SparseMatrixBlock* block(int r, int c, bool alloc = false) {
     IntBlockMap& column = _blockCols[static_cast<size_t>(c)];
     const auto found = column.find(r);
@@ -109,7 +111,8 @@ class SparseBlockMatrix {
     return copy;
   }
   /// Returns a new matrix with the block rows [rmin, rmax) and block columns [cmin, cmax). The caller owns
-  /// the matrix. It has copies of the blocks if `alloc` is true. Otherwise, it shares the blocks.
+  /// the new matrix. If `alloc` is true, the new matrix has copies of the blocks. Otherwise, it shares the
+  /// blocks of this matrix.
   SparseBlockMatrix* slice(int rmin, int rmax, int cmin, int cmax, bool alloc = true) const {
     std::vector<int> rowEnds, colEnds;
     for (int r = rmin; r < rmax; ++r)
@@ -194,7 +197,7 @@ class SparseBlockMatrix {
           b * Eigen::Map<const VectorX>(src + colBaseOfBlock(c), b.cols());
     });
   }
-  /// Does the same for a symmetric matrix that stores only its upper triangle of blocks.
+  /// Adds A · src to `dest` for a symmetric A. This matrix stores only the upper triangle of the blocks of A.
   void multiplySymmetricUpperTriangle(double*& dest, const double* src) const {
     allocate(dest, rows());
     for_each([&](int r, int c, const SparseMatrixBlock& b) {
@@ -220,8 +223,9 @@ class SparseBlockMatrix {
     }
   }
 
-  /// Sets dest = P · this · Pᵀ for a symmetric matrix: block i becomes block pinv[i]. If `onlyUpper` is true,
-  /// both store only the upper triangle of blocks. Returns false if the block sizes of `dest` do not match.
+  /// Sets dest = P · this · Pᵀ for a symmetric matrix. Block row and column i become block row and column
+  /// pinv[i]. If `onlyUpper` is true, both matrices store only their upper triangle of blocks. Returns false
+  /// if the block sizes of `dest` do not match.
   bool symmPermutation(SparseBlockMatrix*& dest, const int* pinv, bool onlyUpper = false) const {
     const size_t n = _rowBlockIndices.size();
     std::vector<int> ends(n);
@@ -248,11 +252,11 @@ class SparseBlockMatrix {
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
-  /// Writes only the values, in the same order.
+  /// Writes only the values of the scalars, in the same order as the other overload.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), Cx);
   }
-  /// Writes the pattern of the upper triangle of blocks.
+  /// Writes the sparsity pattern of the upper triangle of blocks to `ms`.
   void fillBlockStructure(MatrixStructure& ms) const {
     int count = 0;
     for (size_t c = 0; c < _blockCols.size(); ++c)
@@ -282,7 +286,8 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(c)].emplace_back(r, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// Does the same by rows: block row r becomes column r of `blockCCS`. The blocks are not transposed.
+  /// Fills `blockCCS` with pointers to the blocks of this matrix: block row r of this matrix becomes column r
+  /// of `blockCCS`. The blocks themselves are not transposed.
   int fillSparseBlockMatrixCCSTransposed(SparseBlockMatrixCCS<MatrixType>& blockCCS) const {
     auto& columns = blockCCS.blockCols();
     columns.assign(_rowBlockIndices.size(), {});
@@ -290,8 +295,8 @@ class SparseBlockMatrix {
         [&](int r, int c, SparseMatrixBlock* b) { columns[static_cast<size_t>(r)].emplace_back(c, b); });
     return static_cast<int>(nonZeroBlocks());
   }
-  /// Moves the blocks of `hashMatrix` into this matrix, in place of its own blocks. `hashMatrix` must have
-  /// the same block boundaries. It is empty afterwards.
+  /// Replaces the blocks of this matrix by the blocks of `hashMatrix`, which must have the same block
+  /// boundaries. Afterwards, `hashMatrix` is empty.
   void takePatternFromHash(SparseBlockMatrixHashMap<MatrixType>& hashMatrix) {
     clear(true);
     _blockCols.resize(_colBlockIndices.size());
@@ -302,8 +307,8 @@ class SparseBlockMatrix {
     }
   }
 
-  /// Writes the matrix for Octave. If `upperTriangle` is true, the matrix stores only its upper triangle, and
-  /// the lower triangle is written as its mirror image.
+  /// Writes the matrix to a file for Octave. If `upperTriangle` is true, the matrix must store only its upper
+  /// triangle. The file then also contains the mirrored lower triangle.
   bool writeOctave(const char* filename, bool upperTriangle = true) const {
     std::ofstream out(filename);
     if (!out) return false;
@@ -358,7 +363,7 @@ class SparseBlockMatrix {
   void for_each(F&& f) const {
     for_each_block([&](int r, int c, const SparseMatrixBlock* b) { f(r, c, *b); });
   }
-  /// Returns the function with which internal::fillCCS() visits the scalars.
+  /// Returns the argument `visit` of internal::fillCCS().
   auto scalars(bool upperTriangle) const {
     return [this, upperTriangle](auto&& begin, auto&& take) {
       internal::visitScalars(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The blocks of a matrix in compressed columns: contiguous lists instead of maps.
+// Two more kinds of sparse block matrices. SparseBlockMatrixCCS stores its blocks in contiguous lists, one
+// list per column. SparseBlockMatrixHashMap stores its blocks in hash maps.
 #pragma once
 #ifndef G2O_SPARSE_BLOCK_MATRIX_CCS_H
 #define G2O_SPARSE_BLOCK_MATRIX_CCS_H
@@ -14,8 +15,8 @@
 
 namespace g2o {
 
-/// A view that does not own its blocks. It refers to the block boundaries of another matrix, which must
-/// outlive the view.
+/// A block matrix in compressed columns that does not own its blocks. It refers to the block boundaries of
+/// another matrix, which must outlive this object.
 template <class MatrixType>
 class SparseBlockMatrixCCS {
  public:
@@ -68,7 +69,7 @@ class SparseBlockMatrixCCS {
   int fillCCS(int* Cp, int* Ci, double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), cols(), Cp, Ci, Cx);
   }
-  /// Writes only the values, in the same order.
+  /// Writes only the values of the scalars, in the same order as the other overload.
   int fillCCS(double* Cx, bool upperTriangle = false) const {
     return internal::fillCCS(scalars(upperTriangle), Cx);
   }
@@ -89,7 +90,7 @@ class SparseBlockMatrixCCS {
   }
 };
 
-/// A matrix whose pattern can still grow. It finds its blocks by hashing.
+/// A block matrix that finds its blocks by hashing. Blocks can be added at any time.
 template <class MatrixType>
 class SparseBlockMatrixHashMap {
  public:

@@ -32,37 +32,41 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   SparseOptimizer();
   ~SparseOptimizer() override;
 
-  /// Selects the active edges and vertices: the given edges and their vertices, the edges of a level between
-  /// the given vertices, or all edges of a level. A negative level selects the edges of all levels. Returns
-  /// false if there is nothing to optimize.
+  /// Selects the active edges and vertices. The first overload selects the given edges and their vertices.
+  /// The second overload selects the edges of a level between the given vertices. The third overload selects
+  /// all edges of a level. A negative level selects the edges of all levels. Returns false if there is
+  /// nothing to optimize.
   virtual bool initializeOptimization(HyperGraph::EdgeSet& eset);
   virtual bool initializeOptimization(HyperGraph::VertexSet& vset, int level = 0);
   virtual bool initializeOptimization(int level = 0);
   /// Makes more vertices and edges active. Returns false if a new vertex is marginalized.
   virtual bool updateInitialization(HyperGraph::VertexSet& vset, HyperGraph::EdgeSet& eset);
 
-  /// Propagates the estimates of fixed vertices and of priors along edges that support initialEstimate().
+  /// Computes initial estimates. Starts at fixed vertices and priors, and follows edges that support
+  /// initialEstimate().
   virtual void computeInitialGuess();
   virtual void computeInitialGuess(EstimatePropagatorCost& propagator);
   virtual void setToOrigin();
 
-  /// Runs at most `iterations` iterations. Returns the number of iterations, 0 if the last iteration failed,
-  /// or −1 if the optimization could not start.
+  /// Runs at most `iterations` iterations. Returns the number of iterations. Returns 0 if the last iteration
+  /// failed, or −1 if the optimization could not start.
   int optimize(int iterations, bool online = false) override;
 
-  /// Computes the blocks of H⁻¹ with these Hessian indices, or the diagonal blocks of vertices. H is the
-  /// Hessian of the last linearization, without damping.
+  /// Computes blocks of H⁻¹, selected by pairs of Hessian indices, or the diagonal blocks of the given
+  /// vertices. H is the Hessian of the last linearization, without damping.
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv,
                         const std::vector<std::pair<int, int>>& blockIndices);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const Vertex* vertex);
   bool computeMarginals(SparseBlockMatrix<MatrixX>& spinv, const VertexContainer& vertices);
 
-  /// The vertex with the lowest id among the vertices of the largest dimension, or nullptr if there is none.
+  /// Returns the vertex with the lowest id among the vertices of the largest dimension. Clients can call
+  /// setFixed(true) of this vertex to fix the gauge. Returns nullptr if the graph has no vertices.
   virtual Vertex* findGauge();
   /// Returns true if neither a fixed vertex nor a prior of full dimension fixes the gauge.
   bool gaugeFreedom();
 
-  /// The sum of eᵀΩe, or of ρ(eᵀΩe), over the active edges. Uses the errors that were computed last.
+  /// Return the sum of eᵀΩe, or of ρ(eᵀΩe), over the active edges. These functions use the errors that were
+  /// computed last.
   double activeChi2() const;
   double activeRobustChi2() const;
 
@@ -89,9 +93,9 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
 
   const OptimizationAlgorithm* algorithm() const { return _algorithm; }
   OptimizationAlgorithm* solver() { return _algorithm; }
-  /// Takes ownership and deletes the previous algorithm. If an action calls this during optimize(), the
-  /// previous algorithm finishes its iteration and is deleted when optimize() ends. The next iteration uses
-  /// the new algorithm. If the new algorithm is nullptr, optimize() stops instead.
+  /// Takes ownership of the algorithm and deletes the previous algorithm. If an action calls this function
+  /// during optimize(), the previous algorithm is deleted when optimize() ends. The next iteration uses the
+  /// new algorithm. If the new algorithm is nullptr, optimize() stops instead.
   void setAlgorithm(OptimizationAlgorithm* algorithm);
   void setAlgorithm(std::unique_ptr<OptimizationAlgorithm> algorithm);
 
@@ -139,23 +143,23 @@ class G2O_CORE_API SparseOptimizer : public OptimizableGraph {
   bool _computeBatchStatistics = false;
 
   void sortVectorContainers();
-  /// Assigns Hessian indices to the vertices that are not fixed. Marginalized vertices come last. Apart from
-  /// that, the vertices keep the order of `vlist`.
+  /// Assigns Hessian indices to the vertices that are not fixed, in the order of `vlist`: first to the
+  /// vertices that are not marginalized, then to the marginalized vertices.
   bool buildIndexMapping(SparseOptimizer::VertexContainer& vlist);
   void clearIndexMapping();
 
  private:
   friend class SparseOptimizerTerminateAction;
   friend class internal::BlockSolverEngine;
-  /// The stop flag that actions set if the client has not set a flag. It is a member, because an action may
-  /// be destroyed before the optimizer.
+  /// The stop flag that actions set if the client has not set a flag. The optimizer owns this flag, because
+  /// an action may be destroyed before the optimizer.
   bool own_stop_flag_ = false;
-  /// The number of changes to the active vertices and edges, and to their numbering.
+  /// Increases whenever the active vertices, the active edges or the Hessian indices change.
   std::uint64_t structure_revision_ = 0;
-  /// The memory to which the active vertices are mapped. It outlives the solver, so that hessian() of the
-  /// vertices can still be read.
+  /// The memory of the Hessian blocks of the active vertices. The optimizer keeps it, so that hessian() of a
+  /// vertex also works after the solver is destroyed.
   std::shared_ptr<const void> hessian_memory_;
-  /// The edges that several threads may evaluate. They are outdated if parts_revision_ differs from
+  /// The edges that several threads may evaluate. The list is outdated if parts_revision_ differs from
   /// structure_revision_.
   std::unique_ptr<internal::EdgeParts> edge_parts_;
   std::uint64_t parts_revision_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The base class of the library's linear solvers, which use the engine.
+// The base class of the library's linear solvers. It solves systems by the engine (the library boxplus).
 #pragma once
 #ifndef G2O_ENGINE_LINEAR_SOLVER_H
 #define G2O_ENGINE_LINEAR_SOLVER_H

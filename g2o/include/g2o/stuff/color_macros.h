@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ANSI escape sequences for terminal colors. CL_RED("text") colors one text in a stream. FG_RED colors all
-// text until FG_NORM.
+// ANSI escape sequences for terminal colors. `out << CL_RED("text")` colors one text. `out << FG_RED` colors
+// all text until FG_NORM is written.
 #pragma once
 #ifndef G2O_COLOR_MACROS_H
 #define G2O_COLOR_MACROS_H
@@ -16,7 +16,7 @@
 #define FT_BOLD ATTR_BOLD
 #define FT_UNDERLINE ATTR_UNDERSCORE
 
-// LIGHTBLUE is the blue of the terminal, and BLUE is the cyan of the terminal.
+// As in g2o, LIGHTBLUE is the ANSI color blue, and BLUE is the ANSI color cyan.
 #define FG_BLACK "\033[30m"
 #define FG_RED "\033[31m"
 #define FG_GREEN "\033[32m"

@@ -13,8 +13,9 @@
 
 namespace g2o {
 
-/// Declare all parameters, then call parseArgs(). A flag (a bool parameter) takes no value and inverts its
-/// default. The numbers of a list are separated by commas or semicolons.
+/// Declare all parameters, then call parseArgs(). A bool parameter is a flag: it takes no value, and inverts
+/// its default value if it appears on the command line. The numbers of a list are separated by commas or
+/// semicolons.
 class G2O_STUFF_API CommandArgs {
  public:
   CommandArgs();
@@ -49,7 +50,8 @@ class G2O_STUFF_API CommandArgs {
   const std::string& error() const { return error_; }
 
  protected:
-  /// A declared parameter. `data` points to its variable. `type` is the number of its type. See type2str().
+  /// A declared parameter. `data` points to the variable that receives the value. `type` is the number of the
+  /// variable's type (see type2str()).
   struct CommandArgument {
     std::string name;
     std::string description;
@@ -64,8 +66,8 @@ class G2O_STUFF_API CommandArgs {
   std::string _banner;
   std::string _progName;
 
-  /// The text for a type in the help. Types have these numbers, beginning with 0: double, float, int,
-  /// std::string, bool, std::vector<int>, std::vector<double>. Returns an empty string for other numbers.
+  /// Returns the text for a type in the help, or an empty string for an unknown type. The types double,
+  /// float, int, std::string, bool, std::vector<int> and std::vector<double> have the numbers 0 to 6.
   const char* type2str(int t) const;
   /// Sets a parameter from text. If the text is invalid, does not change the parameter.
   void str2arg(const std::string& input, CommandArgument& ca) const;

@@ -19,11 +19,12 @@ G2O_STUFF_API std::string getFileExtension(const std::string& filename);
 G2O_STUFF_API std::string getPureFilename(const std::string& filename);
 G2O_STUFF_API std::string getBasename(const std::string& filename);
 G2O_STUFF_API std::string getDirname(const std::string& filename);
-/// Replaces the extension if there is one. newExt may begin with a dot. If `stripDot` is true, it must do so.
+/// Replaces the extension of a file name, if it has an extension. If `stripDot` is true, newExt must begin
+/// with a dot. Otherwise, the dot is optional.
 G2O_STUFF_API std::string changeFileExtension(const std::string& filename, const std::string& newExt,
                                               bool stripDot = false);
 
-/// Whether a file or folder with this name exists. If `regular` is true, only regular files count.
+/// Returns whether a file or folder with this name exists. If `regular` is true, only regular files count.
 G2O_STUFF_API bool fileExists(const char* filename, bool regular = false);
 inline bool fileExists(const std::string& filename, bool regular = false) {
   return fileExists(filename.c_str(), regular);

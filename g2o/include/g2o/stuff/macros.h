@@ -7,11 +7,11 @@
 #include <iomanip>
 #include <iostream>
 
-/// Use these macros after `stream <<`. They write the text of an expression and its value. PVARA converts the
-/// value from radians to degrees.
+/// Use PVAR and PVARA after `stream <<`. They write the source text of an expression, followed by its value.
+/// PVARA converts the value from radians to degrees.
 #define PVAR(s) #s << " = " << (s) << std::flush
 #define PVARA(s) #s << " = " << RAD2DEG(s) << "deg" << std::flush
-/// Use this macro after `stream <<`. It writes a value in fixed notation, then returns the stream to its
+/// Use FIXED after `stream <<`. It writes a value in fixed notation, and then resets the stream to its
 /// default notation.
 #define FIXED(s) std::fixed << (s) << std::resetiosflags(std::ios_base::fixed)
 

@@ -18,7 +18,7 @@ inline constexpr double const_pi() {
   return 3.14159265358979323846;
 }
 
-using std::make_unique;  // clients use it from both namespaces, std and g2o
+using std::make_unique;  // clients also call g2o::make_unique()
 
 template <typename T>
 inline T square(T x) {
@@ -43,7 +43,8 @@ inline double rad2deg(double rad) {
   return rad * (180 / const_pi());
 }
 
-/// Returns the same angle in (−π, π]. If the angle is already in this range, not a single bit changes.
+/// Returns the equivalent angle in (−π, π]. If the angle is already in this range, returns exactly the same
+/// value.
 inline double normalize_theta(double theta) {
   if (theta > -const_pi() && theta <= const_pi()) return theta;
   const double turns = std::ceil((theta - const_pi()) / (2 * const_pi()));
@@ -56,14 +57,14 @@ inline double inverse_theta(double theta) {
   return normalize_theta(theta + const_pi());
 }
 
-/// The direction halfway between two directions.
+/// Returns the direction (radians) halfway between two directions.
 inline double average_angle(double theta1, double theta2) {
   const double x = std::cos(theta1) + std::cos(theta2);
   const double y = std::sin(theta1) + std::sin(theta2);
   return x == 0 && y == 0 ? 0 : std::atan2(y, x);
 }
 
-/// The sign: −1, 0 or 1.
+/// Returns the sign of x: −1, 0 or 1.
 template <typename T>
 inline int sign(T x) {
   return x > 0 ? 1 : x < 0 ? -1 : 0;
@@ -74,7 +75,7 @@ inline T clamp(T lower, T x, T upper) {
   return x < lower ? lower : x > upper ? upper : x;
 }
 
-/// Adds a multiple of the interval's length to x, so that the result is in [lower, upper).
+/// Returns x plus a multiple of the interval's length, so that the result is in [lower, upper).
 template <typename T>
 inline T wrap(T lower, T x, T upper) {
   const T length = upper - lower;
@@ -82,7 +83,7 @@ inline T wrap(T lower, T x, T upper) {
   return x < lower ? x + length : x;
 }
 
-/// Whether an array contains a NaN. `nan_index` receives the index of the first NaN.
+/// Returns whether an array contains a NaN. `nan_index` receives the index of the first NaN.
 template <typename T>
 inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   for (int i = 0; i < size; ++i) {
@@ -93,7 +94,7 @@ inline bool arrayHasNaN(const T* array, int size, int* nan_index = nullptr) {
   return false;
 }
 
-/// Calls a function of a library, so that the linker includes the part of the library that has the function.
+/// Calls a function of a library, so that the linker includes the object file that defines the function.
 struct ForceLinker {
   explicit ForceLinker(void (*function)(void)) { (function)(); }
 };

@@ -21,7 +21,7 @@ inline GLfloat angle_of(int i, int segments) {
   return static_cast<GLfloat>(2 * const_pi() * i / segments);
 }
 
-/// The side of a cone or cylinder along z, from 0 to the height.
+/// Draws the side of a cone or cylinder along z, from 0 to the height.
 inline void draw_side(GLfloat bottom, GLfloat top, GLfloat height) {
   glBegin(GL_TRIANGLE_STRIP);
   for (int i = 0; i <= kSegments; ++i) {
@@ -63,12 +63,12 @@ inline void drawPoint(float pointSize) {
   glEnd();
 }
 
-/// A disk in the xy-plane, visible from z > 0.
+/// Draws a disk in the xy-plane that is visible from z > 0.
 inline void drawDisk(GLfloat radius) {
   internal::draw_ring(0, radius, static_cast<GLfloat>(2 * const_pi()), 0, 1);
 }
 
-/// A circle of lines in the xy-plane.
+/// Draws a circle of lines in the xy-plane.
 inline void drawCircle(GLfloat radius, int segments = internal::kSegments) {
   glBegin(GL_LINE_LOOP);
   for (int i = 0; i < segments; ++i) {
@@ -78,13 +78,13 @@ inline void drawCircle(GLfloat radius, int segments = internal::kSegments) {
   glEnd();
 }
 
-/// A rectangle in the xy-plane of length l along x and width w.
+/// Draws a rectangle in the xy-plane, with length l along x and width w along y.
 inline void drawPlane(GLfloat l, GLfloat w) {
   const GLfloat x = l / 2, y = w / 2;
   internal::draw_rectangle({0, 0, 1}, {{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}});
 }
 
-/// A box of length l along x, width w along y and height h along z.
+/// Draws a box with length l along x, width w along y and height h along z.
 inline void drawBox(GLfloat l, GLfloat w, GLfloat h) {
   const GLfloat x = l / 2, y = w / 2, z = h / 2;
   internal::draw_rectangle({0, 0, 1}, {{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}});
@@ -117,7 +117,7 @@ inline void drawSphere(GLfloat radius) {
   drawEllipsoid(radius, radius, radius);
 }
 
-/// A cone and a cylinder with their base in the xy-plane.
+/// Draw a cone or a cylinder with its base in the xy-plane.
 inline void drawCone(GLfloat radius, GLfloat height) {
   internal::draw_side(radius, 0, height);
   internal::draw_ring(0, radius, static_cast<GLfloat>(2 * const_pi()), 0, -1);
@@ -128,7 +128,7 @@ inline void drawCylinder(GLfloat radius, GLfloat height) {
   internal::draw_ring(0, radius, static_cast<GLfloat>(2 * const_pi()), height, 1);
 }
 
-/// An arrow along x.
+/// Draws an arrow along x.
 inline void drawArrow2D(float len, float head_width, float head_len) {
   glBegin(GL_LINES);
   glVertex2f(0, 0);
@@ -142,13 +142,13 @@ inline void drawArrow2D(float len, float head_width, float head_len) {
   glEnd();
 }
 
-/// A box that represents a pose. The box is 0.5 long and has an arrow along x.
+/// Draws a box that represents a pose. The box is 0.5 long and has an arrow along x.
 inline void drawPoseBox() {
   drawBox(0.5F, 0.25F, 0.1F);
   drawArrow2D(0.5F, 0.2F, 0.2F);
 }
 
-/// A ring segment that shows the field of view (degrees) of a sensor along x, at distance `range`.
+/// Draws a ring segment at distance `range` that shows the field of view (degrees) of a sensor along x.
 inline void drawRangeRing(GLfloat range, GLfloat fov, GLfloat range_width = 0.05F) {
   internal::draw_ring(range - range_width / 2, range + range_width / 2, static_cast<GLfloat>(deg2rad(fov)), 0,
                       1);

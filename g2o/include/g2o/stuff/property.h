@@ -90,7 +90,8 @@ class G2O_STUFF_API PropertyMap : protected std::map<std::string, BaseProperty*>
     return made;
   }
 
-  /// Sets the property `name` from text. Returns false if it does not exist or the text is invalid.
+  /// Sets the property `name` from text. Returns false if the property does not exist or if the text is
+  /// invalid.
   bool updatePropertyFromString(const std::string& name, const std::string& value);
   /// Sets properties from a string such as "name=value,name=value".
   bool updateMapFromString(const std::string& values);

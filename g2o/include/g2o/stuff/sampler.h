@@ -41,7 +41,7 @@ class GaussianSampler {
   std::mt19937 _generator;
 };
 
-/// Uses the random generator of the calling thread.
+/// Random numbers from the generator of the calling thread.
 class G2O_STUFF_API Sampler {
  public:
   static double gaussRand(double mean, double sigma) { return mean + sampleGaussian() * sigma; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes vectors and sparse matrices to text files that Octave can load.
+// Functions that write vectors and sparse matrices to text files for Octave. They return false if the file
+// cannot be written.
 #pragma once
 #ifndef G2O_SPARSE_HELPER_H
 #define G2O_SPARSE_HELPER_H
@@ -24,15 +25,16 @@ struct TripletColSort {
   }
 };
 
-/// Writes n values, one per line. Like all functions below, returns false if the file cannot be written.
+/// Writes n values, one per line.
 G2O_STUFF_API bool writeVector(const std::string& filename, const double* v, int n);
 
-/// Writes a matrix in compressed columns. Column c has the rows i[k] and values v[k] for p[c] ≤ k < p[c + 1].
-/// If `upperTriangle` is true, also writes a mirrored copy of each entry, so that the matrix is symmetric.
+/// Writes a matrix that is given in compressed columns. Column c has the rows i[k] and values v[k] for p[c] ≤
+/// k < p[c + 1]. If `upperTriangle` is true, also writes a mirrored copy of each entry, so that the matrix is
+/// symmetric.
 G2O_STUFF_API bool writeCCSMatrix(const std::string& filename, int rows, int cols, const int* p, const int* i,
                                   const double* v, bool upperTriangle = true);
 
-/// Writes a matrix from entries in any order. No position may occur twice.
+/// Writes a matrix that is given by its entries in any order. Each position may occur only once.
 G2O_STUFF_API bool writeTripletEntries(const std::string& filename, int rows, int cols,
                                        const std::vector<TripletEntry>& triplets);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions for text: trimming, splitting, case, conversion, lines.
+// Functions that trim, split, join, convert and read text.
 #pragma once
 #ifndef G2O_STRING_TOOLS_H
 #define G2O_STRING_TOOLS_H
@@ -78,7 +78,7 @@ bool convertString(const std::string& s, T& x, bool failIfLeftoverChars = true) 
   return true;
 }
 
-/// Returns the value instead. Throws std::runtime_error if the conversion fails.
+/// Returns the value that the text contains. Throws std::runtime_error if convertString() would return false.
 template <typename T>
 T stringToType(const std::string& s, bool failIfLeftoverChars = true) {
   T x{};

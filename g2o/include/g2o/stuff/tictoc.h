@@ -15,7 +15,8 @@ namespace g2o {
 /// if the environment variable is not set.
 G2O_STUFF_API double tictoc(const char* algorithmPart);
 
-/// All results of tictoc(), one line per name: the count, and the total, shortest, mean and longest time.
+/// Returns all results of tictoc(), one line per name: the count, and the total, shortest, mean and longest
+/// time.
 G2O_STUFF_API std::string tictocReport();
 
 /// Measures the time that a scope takes.

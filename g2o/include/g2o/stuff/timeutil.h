@@ -13,22 +13,22 @@
 
 namespace g2o {
 
-/// Seconds since the epoch.
+/// Returns the seconds since the epoch.
 inline double get_time() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds of a clock that never runs backwards.
+/// Returns the seconds of a clock that never runs backwards.
 inline double get_monotonic_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The local date and time as digits: "20120131_235959".
+/// Returns the local date and time as digits, for example "20120131_235959".
 G2O_STUFF_API std::string getTimeAsString(std::time_t time);
-/// Does the same for the current time.
+/// Returns the current local date and time in the same format.
 G2O_STUFF_API std::string getCurrentTimeAsString();
 
-/// The destructor writes the title and the lifetime of the object to std::cerr.
+/// A timer for a scope. The destructor writes the title and the lifetime of the object to std::cerr.
 class G2O_STUFF_API ScopeTime {
  public:
   explicit ScopeTime(std::string title) : _title(std::move(title)), _startTime(get_monotonic_time()) {}
@@ -43,7 +43,8 @@ class G2O_STUFF_API ScopeTime {
 
 namespace internal {
 
-/// Adds the lifetime of the object to `*total`, unless `total` is nullptr.
+/// A timer for a scope. The destructor adds the lifetime (seconds) of the object to `*total`, unless `total`
+/// is nullptr.
 class AddedTime {
  public:
   explicit AddedTime(double* total) : total_(total), begin_(get_monotonic_time()) {}
@@ -61,8 +62,8 @@ class AddedTime {
 }  // namespace internal
 }  // namespace g2o
 
-/// Runs a statement when this line is reached for the first time, and later if at least `seconds` have passed
-/// since its last run.
+/// Runs a statement when this line is reached for the first time. Later, runs it only if at least `seconds`
+/// seconds have passed since its last run.
 #define DO_EVERY(seconds, ...)                                      \
   do {                                                              \
     static double doEveryLast = -1;                                 \
@@ -73,7 +74,8 @@ class AddedTime {
     }                                                               \
   } while (false)
 
-/// Does the same with a clock of the caller, in seconds. Also runs the statement if the clock was set back.
+/// Does the same as DO_EVERY, but reads the time (seconds) from `currentTime`. Also runs the statement if
+/// `currentTime` has decreased.
 #define DO_EVERY_TS(seconds, currentTime, ...)                               \
   do {                                                                       \
     static double doEveryLast = (currentTime) - (seconds);                   \

@@ -12,7 +12,7 @@
 
 namespace g2o {
 
-/// A sample with two weights: `_wi` for the mean, and `_wp` for the covariance.
+/// A sample with two weights: `_wi` is its weight in the mean, and `_wp` is its weight in the covariance.
 template <class SampleType>
 struct SigmaPoint {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

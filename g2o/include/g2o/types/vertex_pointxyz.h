@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forwards to the header of this name in slam3d/, because older clients include this path.
+// Forwards to slam3d/vertex_pointxyz.h, because older clients include this path.
 #pragma once
 
 #include "g2o/types/slam3d/vertex_pointxyz.h"

@@ -30,7 +30,7 @@ Matrix3 turned(const Matrix3& R, double across, double along) {
   return R.transpose() * Vector3(across, across, along).asDiagonal() * R;
 }
 
-constexpr double kAcross = 0.01;  // the information across the normal; files do not store Ω
+constexpr double kAcross = 0.01;  // the information orthogonal to the normal; files do not store Ω
 
 }  // namespace
 

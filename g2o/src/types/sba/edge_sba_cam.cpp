@@ -31,7 +31,8 @@ void EdgeSBACam::computeError() {
 }
 
 // A step changes the translation of a camera in the world frame. For a pose of the engine, a step changes the
-// translation in the body frame.
+// translation in the body frame. Therefore, the Jacobians for the translations are multiplied by the rotation
+// from the world to the camera.
 void EdgeSBACam::linearizeOplus() {
   const SBACam &from = vertexXn<0>()->estimate(), &to = vertexXn<1>()->estimate();
   adapters::linearize(Native(adapters::pose(_measurement)),

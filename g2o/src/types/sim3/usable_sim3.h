@@ -6,7 +6,8 @@
 namespace g2o {
 namespace adapters {
 
-/// Whether a similarity, its inverse and their logarithms are finite. They overflow at scales beyond e^±230.
+/// Whether a similarity, its inverse and their logarithms are finite. They may overflow if the scale is below
+/// 1e-100 or above 1e100.
 inline bool is_usable(const Sim3& x) {
   constexpr double kSmallest = 1e-100, kLargest = 1e100;
   if (!x.rotation().coeffs().allFinite() || !x.translation().allFinite()) return false;

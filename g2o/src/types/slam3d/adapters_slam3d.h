@@ -8,8 +8,8 @@
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "types/adapters.h"
 
-// If a client uses one type of this library, registers the tags of all its types. This is necessary because
-// linkers take only the referenced members of a static library.
+// Registers the tags of all types of this library if a client uses one of the types. This is necessary
+// because linkers take only the referenced members of a static library.
 G2O_USE_TYPE_GROUP(slam3d)
 
 namespace g2o {

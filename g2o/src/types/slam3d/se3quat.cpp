@@ -11,8 +11,8 @@
 namespace g2o {
 namespace {
 
-/// The matrix V of the exponential map of SE(3). It is the matrix V of Sim(3) for a logarithm of the scale of
-/// 0.
+/// The matrix V of the exponential map of SE(3). It is the matrix V of Sim(3) for the scale 1, whose
+/// logarithm is 0.
 boxplus::detail::Sim3Coupling<double> coupling(const Vector3& omega) {
   return boxplus::detail::Sim3Coupling<double>::of(0, omega.squaredNorm());
 }

@@ -7,7 +7,7 @@
 namespace boxplus {
 
 /// z measures the angle (radians) to the point l in the frame of the pose X. Error: wrap(z − atan2(X⁻¹ l)).
-/// EDGE_BEARING_SE2_XY.
+/// The tag in g2o files is EDGE_BEARING_SE2_XY.
 struct BearingObservation2 {
   static constexpr std::string_view kName = "BearingObservation2";
   double measurement;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Derivatives of e = vec(Z⁻¹ A), A = Xi⁻¹ Xj, through ⊞ of SE2 (motion composition on the right).
+// Derivatives of e = (x, y, θ) of Z⁻¹ A, with A = Xi⁻¹ Xj, through ⊞ of SE2 (motion composition on the
+// right).
 //
 // With R_Z the rotation of Z and (t_A, θ_A) the parts of A, the translation of e is R_Zᵀ (t_A − t_Z).
-//   Xj ⊞ δ:  A · δ has the translation t_A + R_A Δt                ⇒ J_j = [ R_Zᵀ R_A  0 ;  0  1 ]
+//   Xj ⊞ δ:  A · δ has the translation t_A + R_A Δt
+//                                            ⇒ J_j = [ R_Zᵀ R_A  0 ;  0  1 ]
 //   Xi ⊞ δ:  δ⁻¹ A has the translation R(Δθ)ᵀ (t_A − Δt)
-//            ≈ t_A − Δt + Δθ (y_A, −x_A)                          ⇒ J_i = [ −R_Zᵀ  R_Zᵀ (y_A, −x_A)ᵀ ;  0  −1
-//            ]
+//            ≈ t_A − Δt + Δθ (y_A, −x_A)
+//                                            ⇒ J_i = [ −R_Zᵀ  R_Zᵀ (y_A, −x_A)ᵀ ;  0  −1 ]
 #pragma once
 
 #include "boxplus/manifold/se2.h"

@@ -12,7 +12,7 @@
 namespace boxplus {
 
 /// Factors for the measured speeds of the left and right wheel, and the distance between the wheels (meters).
-/// ⊞ adds. VERTEX_ODOM_DIFFERENTIAL.
+/// ⊞ adds. The tag in g2o files is VERTEX_ODOM_DIFFERENTIAL.
 template <class S>
 struct BasicDifferentialDrive {
   using Scalar = S;

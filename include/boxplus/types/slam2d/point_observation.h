@@ -10,7 +10,8 @@
 
 namespace boxplus {
 
-/// z measures the point l in the frame of the pose X (meters). Error: X⁻¹ l − z. EDGE_SE2_XY.
+/// z measures the point l in the frame of the pose X (meters). Error: X⁻¹ l − z. The tag in g2o files is
+/// EDGE_SE2_XY.
 struct PointObservation2 {
   static constexpr std::string_view kName = "PointObservation2";
   static constexpr bool kRigid = true;
@@ -38,7 +39,8 @@ struct PointObservation2 {
 };
 
 /// z measures the point l in the frame of a sensor at P on the body. Error: (X P)⁻¹ l − z. Vertices: X, l, P.
-/// EDGE_SE2_POINTXY_OFFSET with P a parameter; EDGE_SE2_XY_CALIB with P a vertex.
+/// The tag in g2o files is EDGE_SE2_POINTXY_OFFSET if P is a parameter, and EDGE_SE2_XY_CALIB if P is a
+/// vertex.
 struct OffsetPointObservation2 {
   static constexpr std::string_view kName = "OffsetPointObservation2";
   static constexpr bool kJacobiansForSomeTypes = true;

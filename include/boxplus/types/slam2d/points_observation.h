@@ -11,7 +11,8 @@
 
 namespace boxplus {
 
-/// Error: (X⁻¹ p1 − z1, X⁻¹ p2 − z2), z = (x1, y1, x2, y2). EDGE_SE2_TWOPOINTSXY.
+/// Error: (X⁻¹ p1 − z1, X⁻¹ p2 − z2), with z = (x1, y1, x2, y2). The tag in g2o files is
+/// EDGE_SE2_TWOPOINTSXY.
 struct TwoPointsObservation2 {
   static constexpr std::string_view kName = "TwoPointsObservation2";
   Vector<double, 4> measurement;
@@ -27,7 +28,7 @@ struct TwoPointsObservation2 {
 };
 
 /// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the
-/// measurement has another number of points. EDGE_SE2_LOTSOFXY.
+/// measurement has another number of points. The tag in g2o files is EDGE_SE2_LOTSOFXY.
 struct PointsObservation2 {
   static constexpr std::string_view kName = "PointsObservation2";
   Vector<double, kDynamic> measurement;  ///< x1, y1, x2, y2, …

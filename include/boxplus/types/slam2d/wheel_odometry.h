@@ -7,16 +7,17 @@
 
 namespace boxplus {
 
-/// Wheel speeds v_l, v_r (meters per second) held for dt (seconds).
+/// Wheel speeds v_l, v_r (meters per second) that stay constant for the duration dt (seconds).
 struct WheelSpeeds {
   double left = 0, right = 0, duration = 0;
 };
 
-/// z measures the motion from xi to xj by the wheels with parameters k. Error: vec(U⁻¹ xi⁻¹ xj). U is the
-/// driven arc: with the speeds l = k_l v_l, r = k_r v_r, θ = (r − l) dt / baseline and s = (r + l) dt / 2, U
-/// = (s sin θ / θ, s (1 − cos θ) / θ, θ) (Dudek & Jenkin, "Computational Principles of Mobile Robotics",
-/// 2000).
-/// Vertices: xi, xj, k. EDGE_SE2_ODOM_DIFFERENTIAL_CALIB.
+/// z measures the wheel speeds during the motion from xi to xj. Error: (x, y, θ) of U⁻¹ xi⁻¹ xj. The motion U
+/// is the arc that wheels with the parameters k drive at these speeds (Dudek & Jenkin, "Computational
+/// Principles of Mobile Robotics", 2000):
+///     U = (s sin θ / θ, s (1 − cos θ) / θ, θ),   θ = (r − l) dt / baseline,   s = (r + l) dt / 2,
+/// with the corrected speeds l = k_l v_l and r = k_r v_r.
+/// Vertices: xi, xj, k. The tag in g2o files is EDGE_SE2_ODOM_DIFFERENTIAL_CALIB.
 struct WheelOdometry {
   static constexpr std::string_view kName = "WheelOdometry";
   WheelSpeeds measurement;

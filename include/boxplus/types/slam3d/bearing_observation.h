@@ -7,8 +7,8 @@
 namespace boxplus {
 
 /// z measures the unit vector towards the point l in the frame of the pose X. Error: b/|b| − z with b = X⁻¹
-/// l. Its length is the chord between both directions, which is about their angle if that is small. No
-/// direction is singular. The three rows have rank two.
+/// l. The length of the error is the chord between the two directions, which is about the angle between them
+/// if this angle is small. The error has no singular direction. The Jacobian has three rows, but rank two.
 struct BearingObservation3 {
   static constexpr std::string_view kName = "BearingObservation3";
   Vector3 measurement;

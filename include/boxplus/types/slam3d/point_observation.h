@@ -39,7 +39,7 @@ struct PointObservation3 {
 };
 
 /// z measures the point l in the frame of a sensor at P on the body. Error: (X P)⁻¹ l − z. Vertices: X, l, P.
-/// EDGE_SE3_TRACKXYZ.
+/// The tag in g2o files is EDGE_SE3_TRACKXYZ.
 struct OffsetPointObservation3 {
   static constexpr std::string_view kName = "OffsetPointObservation3";
   static constexpr bool kJacobiansForSomeTypes = true;

@@ -12,7 +12,7 @@
 namespace boxplus {
 
 /// Error: X⁻¹ p_k − z_k for any number of points, one after the other. Throws InvalidArgument if the
-/// measurement has another number of points. EDGE_SE3_LOTSOF_XYZ.
+/// measurement has another number of points. The tag in g2o files is EDGE_SE3_LOTSOF_XYZ.
 struct PointsObservation3 {
   static constexpr std::string_view kName = "PointsObservation3";
   Vector<double, kDynamic> measurement;  ///< x1, y1, z1, x2, …

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sparse matrix of CHOLMOD that deletes its arrays. Only this header needs CHOLMOD (LGPL and GPL). No other
-// header includes it.
+// A sparse matrix of CHOLMOD that deletes its arrays. Only this header needs CHOLMOD (LGPL and GPL), and no
+// other header includes this header.
 #pragma once
 #ifndef G2O_CHOLMOD_EXT_H
 #define G2O_CHOLMOD_EXT_H
@@ -17,8 +17,8 @@
 
 namespace g2o {
 
-/// The upper triangle of a symmetric matrix of doubles, initially empty. The arrays p (int), i (int) and x
-/// (double) must be allocated by new[].
+/// A symmetric matrix of doubles that stores its upper triangle. Initially, it is empty. The client allocates
+/// the arrays p (int), i (int) and x (double) by new[], and the destructor deletes them.
 struct CholmodExt : public cholmod_sparse {
   CholmodExt() : cholmod_sparse() {
     stype = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a Cholesky solve by CSparse that is repeated for each system. Only this header needs CXSparse
-// (LGPL), to compile and to link. No other header includes it.
+// Functions that factorize matrices and solve linear systems with CSparse, given a symbolic analysis. Only
+// this header needs CXSparse (LGPL), to compile and to link. No other header includes this header.
 #pragma once
 #ifndef G2O_CSPARSE_HELPER_H
 #define G2O_CSPARSE_HELPER_H
@@ -18,15 +18,16 @@
 namespace g2o {
 namespace csparse_extension {
 
-/// Factorizes A, an upper triangle, with the symbolic analysis S. Returns nullptr if A is not positive
-/// definite. The caller frees the factor. `cin` and `xin` are not used: CSparse has an internal workspace.
+/// Returns the Cholesky factor of a symmetric A, which is given by its upper triangle. S is the symbolic
+/// analysis of A. Returns nullptr if A is not positive definite. The caller frees the factor. `cin` and `xin`
+/// are not used, because CSparse has an internal workspace.
 inline cs_din* cs_chol_workspace(const cs_di* A, const cs_dis* S, int* cin, double* xin) {
   static_cast<void>(cin);
   static_cast<void>(xin);
   return cs_di_chol(A, S);
 }
 
-/// Computes b = A⁻¹ b with the symbolic analysis S. `workspace` must have as many doubles as A has columns.
+/// Replaces b by A⁻¹ b. S is the symbolic analysis of A. `workspace` must have one double per column of A.
 /// `work` is not used. Returns false if A is not positive definite.
 inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* workspace, int* work) {
   cs_din* factor = cs_chol_workspace(A, S, work, workspace);
@@ -37,7 +38,7 @@ inline bool cs_cholsolsymb(const cs_di* A, double* b, const cs_dis* S, double* w
   return ok;
 }
 
-/// Writes a matrix in compressed columns for Octave. See writeCCSMatrix().
+/// Writes a matrix to a file for Octave. See writeCCSMatrix().
 inline bool writeCs2Octave(const char* filename, const cs_di* A, bool upperTriangular = true) {
   return writeCCSMatrix(filename, A->m, A->n, A->p, A->i, A->x, upperTriangular);
 }

@@ -9,12 +9,12 @@
 
 namespace g2o {
 
-/// Dense Cholesky, for small problems.
+/// Dense Cholesky factorization, for small problems.
 template <typename MatrixType>
 class LinearSolverDense : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverDense() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kDense) {}
-  /// The engine does not replace a derived class, because the class may solve in a different way.
+  /// Returns no settings for a derived class, because the derived class may override solve().
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverDense) ? this->settings_ : internal::EngineSettings();
   }

@@ -9,17 +9,18 @@
 
 namespace g2o {
 
-/// Sparse Cholesky factorization. By default, uses the engine's implementation, which orders blocks. After
-/// setBlockOrdering(false), uses Eigen's implementation, which orders scalars.
+/// Sparse Cholesky factorization. By default, uses the implementation of the engine (the library boxplus),
+/// with a fill-reducing ordering of blocks. After setBlockOrdering(false), uses the implementation of Eigen,
+/// with an ordering of scalars.
 template <typename MatrixType>
 class LinearSolverEigen : public internal::EngineLinearSolver<MatrixType> {
  public:
   LinearSolverEigen() : internal::EngineLinearSolver<MatrixType>(internal::EngineSolver::kCholesky) {}
   /// If `exact` is true, always factorizes in double precision. Otherwise, if Solver::inexactSteps() is true,
-  /// factorizes large fronts in single precision and refines steps until their residual is 1e-6 of the
-  /// right-hand side. g2o does not have this function.
+  /// factorizes large fronts in single precision, and refines each step until the norm of its residual is at
+  /// most 1e-6 times the norm of the right-hand side. g2o does not have this function.
   void setExact(bool exact) { this->settings_.exact = exact; }
-  /// The engine does not replace a derived class, because the class may solve in a different way.
+  /// Returns no settings for a derived class, because the derived class may override solve().
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverEigen) ? this->settings() : internal::EngineSettings();
   }

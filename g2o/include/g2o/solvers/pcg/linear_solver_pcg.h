@@ -17,7 +17,7 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
     this->settings_.tolerance = _tolerance;
     this->settings_.absoluteTolerance = _absoluteTolerance;
   }
-  /// The engine does not replace a derived class, because the class may solve in a different way.
+  /// Returns no settings for a derived class, because the derived class may override solve().
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverPCG) ? this->settings_ : internal::EngineSettings();
   }
@@ -33,8 +33,8 @@ class LinearSolverPCG : public internal::EngineLinearSolver<MatrixType> {
     _maxIter = maxIter;
     this->settings_.maxIterations = maxIter > 0 ? maxIter : 0;
   }
-  /// If true, the solver also stops when the residual itself is below tolerance(). Near the minimum, the
-  /// right-hand side is almost zero, and a more accurate solution is not necessary.
+  /// If true, the solver also stops when the absolute residual is below tolerance(). This saves iterations
+  /// near the minimum of chi2, because the right-hand side is almost zero there.
   bool absoluteTolerance() const { return _absoluteTolerance; }
   void setAbsoluteTolerance(bool absoluteTolerance) {
     _absoluteTolerance = absoluteTolerance;

@@ -11,8 +11,9 @@
 
 namespace g2o {
 
-/// Gauss-Newton with a linear start for pose graphs in the plane. The start computes the headings that best
-/// fit the measured rotations and sets translations to zero. The first iteration then finds translations.
+/// Gauss-Newton for pose graphs in the plane that needs no initial estimates. First, it solves a linear
+/// least-squares problem for the headings that best fit the measured rotations, and sets the translations to
+/// zero. The first Gauss-Newton iteration then computes the translations.
 ///
 /// All active edges must be of type EdgeSE2, and each vertex must be connected to a fixed vertex. Otherwise,
 /// the first iteration logs an error and fails.

@@ -15,8 +15,8 @@
 
 namespace g2o {
 
-/// Optimizes each point with PointDoF dimensions separately by Levenberg-Marquardt. All other vertices keep
-/// their estimates.
+/// Optimizes points (vertices with PointDoF dimensions) by Levenberg-Marquardt. Each point is optimized
+/// separately, and all other vertices keep their estimates.
 template <int PointDoF>
 class StructureOnlySolver : public OptimizationAlgorithm {
  public:
@@ -51,7 +51,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
   using Matrix = Eigen::Matrix<double, PointDoF, PointDoF>;
   using Vector = Eigen::Matrix<double, PointDoF, 1>;
 
-  /// While this object exists, fixes the other vertices of all edges of a point.
+  /// Fixes all other vertices of the edges of a point until the destructor is called.
   class HoldOthers {
    public:
     explicit HoldOthers(OptimizableGraph::Vertex& point) {
@@ -138,7 +138,7 @@ class StructureOnlySolver : public OptimizationAlgorithm {
         }
       }
       if (!moved) {
-        chi2(point);  // recomputes errors: the edges still have the errors of the rejected step
+        chi2(point);  // recomputes the errors, because the edges have errors of the rejected step
         break;
       }
     }

@@ -12,22 +12,25 @@
 
 namespace g2o {
 
-/// Two matching points of two scans, with surface normals. Point and normal k are in the frame of pose k.
+/// A pair of matching points of two scans, with their surface normals. pos0 and normal0 are in the frame of
+/// the first pose, and pos1 and normal1 are in the frame of the second pose.
 class G2O_TYPES_ICP_API EdgeGICP {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeGICP();
 
-  /// Update R0 and R1 from the normals. Let y be the unit vector that is orthogonal to the normal n and
-  /// closest to e_y. The rows of R are n × y, y and n, which is a left-handed frame. As in g2o, n keeps its
-  /// length, and y is zero if n is parallel to e_y.
+  /// Update R0 and R1 from the normals. The rows of R are n × y, y and n, which form a left-handed frame. n
+  /// is the normal, and y is the unit vector that is orthogonal to n and closest to the y-axis. As in g2o, n
+  /// is not normalized, and y is zero if n is parallel to the y-axis.
   void makeRot0();
   void makeRot1();
 
-  /// The precision of a point with a unit normal: 1 along the normal, e across it.
+  /// Return the precision matrix of a point with a unit normal. The precision is 1 along the normal, and e in
+  /// the plane that is orthogonal to the normal.
   Matrix3 prec0(double e);
   Matrix3 prec1(double e);
-  /// The covariance of a point with a unit normal: e along the normal, 1 across it.
+  /// Return the covariance of a point with a unit normal. The variance is e along the normal, and 1 in the
+  /// plane that is orthogonal to the normal.
   Matrix3 cov0(double e);
   Matrix3 cov1(double e);
 
@@ -36,8 +39,8 @@ class G2O_TYPES_ICP_API EdgeGICP {
   Matrix3 R0 = Matrix3::Identity(), R1 = Matrix3::Identity();
 };
 
-/// A pair of matching points p₀ and p₁, in the frames of the poses x₀ and x₁. Error: x₀⁻¹ x₁ p₁ − p₀. read()
-/// sets Ω to the precision of p₀ with e = 0.01. Tag: EDGE_V_V_GICP.
+/// Two matching points: p₀ in the frame of pose x₀, and p₁ in the frame of pose x₁. Error: x₀⁻¹ x₁ p₁ − p₀.
+/// read() sets Ω to the precision matrix prec0(0.01) of p₀. Tag: EDGE_V_V_GICP.
 class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -46,7 +49,7 @@ class G2O_TYPES_ICP_API Edge_V_V_GICP : public BaseBinaryEdge<3, EdgeGICP, Verte
   /// copy has no robust kernel.
   explicit Edge_V_V_GICP(const Edge_V_V_GICP* e);
 
-  /// If pl_pl is true, also sets Ω for a pair of planes, to (cov0 + R cov1 Rᵀ)⁻¹.
+  /// If pl_pl (plane to plane) is true, also sets Ω to (cov0 + R cov1 Rᵀ)⁻¹, with the rotation R of x₀⁻¹ x₁.
   void computeError() override;
   void linearizeOplus() override;
   using BaseBinaryEdge<3, EdgeGICP, VertexSE3, VertexSE3>::linearizeOplus;
@@ -63,7 +66,8 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   VertexSCam();
 
-  /// The 3×4 matrix of the motion from the world frame to the frame of a pose (W2F), or back (F2W).
+  /// Set m to a 3×4 matrix that transforms points. transformW2F() transforms from the world frame to the
+  /// frame of the pose (trans, qrot), and transformF2W() transforms back.
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
@@ -83,7 +87,7 @@ class G2O_TYPES_ICP_API VertexSCam : public VertexSE3 {
   static double baseline;
   Eigen::Matrix<double, 3, 4> w2n;  ///< matrix from the world frame to the camera frame
   Eigen::Matrix<double, 3, 4> w2i;  ///< matrix from the world frame to the image
-  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by increments of qx, qy, qz
 };
 
 /// The measured image coordinates z (pixels) of a point in a stereo camera. Error: (u, v, u_right) − z. The

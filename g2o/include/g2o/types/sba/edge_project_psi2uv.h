@@ -10,9 +10,10 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point in a camera. The point is given by its coordinates
-/// ψ = (x/depth, y/depth, 1/depth) in another camera, the anchor. Vertices: ψ, camera, anchor.
-/// Error: z − cam(T T_anchor⁻¹ p(ψ)). The type has no tag.
+/// The measured image position z (pixels) of a point in a camera. Another camera is the anchor of the point.
+/// If p is the point in the frame of the anchor, the first vertex is ψ = (p_x/p_z, p_y/p_z, 1/p_z). The
+/// second vertex is the camera T, and the third vertex is the anchor T_a. Error: z − cam(T T_a⁻¹ p). The type
+/// has no tag.
 class G2O_TYPES_SBA_API EdgeProjectPSI2UV
     : public BaseFixedSizedEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap, VertexSE3Expmap> {
  public:

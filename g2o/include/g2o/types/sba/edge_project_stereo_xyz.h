@@ -10,8 +10,9 @@
 namespace g2o {
 
 /// The measured image coordinates z (pixels) of a point p in a stereo camera T. Error: z − (u, v, u_right),
-/// for the image of T p, with u_right = u − bf/depth. In files, the camera parameters follow Ω. If they are
-/// missing, image coordinates are normalized. Tag: EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP.
+/// with the image position (u, v) of T p and u_right = u − bf/depth. In files, the camera parameters follow
+/// Ω. If the camera parameters are missing, image coordinates are normalized. Tag:
+/// EDGE_STEREO_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
     : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexSE3Expmap> {
  public:
@@ -24,9 +25,9 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZ
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point is in front of the cameras.
+  /// Returns whether the point is in front of the cameras.
   virtual bool isDepthPositive();
-  /// The image coordinates of a point in the frame of the left camera. `bf` is the baseline times fx.
+  /// Returns (u, v, u_right) of a point in the frame of the left camera. `bf` is the baseline times fx.
   Vector3 cam_project(const Vector3& trans_xyz, const double& bf) const;
 
   double fx = 1, fy = 1, cx = 0, cy = 0, bf = 1;

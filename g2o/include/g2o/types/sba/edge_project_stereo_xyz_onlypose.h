@@ -8,9 +8,9 @@
 
 namespace g2o {
 
-/// The measured image coordinates z (pixels) of the known point Xw in a stereo camera T.
-/// Error: z − (u, v, u_right), for the image of T Xw. In files, the point and the camera parameters follow Ω,
-/// as for EdgeStereoSE3ProjectXYZ. Tag: EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
+/// The measured image coordinates z (pixels) of the known point Xw in a stereo camera T. Error: z − (u, v,
+/// u_right), with the image coordinates of T Xw as in EdgeStereoSE3ProjectXYZ. In files, the point and the
+/// camera parameters follow Ω. Tag: EDGE_STEREO_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3, Vector3, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -22,9 +22,9 @@ class G2O_TYPES_SBA_API EdgeStereoSE3ProjectXYZOnlyPose : public BaseUnaryEdge<3
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point is in front of the cameras.
+  /// Returns whether the point is in front of the cameras.
   virtual bool isDepthPositive();
-  /// The image coordinates of a point in the frame of the left camera.
+  /// Returns (u, v, u_right) of a point in the frame of the left camera.
   Vector3 cam_project(const Vector3& trans_xyz) const;
 
   Vector3 Xw = Vector3(0, 0, 1);

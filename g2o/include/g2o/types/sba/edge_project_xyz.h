@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point p in a camera T.
-/// Error: z − (u, v), for the image of T p. In files, the camera parameters follow Ω. If they are missing,
+/// The measured image position z (pixels) of a point p in a camera T. Error: z − (u, v), with the image
+/// position (u, v) of T p. In files, the camera parameters follow Ω. If the camera parameters are missing,
 /// image coordinates are normalized. Tag: EDGE_SE3_PROJECT_XYZ:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSE3Expmap> {
@@ -24,9 +24,9 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZ
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point is in front of the camera.
+  /// Returns whether the point is in front of the camera.
   virtual bool isDepthPositive();
-  /// The image coordinates of a point in the frame of the camera.
+  /// Returns the image position of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;
 
   double fx = 1, fy = 1, cx = 0, cy = 0;

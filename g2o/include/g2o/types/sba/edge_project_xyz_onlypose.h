@@ -8,8 +8,9 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of the known point Xw. Error: z − (u, v), for the image of T Xw. In
-/// files, the point and the camera parameters follow Ω. Tag: EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
+/// The measured image position z (pixels) of the known point Xw in a camera T. Error: z − (u, v), with the
+/// image position (u, v) of T Xw. In files, the point and the camera parameters follow Ω. Tag:
+/// EDGE_SE3_PROJECT_XYZONLYPOSE:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vector2, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -21,9 +22,9 @@ class G2O_TYPES_SBA_API EdgeSE3ProjectXYZOnlyPose : public BaseUnaryEdge<2, Vect
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Whether the point is in front of the camera.
+  /// Returns whether the point is in front of the camera.
   virtual bool isDepthPositive();
-  /// The image coordinates of a point in the frame of the camera.
+  /// Returns the image position of a point in the frame of the camera.
   Vector2 cam_project(const Vector3& trans_xyz) const;
 
   Vector3 Xw = Vector3(0, 0, 1);

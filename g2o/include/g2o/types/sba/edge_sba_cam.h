@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The motion z from a camera c₁ to a camera c₂.
-/// Error: (t, q_v) of z⁻¹ c₁⁻¹ c₂, for the quaternion with w ≥ 0. Tag: EDGE_CAM.
+/// The measured motion z from a camera c₁ to a camera c₂. Error: the translation of z⁻¹ c₁⁻¹ c₂ and the
+/// vector part of its unit quaternion with w ≥ 0. Tag: EDGE_CAM.
 class G2O_TYPES_SBA_API EdgeSBACam : public BaseBinaryEdge<6, SE3Quat, VertexCam, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

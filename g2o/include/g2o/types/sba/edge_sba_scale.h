@@ -8,7 +8,8 @@
 
 namespace g2o {
 
-/// The distance z between two cameras. Error: z − |t₂ − t₁|. Tag: EDGE_SCALE.
+/// The measured distance z between two cameras. Error: z − |t₂ − t₁|, with the positions t₁ and t₂ of the
+/// cameras. Tag: EDGE_SCALE.
 class G2O_TYPES_SBA_API EdgeSBAScale : public BaseBinaryEdge<1, double, VertexCam, VertexCam> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The motion z from a camera T₁ to a camera T₂, with T₂ = z T₁. Error: log(T₂⁻¹ z T₁). Files store z⁻¹.
-/// Tag: EDGE_SE3:EXPMAP.
+/// The measured motion z from a camera T₁ to a camera T₂. Without noise, T₂ = z T₁. Error: log(T₂⁻¹ z T₁).
+/// Files store z⁻¹. Tag: EDGE_SE3:EXPMAP.
 class G2O_TYPES_SBA_API EdgeSE3Expmap : public BaseBinaryEdge<6, SE3Quat, VertexSE3Expmap, VertexSE3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

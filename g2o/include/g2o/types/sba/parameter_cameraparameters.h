@@ -9,15 +9,16 @@
 
 namespace g2o {
 
-/// A camera with one focal length, and the baseline (meters) to a second camera on the right.
-/// Tag: PARAMS_CAMERAPARAMETERS.
+/// The intrinsics of a camera with one focal length, and the baseline (meters) to a second camera on its
+/// right. Tag: PARAMS_CAMERAPARAMETERS.
 class G2O_TYPES_SBA_API CameraParameters : public Parameter {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   CameraParameters();
   CameraParameters(double focalLength, const Vector2& principlePoint, double baseLine);
 
-  /// Project a point in the frame of the camera to (u, v), or to (u, v, u in the right image).
+  /// Project a point in the frame of the camera to (u, v), or to (u, v, u_right). u_right is the coordinate u
+  /// in the right image.
   Vector2 cam_map(const Vector3& trans_xyz) const;
   Vector3 stereocam_uvu_map(const Vector3& trans_xyz) const;
 

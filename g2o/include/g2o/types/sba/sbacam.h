@@ -8,7 +8,8 @@
 
 namespace g2o {
 
-/// The pose of a camera in the world, its matrix, and the baseline (meters) to a second camera on the right.
+/// The pose of a camera in the world, its camera matrix, and the baseline (meters) to a second camera on its
+/// right.
 class G2O_TYPES_SBA_API SBACam : public SE3Quat {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -16,10 +17,12 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
   SBACam(const Quaternion& r, const Vector3& t);
   SBACam(const SE3Quat& p);  // NOLINT: clients rely on the implicit conversion
 
-  /// Sets t = t + Δt (world frame) and q = q · (q_v, √(1 − |q_v|²)). If |q_v| ≥ 1, normalizes q_v first.
+  /// Changes the pose (t, q) by the increment (Δt, q_v): adds Δt to t in the world frame, and multiplies q
+  /// from the right by the quaternion (q_v, √(1 − |q_v|²)). If |q_v| ≥ 1, normalizes q_v first.
   void update(const Vector6& update);
 
-  /// The 3×4 matrix of the motion from the world frame to the frame of a pose (W2F), or back (F2W).
+  /// Set m to a 3×4 matrix that transforms points. transformW2F() transforms from the world frame to the
+  /// frame of the pose (trans, qrot), and transformF2W() transforms back.
   static void transformW2F(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
   static void transformF2W(Eigen::Matrix<double, 3, 4>& m, const Vector3& trans, const Quaternion& qrot);
 
@@ -35,7 +38,7 @@ class G2O_TYPES_SBA_API SBACam : public SE3Quat {
   double baseline;
   Eigen::Matrix<double, 3, 4> w2n;  ///< matrix from the world frame to the camera frame
   Eigen::Matrix<double, 3, 4> w2i;  ///< matrix from the world frame to the image
-  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n with respect to q_v
+  Matrix3 dRdx, dRdy, dRdz;         ///< derivatives of the rotation in w2n by increments of qx, qy, qz
 };
 
 G2O_TYPES_SBA_API std::ostream& operator<<(std::ostream& os, const SBACam& cam);

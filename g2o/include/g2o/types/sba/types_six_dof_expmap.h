@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras whose poses move by the exponential map, and edges for image points of these cameras.
+// Camera poses whose ⊞ is the exponential map, and edges for image points of these cameras.
 #pragma once
 #ifndef G2O_SIX_DOF_TYPES_EXPMAP
 #define G2O_SIX_DOF_TYPES_EXPMAP

@@ -20,7 +20,8 @@ class G2O_TYPES_SBA_API VertexCam : public BaseVertex<6, SBACam> {
   /// Also updates the members of SBACam that depend on the pose.
   void setEstimate(const SBACam& cam);
 
-  /// The estimate is x y z qx qy qz qw (minimal: x y z qx qy qz). It does not include the camera matrix.
+  /// The estimate data are x y z qx qy qz qw, and the minimal estimate data are x y z qx qy qz. They do not
+  /// include the camera matrix.
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;

@@ -8,7 +8,8 @@
 
 namespace g2o {
 
-/// fx, fy, cx, cy and baseline of a camera. ⊞ adds to the first four values. Tag: VERTEX_INTRINSICS.
+/// The intrinsics fx, fy, cx and cy of a camera, and its baseline. ⊞ adds the increment to fx, fy, cx and cy.
+/// Tag: VERTEX_INTRINSICS.
 class G2O_TYPES_SBA_API VertexIntrinsics
     : public BaseVertex<4, Eigen::Matrix<double, 5, 1, Eigen::ColMajor>> {
  public:
@@ -19,7 +20,7 @@ class G2O_TYPES_SBA_API VertexIntrinsics
   bool write(std::ostream& os) const override;
 
  protected:
-  /// Sets the estimate to 1 1 0.5 0.5 0.1.
+  /// Sets fx, fy, cx, cy and the baseline to 1, 1, 0.5, 0.5 and 0.1.
   void setToOriginImpl() override;
   using OptimizableGraph::Vertex::oplusImpl;
   void oplusImpl(double* update) override;

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A point in space, under the name that older clients use. Tag: VERTEX_XYZ.
+/// A 3-D point. Older clients use this name for VertexPointXYZ. Tag: VERTEX_XYZ.
 class G2O_TYPES_SBA_API VertexSBAPointXYZ : public VertexPointXYZ {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

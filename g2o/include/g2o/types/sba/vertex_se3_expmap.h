@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// The motion T from the world frame to the camera frame. T ⊞ (ω, υ) is exp(ω, υ) T. Files store T⁻¹.
+/// The transformation T from the world frame to the camera frame. T ⊞ (ω, υ) is exp(ω, υ) T. Files store T⁻¹.
 /// Tag: VERTEX_SE3:EXPMAP.
 class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
  public:
@@ -19,7 +19,7 @@ class G2O_TYPES_SBA_API VertexSE3Expmap : public BaseVertex<6, SE3Quat> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// The estimate is x y z qx qy qz qw of T (minimal: x y z qx qy qz).
+  /// The estimate data are x y z qx qy qz qw of T, and the minimal estimate data are x y z qx qy qz.
   bool getEstimateData(double* est) const override;
   int estimateDimension() const override { return 7; }
   bool getMinimalEstimateData(double* est) const override;

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The similarity z from a camera S₁ to a camera S₂, with S₂ = z S₁. Error: log(z S₁ S₂⁻¹). Files store the
-/// logarithm of z⁻¹. Tag: EDGE_SIM3:EXPMAP.
+/// The measured similarity z from a camera S₁ to a camera S₂. Without noise, S₂ = z S₁. Error: log(z S₁
+/// S₂⁻¹). Files store the logarithm of z⁻¹. Tag: EDGE_SIM3:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeSim3 : public BaseBinaryEdge<7, Sim3, VertexSim3Expmap, VertexSim3Expmap> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

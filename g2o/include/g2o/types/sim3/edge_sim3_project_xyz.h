@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The measured image position z (pixels) of a point p in the first camera. Error: z − cam1(S p).
-/// Tag: EDGE_PROJECT_SIM3_XYZ:EXPMAP.
+/// The measured image position z (pixels) of a point p in the first camera of a vertex S. Error: z − cam1(S
+/// p). Tag: EDGE_PROJECT_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
  public:
@@ -24,8 +24,8 @@ class G2O_TYPES_SIM3_API EdgeSim3ProjectXYZ
   bool write(std::ostream& os) const override;
 };
 
-/// The measured image position z (pixels) of a point p in the second camera. p is in the frame of the first
-/// camera. Error: z − cam2(S⁻¹ p). Tag: EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
+/// The measured image position z (pixels) of a point p in the second camera of a vertex S. p is in the frame
+/// of the first camera. Error: z − cam2(S⁻¹ p). Tag: EDGE_PROJECT_INVERSE_SIM3_XYZ:EXPMAP.
 class G2O_TYPES_SIM3_API EdgeInverseSim3ProjectXYZ
     : public BaseBinaryEdge<2, Vector2, VertexPointXYZ, VertexSim3Expmap> {
  public:

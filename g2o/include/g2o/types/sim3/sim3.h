@@ -24,7 +24,8 @@ struct G2O_TYPES_SIM3_API Sim3 {
   Sim3() : r(Quaternion::Identity()), t(0, 0, 0), s(1) {}
   Sim3(const Quaternion& r_, const Vector3& t_, double s_) : r(r_), t(t_), s(s_) { normalizeRotation(); }
   Sim3(const Matrix3& R, const Vector3& t_, double s_) : r(R), t(t_), s(s_) { normalizeRotation(); }
-  /// The exponential of (ω, υ, σ): the rotation vector, the translation, and the logarithm of the scale.
+  /// Computes the exponential of (ω, υ, σ). ω is the rotation vector, υ is the translational part of the
+  /// tangent vector, and σ is the logarithm of the scale.
   Sim3(const Vector7& update);  // NOLINT: older clients rely on the implicit conversion
 
   Vector3 map(const Vector3& xyz) const { return s * (r * xyz) + t; }
@@ -35,7 +36,7 @@ struct G2O_TYPES_SIM3_API Sim3 {
     return Sim3(conjugate, conjugate * Vector3((-1 / s) * t), 1 / s);
   }
 
-  /// The elements in the order qx qy qz qw x y z s.
+  /// Access to the elements, in the order qx qy qz qw x y z s.
   double operator[](int i) const {
     assert(i >= 0 && i < 8);
     return i < 4 ? r.coeffs()[i] : i < 7 ? t[i - 4] : s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Similarities that move by the exponential map, and edges for image points of their cameras.
+// Similarities whose ⊞ is the exponential map, and edges for similarities and image points.
 #pragma once
 #ifndef G2O_SEVEN_DOF_EXPMAP_TYPES
 #define G2O_SEVEN_DOF_EXPMAP_TYPES

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The similarity S from the world frame to a camera frame, and two cameras. S ⊞ (ω, υ, σ) is exp(ω, υ, σ) S.
-/// Files store the logarithm of S⁻¹, then the cameras. Tag: VERTEX_SIM3:EXPMAP.
+/// The similarity S from the world frame to a camera frame, and the intrinsics of two cameras. S ⊞ (ω, υ, σ)
+/// is exp(ω, υ, σ) S. Files store the logarithm of S⁻¹, then the intrinsics. Tag: VERTEX_SIM3:EXPMAP.
 class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -18,7 +18,7 @@ class G2O_TYPES_SIM3_API VertexSim3Expmap : public BaseVertex<7, Sim3> {
   bool read(std::istream& is) override;
   bool write(std::ostream& os) const override;
 
-  /// Map the point (v, 1) in the frame of a camera to its pixel.
+  /// Return the image position (pixels) of the point (v, 1) in the frame of the first or second camera.
   Vector2 cam_map1(const Vector2& v) const { return v.cwiseProduct(_focal_length1) + _principle_point1; }
   Vector2 cam_map2(const Vector2& v) const { return v.cwiseProduct(_focal_length2) + _principle_point2; }
 

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// The measured difference z between two points. Error: (p₂ − p₁) − z. Tag: EDGE_POINTXY.
+/// The measured difference z between the points p₂ and p₁. Error: (p₂ − p₁) − z. Tag: EDGE_POINTXY.
 class G2O_TYPES_SLAM2D_API EdgePointXY : public BaseBinaryEdge<2, Vector2, VertexPointXY, VertexPointXY> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// The motion z from a pose x₁ to a pose x₂. Error: (x, y, θ) of z⁻¹ x₁⁻¹ x₂. Tag: EDGE_SE2.
+/// The measured motion z from a pose x₁ to a pose x₂. Error: (x, y, θ) of z⁻¹ x₁⁻¹ x₂. Tag: EDGE_SE2.
 class G2O_TYPES_SLAM2D_API EdgeSE2 : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

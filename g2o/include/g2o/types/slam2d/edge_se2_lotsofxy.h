@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// The positions z = (x₁, y₁, x₂, …) of any number of points in the frame of a pose x, with correlated noise.
-/// The first vertex is the pose. Error: x⁻¹ pₖ − zₖ for all points pₖ. Tag: EDGE_SE2_LOTSOFXY.
+/// The measured positions z of any number of points in the frame of a pose x, with correlated noise. The
+/// first vertex is the pose, and the other vertices are the points pₖ. zₖ are the two entries of z for the
+/// point pₖ. Error: x⁻¹ pₖ − zₖ for all k. Tag: EDGE_SE2_LOTSOFXY.
 class G2O_TYPES_SLAM2D_API EdgeSE2LotsOfXY : public BaseVariableSizedEdge<-1, VectorX> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -19,7 +20,7 @@ class G2O_TYPES_SLAM2D_API EdgeSE2LotsOfXY : public BaseVariableSizedEdge<-1, Ve
   /// Sets the number of vertices, including the pose. Resizes the measurement and Ω if the number changes.
   void resize(size_t size) override;
   void setSize(int vertices);
-  /// Also checks that the number of points fits the measurement.
+  /// Also returns false if the number of points differs from the number of points in the measurement.
   bool verticesFit() const override;
 
   void computeError() override;

@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The motion z from a sensor at a pose x₁ to a sensor at a pose x₂. The offsets of the sensors are P₁ and
-/// P₂. Error: (x, y, θ) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂). Tag: EDGE_SE2_OFFSET.
+/// The measured motion z from a sensor at a pose x₁ to a sensor at a pose x₂. P₁ and P₂ are the poses of the
+/// sensors on the robot. Error: (x, y, θ) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂). Tag: EDGE_SE2_OFFSET.
 class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -34,7 +34,7 @@ class G2O_TYPES_SLAM2D_API EdgeSE2Offset : public BaseBinaryEdge<3, SE2, VertexS
   using BaseBinaryEdge<3, SE2, VertexSE2, VertexSE2>::linearizeOplus;
 
  protected:
-  /// Finds the caches if the object belongs to a derived class.
+  /// Finds the caches if the object belongs to a derived class. EdgeSE2Offset itself does not use them.
   bool resolveCaches() override;
 
   SE2 _inverseMeasurement;

@@ -9,7 +9,7 @@
 
 namespace g2o {
 
-/// The position z of a landmark l in the frame of a pose x. Error: x⁻¹ l − z. Tag: EDGE_SE2_XY.
+/// The measured position z of a landmark l in the frame of a pose x. Error: x⁻¹ l − z. Tag: EDGE_SE2_XY.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXY : public BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

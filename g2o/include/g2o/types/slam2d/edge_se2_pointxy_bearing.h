@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The bearing z (radians) of a landmark l in the frame of a pose x.
-/// Error: z − atan2(x⁻¹ l), wrapped to (−π, π]. Tag: EDGE_BEARING_SE2_XY.
+/// The measured bearing z (radians) of a landmark l in the frame of a pose x. Error: z minus the angle of the
+/// vector x⁻¹ l, wrapped to (−π, π]. Tag: EDGE_BEARING_SE2_XY.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYBearing
     : public BaseBinaryEdge<1, double, VertexSE2, VertexPointXY> {
  public:

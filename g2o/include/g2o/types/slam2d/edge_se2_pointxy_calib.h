@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// The position z of a landmark l in the frame of a sensor. The pose c of the sensor on the robot x is a
-/// vertex, too. Error: (x c)⁻¹ l − z. Tag: EDGE_SE2_XY_CALIB.
+/// The measured position z of a landmark l in the frame of a sensor. The vertices are the pose x of the
+/// robot, the landmark, and the pose c of the sensor on the robot. Error: (x c)⁻¹ l − z. Tag:
+/// EDGE_SE2_XY_CALIB.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYCalib
     : public BaseFixedSizedEdge<2, Vector2, VertexSE2, VertexPointXY, VertexSE2> {
  public:

@@ -12,8 +12,8 @@
 
 namespace g2o {
 
-/// The position z of a landmark l in the frame of a sensor with offset P on the robot x.
-/// Error: (x P)⁻¹ l − z. Tag: EDGE_SE2_POINTXY_OFFSET.
+/// The measured position z of a landmark l in the frame of a sensor. x is the pose of the robot, and P is the
+/// pose of the sensor on the robot. Error: (x P)⁻¹ l − z. Tag: EDGE_SE2_POINTXY_OFFSET.
 class G2O_TYPES_SLAM2D_API EdgeSE2PointXYOffset
     : public BaseBinaryEdge<2, Vector2, VertexSE2, VertexPointXY> {
  public:

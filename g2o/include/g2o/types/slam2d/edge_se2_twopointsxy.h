@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// The positions z of two points p₁ and p₂ in the frame of a pose x, with correlated noise.
-/// Error: (x⁻¹ p₁, x⁻¹ p₂) − z. Tag: EDGE_SE2_TWOPOINTSXY.
+/// The measured positions z of two points p₁ and p₂ in the frame of a pose x, with correlated noise. Error:
+/// (x⁻¹ p₁, x⁻¹ p₂) − z. Tag: EDGE_SE2_TWOPOINTSXY.
 class G2O_TYPES_SLAM2D_API EdgeSE2TwoPointsXY
     : public BaseFixedSizedEdge<4, Vector4, VertexSE2, VertexPointXY, VertexPointXY> {
  public:

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// A prior z for the position of a pose x. Error: t(x) − z. Tag: EDGE_PRIOR_SE2_XY.
+/// A prior z for the position of a pose x. Error: t − z, with the translation t of x. Tag: EDGE_PRIOR_SE2_XY.
 class G2O_TYPES_SLAM2D_API EdgeSE2XYPrior : public BaseUnaryEdge<2, Vector2, VertexSE2> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

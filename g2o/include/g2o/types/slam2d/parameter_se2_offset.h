@@ -28,8 +28,9 @@ class G2O_TYPES_SLAM2D_API ParameterSE2Offset : public Parameter {
   Isometry2 _offsetMatrix, _inverseOffsetMatrix;
 };
 
-/// The pose n2w of a sensor (n) in the world (w). Also caches the motion from the world frame to the sensor
-/// frame (w2n), and to the frame of the sensor's robot (w2l).
+/// The pose of a sensor in the world, for one pose of the robot. n2w() transforms from the sensor frame to
+/// the world frame, w2n() from the world frame to the sensor frame, and w2l() from the world frame to the
+/// robot frame.
 class G2O_TYPES_SLAM2D_API CacheSE2Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -25,7 +25,7 @@ class SE2 {
   const Rotation2D& rotation() const { return _R; }
   void setRotation(const Rotation2D& R) { _R = R; }
 
-  /// Composes two motions.
+  /// Returns the composition of two motions. It applies `other` first.
   SE2 operator*(const SE2& other) const {
     SE2 product(*this);
     product *= other;
@@ -45,7 +45,7 @@ class SE2 {
   }
 
   double operator[](int i) const { return i < 2 ? _t(i) : _R.angle(); }
-  /// x, y, θ.
+  /// Convert from and to the vector (x, y, θ).
   void fromVector(const Vector3& v) { *this = SE2(v[0], v[1], v[2]); }
   Vector3 toVector() const { return Vector3(_t.x(), _t.y(), _R.angle()); }
 

@@ -9,8 +9,9 @@
 namespace g2o {
 namespace internal {
 
-/// The derivatives of q_v with respect to the nine entries of R, by columns. q_v is the vector part of R's
-/// unit quaternion (w ≥ 0). The derivatives are exact to first order for changes that keep R a rotation.
+/// Computes the derivatives of q_v, the vector part of the unit quaternion (w ≥ 0) of a rotation matrix R,
+/// with respect to the nine entries of R, by columns. The derivatives are exact for changes that keep R a
+/// rotation.
 G2O_TYPES_SLAM3D_API void compute_dq_dR(Eigen::Matrix<double, 3, 9, Eigen::ColMajor>& dq_dR,
                                         const double& r11, const double& r21, const double& r31,
                                         const double& r12, const double& r22, const double& r32,

@@ -8,7 +8,7 @@
 
 namespace g2o {
 
-/// The measured difference z between two points. Error: (p₂ − p₁) − z. Tag: EDGE_POINTXYZ.
+/// The measured difference z between the points p₂ and p₁. Error: (p₂ − p₁) − z. Tag: EDGE_POINTXYZ.
 class G2O_TYPES_SLAM3D_API EdgePointXYZ : public BaseBinaryEdge<3, Vector3, VertexPointXYZ, VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -8,8 +8,8 @@
 
 namespace g2o {
 
-/// The motion z from a pose x₁ to a pose x₂. Error: (t, q_v) of z⁻¹ x₁⁻¹ x₂, for the quaternion with w ≥ 0.
-/// Tag: EDGE_SE3:QUAT.
+/// The measured motion z from a pose x₁ to a pose x₂. Error: the translation of z⁻¹ x₁⁻¹ x₂ and the vector
+/// part of its unit quaternion with w ≥ 0. Tag: EDGE_SE3:QUAT.
 class G2O_TYPES_SLAM3D_API EdgeSE3 : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// The positions z = (x₁, y₁, z₁, x₂, …) of any number of points in the frame of a pose x, with correlated
-/// noise. The first vertex is the pose. Error: x⁻¹ pₖ − zₖ for all points pₖ. Tag: EDGE_SE3_LOTSOF_XYZ.
+/// The measured positions z of any number of points in the frame of a pose x, with correlated noise. The
+/// first vertex is the pose, and the other vertices are the points pₖ. zₖ are the three entries of z for the
+/// point pₖ. Error: x⁻¹ pₖ − zₖ for all k. Tag: EDGE_SE3_LOTSOF_XYZ.
 class G2O_TYPES_SLAM3D_API EdgeSE3LotsOfXYZ : public BaseVariableSizedEdge<-1, VectorX> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -19,7 +20,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3LotsOfXYZ : public BaseVariableSizedEdge<-1, V
   /// Sets the number of vertices, including the pose. Resizes the measurement and Ω if the number changes.
   void resize(size_t size) override;
   void setSize(int vertices);
-  /// Also checks that the number of points fits the measurement.
+  /// Also returns false if the number of points differs from the number of points in the measurement.
   bool verticesFit() const override;
 
   void computeError() override;

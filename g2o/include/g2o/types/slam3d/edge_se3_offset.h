@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// The motion z from a sensor at a pose x₁ to a sensor at a pose x₂. The offsets of the sensors are P₁ and
-/// P₂. Error: (t, q_v) of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂). Tag: EDGE_SE3_OFFSET.
+/// The measured motion z from a sensor at a pose x₁ to a sensor at a pose x₂. P₁ and P₂ are the poses of the
+/// sensors on the robot. Error: the translation of z⁻¹ (x₁ P₁)⁻¹ (x₂ P₂) and the vector part of its unit
+/// quaternion with w ≥ 0. Tag: EDGE_SE3_OFFSET.
 class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, VertexSE3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -33,7 +34,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Offset : public BaseBinaryEdge<6, Isometry3, V
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
-  /// Finds the caches if the object belongs to a derived class.
+  /// Finds the caches if the object belongs to a derived class. EdgeSE3Offset itself does not use them.
   bool resolveCaches() override;
 
   Isometry3 _inverseMeasurement;

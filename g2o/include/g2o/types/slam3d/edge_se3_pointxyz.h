@@ -10,8 +10,8 @@
 
 namespace g2o {
 
-/// The position z of a landmark l in the frame of a sensor with offset P on the robot x.
-/// Error: (x P)⁻¹ l − z. Tag: EDGE_SE3_TRACKXYZ.
+/// The measured position z of a landmark l in the frame of a sensor. x is the pose of the robot, and P is the
+/// pose of the sensor on the robot. Error: (x P)⁻¹ l − z. Tag: EDGE_SE3_TRACKXYZ.
 class G2O_TYPES_SLAM3D_API EdgeSE3PointXYZ : public BaseBinaryEdge<3, Vector3, VertexSE3, VertexPointXYZ> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

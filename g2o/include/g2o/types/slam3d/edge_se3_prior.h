@@ -9,8 +9,9 @@
 
 namespace g2o {
 
-/// A prior z for the pose of a sensor with offset P on the robot x. Error: (t, q_v) of z⁻¹ x P.
-/// Tag: EDGE_SE3_PRIOR.
+/// A prior z for the pose of a sensor in the world. x is the pose of the robot, and P is the pose of the
+/// sensor on the robot. Error: the translation of z⁻¹ x P and the vector part of its unit quaternion with w ≥
+/// 0. Tag: EDGE_SE3_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -35,7 +36,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3Prior : public BaseUnaryEdge<6, Isometry3, Ver
 
  protected:
   Isometry3 _inverseMeasurement;
-  /// Finds _cache if the object belongs to a derived class.
+  /// Finds _cache if the object belongs to a derived class. EdgeSE3Prior itself does not use it.
   bool resolveCaches() override;
 
   ParameterSE3Offset* offsetParam = nullptr;

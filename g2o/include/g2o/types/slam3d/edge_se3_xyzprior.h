@@ -9,8 +9,8 @@
 
 namespace g2o {
 
-/// A prior z for the position of a pose x. Error: t(x) − z. Files refer to an offset parameter, which the
-/// error does not use. Tag: EDGE_SE3_XYZ_PRIOR.
+/// A prior z for the position of a pose x. Error: t − z, with the translation t of x. In files, the edge has
+/// the id of an offset parameter, but the error does not use the parameter. Tag: EDGE_SE3_XYZ_PRIOR.
 class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, VertexSE3> {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -33,7 +33,7 @@ class G2O_TYPES_SLAM3D_API EdgeSE3XYZPrior : public BaseUnaryEdge<3, Vector3, Ve
   void initialEstimate(const OptimizableGraph::VertexSet& from, OptimizableGraph::Vertex* to) override;
 
  protected:
-  /// Finds _cache if the object belongs to a derived class.
+  /// Finds _cache if the object belongs to a derived class. EdgeSE3XYZPrior itself does not use it.
   bool resolveCaches() override;
 
   ParameterSE3Offset* offsetParam = nullptr;

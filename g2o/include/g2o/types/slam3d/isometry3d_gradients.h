@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors and Jacobians of edges for poses in space. The error is (t, q_v) of a motion E. The Jacobians are
-// derivatives with respect to the increment (⊞) of VertexSE3.
+// Errors and Jacobians of edges for 3-D poses. The error is (t, q_v): the translation of a motion E and the
+// vector part of its unit quaternion with w ≥ 0. The Jacobians are derivatives with respect to the increment
+// (⊞) of VertexSE3.
 #pragma once
 #ifndef G2O_ISOMETRY3D_GRADIENTS_H_
 #define G2O_ISOMETRY3D_GRADIENTS_H_
@@ -19,7 +20,8 @@ G2O_TYPES_SLAM3D_API void edgeSE3Gradient(Isometry3& E, Matrix6& Ji, Matrix6& Jj
 G2O_TYPES_SLAM3D_API void edgeSE3PriorGradient(Isometry3& E, Matrix6& J, const Isometry3& Z,
                                                const Isometry3& X, const Isometry3& P);
 
-/// Computes E = Z⁻¹ (Xi Pi)⁻¹ (Xj Pj), and the derivatives of (t, q_v) of E.
+/// Computes E = Z⁻¹ (Xi Pi)⁻¹ (Xj Pj), and the derivatives of the error (t, q_v) with respect to the
+/// increments of Xi and Xj.
 template <typename DerivedI, typename DerivedJ>
 void computeEdgeSE3Gradient(Isometry3& E, const Eigen::MatrixBase<DerivedI>& JiConstRef,
                             const Eigen::MatrixBase<DerivedJ>& JjConstRef, const Isometry3& Z,
@@ -32,7 +34,7 @@ void computeEdgeSE3Gradient(Isometry3& E, const Eigen::MatrixBase<DerivedI>& JiC
   const_cast<Eigen::MatrixBase<DerivedJ>&>(JjConstRef) = Jj;
 }
 
-/// Computes E = Z⁻¹ X P, and the derivative of (t, q_v) of E.
+/// Computes E = Z⁻¹ X P, and the derivative of the error (t, q_v) with respect to the increment of X.
 template <typename Derived>
 void computeEdgeSE3PriorGradient(Isometry3& E, const Eigen::MatrixBase<Derived>& JConstRef,
                                  const Isometry3& Z, const Isometry3& X,

@@ -13,7 +13,7 @@
 namespace g2o {
 namespace internal {
 
-/// The rotation matrix of a motion.
+/// Returns the rotation matrix of a motion.
 inline Isometry3::ConstLinearPart extractRotation(const Isometry3& A) {
   return A.linear();
 }
@@ -26,7 +26,8 @@ void nearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   D(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const_cast<Eigen::MatrixBase<Derived>&>(R) = svd.matrixU() * D * svd.matrixV().transpose();
 }
-/// A first-order approximation of nearestOrthogonalMatrix() for R close to a rotation, without decomposition.
+/// Approximates nearestOrthogonalMatrix() to first order, without a decomposition. R must be close to a
+/// rotation.
 template <typename Derived>
 void approximateNearestOrthogonalMatrix(const Eigen::MatrixBase<Derived>& R) {
   Matrix3 E = R.transpose() * R;

@@ -7,7 +7,7 @@
 
 namespace g2o {
 
-/// A camera: its pose on a robot and the camera matrix K. Tag: PARAMS_CAMERACALIB.
+/// The pose of a camera on a robot, and the camera matrix K. Tag: PARAMS_CAMERACALIB.
 class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
@@ -17,12 +17,12 @@ class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
   bool write(std::ostream& os) const override;
 
   void setKcam(double fx, double fy, double cx, double cy);
-  /// Hides the function of the base class, so that Kcam_inverseOffsetR() stays up to date.
+  /// Hides setOffset() of the base class, because this function also updates Kcam_inverseOffsetR().
   void setOffset(const Isometry3& offset = Isometry3::Identity());
 
   const Matrix3& Kcam() const { return _Kcam; }
   const Matrix3& invKcam() const { return _invKcam; }
-  /// K times the rotation of the inverse offset.
+  /// Returns K times the rotation of the inverse offset.
   const Matrix3& Kcam_inverseOffsetR() const { return _Kcam_inverseOffsetR; }
 
  protected:
@@ -31,7 +31,8 @@ class G2O_TYPES_SLAM3D_API ParameterCamera : public ParameterSE3Offset {
   Matrix3 _Kcam_inverseOffsetR = Matrix3::Identity();
 };
 
-/// The pose of a camera, and the projection from the world frame to the camera's image: w2i = K w2n.
+/// The pose of a camera in the world, for one pose of the robot. Also has the projection w2i = K w2n from the
+/// world frame to the image.
 class G2O_TYPES_SLAM3D_API CacheCamera : public CacheSE3Offset {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

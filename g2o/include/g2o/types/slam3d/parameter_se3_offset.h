@@ -21,7 +21,7 @@ class G2O_TYPES_SLAM3D_API ParameterSE3Offset : public Parameter {
   void setOffset(const Isometry3& offset = Isometry3::Identity());
   const Isometry3& offset() const { return _offset; }
   const Isometry3& inverseOffset() const { return _inverseOffset; }
-  /// The quaternion of the offset. See internal::RotationMemory.
+  /// Returns the quaternion of the offset (see internal::RotationMemory).
   internal::RotationMemory::Coefficients quaternion() const { return rotation_.get(_offset); }
 
  protected:
@@ -32,8 +32,9 @@ class G2O_TYPES_SLAM3D_API ParameterSE3Offset : public Parameter {
   internal::RotationMemory rotation_;
 };
 
-/// The pose n2w of a sensor (n) in the world (w). Also caches the motion from the world frame to the sensor
-/// frame (w2n), and to the frame of the sensor's robot (w2l).
+/// The pose of a sensor in the world, for one pose of the robot. n2w() transforms from the sensor frame to
+/// the world frame, w2n() from the world frame to the sensor frame, and w2l() from the world frame to the
+/// robot frame.
 class G2O_TYPES_SLAM3D_API CacheSE3Offset : public Cache {
  public:
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW

@@ -12,7 +12,7 @@ namespace g2o {
 namespace internal {
 
 /// Remembers the quaternion of a rotation matrix until the matrix changes. The remembered quaternion is not
-/// normalized, so a pose that was read from rounded digits is written with the same digits.
+/// normalized, so that a pose that was read from a file is written with the same digits.
 class G2O_TYPES_SLAM3D_API RotationMemory {
  public:
   using Coefficients = std::array<double, 4>;  ///< x y z w

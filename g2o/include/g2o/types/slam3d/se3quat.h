@@ -19,7 +19,7 @@ class G2O_TYPES_SLAM3D_API SE3Quat {
   SE3Quat() : _r(Quaternion::Identity()), _t(0, 0, 0) {}
   SE3Quat(const Matrix3& R, const Vector3& t) : _r(R), _t(t) { normalizeRotation(); }
   SE3Quat(const Quaternion& q, const Vector3& t) : _r(q), _t(t) { normalizeRotation(); }
-  /// From x y z qx qy qz qw, or from x y z qx qy qz.
+  /// Converts a vector x y z qx qy qz qw or x y z qx qy qz.
   template <typename Derived>
   explicit SE3Quat(const Eigen::MatrixBase<Derived>& v) {
     const VectorX copy = v;
@@ -47,7 +47,7 @@ class G2O_TYPES_SLAM3D_API SE3Quat {
     return SE3Quat(r, r * Vector3(-_t));
   }
 
-  /// x y z qx qy qz qw.
+  /// Returns element i of x y z qx qy qz qw.
   double operator[](int i) const { return i < 3 ? _t[i] : _r.coeffs()[i - 3]; }
   Vector7 toVector() const {
     Vector7 v;
@@ -63,7 +63,8 @@ class G2O_TYPES_SLAM3D_API SE3Quat {
   Vector6 toMinimalVector() const { return toVector().head<6>(); }
   void fromMinimalVector(const Vector6& v);
 
-  /// Convert to (ω, υ) and back: exp(ω, υ) = (R, V υ), with the left Jacobian V of the rotation.
+  /// log() converts to (ω, υ), and exp() converts back: exp(ω, υ) = (R, V υ) with the left Jacobian V of the
+  /// rotation.
   Vector6 log() const;
   static SE3Quat exp(const Vector6& update);
 

@@ -43,7 +43,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
         .toRotationMatrix();
   }
 
-  /// Turns the normal by azimuth v[0] and elevation v[1], relative to itself. Adds v[2] to the distance.
+  /// Turns the normal by azimuth v[0] and elevation v[1], in the frame rotation(normal()). Adds v[2] to the
+  /// distance.
   void oplus(const Vector3& v) {
     const double s = std::sin(v[1]), c = std::cos(v[1]);
     const Vector3 n(c * std::cos(v[0]), c * std::sin(v[0]), s);
@@ -53,8 +54,8 @@ class G2O_TYPES_SLAM3D_ADDONS_API Plane3D {
     normalize(_coeffs);
   }
 
-  /// The azimuth and elevation of the other plane's normal relative to this plane's normal, and the distance
-  /// of this plane minus the distance of the other plane.
+  /// Returns the azimuth and the elevation of the other plane's normal in the frame rotation(normal()), and
+  /// the distance of this plane minus the distance of the other plane.
   Vector3 ominus(const Plane3D& plane) const {
     const Vector3 n = rotation(normal()).transpose() * plane.normal();
     return Vector3(azimuth(n), elevation(n), distance() - plane.distance());
