@@ -2,10 +2,11 @@
 // A fuzz target that checks properties of the file reader and writer, for arbitrary input texts:
 //
 //   - If the reader reads a text, it either returns a graph or throws an InputError.
-//   - The lenient reader never throws.
+//   - The lenient reader never throws, except for BAL, because a BAL file has no lines to skip.
 //   - If the strict reader accepts a text, the lenient reader returns the same graph, with any number of
 //     threads.
 //   - If a graph is written and read again, the result is the same graph, and writing it gives the same text.
+//     (For BAL, only the observations are compared, because the conversion of poses causes rounding errors.)
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -13,6 +14,7 @@
 #include <optional>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/io/graph_file.h"
 
 namespace boxplus {
@@ -21,20 +23,24 @@ namespace {
 /// The text and the chi2 of a graph, which serve to compare graphs. chi2 is compared with a tolerance,
 /// because the order of the summation may differ.
 struct Trace {
-  std::string text;
+  std::string text, compared;
   double chi2;
 
   bool operator==(const Trace& other) const {
     const bool same_sum = chi2 == other.chi2 || std::abs(chi2 - other.chi2) <= 1e-12 * std::abs(chi2) ||
                           (std::isnan(chi2) && std::isnan(other.chi2));
-    return text == other.text && same_sum;
+    return compared == other.compared && same_sum;
   }
 };
 
 std::optional<Trace> trace_of(std::string_view text, const ReadOptions& options) {
   try {
     const GraphFile file = parse_graph(text, "fuzz", options);
-    return Trace{format_graph(file), file.graph.chi2()};
+    std::string written = format_graph(file);
+    if (file.format != "BAL") return Trace{written, written, file.graph.chi2()};
+    std::size_t end = 0;
+    for (std::size_t line = 0; line <= file.graph.edge_count(); ++line) end = written.find('\n', end) + 1;
+    return Trace{written, written.substr(0, end), 0};
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -65,6 +71,7 @@ void check(std::string_view text) {
   if (strictly)
     expect_same("if strict reading accepts a text, lenient reading gives the same graph", strictly,
                 leniently);
+  if (!leniently && default_formats().recognize(text)->name == "BAL") return;
   if (!leniently) expect_same("lenient reading never throws", Trace{}, leniently);
   expect_same("a written graph does not change when it is read again", leniently,
               trace_of(leniently->text, strict));

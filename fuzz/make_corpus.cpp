@@ -10,6 +10,7 @@
 #include "boxplus/io/registry.h"
 #include "boxplus/io/write_file.h"
 #include "boxplus/testing/simulate.h"
+#include "boxplus/types/ba.h"
 #include "boxplus/types/slam2d.h"
 #include "boxplus/types/slam3d.h"
 
@@ -109,9 +110,27 @@ std::string toro_space() {
          "EDGE3 0 1 1 0 0.5 0.1 -0.2 3 9 0 0 0 0 0 9 0 0 0 0 9 0 0 0 4 0 0 4 0 4\n";
 }
 
+/// Two cameras, three points, and an observation that occurs twice.
+std::string bal() {
+  GraphFile file;
+  Graph& graph = file.graph;
+  using Camera = Product<SE3, BalCamera>;
+  const auto a = graph.add_vertex(Camera(SE3(), BalCamera(500, -0.1, 0.01)));
+  const auto b = graph.add_vertex(
+      Camera(SE3(Vector3(1, 0, 0), SO3::from_rotation_vector(Vector3(0.1, 2, -0.3))), BalCamera(400, 0, 0)));
+  const auto p = graph.add_vertex(Vector3(0.5, 1, -10)), q = graph.add_vertex(Vector3(-2, 0, -8));
+  graph.add_vertex(Vector3(0, 1e-300, 0));
+  for (const auto& [u, v] : {std::pair{-10.5, 20.0}, {3.0, 4e-5}}) {
+    graph.add_edge(Reprojection<BalCamera>(Vector2(u, v)), a, p);
+    graph.add_edge(Reprojection<BalCamera>(Vector2(v, u)), b, q);
+  }
+  return format_graph(file, {.format = "BAL"});
+}
+
 /// Returns the seeds for a format. The list is empty if there are no seeds for the format.
 std::vector<std::string> seeds(const std::string& format) {
   if (format == "toro") return {toro_plane(), toro_space()};
+  if (format == "bal") return {bal(), "1 1 0\n0 0 0 0 0 0 500 0 0\n1 2 3\n", "0 0 0\n"};
   if (format != "g2o") return {};
   std::vector<std::string> all{plane(), space(), odds()};
   for (const World world : kWorlds) all.push_back(simulated(world));
@@ -130,7 +149,7 @@ void write_corpus(const std::string& format, const std::filesystem::path& folder
 
 int main(int argc, char** argv) {
   if (argc != 3 || boxplus::seeds(argv[1]).empty()) {
-    std::fprintf(stderr, "usage: make_corpus g2o|toro FOLDER\n");
+    std::fprintf(stderr, "usage: make_corpus bal|g2o|toro FOLDER\n");
     return 2;
   }
   boxplus::write_corpus(argv[1], argv[2]);

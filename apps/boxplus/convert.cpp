@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus convert IN OUT: reads a graph in any known format and writes it as .g2o.
+// boxplus convert IN OUT: reads a graph in any known format and writes it as .g2o or BAL.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

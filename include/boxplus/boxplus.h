@@ -3,6 +3,7 @@
 // separate headers:
 //
 //     types/slam2d.h, types/slam3d.h       all ready-made edges in 2-D and in 3-D
+//     types/ba.h                           cameras and reprojection errors, for bundle adjustment
 //     types/dense_prior.h                  a prior on several vertices at once
 //     manifold/so2.h, s2.h, sim3.h         rotations in 2-D, directions, similarities
 //     manifold/convert_to.h                poses of Eigen, Sophus and other libraries

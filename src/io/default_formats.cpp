@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of the library's formats.
 #include "boxplus/io/file_format.h"
+#include "io/bal/bal_format.h"
 #include "io/g2o/g2o_format.h"
 #include "io/toro/toro_format.h"
 
@@ -11,6 +12,7 @@ const FileFormats& default_formats() {
     FileFormats all;
     all.add(g2o_format());
     all.add(toro_format());
+    all.add(bal_format());
     return all;
   }();
   return formats;

@@ -28,7 +28,9 @@ GraphFile read(const TextSource& text, const ReadOptions& options) {
   if (!format)
     throw InputError(text.name(), 1, 1,
                      "expected a supported format (" + labels_of(formats) + "), got another one");
-  return format->read(text, options);
+  GraphFile file = format->read(text, options);
+  file.format = format->name;
+  return file;
 }
 
 const FileFormat& named_format(const FileFormats& formats, const std::string& name) {
@@ -42,10 +44,14 @@ const FileFormat& named_format(const FileFormats& formats, const std::string& na
   return *format;
 }
 
-const FileFormat& format_to_write(std::string_view path, const WriteOptions& options) {
+/// `read_as`: the name of the format from which the graph was read, if any.
+const FileFormat& format_to_write(std::string_view path, std::string_view read_as,
+                                  const WriteOptions& options) {
   const FileFormats& formats = formats_of(options.formats);
   if (!options.format.empty()) return named_format(formats, options.format);
   const FileFormat* format = formats.of_path(path);
+  if (format && format->write) return *format;
+  format = formats.find(read_as);
   if (format && format->write) return *format;
   const auto first = std::find_if(formats.all().begin(), formats.all().end(),
                                   [](const FileFormat& any) { return static_cast<bool>(any.write); });
@@ -54,8 +60,9 @@ const FileFormat& format_to_write(std::string_view path, const WriteOptions& opt
   return *first;
 }
 
-void write(const std::string& path, const GraphFileView& file, const WriteOptions& options) {
-  const FileFormat& format = format_to_write(path, options);
+void write(const std::string& path, const GraphFileView& file, std::string_view read_as,
+           const WriteOptions& options) {
+  const FileFormat& format = format_to_write(path, read_as, options);
   replace_file(path, [&](TextSink sink) { format.write(file, options, sink); });
 }
 
@@ -74,16 +81,18 @@ GraphFile parse_graph(std::string_view text, const std::string& name, const Read
 }
 
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options) {
-  write(path, view_of(file), options);
+  write(path, view_of(file), file.format, options);
 }
 
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options) {
-  write(path, {graph}, options);
+  write(path, {graph}, {}, options);
 }
 
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {
   std::string text;
-  format_to_write({}, options).write(view_of(file), options, [&](std::string_view piece) { text += piece; });
+  format_to_write({}, file.format, options).write(view_of(file), options, [&](std::string_view piece) {
+    text += piece;
+  });
   return text;
 }
 

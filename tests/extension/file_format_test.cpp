@@ -85,7 +85,8 @@ TEST_F(CustomFileFormat, IsWrittenIfThePathHasItsExtension) {
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
   EXPECT_EQ(text.str(), "id,x,y\n3,1,2.5\n");
-  EXPECT_EQ(format_graph(read_graph(path, reading_), writing_), "VERTEX_XY 3 1 2.5\n");
+  EXPECT_EQ(format_graph(read_graph(path, reading_), {.formats = &formats_, .format = "g2o"}),
+            "VERTEX_XY 3 1 2.5\n");
   std::filesystem::remove(path);
 }
 
@@ -94,15 +95,23 @@ TEST_F(CustomFileFormat, IsWrittenIfItsNameIsRequested) {
   EXPECT_EQ(format_graph(file, {.formats = &formats_, .format = "table"}), "id,x,y\n3,1,2.5\n");
 }
 
+TEST_F(CustomFileFormat, IsWrittenIfTheGraphWasReadInItAndTheExtensionIsUnknown) {
+  const GraphFile file = parse_graph("id,x,y\n0,1,2\n", "t", reading_);
+  EXPECT_EQ(file.format, "table");
+  EXPECT_EQ(format_graph(file, writing_), "id,x,y\n0,1,2\n");
+  EXPECT_EQ(format_graph(file), "VERTEX_XY 0 1 2\n")
+      << "the default formats do not include the custom format";
+}
+
 TEST_F(CustomFileFormat, IsListedAfterTheFormatsOfTheLibrary) {
   std::vector<std::string> labels;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "table's .csv"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "table's .csv"));
   try {
     format_graph({}, {.formats = &formats_, .format = "tabel"});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known formats: g2o, TORO, table");
+    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known formats: g2o, TORO, BAL, table");
   }
 }
 

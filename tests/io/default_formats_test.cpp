@@ -6,10 +6,10 @@
 namespace boxplus {
 namespace {
 
-TEST(DefaultFormats, AreG2oAndToro) {
+TEST(DefaultFormats, AreG2oToroAndBal) {
   std::vector<std::string> labels;
   for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal"));
 }
 
 }  // namespace

@@ -31,6 +31,18 @@ TEST(GraphFile, IsWrittenAsG2oIfItsExtensionIsUnknownOrReadOnly) {
   }
 }
 
+TEST(GraphFile, IsWrittenInTheFormatOfItsFileIfItsExtensionIsUnknown) {
+  const std::string text = "0 1 0\n1\n2\n3\n";
+  const GraphFile file = parse_graph(text, "g");
+  EXPECT_EQ(file.format, "BAL");
+  const std::string path = testing::TempDir() + "boxplus_graph_file_test.txt";
+  write_graph(path, file);
+  EXPECT_EQ(format_graph(read_graph(path)), text);
+  write_graph(path, file.graph);
+  EXPECT_EQ(format_graph(read_graph(path)), "VERTEX_TRACKXYZ 0 1 2 3\n") << "a graph of no file";
+  std::filesystem::remove(path);
+}
+
 TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
   const auto complaint = [](const char* format) -> std::string {
     try {
@@ -39,7 +51,7 @@ TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
       return error.what();
     }
   };
-  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known formats: g2o, TORO");
+  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known formats: g2o, TORO, BAL");
   EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is read-only");
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/io/registry.h"
 #include "boxplus/optimize/optimizer.h"
 #include "command_line/message.h"
@@ -158,6 +159,12 @@ void print_notes(const GraphFile& file, const std::string& path) {
   }
   if (file.notes.size() > kShown)
     print_message(fmt::format("{}: … and {} more notes", name, file.notes.size() - kShown));
+}
+
+void require_representable(const std::string& path, const GraphFile& file) {
+  const FileFormat* format = default_formats().of_path(path);
+  if (!format || !format->write || format->name == file.format) return;
+  format->write({file.graph, file.edges, file.kept}, {}, [](std::string_view) {});
 }
 
 void save_graph(const std::string& path, const GraphFile& file) {

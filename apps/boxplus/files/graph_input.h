@@ -37,7 +37,11 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
 /// others.
 void print_notes(const GraphFile& file, const std::string& path);
 
-/// Writes a graph to a file or, as .g2o, to standard output. Throws FileError if this fails.
+/// Throws InvalidArgument if the extension of `path` selects a format that cannot represent the graph. Call it
+/// before a long computation, so that its result can be saved.
+void require_representable(const std::string& path, const GraphFile& file);
+/// Writes a graph to a file, in the format of its extension. Without such a format, and to standard output,
+/// writes the format of the file from which the graph was read, or .g2o. Throws FileError if this fails.
 void save_graph(const std::string& path, const GraphFile& file);
 
 }  // namespace boxplus::app

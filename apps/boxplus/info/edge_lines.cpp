@@ -27,10 +27,29 @@ std::set<std::int64_t> skipped_lines(const GraphFile& file) {
   return lines;
 }
 
+/// In a BAL file, the first edge begins with the fourth value, and each edge has four values.
+std::vector<std::int64_t> find_bal_lines(std::string_view text, std::size_t edges) {
+  constexpr std::size_t kCounts = 3, kValuesPerEdge = 4;
+  constexpr std::string_view kBlanks = " \t\r\v\f\n";
+  std::vector<std::int64_t> lines;
+  std::int64_t line = 1;
+  std::size_t begin = 0, end = 0;
+  for (std::size_t value = 0; lines.size() < edges; ++value) {
+    begin = text.find_first_not_of(kBlanks, end);
+    if (begin == std::string_view::npos) return {};
+    line += std::count(text.begin() + static_cast<std::ptrdiff_t>(end),
+                       text.begin() + static_cast<std::ptrdiff_t>(begin), '\n');
+    if (value >= kCounts && (value - kCounts) % kValuesPerEdge == 0) lines.push_back(line);
+    end = std::min(text.find_first_of(kBlanks, begin), text.size());
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<std::int64_t> find_edge_lines(std::string_view text, const GraphFile& file,
                                           const ReadOptions& reading) {
+  if (file.format == "BAL") return find_bal_lines(text, file.edges.size());
   const std::set<std::int64_t> skipped = skipped_lines(file);
   std::vector<std::int64_t> lines;
   std::int64_t number = 0;

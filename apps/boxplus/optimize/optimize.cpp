@@ -63,6 +63,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   progress.erase();
   print_notes(file, arguments.input);
   require_edges(file, arguments.input);
+  require_representable(arguments.output, file);
   RunFacts facts;
   facts.input = input_name(arguments.input);
   facts.edges = file.graph.edge_count();

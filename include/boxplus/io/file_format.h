@@ -66,7 +66,7 @@ class FileFormats {
   std::vector<FileFormat> formats_;
 };
 
-/// .g2o and TORO.
+/// .g2o, TORO and BAL.
 const FileFormats& default_formats();
 
 }  // namespace boxplus

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading and writing graphs, in any of the formats of a FileFormats: .g2o, and TORO's .graph (reading only).
+// Reading and writing graphs, in any of the formats of a FileFormats: .g2o, TORO's .graph (reading only), and
+// BAL's problems of bundle adjustment (types/ba.h). docs/formats.md describes them.
 //
-// Both formats have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
+// The first two have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
 // begins a comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters,
 // angles in radians, and Ω is listed as its upper triangle by rows.
 #pragma once
@@ -32,7 +33,8 @@ struct WriteOptions {
   const Registry* registry = nullptr;    ///< nullptr: default_registry()
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
   /// The name of a format. If it is empty, the extension of the file selects the format. If no writable
-  /// format has this extension, the first format (.g2o) is used.
+  /// format has this extension, a graph that was read from a file is written in the format of that file.
+  /// Otherwise the first format (.g2o) is used.
   std::string format = {};
 };
 
@@ -57,6 +59,7 @@ struct GraphFile {
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
   std::vector<Note> notes = {};  ///< unusual things that are not errors
+  std::string format = {};       ///< the name of the file's format (FileFormat); read_graph() sets it
   std::int64_t lines = 0;        ///< number of lines of the file
   std::int64_t skipped = 0;      ///< number of skipped lines (lenient reading)
   bool vertices_created =

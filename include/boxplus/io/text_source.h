@@ -26,6 +26,8 @@ class TextSource {
   static TextSource of_file(const std::string& path, std::size_t block_size = kBlockSize);
 
   const std::string& name() const { return name_; }
+  /// The number of bytes.
+  std::size_t size() const { return size_; }
   std::size_t block_count() const { return (size_ + block_size_ - 1) / block_size_; }
   /// The lines of block k, each with its newline. May use `memory` to hold them. Thread-safe.
   std::string_view block(std::size_t k, std::string& memory) const;

@@ -6,6 +6,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/registry.h"
+#include "io/edges_to_write.h"
 #include "io/g2o/g2o_format.h"
 #include "io/pipeline.h"
 
@@ -21,8 +22,7 @@ class GraphWriter {
         registry_(registry),
         parameters_(graph_.all_parameters()),
         vertices_(graph_.all_vertices()),
-        edges_(file.edges.begin(), file.edges.end()) {
-    append_edges_of_no_file();
+        edges_(edges_to_write(file)) {
     for (const GraphFile::KeptLine& line : file.kept)
       kept_.emplace(std::pair(line.place, line.after), &line.text);
   }
@@ -37,24 +37,6 @@ class GraphWriter {
   }
 
  private:
-  /// Appends the edges that were added since the file was read.
-  void append_edges_of_no_file() {
-    std::vector<std::vector<bool>> listed;
-    for (const auto& pool : graph_.edge_pools()) listed.emplace_back(pool->slots());
-    for (EdgeRef& edge : edges_) {
-      // If an edge is listed twice or was removed, its entry is not written. It only marks the place of the
-      // kept lines after it.
-      if (!graph_.contains(edge) || listed[edge.pool][edge.slot]) {
-        edge = kNoEdge;
-      } else {
-        listed[edge.pool][edge.slot] = true;
-      }
-    }
-    for (const EdgeRef& edge : graph_.all_edges()) {
-      if (!listed[edge.pool][edge.slot]) edges_.push_back(edge);
-    }
-  }
-
   /// The number of items to write, in this order: the parameters, the kept lines at the beginning (one item),
   /// the vertices, the kept lines before the first edge (one item), and the edges.
   std::size_t items() const { return parameters_.size() + vertices_.size() + edges_.size() + 2; }
@@ -90,7 +72,7 @@ class GraphWriter {
   }
 
   void format_edge(EdgeRef edge, std::string& text) const {
-    if (edge == kNoEdge) return;
+    if (edge == EdgeRef{}) return;
     const Tag* tag = registry_.tag_of(graph_, edge);
     if (!tag) throw_no_tag("edges", graph_.edge_pools()[edge.pool]->type_name());
     FieldWriter out(text);
@@ -118,7 +100,6 @@ class GraphWriter {
         fmt::format("cannot write {} of type {}: no tag is registered for them", what, type));
   }
 
-  static constexpr EdgeRef kNoEdge{};
   const Graph& graph_;
   const Registry& registry_;
   std::vector<VertexRef> parameters_, vertices_;

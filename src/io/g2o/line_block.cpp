@@ -1,46 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/g2o/line_block.h"
 
-#include <fast_float/fast_float.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 
 #include "io/characters.h"
 #include "io/decimal.h"
+#include "io/number_field.h"
 
 namespace boxplus {
 namespace {
-
-bool ends_field(const char* at, const char* end) {
-  return at == end || is_blank(*at);
-}
-
-/// The integer that makes up the whole field at `at`. If the field is anything else, or has more digits than
-/// a double can hold exactly, the result has no `end`.
-Decimal read_integer(const char* at, const char* end) {
-  constexpr std::ptrdiff_t kMostDigits = 15;
-  const bool negative = *at == '-';
-  const char* const digits = at + negative;
-  const char* digit = digits;
-  std::int64_t value = 0;
-  for (; digit != end && *digit >= '0' && *digit <= '9' && digit - digits < kMostDigits; ++digit) {
-    value = 10 * value + (*digit - '0');
-  }
-  if (digit == digits || !ends_field(digit, end)) return {};
-  return {negative ? -static_cast<double>(value) : static_cast<double>(value), digit, true};
-}
-
-/// The finite number that makes up the whole field at `at`. If the field is anything else, the result has no
-/// `end`.
-Decimal read_any_number(const char* at, const char* end) {
-  if (const Decimal integer = read_integer(at, end); integer.end) return integer;
-  Decimal number;
-  const auto [stopped, error] = fast_float::from_chars(at, end, number.value);
-  if (error == std::errc() && ends_field(stopped, end) && std::isfinite(number.value)) number.end = stopped;
-  return number;
-}
 
 const char* skip_blanks(const char* at, const char* end) {
   while (at != end && is_blank(*at)) ++at;
@@ -76,10 +44,7 @@ void LineBlock::place_fields() {
 }
 
 void LineBlock::read_line(std::string_view text, const TagLookup& tags) {
-  // Some editors write this mark at the beginning of a file. In a concatenation of files, it may also begin
-  // other lines.
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  while (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);  // in concatenated files, any line may have one
   const char* const end = text.data() + text.size();
   const char* const begin = skip_blanks(text.data(), end);
   if (begin == end) return;
@@ -115,7 +80,7 @@ bool LineBlock::read_fields(const char* at, const char* end, std::size_t& intege
   for (at = skip_blanks(at, end); at != end && *at != '#'; at = skip_blanks(at, end)) {
     Decimal number;
     if (text_end_ - at >= kDecimalRoom) number = read_decimal(at);
-    if (!number.end || !ends_field(number.end, end)) number = read_any_number(at, end);
+    if (!number.end || !ends_field(number.end, end)) number = read_number_field(at, end);
     if (!number.end || ++count > kMost) return false;
     integers_only = integers_only && number.is_integer;
     values_.push_back(number.value);

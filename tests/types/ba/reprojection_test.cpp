@@ -85,6 +85,14 @@ TEST(Reprojection, HasAFiniteErrorIfTheCameraDoesNotSeeThePoint) {
 TEST(Reprojection, IsNamedAfterItsCamera) {
   EXPECT_EQ(Reprojection<BalCamera>::kName, "Reprojection<BAL>");
   EXPECT_EQ(CalibratedReprojection<OpenCvCamera>::kName, "CalibratedReprojection<OPENCV>");
+  EXPECT_EQ((detail::type_name<Product<SE3, BalCamera>>()), "Product<SE3, BAL>");
+}
+
+TEST(Prior, HoldsTheParametersOfACamera) {
+  const Prior prior(OpenCvCamera(500, 510, 320, 240, -0.1, 0.03, 0.002, -0.003));
+  const OpenCvCamera camera(501, 508, 320, 240, 0, 0, 0, 0);
+  EXPECT_EQ(prior.error(camera).head<2>(), Vector2(1, -2));
+  expect_correct_jacobians(prior, camera);
 }
 
 TEST(Reprojection, CalibratesACameraThatSeveralPosesShare) {

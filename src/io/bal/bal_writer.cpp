@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/field_reader.h"
+#include "io/bal/bal_format.h"
+#include "io/edges_to_write.h"
+
+namespace boxplus {
+namespace {
+
+using BalEdgePool = detail::TypedEdgePool<BalEdge, BalVertex, Vector3>;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw InvalidArgument(
+      "cannot write BAL's .bal: expected vertices Product<SE3, BalCamera> and Vector3, and edges "
+      "Reprojection<BalCamera> between them with the identity as information, got " +
+      what);
+}
+
+class BalWriter {
+ public:
+  explicit BalWriter(const GraphFileView& file) : graph_(file.graph), edges_(edges_to_write(file)) {
+    std::erase(edges_, EdgeRef{});
+    if (graph_.parameter_count() > 0) refuse("a parameter");
+    for (const auto& pool : graph_.vertex_pools()) index_.emplace_back(pool->slots());
+    for (const VertexRef& vertex : graph_.all_vertices()) number(vertex);
+    for (const EdgeRef& edge : edges_) check(edge);
+  }
+
+  void write(TextSink sink) const {
+    constexpr std::size_t kPiece = std::size_t{1} << 18;
+    std::string text;
+    const auto flush = [&](std::size_t at_least) {
+      if (text.size() < at_least) return;
+      sink(text);
+      text.clear();
+    };
+    FieldWriter out(text);
+    for (const std::size_t count : {cameras_.size(), points_.size(), edges_.size()})
+      out.integer(static_cast<std::int64_t>(count));
+    out.end_line();
+    for (const EdgeRef& edge : edges_) {
+      write_edge(edge, out);
+      flush(kPiece);
+    }
+    for (const VertexRef& camera : cameras_) {
+      write_camera(graph_.estimate(graph_.typed<BalVertex>(camera)), out);
+      flush(kPiece);
+    }
+    for (const VertexRef& point : points_) {
+      write_lines(graph_.estimate(graph_.typed<Vector3>(point)), out);
+      flush(kPiece);
+    }
+    flush(1);
+  }
+
+ private:
+  /// Gives a vertex the next index among the cameras or among the points.
+  void number(const VertexRef& vertex) {
+    const detail::VertexPool& pool = *graph_.vertex_pools()[vertex.pool];
+    const bool is_camera = dynamic_cast<const detail::TypedVertexPool<BalVertex>*>(&pool) != nullptr;
+    if (!is_camera && !dynamic_cast<const detail::TypedVertexPool<Vector3>*>(&pool))
+      refuse(fmt::format("vertex {} of type {}", graph_.id(vertex), pool.type_name()));
+    std::vector<VertexRef>& list = is_camera ? cameras_ : points_;
+    index_[vertex.pool][vertex.slot] = static_cast<std::int64_t>(list.size());
+    list.push_back(vertex);
+  }
+
+  void check(const EdgeRef& edge) const {
+    const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
+    const auto name = [&] {
+      std::string ids;
+      for (const VertexRef& vertex : graph_.vertices(edge)) ids += fmt::format(" {}", graph_.id(vertex));
+      return fmt::format("an edge {} of the vertices{}", pool.type_name(), ids);
+    };
+    if (!dynamic_cast<const BalEdgePool*>(&pool)) refuse(name());
+    const Information::View omega = graph_.information(edge);
+    if (omega(0, 0) != 1 || omega(1, 1) != 1 || omega(0, 1) != 0)
+      refuse(name() + " with another information");
+  }
+
+  void write_edge(const EdgeRef& edge, FieldWriter& out) const {
+    const auto& pool = static_cast<const BalEdgePool&>(*graph_.edge_pools()[edge.pool]);
+    for (const VertexRef& vertex : graph_.vertices(edge)) out.integer(index_[vertex.pool][vertex.slot]);
+    const Vector2& pixel = pool.value(edge.slot).measurement;
+    out.number(pixel[0]);
+    out.number(pixel[1]);
+    out.end_line();
+  }
+
+  static void write_camera(const BalVertex& camera, FieldWriter& out) {
+    const SE3 T_camera_world = camera.get<0>().inverse();
+    const Vector3 positive_zero(0, 0, 0);  // x + 0 is 0 also if x is −0
+    write_lines(T_camera_world.so3().rotation_vector() + positive_zero, out);
+    write_lines(T_camera_world.translation() + positive_zero, out);
+    write_lines(camera.get<1>().parameters, out);
+  }
+
+  static void write_lines(const Vector3& values, FieldWriter& out) {
+    for (int i = 0; i < 3; ++i) {
+      out.number(values[i]);
+      out.end_line();
+    }
+  }
+
+  const Graph& graph_;
+  std::vector<EdgeRef> edges_;
+  std::vector<VertexRef> cameras_, points_;
+  std::vector<std::vector<std::int64_t>> index_;  // among the cameras or points, by vertex pool and slot
+};
+
+}  // namespace
+
+void write_bal(const GraphFileView& file, const WriteOptions& /*options*/, TextSink sink) {
+  BalWriter(file).write(sink);
+}
+
+}  // namespace boxplus
