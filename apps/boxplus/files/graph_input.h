@@ -37,8 +37,8 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
 /// others.
 void print_notes(const GraphFile& file, const std::string& path);
 
-/// Throws InvalidArgument if the extension of `path` selects a format that cannot represent the graph. Call it
-/// before a long computation, so that its result can be saved.
+/// Throws InvalidArgument if the extension of `path` selects a format that cannot represent the graph. Call
+/// it before a long computation, so that its result can be saved.
 void require_representable(const std::string& path, const GraphFile& file);
 /// Writes a graph to a file, in the format of its extension. Without such a format, and to standard output,
 /// writes the format of the file from which the graph was read, or .g2o. Throws FileError if this fails.

@@ -17,9 +17,7 @@ class ReprojectionLanes : public EveryIsa {};
 struct Scene {
   std::mt19937 random{7};
 
-  double number(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  }
+  double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
   Vector3 vector(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
   SE3 pose(double z) {
     return {Vector3(number(-1, 1), number(-1, 1), z), SO3::from_rotation_vector(vector(0.3))};
