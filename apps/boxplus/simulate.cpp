@@ -11,7 +11,6 @@
 
 #include "command.h"
 #include "command_line/option_kinds.h"
-#include "files/format_names.h"
 #include "files/graph_input.h"
 #include "files/outputs.h"
 
@@ -90,8 +89,7 @@ void add_simulate(CLI::App& app, Action& action) {
       ->default_str("")
       ->required();
   command
-      ->add_option("-o,--output", arguments->output,
-                   fmt::format("Where to write the graph ({}); - is standard output", writable_formats()))
+      ->add_option("-o,--output", arguments->output, "Where to write the graph (.g2o); - is standard output")
       ->type_name("FILE")
       ->check(file_name())
       ->required();

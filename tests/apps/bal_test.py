@@ -32,13 +32,13 @@ class BalTest(CommandCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             report = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
             self.assertLess(report["chi2_final"], 1e-6)
-            self.assertEqual(report["eliminated"], 12)
             lines = out.read_text(encoding="utf-8").splitlines()
             self.assertEqual((lines[0], len(lines)), ("3 12 36", 1 + 36 + 9 * 3 + 3 * 12))
 
     def test_the_optimized_problem_has_the_reported_chi2(self):
         done = run("optimize", self.problem, "-o", "-")
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("eliminated      12 vertices", done.stderr)
         again = run("optimize", "-", "--json", "-", stdin=done.stdout)
         self.assertLess(json.loads(again.stdout)["chi2_initial"], 1e-6)
 
@@ -54,7 +54,7 @@ class BalTest(CommandCase):
         done = run("info", self.problem)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("Product<SE3, BAL>", done.stdout)
-        report = json.loads(run("info", self.problem, "--json").stdout)
+        report = json.loads(run("info", self.problem, "--json", "-").stdout)
         for edge in report["worst_edges"]:
             camera, point = edge["vertices"]
             self.assertEqual(edge["line"], 2 + 12 * camera + point - 3)

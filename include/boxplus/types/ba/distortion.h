@@ -9,7 +9,7 @@
 // "Camera calibration with distortion models and accuracy evaluation" (1992).
 //
 // The functions are generic in the scalar S: double, a dual number, or a pack of SIMD lanes. A pack needs the
-// operators + − * /, comparisons, sqrt() and atan2(), a constructor from double, and
+// operators + − * /, comparisons, sqrt(), tan() and atan2(), a constructor from double, and
 // choose(mask, S, S), all found by argument-dependent lookup. Matrices are column-major arrays.
 #pragma once
 
