@@ -71,8 +71,11 @@ void check(std::string_view text) {
   if (strictly)
     expect_same("if strict reading accepts a text, lenient reading gives the same graph", strictly,
                 leniently);
-  if (!leniently && default_formats().recognize(text)->name == "BAL") return;
+  const FileFormat* format = default_formats().recognize(text);
+  if (!leniently && format->name == "BAL") return;
   if (!leniently) expect_same("lenient reading never throws", Trace{}, leniently);
+  // A kept line with three integers may become the first line, which looks like that of a BAL file.
+  if (format->name != "BAL" && default_formats().recognize(leniently->text)->name == "BAL") return;
   expect_same("a written graph does not change when it is read again", leniently,
               trace_of(leniently->text, strict));
 }

@@ -36,7 +36,15 @@ int read_integers(std::string_view line, std::span<double> values, bool may_go_o
   }
 }
 
-/// The first line has three integers ≥ 0. If there are observations, the next line begins with two integers.
+/// Whether a line begins with a number, whatever comes after it.
+bool begins_with_number(std::string_view line) {
+  const char* const end = line.data() + line.size();
+  const char* const at = std::find_if_not(line.data(), end, is_blank);
+  return at != end && read_number_field(at, end).end;
+}
+
+/// The first line has three integers ≥ 0. If there are observations, the next line begins with two integers,
+/// otherwise with a number. There may be no next line.
 bool begins_like_bal(std::string_view text) {
   text = without_byte_order_mark(text);
   std::array<double, 3> counts{};
@@ -45,7 +53,8 @@ bool begins_like_bal(std::string_view text) {
   if (std::any_of(counts.begin(), counts.end(), [](double count) { return count < 0; })) return false;
   const std::string_view next = take_line(text);
   std::array<double, 2> indices{};
-  return counts[2] == 0 || next.empty() || read_integers(next, indices, true) == 2;
+  return next.empty() ||
+         (counts[2] == 0 ? begins_with_number(next) : read_integers(next, indices, true) == 2);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST(BalFormat, IsRecognizedByItsFirstTwoLines) {
   EXPECT_TRUE(recognize("1 0 0\n0.5\n"));
   EXPECT_TRUE(recognize("2 3 4"));
   for (const char* other : {"", "\n", "1 2\n", "1 2 3 4\n", "1 2 -3\n", "1 2 3.5\n", "1 2 x\n", "1 2 3\nx\n",
-                            "1 2 3\n0.5 0 1 2\n", "VERTEX_SE2 0 0 0 0\n", "# 1 2 3\n"})
+                            "1 2 3\n0.5 0 1 2\n", "0 0 0\nVERTEX_SE2 0 0 0 0\n", "# 1 2 3\n"})
     EXPECT_FALSE(recognize(other)) << other;
 }
 
