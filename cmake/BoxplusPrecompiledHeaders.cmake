@@ -1,7 +1,7 @@
 # The compiler spends most of its time on headers that many sources share. With precompiled headers, it parses
 # them only once per target. Each source must still include all headers that it uses. The preset `tidy` checks
 # this, because it builds without precompiled headers.
-option(BOXPLUS_PRECOMPILE_HEADERS "Parse the headers that most sources share only once" ${PROJECT_IS_TOP_LEVEL})
+option(BOXPLUS_PRECOMPILE_HEADERS "Precompile common headers, so that each target parses them only once" ${PROJECT_IS_TOP_LEVEL})
 if(NOT BOXPLUS_PRECOMPILE_HEADERS)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

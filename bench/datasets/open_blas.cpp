@@ -32,7 +32,7 @@ void require_open_blas_with_one_thread() {
         "expected the pthread build of OpenBLAS, found another one; install libopenblas0-pthread");
   openblas_set_num_threads(1);
   if (openblas_get_num_threads() != 1 || omp_get_thread_limit() != 1) {
-    throw std::runtime_error("peers could use several threads: set OMP_THREAD_LIMIT=1, as make bench does");
+    throw std::runtime_error("expected OpenBLAS on one thread; set OMP_THREAD_LIMIT=1, as make bench does");
   }
 }
 

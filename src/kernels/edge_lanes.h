@@ -27,7 +27,8 @@ inline void weigh(const Pack* omega, const Pack (&x)[R], Pack (&out)[R]) {
   }
 }
 
-/// The places of the results of one edge with vertices of the tangent sizes D.
+/// The layout of the results of one edge, whose vertices have the tangent sizes D: first the blocks H_ij, j ≤
+/// i, in the order of EdgeLanes::targets, and then the gradient. Each block is column-major.
 template <int... D>
 struct EdgePlaces {
   static constexpr int kArity = sizeof...(D), kColumns = (D + ...);
@@ -46,7 +47,7 @@ struct EdgePlaces {
     for (int k = 0; k < i; ++k) values += dim(k) * first_column(k + 1);
     return values;
   }
-  /// The place of H_ij, j ≤ i. The blocks are in the order of the targets, each column by column.
+  /// The index of the first value of H_ij, j ≤ i.
   static constexpr int block(int i, int j) { return values_before(i) + dim(i) * first_column(j); }
 };
 
@@ -182,7 +183,7 @@ void add_edges_of(const EdgeLanes& tile) {
   }
 }
 
-/// The numbers of rows of an error, and the tangent sizes of the vertices of its edge.
+/// The number of rows R of an error, and the tangent sizes D of the vertices of its edge.
 template <int R, int... D>
 struct Sizes {};
 
@@ -204,8 +205,9 @@ void add_edges(const EdgeLanes& tile) {
   for_kind(tile.kind, [&]<EdgeNumbers::Kind kKind>() { add_edges_of<kKind, R, D...>(tile); });
 }
 
-/// Pairs of poses or points, points seen from a pose, and projections of a point (2 rows) to a camera: a pose
-/// of 6 with 0 or 3 intrinsics in one vertex, or with 3 or 4 intrinsics in another.
+/// The kernel for edges of these sizes, or null if there is none. There are kernels for relative poses and
+/// points, for observations of a point from a pose, and for pixels (2 rows). The camera of a pixel is one
+/// vertex of 6 or 9 dimensions, or its 3 or 4 intrinsic parameters are a vertex of their own.
 inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
   const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
     constexpr int kDims[] = {D...};

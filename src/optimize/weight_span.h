@@ -16,7 +16,8 @@ struct SwampingEdge {
 
 /// Finds the swamping edge with the largest contribution to H at the current estimates. Because H loses the
 /// contribution of the other edge, steps may ignore the measurement of the other edge. Takes O(edges).
-/// Linearizes edges only if the diagonal entries of all Ω span more digits than double precision has.
+/// Linearizes edges only if the largest diagonal entry of any Ω is so much larger than the smallest one that
+/// double precision cannot hold their sum.
 std::optional<SwampingEdge> find_swamping_edge(const Graph& graph, const Plan& plan);
 
 }  // namespace boxplus

@@ -14,7 +14,7 @@ enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
 
 enum class EdgeRole : std::uint8_t {
-  kOdometry,     ///< an edge between consecutive poses if all poses are sorted by id
+  kOdometry,     ///< an edge between poses whose ids are next to each other among the ids of all poses
   kLoopClosure,  ///< an edge between other poses
   kObservation,  ///< an edge with a landmark
   kPrior,        ///< an edge with only one vertex

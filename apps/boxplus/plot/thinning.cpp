@@ -37,8 +37,9 @@ std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, con
   return result;
 }
 
-/// Keeps one item of each group of items with equal identities: the first item in the order of the keys,
-/// which have the form (identity, order, …, index).
+/// Keeps one item of each group of items that look the same. There is one key per item: a tuple whose first
+/// element is equal for all items of a group, and whose last element is the index of the item. The item with
+/// the smallest key of its group is kept.
 template <class T, class Keys>
 std::vector<T> without_copies(const std::vector<T>& items, Keys keys) {
   std::sort(keys.begin(), keys.end());

@@ -35,7 +35,7 @@ class UnknownTags {
     std::int64_t number;
   };
 
-  std::map<std::string, Occurrences> tags_;         // by tag, in quotes
+  std::map<std::string, Occurrences> tags_;         // the key is the tag in quotation marks
   std::unordered_map<Id, IdLine> lines_of_ids_[2];  // [0] for vertices, [1] for parameters
 };
 
