@@ -163,7 +163,7 @@ class BalReader {
   std::string expected_field() const {
     constexpr std::array kCameraNames{"rx", "ry", "rz", "tx", "ty", "tz", "f", "k1", "k2"};
     constexpr std::array kPointNames{"x", "y", "z"};
-    const auto index = [this](double count) {
+    const auto index = [](double count) {
       return count == 0 ? std::string("there are none") : fmt::format("an integer from 0 to {}", count - 1);
     };
     switch (part_) {
