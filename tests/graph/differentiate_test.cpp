@@ -64,7 +64,8 @@ struct Manifold<Counted<T>> {
 
 namespace {
 
-/// The exact Jacobian of `e` at x. Checks that the numeric Jacobian and both errors agree with it.
+/// The exact Jacobian of `e` at x. Checks that the numeric Jacobian agrees with the exact one, and that both
+/// ways of differentiation also return the right error.
 template <class... V, class E>
 Eigen::MatrixXd jacobian(const E& e, int rows, detail::Argument<V>... x) {
   const int cols = (detail::argument_dim<V>(x) + ...);
@@ -119,8 +120,8 @@ TEST(Jacobian, AnEstimateThatConsecutiveEdgesShareIsConvertedToDualNumbersOnce) 
   EXPECT_EQ(linearize(pool, std::span(edges).last(1), 1)[0], 7 * 7 * 3);
 }
 
-TEST(Jacobian, OfEachEdgeInATileEqualsTheJacobianOfThisEdgeAlone) {
-  // Thirty columns take four passes with dual numbers.
+TEST(Jacobian, OfEachOfSeveralEdgesInOneCallEqualsTheJacobianOfThisEdgeAlone) {
+  // A Jacobian with thirty columns takes four passes with dual numbers.
   Graph graph;
   const auto a = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(1, 2))),
              b = graph.add_vertex(Vector<double, 24>(Vector<double, 24>::LinSpaced(3, 4)));
@@ -187,7 +188,7 @@ TEST(Jacobian, OfAnSe3PointMeasurementEqualsTheTextbookFormula) {
   const Eigen::Vector3d q = x.inverse_times(p);
   Eigen::Matrix3d skew;
   skew << 0, -q[2], q[1], q[2], 0, -q[0], -q[1], q[0], 0;
-  // Twice, because the vector part of a quaternion is half of a small rotation vector.
+  // The factor 2 is needed because the vector part of a quaternion is half of a small rotation vector.
   EXPECT_LE((J.middleCols<3>(3) - 2 * skew).norm(), 1e-13);
   EXPECT_LE((J.rightCols<3>() - x.rotation().transpose()).norm(), 1e-14);
 }

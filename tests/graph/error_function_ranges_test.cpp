@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges over several ranges, each with its own vertex type. Analytic Jacobians of run-time size.
+// Edges over several ranges of vertices of different types, and analytic Jacobians of run-time size.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -91,7 +91,7 @@ TEST(SeveralRanges, AreAcceptedByCheckJacobians) {
   EXPECT_TRUE(check.ok) << check.message;
 }
 
-TEST(SeveralRanges, MayBeEmptyAndMayHaveOtherLengthsInAReusedSlot) {
+TEST(SeveralRanges, MayBeEmptyAndMayDifferInLengthFromTheRangesOfARemovedEdge) {
   World w;
   const auto error = [](std::span<const Vector2> b, std::span<const double> a) {
     double sum = 0;
@@ -108,7 +108,8 @@ TEST(SeveralRanges, MayBeEmptyAndMayHaveOtherLengthsInAReusedSlot) {
   EXPECT_EQ(second.slot, first.slot);
   EXPECT_THAT(w.graph.error(second), ElementsAre(300));
   EXPECT_THAT(w.graph.vertices(second), ElementsAre(VertexRef(w.points[1]), VertexRef(w.points[2])));
-  // scales[1] has the same slot number as points[1], but in another pool, so the edge must stay.
+  // scales[1] has the same slot number as points[1], but it is in another pool. If scales[1] is removed, the
+  // edge must stay, because it connects points[1] and not scales[1].
   w.graph.remove(w.scales[1]);
   EXPECT_TRUE(w.graph.contains(second));
   w.graph.remove(w.points[2]);

@@ -114,7 +114,7 @@ TEST(Edge, ATemplateOverEigenVectorsIsDifferentiatedExactly) {
   }
 }
 
-/// The same for a range of vectors.
+/// An error function over a range of Eigen::Matrix. Here, too, the compiler cannot deduce S.
 struct EigensSum {
   template <class S>
   Eigen::Matrix<S, 2, 1> error(const S& scale, std::span<const Eigen::Matrix<S, 2, 1>> points) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// If add_vertex() or add_edge() throws, the graph is unchanged, no matter which copy or call inside threw.
+// If add_vertex() or add_edge() throws, the graph is unchanged, no matter which copy of a user type or which
+// call of a user function threw.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -119,7 +119,7 @@ TEST(GraphStack, PopAdvancesTheRevisionIfItRestoresTheSizeOfAVertex) {
   EXPECT_NE(graph.revision(), revision);
 }
 
-TEST(SavedEstimates, DoNotChangeWithThePool) {
+TEST(SavedEstimates, StayTheSameWhenTheEstimatesInThePoolChange) {
   detail::TypedVertexPool<double> pool;
   const std::uint32_t a = pool.add(1.0, 0), b = pool.add(2.0, 1);
   std::unique_ptr<detail::SavedEstimates> both, last;
@@ -128,7 +128,7 @@ TEST(SavedEstimates, DoNotChangeWithThePool) {
   pool.value(b) = 6.0;
   pool.save(std::array{b}, last);
   const std::unique_ptr<detail::SavedEstimates> copy = both->clone();
-  pool.save(std::array{b}, both);  // now `both` holds b only
+  pool.save(std::array{b}, both);  // now `both` contains only the estimate of b
   pool.restore(std::array{detail::VertexPool::kNoSlot, b}, *copy);
   EXPECT_EQ(pool.value(a), 5);
   EXPECT_EQ(pool.value(b), 2);

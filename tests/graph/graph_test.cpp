@@ -136,7 +136,7 @@ TEST(Graph, ASlotIsReusedWithANewGeneration) {
   EXPECT_THROW(graph.add_edge(kPrior, a), InvalidArgument);
 }
 
-TEST(Graph, AnEdgeInAReusedSlotInheritsNothing) {
+TEST(Graph, AnEdgeInAReusedSlotDoesNotGetTheSettingsOfTheRemovedEdge) {
   Graph graph;
   const auto a = graph.add_vertex(1.0), b = graph.add_vertex(5.0);
   const auto old = graph.add_edge(kDifference, 9.0, a, b);
@@ -348,7 +348,7 @@ TEST(Graph, HandlesStayValidIfTheGraphIsMoved) {
   EXPECT_EQ(assigned.chi2(), 1);
 }
 
-TEST(Graph, ItsLifeEndsIfItIsMovedAssignedToOrDestroyed) {
+TEST(Graph, ObserversSeeThatItWasMovedAssignedToOrDestroyed) {
   Graph graph;
   const auto of_graph = graph.life();
   EXPECT_EQ(graph.life(), of_graph);

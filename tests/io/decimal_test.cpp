@@ -13,7 +13,7 @@
 namespace boxplus {
 namespace {
 
-/// The result of read_decimal() for a text that more characters follow.
+/// The result of read_decimal() for `text`, followed by more text.
 Decimal read(const std::string& text) {
   static std::string padded;
   padded = text + " 3.25 7" + std::string(kDecimalRoom, '9');
@@ -45,7 +45,8 @@ TEST(Decimal, ReadsNumbersThatGraphFilesContainToTheNearestDouble) {
 }
 
 TEST(Decimal, RoundsCorrectlyIfANumberIsAlmostHalfwayBetweenTwoDoubles) {
-  // Some numbers halfway: 1 + 2^-53 = 1.00000000000000011102…, 1 - 2^-54 = 0.999999999999999944488…
+  // The texts are close to such halfway points, for example to 1 + 2^-53 = 1.00000000000000011102… and to
+  // 1 - 2^-54 = 0.999999999999999944488…
   for (const char* text :
        {"1.000000000000000110", "1.000000000000000111", "1.000000000000000112", "0.999999999999999944",
         "0.999999999999999945", "0.5000000000000000555", "0.5000000000000000556", "1000.000000000000056",
@@ -54,7 +55,7 @@ TEST(Decimal, RoundsCorrectlyIfANumberIsAlmostHalfwayBetweenTwoDoubles) {
   }
 }
 
-TEST(Decimal, ReportsNoEndIfTheTextNeedsAGeneralReader) {
+TEST(Decimal, HasNoEndIfTheTextIsNotADecimalNumberOrHasTooManyDigits) {
   for (const char* text :
        {"", "-", "+1", ".5", "5.", "nan", "inf", "-inf", "x", "12345678", "12345678.5",
         "0.1000000000000000055511151", "1.0000000000000000000000000001", "0.12345678901234567890123456789"}) {

@@ -108,7 +108,8 @@ TEST_P(BetweenLanes, WrapAnglesLikeTheFunctionForOneEdge) {
   }
 }
 
-/// A tile may hold different kinds of Ω. The number of workers determines which edges share a tile.
+/// Edges are processed in tiles of at most EdgeTile::kCapacity edges. The number of workers determines which
+/// edges share a tile, so chi2 must not depend on it. Edges with different kinds of Ω may share a tile.
 TEST_P(BetweenLanes, ComputeTheSameBitsOfTheChi2OfAnEdgeWhicheverEdgesShareItsTile) {
   Graph graph;
   const auto a = graph.add_vertex(SE3()), b = graph.add_vertex(pose(std::type_identity<SE3>()));

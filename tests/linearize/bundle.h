@@ -45,7 +45,7 @@ inline SE3 camera_pose(int k) {
 
 /// Only two cameras see every third point. All cameras see all other points. The first camera is fixed.
 /// Odometry between successive cameras determines the scale. Estimates and observations are noisy. If
-/// `eliminate`, points are eliminated.
+/// `eliminate` is true, the points are marked for elimination.
 inline Bundle make_bundle(int cameras, int points, bool eliminate) {
   Bundle bundle;
   Graph& graph = bundle.graph;

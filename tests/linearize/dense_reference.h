@@ -72,7 +72,8 @@ inline std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> block_of
   return offsets;
 }
 
-/// The sum over all enabled edges of the plan. The scalars are in the order of the plan.
+/// H and the gradient, summed over all enabled edges of the plan. The order of the unknowns is the order of
+/// the plan.
 inline DenseSystem dense_reference(const Graph& graph, const Plan& plan, bool triggs = false) {
   const auto n = static_cast<Eigen::Index>(plan.scalars());
   DenseSystem system{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};

@@ -48,7 +48,7 @@ class Growing {
   }
   void see_again() { see(points_[random_() % points_.size()]); }
   void any_addition() {
-    if (points_.empty()) {  // keeps all measurements relative if nothing is fixed
+    if (points_.empty()) {  // no vertex is fixed, so only relative measurements between poses are added
       graph.add_edge(Between(SE2(number(), number(), number())), poses_[random_() % (poses_.size() - 1)],
                      poses_.back());
       return;
@@ -170,7 +170,7 @@ TEST(ExtendPlan, LeadsToTheSameBitsOfHForAnyNumberOfWorkers) {
   }
 }
 
-/// Each of these changes requires a new plan.
+/// Each change in the list `changes` requires a new plan.
 TEST(ExtendPlan, IsRefusedIfTheStructureChangesAnywhereButAtItsEnd) {
   using Change = void (*)(Growing&);
   const std::vector<std::pair<const char*, Change>> changes{

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// If the trait Manifold is specialized for them, types of another library become manifolds without changes.
+// A type of another library becomes a manifold if a user specializes the trait Manifold for it. The type
+// itself does not change.
 #include <gtest/gtest.h>
 
 #include <cmath>

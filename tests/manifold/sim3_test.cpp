@@ -52,7 +52,8 @@ TEST(Sim3, ExponentialIsTheSquareOfTheExponentialOfHalfTheTangent) {
   }
 }
 
-TEST(Sim3, CouplingAgreesBetweenSeriesAndClosedForm) {
+/// Sim3Coupling contains the coefficients of the matrix that maps υ to the translation in Sim3::exp().
+TEST(Sim3, CouplingIsTheSameFromItsSeriesAndFromItsClosedForm) {
   for (const double theta : {0.001, 0.04, 0.06, 1.0, 3.1}) {
     for (const double sigma : {-4.0, -3.5, 3.5, 4.0, 0.2}) {
       if (sigma == 0.2 && theta < 1) continue;  // the closed form is inaccurate if both are small
@@ -65,7 +66,7 @@ TEST(Sim3, CouplingAgreesBetweenSeriesAndClosedForm) {
   }
 }
 
-/// The coupling from its series with 59 terms, in long double.
+/// The Sim3Coupling, computed in long double from 59 terms of its series.
 detail::Sim3Coupling<long double> long_series(long double sigma, long double theta2) {
   long double p = 1, q = 0, r = 0, power = 1, factor = 1;
   detail::Sim3Coupling<long double> sum{0, 0, 1};
@@ -83,7 +84,7 @@ detail::Sim3Coupling<long double> long_series(long double sigma, long double the
   return sum;
 }
 
-TEST(Sim3, CouplingIsExactWhicheverNumberOfTermsItSums) {
+TEST(Sim3, CouplingIsExactForAnyNumberOfTermsOfItsSeries) {
   for (const double size : {1e-9, 1e-3, 0.0624, 0.0626, 0.3, 0.9999, 1.0001, 2.0, 3.9999}) {
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
       for (const double sign : {-1.0, 1.0}) {

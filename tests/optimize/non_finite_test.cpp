@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values become infinite or NaN although every estimate and measurement is finite.
+// optimize() names the cause if sums, products or kernels become infinite or NaN although all estimates and
+// measurements are finite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

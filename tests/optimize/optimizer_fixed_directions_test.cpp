@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// optimize() with vertices of which some tangent directions are fixed, with every solver and kind of problem.
+// optimize() on graphs in which Graph::fix_directions() fixes some tangent directions of vertices.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Graphs with gauge freedom, and the policies of GaugePolicy. optimize() holds a vertex if it keeps the
+// vertex at its estimate although the user did not fix it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -182,7 +184,8 @@ TEST(Gauge, FreedomOfTypesThatAreNeitherPosesNorPointsIsFoundEvenIfOneDirectionI
 }
 
 TEST(Gauge, DampingOfEachDirectionIsRelativeToItsOwnDiagonalEntry) {
-  // The weights differ by seven digits, and nothing measures the third direction.
+  // The weights of the first two directions differ by a factor of 1e7, and nothing measures the third
+  // direction.
   for (const auto gauge : {GaugePolicy::kFixFirst, GaugePolicy::kDamp}) {
     Graph graph;
     const auto x = graph.add_vertex(Vector3(0, 0, 0));
@@ -241,7 +244,8 @@ TEST(Gauge, IsNotHeldIfOneOfManyEdgesOfATypeMeasuresIt) {
   constexpr int kPoints = 3000;
   for (const bool one_direction : {false, true}) {
     for (const int anchor : {1, 1234, 2998}) {
-      // A spiral of points, each known relative to the one before. One edge measures a position.
+      // A spiral of points. Edges measure the motion from each point to the next, and one edge measures a
+      // position.
       Graph graph;
       std::vector<VertexHandle<Vector2>> points;
       const auto at = [](int k) {

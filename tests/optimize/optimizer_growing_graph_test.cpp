@@ -73,7 +73,7 @@ class World {
     const SE2 motion(1, 0, std::uniform_real_distribution<>(-0.3, 0.3)(random_));
     poses_.push_back(graph.add_vertex(graph.estimate(last) * noisy(motion), next_id_++));
     graph.add_edge(Between(motion), 100.0, last, poses_.back());
-    // With these edges, the removal of a pose does not cut the chain.
+    // Because of this second edge, the chain stays connected if a pose is removed.
     if (poses_.size() > 3) measure(poses_[poses_.size() - 3], poses_.back());
   }
   EdgeRef measure(VertexHandle<SE2> a, VertexHandle<SE2> b) {

@@ -18,8 +18,8 @@ namespace {
 
 using Dynamic = Vector<double, kDynamic>;
 
-/// Writes smooth functions of an estimate to `out`, and returns their number. Edges measure these functions.
-/// They determine the estimate.
+/// Writes the features of an estimate to `out`, and returns their number. Features are smooth functions that
+/// together determine the estimate. Edges measure features.
 template <class S, int N>
 int features(const Vector<S, N>& x, S* out) {
   for (int i = 0; i < x.size(); ++i) out[i] = x[i];

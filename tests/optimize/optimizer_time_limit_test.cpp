@@ -44,7 +44,7 @@ Graph noisy_circle() {
   return graph;
 }
 
-/// Checks the report of a run that the time limit ended against the estimates in the graph.
+/// Checks that the report of a run that the time limit ended agrees with the estimates in the graph.
 void expect_correct_report(const Report& report, const Graph& graph,
                            const std::vector<std::vector<double>>& before) {
   ASSERT_EQ(report.status, Report::Status::kNotConverged) << report;
@@ -76,14 +76,16 @@ TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {
   const long readings = testing::clock_readings() - begin;
   ASSERT_TRUE(reference.converged()) << reference;
   bool before_chi2 = false, after_a_step = false;
-  for (long k = 2; k < readings; k += 1 + readings / 60) {  // the stopwatch makes the first reading
+  // A stopwatch of optimize() makes the first reading, so the loop begins with the second one.
+  for (long k = 2; k < readings; k += 1 + readings / 60) {
     SCOPED_TRACE("reading " + std::to_string(k));
     Graph graph = noisy_circle();
     const auto before = estimates(graph);
     testing::jump_at_reading(k);
     const long first = testing::clock_readings();
     const Report report = optimize(graph, options);
-    // After the jump, stopwatches and each function that notices the limit read the clock.
+    // After the jump, the clock is read a few more times: by stopwatches that end, and by each function that
+    // checks the time limit before it returns.
     constexpr long kReadingsAfterTheJump = 30;
     EXPECT_LE(testing::clock_readings() - first, k + kReadingsAfterTheJump);
     testing::stop_clock();

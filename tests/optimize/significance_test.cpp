@@ -16,8 +16,8 @@ IterationRecord gain_of(double fraction) {
   return record;
 }
 
-/// The number of iterations until significance is lost, or `most` + 1. The decreases of chi2 are the
-/// fractions first, first · q, first · q² …
+/// The number of iterations until is_lost() returns true, or `most` + 1. The relative decreases of chi2 are
+/// first, first · q, first · q² …
 int iterations_until_lost(double first, double q, double tolerance, double degrees_of_freedom, int most) {
   Significance significance(tolerance, degrees_of_freedom);
   for (int k = 0; k < most; ++k) {

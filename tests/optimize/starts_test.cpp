@@ -66,7 +66,7 @@ TEST(AutomaticStart, TriesTheOtherStartTooIfTheFinalChi2IsFarAboveTheNoise) {
 }
 
 TEST(AutomaticStart, ContinuesFromItsFirstStepIfNoGuessCanBeMade) {
-  Graph graph;  // Rosenbrock's function, whose valley the first Gauss-Newton step leaves
+  Graph graph;  // Rosenbrock's function; the first Gauss-Newton step leaves its valley
   const auto point = graph.add_vertex(Eigen::Vector2d(-1.2, 1));
   graph.add_edge(
       []<class S>(const Eigen::Matrix<S, 2, 1>& p) {

@@ -10,7 +10,7 @@
 namespace boxplus {
 namespace {
 
-/// A custom kernel with a wrong derivative.
+/// A custom kernel with a wrong second derivative.
 class Broken final : public RobustKernel {
  public:
   Rho operator()(double e2) const override { return {std::log1p(e2), 1 / (1 + e2), 1 / (1 + e2)}; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A client that fuses images with inertial measurements. It has its own classes for estimates, and its
-// multi-edges have partly analytic Jacobians. After a run, it reads Hessians from edges and keeps them as a
-// prior for the next run. The exponential map updates its scale. Uses raw pointers.
+// multi-edges have partly analytic Jacobians. After a run, the client reads Hessians from edges and keeps
+// them as a prior for the next run. The client allocates all vertices and edges with `new`.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

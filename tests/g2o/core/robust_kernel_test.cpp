@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The robust kernels of the g2o API pass the checks that the engine has for its own kernels.
+// The robust kernels of the g2o API pass the same checks as the kernels of the engine (boxplus without the
+// g2o API).
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace {
 
-/// Adapts a kernel of the g2o API to the kernel interface of the engine.
+/// Adapts a kernel of the g2o API to the interface of the kernels of the engine.
 class Adapter final : public boxplus::RobustKernel {
  public:
   Adapter(const std::string& name, double delta)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other storage formats of block matrices, and entries of an inverse that are computed from a Cholesky
-// factor.
+// Conversions of a SparseBlockMatrix to other storage formats, and the computation of entries of the inverse
+// of a matrix from its Cholesky factor.
 #include "g2o/core/sparse_block_matrix.h"
 
 #include <gmock/gmock.h>

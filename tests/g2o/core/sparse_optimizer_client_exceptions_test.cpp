@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exceptions that client code throws reach the caller of optimize(). The failed step does not change the
-// estimates.
+// If client code throws an exception during a run, optimize() passes the exception to its caller. The step in
+// which the exception was thrown does not change the estimates.
 #include <gmock/gmock.h>
 
 #include <stdexcept>

@@ -222,7 +222,8 @@ TEST_F(Destruction, AnActionThatAnotherActionDeletedIsNotCalled) {
   optimizer.addPostIterationAction(a);
   optimizer.addPostIterationAction(b);
   EXPECT_EQ(optimizer.optimize(2), 2);
-  EXPECT_TRUE(optimizer.removePostIterationAction(first)) << "the first action removed only the other one";
+  EXPECT_TRUE(optimizer.removePostIterationAction(first))
+      << "the first action removed only the second action";
   delete first;
 }
 
@@ -306,13 +307,13 @@ TEST(DestructionOfParameters, LeavesRefusedAndDetachedParametersToTheCaller) {
   EXPECT_EQ(optimizer.parameter(2), nullptr);
 }
 
-TEST(DestructionOfParameters, AnEdgeWithoutItsParameterReturnsNull) {
+TEST(DestructionOfParameters, AnEdgeReturnsNullForAMissingParameter) {
   g2o::EdgeSE2PointXYOffset e;
   EXPECT_EQ(e.parameter(0), nullptr);
   EXPECT_EQ(e.parameter(5), nullptr);
 }
 
-TEST(DestructionOfAlgorithms, ANullCreatorAlgorithmOrLinearSolverIsRefused) {
+TEST(NullPointers, AreRefusedAsCreatorAlgorithmAndLinearSolver) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   g2o::OptimizationAlgorithmFactory::instance()->registerSolver(
@@ -328,7 +329,7 @@ TEST(DestructionOfAlgorithms, ANullCreatorAlgorithmOrLinearSolverIsRefused) {
   g2o::logging::setSink({});
 }
 
-TEST(DestructionOfPoints, TheStructureOnlySolverIgnoresEdgesWithUnassignedVertices) {
+TEST(StructureOnlySolver, IgnoresEdgesWithUnassignedVertices) {
   g2o::SparseOptimizer optimizer;
   add_pose(optimizer, 0, 0, 0, 0);
   auto* l = new g2o::VertexPointXY;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine and the g2o API compute the same chi2 for a graph, before the first and after each of five
-// Gauss-Newton iterations.
+// The engine (boxplus without the g2o API) and the g2o API compute the same chi2 for a graph, before the
+// first and after each of five Gauss-Newton iterations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -62,10 +62,11 @@ std::vector<double> g2o_chi2(g2o::SparseOptimizer& optimizer) {
   return chi2;
 }
 
-/// The relative tolerance is 1e-9. The first and the last chi2 are compared relative to their own size. In
-/// between, a chi2 is compared relative to the chi2 before the step if that is larger. The reason is the file
-/// csail.g2o: one step reduces chi2 from 1.3e6 to 771, and the rounding errors of any factorization then
-/// change 771 by a fraction of 1e-8.
+/// Checks that both lists of chi2 agree up to a relative error of 1e-9. The first and the last error are
+/// relative to chi2 itself. Each error in between is relative to the larger of the chi2 before and after the
+/// step, because a step that reduces chi2 by a large factor also amplifies the relative rounding errors: in
+/// csail.g2o, a step reduces chi2 from 1.3e6 to 771, and different factorizations change 771 by a fraction of
+/// 1e-8.
 void expect_same(const std::vector<double>& engine, const std::vector<double>& api) {
   ASSERT_EQ(engine.size(), kIterations + 1u);
   ASSERT_EQ(api.size(), kIterations + 1u);

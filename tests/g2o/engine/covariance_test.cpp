@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The function covariance() of the engine and computeMarginals() of the g2o API agree on public graphs.
+// On public graphs, covariance() of the engine (boxplus without the g2o API) and computeMarginals() of the
+// g2o API return the same covariances.
 #include "boxplus/optimize/covariance.h"
 
 #include <gtest/gtest.h>

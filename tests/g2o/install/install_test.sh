@@ -29,7 +29,7 @@ configure "$here/consumer" "$work/build" -DCMAKE_PREFIX_PATH="$work/moved"
 "$work/build/old_consumer"
 configure "$here/consumer" "$work/by_folder" -Dg2o_DIR="$library/cmake/g2o"
 
-# Clients with components, an old C++ standard, all targets, and an algorithm whose library is missing.
+# Build and run the clients in ways/, with shared libraries and, if the build has them, with static libraries.
 variants=(OFF)
 if [[ $is_static == 1 ]]; then variants+=(ON); fi
 for static in "${variants[@]}"; do
@@ -42,7 +42,7 @@ for static in "${variants[@]}"; do
   if [[ -x "$ways/algorithms_cholmod" ]]; then "$ways/algorithms_cholmod" lm_var_cholmod; fi
 done
 
-# A client that is compiled as C++14 without CMake, and linked with the libraries in any order.
+# Build and run a C++14 client without CMake. It must link with every order of the libraries.
 flags=(-I "$work/moved/include" -isystem /usr/include/eigen3)
 compile() { $launcher "$compiler" "${flags[@]}" "$@"; }
 compile -std=c++14 -w -DEIGEN_MAX_ALIGN_BYTES=16 -c "$here/ways/plain.cpp" -o "$work/plain.o"
@@ -55,8 +55,8 @@ for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d
   grep -q "g2o: .*parameter" "$work/err.txt" || { echo "expected a message about the refused edge on stderr" >&2; exit 1; }
 done
 
-# A client does not link if its flags change the alignment of Eigen's types. The name of the missing symbol says which
-# flag the client must add.
+# A client whose flags change the alignment of Eigen's types must not link. The name of the missing symbol must contain
+# the flag that the client must add.
 compile -std=c++17 -DEIGEN_MAX_ALIGN_BYTES=64 -c "$here/ways/plain.cpp" -o "$work/plain.o"
 if "$compiler" "$work/plain.o" -L "$library" -lg2o_core -lg2o_stuff -lg2o_types_slam3d -o "$work/plain" 2>"$work/err.txt"; then exit 1; fi
 grep -q "g2o_abi_1_64_add_EIGEN_MAX_ALIGN_BYTES_16" "$work/err.txt"

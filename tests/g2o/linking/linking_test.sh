@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: checks that the linker keeps the types of a group and the
-# algorithms of a library although a program names only the group and the library. It must also keep the file tags of
-# types if a program uses only their classes. This must hold with link-time optimization and --gc-sections. Moreover,
-# two copies of the g2o API in one process must not interfere. IS_STATIC is 1 if the build has static libraries, else 0.
+# linking_test.sh CMAKE BUILD_DIR WORK_DIR COMPILER IS_STATIC: checks that the linker does not remove the code that
+# registers types and algorithms, even with link-time optimization and --gc-sections. If a program names a type group or
+# an algorithm library, all types of the group and all algorithms of the library must be registered. If a program uses
+# only the class of a type, the file tag of the type must be registered. Moreover, two copies of the g2o API in one
+# process must not interfere. IS_STATIC is 1 if the build has static libraries, else 0.
 set -euo pipefail
 cmake="$1" build="$2" work="$3" compiler="$4" is_static="$5"
 consumer="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/consumer"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the code that a reader of the g2o document writes from its listings: it must be a working 2-D SLAM.
+// Tests the 2-D SLAM program that a reader of the g2o document gets by copying the listings of the document.
 #include <gtest/gtest.h>
 
 #include <cmath>

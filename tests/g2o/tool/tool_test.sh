@@ -22,7 +22,8 @@ expect 0 "iteration= 9" -v -i 10 square.g2o
 expect 0 "final chi2 = 4.6827" -i 0 square.g2o
 is_not "failed" err.txt
 
-# -i < 0, -gain, -ig: iterates until chi2 hardly decreases, or no longer decreases
+# -i with a negative number: iterates until the relative decrease of chi2 is below the limit of -gain, or until chi2 no
+# longer decreases, but at most as often as -ig allows
 expect 0 "final chi2 = 0.00189884" -v -i -1 square.g2o
 is_not "iteration= 10" err.txt
 expect 0 "iteration= 1" -v -i -1 -gain 1e9 square.g2o

@@ -169,8 +169,8 @@ inline void load(g2o::SparseOptimizer& optimizer, const std::string& text) {
 }
 
 /// Loads a graph whose lines are in the order in which save() writes them. Checks that save() writes the same
-/// text again, that all edges pass the checks above, and that the estimate of each vertex survives if it is
-/// read as an array and set again.
+/// text again, that all edges pass the checks above, and that the estimate of each vertex stays the same if
+/// it is read as an array and set from this array.
 inline void expect_laws_of_file(const std::string& text) {
   g2o::SparseOptimizer optimizer;
   ASSERT_NO_FATAL_FAILURE(load(optimizer, text));

@@ -6,7 +6,8 @@
 #include "boxplus/graph/graph.h"
 #include "boxplus/manifold/rn.h"
 
-/// An edge with the analytic Jacobian jacobians(). The data member `jacobian` is not taken for a function.
+/// An edge with the analytic Jacobian jacobians(). Its data member `jacobian` must not cause the error that a
+/// member function of this name causes.
 struct Square {
   boxplus::Matrix<double, 1, 1> jacobian;
   template <class S>
@@ -16,7 +17,7 @@ struct Square {
   void jacobians(double x, Eigen::Ref<boxplus::Matrix<double, 1, 1>> J) const { J(0, 0) = 2 * x; }
 };
 
-/// A linear error. Its members with the names of Jacobian functions are data.
+/// A linear error. Its members `jacobian` and `jacobians` are data, so they must not cause an error either.
 struct Linear {
   double jacobian, jacobians;
   template <class S>

@@ -124,7 +124,7 @@ const Malformed kTable[] = {
     {"FixWithoutId", "FIX", "9:4: expected the id of a vertex, got the end of the line"},
     {"FixOfAnUnknownVertex", "FIX 0 77", "9:7: expected the id of a vertex, but there is no vertex 77"},
     {"FixOfAWord", "FIX all", "9:5: expected the id of a vertex (an integer), got 'all'"},
-    // Several
+    // Several bad lines
     {"SeveralBadLinesInARow", "VERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1\nFIX x",
      "9:12: expected a new id, but vertex 1 is already defined", 3},
     {"EdgeOfABadVertex", "VERTEX_SE2 9 0 0\nEDGE_SE2 0 9 1 0 0.5 1 0 0 1 0 1",

@@ -90,7 +90,8 @@ TEST(BlockCholesky, JoinsBlocksIntoSupernodes) {
   EXPECT_GT(solver.statistics().factor_nonzeros, grid.structure.nonzero_values());
 }
 
-/// A system that is large enough for subtrees on several threads and for fronts that several threads share.
+/// A system that is so large that threads process subtrees in parallel, and that several threads share the
+/// largest fronts.
 TestSystem large_grid() {
   std::mt19937 random(9);
   return random_system(std::vector<std::uint32_t>(900, 6), grid_edges(30, 30), random);

@@ -45,7 +45,7 @@ TEST(EliminationTree, OfUnconnectedBlocksHasOnlyRoots) {
   EXPECT_THAT(elimination_tree(UpperPattern(s, natural(2))), ElementsAre(kNoParent, kNoParent));
 }
 
-TEST(EliminationTree, AndItsCountsAgreeWithASimpleEliminationOnRandomPatterns) {
+TEST(EliminationTree, AgreesWithASimpleEliminationOnRandomPatterns) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     const BlockStructure s = random_system(2 + seed, seed, seed).structure;
     const auto l = filled_pattern(s);
@@ -71,7 +71,7 @@ TEST(Postorder, VisitsChildrenJustBeforeTheirParent) {
   EXPECT_THAT(postorder(parent, 0), ElementsAre(0, 2, 3, 1, 4, 5));
 }
 
-TEST(Postorder, PutsKeptNodesAtTheEnd) {
+TEST(Postorder, LeavesTheRequestedNumberOfNodesAtTheEnd) {
   const std::vector<std::uint32_t> parent{2, 3, 5, 4, kNoParent, kNoParent};
   EXPECT_THAT(postorder(parent, 2), ElementsAre(0, 2, 1, 3, 4, 5));
 }

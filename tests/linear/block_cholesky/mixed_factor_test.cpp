@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// A grid with a prior on one block only. The smaller `prior` is, the worse is the condition of the matrix.
+/// A grid with a prior on one block only. The smaller `prior` is, the larger is the condition number.
 TestSystem loose_grid(double prior) {
   const auto edges = grid_edges(12, 12);
   TestSystem system(std::vector<std::uint32_t>(144, 3), edges);
@@ -86,11 +86,11 @@ TEST(MixedFactor, FallsBackToDoubleIfASolveMissesItsTolerance) {
 }
 
 TEST(MixedFactor, FallsBackToDoubleToFindTheFailedBlockOfASingularMatrix) {
-  // The edge between blocks 200 and 201 measures only a translation, so the blocks behind it may rotate.
+  // The edge between blocks 200 and 201 measures only a translation, so the blocks from 201 on may rotate.
   TestSystem system(std::vector<std::uint32_t>(400, 3), chain_edges(400));
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d lever = identity;
-  lever(1, 2) = 1;  // the second coordinate depends on the angle of the block before
+  lever(1, 2) = 1;  // the second coordinate of a block depends on the angle of the previous block
   for (std::uint32_t k = 0; k + 1 < 400; ++k) {
     if (k == 200) {
       system.add_edge(k, k + 1, identity.topRows(2), -identity.topRows(2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the elimination with a dense Schur complement of a dense H.
+// Compares the results of class Schur with a dense Schur complement of a dense H.
 #include "linear/schur/schur.h"
 
 #include <gmock/gmock.h>
@@ -141,7 +141,7 @@ std::vector<double> results(const Problem& problem, bool explicit_values, int th
   return all;
 }
 
-TEST(Schur, HasTheSameBitsForAnyNumberOfThreadsAndIfItReducesTheRightHandSideAtOnce) {
+TEST(Schur, HasTheSameBitsForAnyNumberOfThreadsWhetherOrNotEliminateAlsoReducesTheRightHandSide) {
   const Problem problem(make_bundle(12, 600, true), 0.1, true);
   for (const bool explicit_values : {true, false}) {
     const std::vector<double> expected = results(problem, explicit_values, 1, false);

@@ -55,7 +55,7 @@ TYPED_TEST(ChordalGuess, DistributesTheErrorOfALoopThatOtherGuessesLeaveInOneEdg
   EXPECT_LT(chi2[2], 0.5 * chi2[1]);
 }
 
-/// Counts how often measurements are read (`asked`), and raises a flag at the reading with the number `at`.
+/// Counts in `asked` how often measurements are read, and sets `raised` when the count reaches `at`.
 struct Alarm {
   std::size_t at = 0, asked = 0;
   std::atomic<bool> raised = false;
@@ -81,7 +81,8 @@ TEST(StoppedChordalGuess, StopsWhileItReadsMeasurementsWithoutChangingAnEstimate
   }
   const Plan plan = make_plan(graph, {});
   const double before = graph.chi2();
-  // Measurements are read three times: when they are collected, for the joint problem, and for the positions.
+  // Measurements are read three times: when they are collected, when rotations and positions are solved
+  // together, and when the positions are solved again.
   for (const std::size_t at : {std::size_t{1}, kMeasurements + 1, 2 * kMeasurements + 1}) {
     alarm.at = at;
     alarm.asked = 0;

@@ -9,7 +9,8 @@
 
 namespace boxplus::test {
 
-/// The two worlds of the tests, the plane and space: the type of a motion, and the dimensions.
+/// Plane and Space are the two possible parameters `World` of the types in this file. Each of them defines
+/// the type of a motion and the dimensions of positions and poses.
 struct Plane {
   using Motion = SE2;
   static constexpr int kDim = 2, kPoseDim = 3;
