@@ -3,7 +3,7 @@
 # tidy_changes.sh [COMMIT]: runs clang-tidy on the sources whose code changed since COMMIT, with the compile
 # commands of build/sanitize (run `make sanitize` first). By default, COMMIT is the commit at which this
 # branch left the main branch. On the main branch, it is the last commit that is over a day old. The newest
-# changes come first, and at most TIDY_SOURCES (40) sources are checked; `make tidy` checks every source.
+# changes come first, and at most TIDY_SOURCES (16) sources are checked; `make tidy` checks every source.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -34,7 +34,7 @@ source_of() {
 
 compiled=$(grep -o '"file": "[^"]*"' "$build/compile_commands.json" | cut -d'"' -f4)
 checked=$(changed_files | awk '!seen[$0]++' | while read -r file; do source_of "$file"; done | awk '!seen[$0]++' | sed "s:^:$PWD/:" |
-  grep -Fxf <(echo "$compiled") | head -"${TIDY_SOURCES:-40}" || true)
+  grep -Fxf <(echo "$compiled") | head -"${TIDY_SOURCES:-16}" || true)
 [[ -n $checked ]] || { echo "clang-tidy: no code changed since ${since:0:7}"; exit 0; }
 xargs --max-args=1 --max-procs="$(nproc)" clang-tidy -p "$build" --quiet <<<"$checked" 2> >(grep -v 'warnings\? generated' >&2)
 echo "clang-tidy: no findings in $(wc -l <<<"$checked") sources that changed since ${since:0:7}"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes text from files and arguments harmless to terminals. Everything is inline, because programs include
-// this header, too.
+// Makes text from files and arguments harmless to terminals. Everything is inline, because
+// programs also use it, and the library does not export functions of private headers.
 #pragma once
 
 #include <cstddef>

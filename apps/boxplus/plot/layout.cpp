@@ -28,8 +28,8 @@ PanelLayout Layout::panel(std::size_t index) const {
   const double gap = 8 * unit_;
   PanelLayout panel;
   panel.frame = {left + gap, title_height_ + gap, panel_width_ - 2 * gap, legend_top() - title_height_ - gap};
-  // In a bare picture, the space around the graph is half a dot wide. In other pictures, it contains the
-  // margin, the header and the scale bar, and the values at the ticks.
+  // In a bare picture, the space around the graph is as wide as half a drawn vertex. In other pictures, it
+  // contains the margin, the header and the scale bar, and the values at the ticks.
   const double margin = is_bare_ ? gap : 30 * unit_;
   double plot_left = left + margin, plot_right = right - margin;
   double top = is_bare_ ? gap : panel.frame.top + 84 * text_,

@@ -40,8 +40,8 @@ struct WriteOptions {
 
 /// A graph, and the parts of its file that a Graph does not contain.
 struct GraphFile {
-  /// A line that is not an element (a comment, an unknown tag, an edge with an unassigned vertex). Writing
-  /// puts it back after the element that it followed.
+  /// A line that is not in the graph: a comment, a line with an unknown tag, or an edge whose vertex has the
+  /// id −1. Writing puts the line back after the element that it followed.
   struct KeptLine {
     enum class Place : std::uint8_t { kBegin, kAfterVertex, kAfterEdge };
     Place place = Place::kBegin;

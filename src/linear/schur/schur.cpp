@@ -58,7 +58,7 @@ std::vector<BlockCoordinate> kept_pairs(const BlockStructure& structure, std::ui
   std::vector<std::uint32_t> seen_by(kept, kept);
   for (std::uint32_t b = 0; b < kept; ++b) {
     for (std::uint32_t i = start[b]; i < start[b + 1]; ++i) {
-      // The next column begins with its diagonal block, which is eliminated.
+      // The column ends where the next column begins: with a diagonal block, whose row is below `eliminated`.
       for (std::uint32_t k = entries[i] + 1; k < first && structure.row[k] >= eliminated; ++k) {
         pace.step();
         const std::uint32_t a = structure.row[k] - eliminated;
@@ -171,8 +171,8 @@ FactorResult Schur::eliminate(std::span<const double> values, const Damping& dam
   return {};
 }
 
-/// Each thread factorizes all blocks of V, because a small factor costs less than to wait for it, and keeps
-/// the factors of its own blocks.
+/// Every thread factorizes every block of V, because this takes less time than to wait for another thread. It
+/// stores only the factors of the blocks that its share owns.
 void Schur::eliminate_share(Share& share, const Damping& damping, const StopToken& stop, const double* r,
                             double* reduced_r) {
   PacedStop pace(stop);
@@ -260,7 +260,7 @@ void Schur::subtract_products(std::uint32_t column, const double* l, const std::
                               Share& share) {
   const std::uint32_t begin = structure_->column_start[column] + 1,
                       end = structure_->column_start[column + 1];
-  std::uint32_t first = begin, last = begin;  // the blocks that are B in the products that the share owns
+  std::uint32_t first = begin, last = begin;  // their rows are the columns of S that the share owns
   while (first < end && structure_->row[first] - eliminated_ < share.first_kept) ++first;
   for (last = first; last < end && structure_->row[last] - eliminated_ < share.last_kept;) ++last;
   if (first == last) return;

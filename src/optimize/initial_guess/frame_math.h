@@ -11,7 +11,7 @@ namespace boxplus::guess {
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::DontAlign, 4, 4>;
 using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::DontAlign, 4, 1>;
 
-/// The rotation of a frame, or the identity if the frame has no rotation.
+/// The rotation of a frame, or the identity if the frame is a point, which has no rotation.
 SmallMatrix rotation_of(const detail::Frame& frame);
 SmallVector translation_of(const detail::Frame& frame);
 void set_rotation(detail::Frame& frame, const SmallMatrix& rotation);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A pack of doubles as the scalar of a formula, so that a template for double computes several edges at once.
+// A scalar type for formulas that are templates: one LaneNumber holds the values of several edges.
 #pragma once
 
 #include "kernels/simd_pack.h"

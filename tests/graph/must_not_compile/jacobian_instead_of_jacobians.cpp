@@ -10,6 +10,6 @@ struct Square {
   void jacobian(double x, Eigen::Ref<boxplus::Matrix<double, 1, 1>> J) const { J(0, 0) = 2 * x; }
 };
 
-void jacobian_in_the_singular(boxplus::Graph& graph) {
+void jacobian_instead_of_jacobians(boxplus::Graph& graph) {
   graph.add_edge(Square{}, graph.add_vertex(1.0));
 }
