@@ -64,7 +64,7 @@ void expect_correct_report(const Report& report, const Graph& graph,
 
 class EveryStart : public ::testing::TestWithParam<std::tuple<Start, AlgorithmKind>> {
  protected:
-  ~EveryStart() override { testing::stop_clock(); }
+  void TearDown() override { testing::stop_clock(); }
 };
 
 TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {

@@ -260,9 +260,11 @@ void Schur::subtract_products(std::uint32_t column, const double* l, const std::
                               Share& share) {
   const std::uint32_t begin = structure_->column_start[column] + 1,
                       end = structure_->column_start[column + 1];
-  std::uint32_t first = begin, last = begin;  // their rows are the columns of S that the share owns
+  // The rows of the blocks [first, last) are the columns of S that the share owns.
+  std::uint32_t first = begin;
   while (first < end && structure_->row[first] - eliminated_ < share.first_kept) ++first;
-  for (last = first; last < end && structure_->row[last] - eliminated_ < share.last_kept;) ++last;
+  std::uint32_t last = first;
+  while (last < end && structure_->row[last] - eliminated_ < share.last_kept) ++last;
   if (first == last) return;
   const int n = static_cast<int>(structure_->dim(column));
   halve_column(column, first, l, share);
