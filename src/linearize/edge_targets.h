@@ -29,7 +29,9 @@ inline bool owns(const Chunk& chunk, std::uint32_t block) {
   return block != kNoBlock && block >= chunk.first_column && block < chunk.last_column;
 }
 
+/// Whether an edge belongs to the chunk. `blocks` lists the blocks of the edge's vertices.
 inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks) {
+  if (chunk.first_shared != kNoBlock) return owns(chunk, *std::min_element(blocks.begin(), blocks.end()));
   return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(chunk, b); });
 }
 

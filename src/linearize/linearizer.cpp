@@ -30,7 +30,7 @@ void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t
 /// The number of edges between two checks of the stop token. It is reasonable for edges that take between 1
 /// µs and 100 µs. kValuesBetweenStops is the number of values of H that are cleared in about the same time.
 constexpr std::uint32_t kEdgesBetweenStops = detail::EdgeTile::kCapacity;
-constexpr std::uint32_t kValuesBetweenStops = 1u << 15;
+constexpr std::size_t kValuesBetweenStops = 1u << 15;
 
 /// Computes ρ(eᵀΩe) of the listed edges. Disabled edges get 0. Keeps values that are not finite, because a
 /// robust kernel may hide them.
@@ -49,9 +49,11 @@ void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
-    : graph_(&graph), plan_(&plan), gradient_(plan.scalars()), edge_chi2_(plan.edge_count) {
-  allocate_values(plan.structure.nonzero_values());
-  for (std::size_t k = 0; k < std::max<std::size_t>(plan.chunks.size(), 1); ++k) {
+    : graph_(&graph), plan_(&plan), edge_chi2_(plan.edge_count) {
+  const std::size_t copies = plan.eliminated_blocks > 0 ? plan.chunks.size() - 1 : 0;
+  gradient_.resize(plan.scalars() + copies * plan.shared_scalars());
+  allocate_values(plan.structure.nonzero_values() + copies * plan.shared_values());
+  for (int worker = 0; worker < plan.workers; ++worker) {
     memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
                          static_cast<std::size_t>(plan.max_tile_rows), plan.max_dense_values);
   }
@@ -73,30 +75,96 @@ void Linearizer::extend() {
   edge_chi2_.resize(plan_->edge_count);
 }
 
-void Linearizer::linearize(const LinearizeOptions& options) {
+void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch) {
   stopped_ = false;
-  detail::parallel_tasks(workers(), [&](int worker) {
-    const auto w = static_cast<std::size_t>(worker);
-    linearize_chunk(plan_->chunks[w], memory_[w], options);
+  const int threads = std::min(workers(), groups), chunks = static_cast<int>(plan_->chunks.size());
+  detail::parallel_tasks(threads, [&](int worker) {
+    for (int group = groups * worker / threads; group < groups * (worker + 1) / threads; ++group) {
+      const auto done = [&](std::uint32_t first, std::uint32_t last) { after_batch(group, first, last); };
+      for (int c = chunks * group / groups; c < chunks * (group + 1) / groups; ++c) {
+        const Chunk& chunk = plan_->chunks[static_cast<std::size_t>(c)];
+        if (!linearize_chunk(chunk, memory_[static_cast<std::size_t>(worker)], options, done))
+          return void(stopped_ = true);
+      }
+    }
   });
+  if (stopped_) return;
+  add_copies();
+  for (const Chunk& chunk : plan_->chunks)
+    leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
 }
 
-void Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options) {
-  const BlockStructure& structure = plan_->structure;
-  const auto first_value = structure.value_start[structure.column_start[chunk.first_column]];
-  const auto last_value = structure.value_start[structure.column_start[chunk.last_column]];
+/// Linearizes the edges of a chunk. Returns false if the token was raised.
+bool Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options,
+                                 detail::FunctionRef<void(std::uint32_t, std::uint32_t)> after_batch) {
   PacedStop pace(stop_, kEdgesBetweenStops);
-  for (auto begin = first_value; begin < last_value;
-       begin += std::min(kValuesBetweenStops, last_value - begin)) {
-    std::fill_n(values_.get() + begin, std::min(kValuesBetweenStops, last_value - begin), 0.0);
-    if (pace.is_raised_after(kEdgesBetweenStops)) return void(stopped_ = true);
+  if (!clear_unbatched(chunk, pace)) return false;
+  std::uint32_t column = chunk.first_column, run = 0;
+  for (const Chunk::Batch& batch : chunk.batches) {
+    clear_columns(column, batch.end_column);
+    if (!linearize_runs(chunk, run, batch.end_run, memory, options, pace)) return false;
+    after_batch(column, batch.end_column);
+    column = batch.end_column;
+    run = batch.end_run;
   }
-  std::fill(gradient_.begin() + structure.offset[chunk.first_column],
+  return linearize_runs(chunk, run, static_cast<std::uint32_t>(chunk.runs.size()), memory, options, pace);
+}
+
+/// Clears the columns of a chunk that belong to no batch, and its copies of the shared columns. Returns false
+/// if the token was raised.
+bool Linearizer::clear_unbatched(const Chunk& chunk, PacedStop& pace) {
+  const BlockStructure& structure = plan_->structure;
+  const std::uint32_t first = chunk.batches.empty() ? chunk.first_column : chunk.batches.back().end_column;
+  const auto value_of = [&](std::uint32_t column) {
+    return structure.value_start[structure.column_start[column]];
+  };
+  std::fill(gradient_.begin() + structure.offset[first],
             gradient_.begin() + structure.offset[chunk.last_column], 0.0);
-  for (const Chunk::Run& run : chunk.runs) {
-    if (!linearize_run(chunk.scatters[run.scatter], run, memory, options, pace)) return void(stopped_ = true);
+  if (!clear_values(value_of(first), value_of(chunk.last_column), pace)) return false;
+  if (chunk.copy.in_gradient == 0) return true;
+  std::fill_n(gradient_.begin() + structure.offset[chunk.first_shared] + chunk.copy.in_gradient,
+              plan_->shared_scalars(), 0.0);
+  const std::size_t copy = value_of(chunk.first_shared) + std::size_t{chunk.copy.in_values};
+  return clear_values(copy, copy + plan_->shared_values(), pace);
+}
+
+bool Linearizer::clear_values(std::size_t begin, std::size_t end, PacedStop& pace) {
+  for (; begin < end; begin += std::min(kValuesBetweenStops, end - begin)) {
+    std::fill_n(values_.get() + begin, std::min(kValuesBetweenStops, end - begin), 0.0);
+    if (pace.is_raised_after(kEdgesBetweenStops)) return false;
   }
-  leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
+  return true;
+}
+
+void Linearizer::clear_columns(std::uint32_t first, std::uint32_t last) {
+  const BlockStructure& structure = plan_->structure;
+  std::fill(values_.get() + structure.value_start[structure.column_start[first]],
+            values_.get() + structure.value_start[structure.column_start[last]], 0.0);
+  std::fill(gradient_.begin() + structure.offset[first], gradient_.begin() + structure.offset[last], 0.0);
+}
+
+/// Linearizes the runs [first, last) of a chunk. Returns false if the token was raised.
+bool Linearizer::linearize_runs(const Chunk& chunk, std::uint32_t first, std::uint32_t last,
+                                TileMemory& memory, const LinearizeOptions& options, PacedStop& pace) {
+  for (std::uint32_t k = first; k < last; ++k) {
+    const Chunk::Run& run = chunk.runs[k];
+    if (!linearize_run(chunk.scatters[run.scatter], run, memory, options, pace)) return false;
+  }
+  return true;
+}
+
+/// Adds the copies of the shared columns to H and to the gradient, in the order of the chunks.
+void Linearizer::add_copies() {
+  const BlockStructure& structure = plan_->structure;
+  for (const Chunk& chunk : plan_->chunks) {
+    if (chunk.copy.in_gradient == 0) continue;
+    double* const gradient = gradient_.data() + structure.offset[chunk.first_shared];
+    for (std::uint32_t i = 0; i < plan_->shared_scalars(); ++i)
+      gradient[i] += gradient[chunk.copy.in_gradient + i];
+    double* const values =
+        values_.get() + structure.value_start[structure.column_start[chunk.first_shared]];
+    for (std::uint32_t i = 0; i < plan_->shared_values(); ++i) values[i] += values[chunk.copy.in_values + i];
+  }
 }
 
 /// Linearizes the edges of a run, and adds them to H and to the gradient. Returns false if the token was

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "base/paced_stop.h"
 #include "linearize/accumulate.h"
@@ -170,75 +172,177 @@ std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& ac
   return bounds;
 }
 
+struct PlacedEdge {
+  std::uint32_t batch, pool, edge;
+};
+
+/// The number of eliminated vertices whose edges are linearized together.
+constexpr std::uint32_t kVerticesPerBatch = 64;
+
+/// The active edges, batch by batch of eliminated vertices, and then the edges that touch none. Within a
+/// batch, they are sorted by pool and slot. So tiles are full, and the values that a batch changes stay in
+/// the cache.
+class SortedEdges {
+ public:
+  SortedEdges(const Graph& graph, const ActiveSet& active, PacedStop& pace)
+      : eliminated_(active.eliminated_blocks), start_(batches() + 2, 0) {
+    std::vector<PlacedEdge> unsorted;
+    for_each_active_edge(graph, active, pace,
+                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+                           const std::uint32_t batch =
+                               first < eliminated_ ? first / kVerticesPerBatch : batches();
+                           unsorted.push_back({batch, pool, edge});
+                           ++start_[batch + 1];
+                         });
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    edges_.resize(unsorted.size());
+    std::vector<std::uint32_t> next = start_;
+    for (const PlacedEdge& edge : unsorted) {
+      pace.step();
+      edges_[next[edge.batch]++] = edge;
+    }
+  }
+
+  std::uint32_t batches() const { return (eliminated_ + kVerticesPerBatch - 1) / kVerticesPerBatch; }
+  std::uint32_t end_column(std::uint32_t batch) const {
+    return std::min((batch + 1) * kVerticesPerBatch, eliminated_);
+  }
+  /// The edges of the batches [first, last). The batch batches() contains the edges that touch no eliminated
+  /// vertex.
+  std::span<const PlacedEdge> of_batches(std::uint32_t first, std::uint32_t last) const {
+    return std::span(edges_).subspan(start_[first], start_[last] - start_[first]);
+  }
+
+  /// Divides the batches into contiguous ranges with about the same number of edges. Returns the first batch
+  /// of each range, and batches().
+  std::vector<std::uint32_t> share_batches(int count) const {
+    std::vector<std::uint32_t> bounds{0};
+    const std::uint64_t total = start_[batches()];
+    for (std::uint32_t batch = 1; batch < batches(); ++batch) {
+      const auto parts = static_cast<std::uint64_t>(bounds.size());
+      if (parts < static_cast<std::uint64_t>(count) &&
+          start_[batch] * static_cast<std::uint64_t>(count) >= total * parts)
+        bounds.push_back(batch);
+    }
+    bounds.push_back(batches());
+    return bounds;
+  }
+
+ private:
+  std::uint32_t eliminated_;
+  std::vector<std::uint32_t> start_;  // per batch
+  std::vector<PlacedEdge> edges_;
+};
+
+/// The number of chunks if vertices are eliminated. It does not depend on the number of workers, and is so
+/// small that the copies of the shared columns are small.
+int count_chunks(const Plan& plan, double predicted_nanoseconds) {
+  constexpr double kMostChunks = 8, kLargestCopy = 1.0 / 16;
+  const double shared = plan.shared_values(), all = plan.structure.nonzero_values();
+  const double room = std::min(kLargestCopy * all, Scatter::kTransposed - all);
+  const double most = std::min(kMostChunks, 1 + room / std::max(1.0, shared));
+  return std::max(1, static_cast<int>(std::min(most, predicted_nanoseconds / kMinWorkerNanoseconds)));
+}
+
 /// Builds the scatter map of one chunk.
 class ChunkBuilder {
  public:
-  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure,
-               std::uint32_t first, std::uint32_t last, const StopToken& stop)
-      : graph_(graph), active_(active), structure_(structure), pace_(stop) {
-    chunk_.first_column = first;
-    chunk_.last_column = last;
+  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure, Chunk chunk,
+               const StopToken& stop)
+      : graph_(graph),
+        active_(active),
+        structure_(structure),
+        chunk_(std::move(chunk)),
+        scatter_of_(graph.edge_pools().size(), ActiveSet::kInactive),
+        pace_(stop) {}
+
+  /// Adds all active edges that touch the chunk.
+  Chunk build_from_all() {
+    begin_batch();
+    for_each_active_edge(graph_, active_, pace_,
+                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+                           if (touches(chunk_, blocks)) append(pool, edge, blocks);
+                         });
+    return std::move(chunk_);
   }
 
-  Chunk build() {
-    const std::vector<Entry> entries = sorted_entries();
-    std::vector<std::uint32_t> scatter_of(graph_.edge_pools().size(), ActiveSet::kInactive);
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      pace_.step(4);
-      const Entry& entry = entries[k];
-      std::uint32_t& scatter = scatter_of[entry.pool];
-      if (scatter == ActiveSet::kInactive) {
-        scatter = static_cast<std::uint32_t>(chunk_.scatters.size());
-        chunk_.scatters.push_back({entry.pool, {}, {}, {}});
-      }
-      const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
-      if (k == 0 || entries[k - 1].pool != entry.pool) chunk_.runs.push_back({scatter, position, position});
-      ++chunk_.runs.back().end;
-      const detail::EdgePool& pool = *graph_.edge_pools()[entry.pool];
-      edge_blocks(pool, entry.edge, active_.block, blocks_);
-      append_edge(pool, entry.edge, blocks_, structure_, chunk_, chunk_.scatters[scatter]);
+  /// Adds the edges of the batches [first, last), and in the last chunk also the edges that touch no
+  /// eliminated vertex.
+  Chunk build_from(const SortedEdges& edges, std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t batch = first; batch < last; ++batch) {
+      append_batch(edges, batch);
+      chunk_.batches.push_back(
+          {edges.end_column(batch), static_cast<std::uint32_t>(chunk_.runs.size())});
     }
+    if (last == edges.batches()) append_batch(edges, last);
     return std::move(chunk_);
   }
 
  private:
-  struct Entry {
-    std::uint32_t batch, pool, edge;
-  };
-
-  /// The edges that touch the chunk: batch by batch of eliminated vertices, then the edges that touch none.
-  /// Within a batch, they are sorted by pool and slot. So tiles are full, and the values that a batch changes
-  /// stay in the cache.
-  std::vector<Entry> sorted_entries() {
-    constexpr std::uint32_t kVerticesPerBatch = 64;
-    const std::uint32_t batches = (active_.eliminated_blocks + kVerticesPerBatch - 1) / kVerticesPerBatch;
-    std::vector<Entry> entries;
-    std::vector<std::uint32_t> next(batches + 2, 0);
-    for_each_active_edge(
-        graph_, active_, pace_, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-          if (!touches(chunk_, blocks)) return;
-          const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-          const std::uint32_t batch = first < active_.eliminated_blocks ? first / kVerticesPerBatch : batches;
-          entries.push_back({batch, pool, edge});
-          ++next[batch + 1];
-        });
-    if (batches == 0) return entries;
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Entry> sorted(entries.size());
-    for (const Entry& entry : entries) {
-      pace_.step();
-      sorted[next[entry.batch]++] = entry;
+  void append_batch(const SortedEdges& edges, std::uint32_t batch) {
+    begin_batch();
+    for (const auto& [_, pool, edge] : edges.of_batches(batch, batch + 1)) {
+      pace_.step(4);
+      edge_blocks(*graph_.edge_pools()[pool], edge, active_.block, blocks_);
+      append(pool, edge, blocks_);
     }
-    return sorted;
+  }
+
+  void begin_batch() { last_pool_ = ActiveSet::kInactive; }
+
+  void append(std::uint32_t pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks) {
+    std::uint32_t& scatter = scatter_of_[pool];
+    if (scatter == ActiveSet::kInactive) {
+      scatter = static_cast<std::uint32_t>(chunk_.scatters.size());
+      chunk_.scatters.push_back({pool, {}, {}, {}});
+    }
+    const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
+    if (std::exchange(last_pool_, pool) != pool) chunk_.runs.push_back({scatter, position, position});
+    ++chunk_.runs.back().end;
+    append_edge(*graph_.edge_pools()[pool], edge, blocks, structure_, chunk_, chunk_.scatters[scatter]);
   }
 
   const Graph& graph_;
   const ActiveSet& active_;
   const BlockStructure& structure_;
-  PacedStop pace_;
   Chunk chunk_;
+  std::vector<std::uint32_t> scatter_of_;
+  PacedStop pace_;
   std::vector<std::uint32_t> blocks_;
+  std::uint32_t last_pool_ = ActiveSet::kInactive;
 };
+
+/// The chunks if no vertex is eliminated.
+void add_chunks_by_owner(const Graph& graph, const ActiveSet& active, const StopToken& stop, Plan& plan) {
+  PacedStop pace(stop);
+  const std::vector<std::uint32_t> bounds = share_columns(graph, active, plan.workers, pace);
+  for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
+    Chunk chunk;
+    chunk.first_column = bounds[c];
+    chunk.last_column = bounds[c + 1];
+    plan.chunks.push_back(
+        ChunkBuilder(graph, active, plan.structure, std::move(chunk), stop).build_from_all());
+  }
+}
+
+/// The chunks if vertices are eliminated.
+void add_chunks_with_copies(const Graph& graph, const ActiveSet& active, int count, const StopToken& stop,
+                            Plan& plan) {
+  PacedStop pace(stop);
+  const SortedEdges edges(graph, active, pace);
+  const std::vector<std::uint32_t> bounds = edges.share_batches(count);
+  for (std::uint32_t c = 0; c + 1 < bounds.size(); ++c) {
+    const bool is_last = bounds[c + 1] == edges.batches();
+    Chunk chunk;
+    chunk.first_column = bounds[c] * kVerticesPerBatch;
+    chunk.last_column = is_last ? plan.structure.blocks() : bounds[c + 1] * kVerticesPerBatch;
+    chunk.first_shared = active.eliminated_blocks;
+    if (!is_last) chunk.copy = {(c + 1) * plan.shared_scalars(), (c + 1) * plan.shared_values()};
+    plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, std::move(chunk), stop)
+                              .build_from(edges, bounds[c], bounds[c + 1]));
+  }
+}
 
 }  // namespace
 
@@ -262,12 +366,13 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   list_edges(graph, active, plan, pace);
   const double predicted = predicted_nanoseconds(graph, plan, pace);
   const double worth = std::min(predicted / kMinWorkerNanoseconds, 1.0 * request.threads);
-  const int workers = std::max(1, static_cast<int>(worth));
-  const std::vector<std::uint32_t> bounds = share_columns(graph, active, workers, pace);
-  for (std::size_t c = 0; c + 1 < bounds.size(); ++c) {
-    ChunkBuilder builder(graph, active, plan.structure, bounds[c], bounds[c + 1], request.stop);
-    plan.chunks.push_back(builder.build());
+  plan.workers = std::max(1, static_cast<int>(worth));
+  if (plan.eliminated_blocks > 0) {
+    add_chunks_with_copies(graph, active, count_chunks(plan, predicted), request.stop, plan);
+  } else {
+    add_chunks_by_owner(graph, active, request.stop, plan);
   }
+  plan.workers = std::min(plan.workers, static_cast<int>(plan.chunks.size()));
   list_fixed_directions(graph, plan);
   return plan;
 }

@@ -37,13 +37,25 @@ void LevenbergMarquardt::raise_damping() {
   growth_ *= 2;
 }
 
+/// λ δᵀDδ of the step δ.
+double LevenbergMarquardt::damping_of_step(const System& system, double lambda) const {
+  if (scale_ == Options::DampingScale::kIdentity) return lambda * dot(step_, step_);
+  const auto diagonal = system.diagonal();
+  double sum = 0;
+  for (std::size_t i = 0; i < step_.size(); ++i) sum += diagonal[i] * step_[i] * step_[i];
+  return lambda * sum;
+}
+
 /// Computes the step δ with (H + λD) δ = −g. Its curvature is δᵀ(H + λD)δ = −gᵀδ. If λD contributes more than
-/// half of this curvature, the step counts as cut short by damping.
+/// half of this curvature, the step counts as cut short by damping. The curvature of an exact step needs no
+/// product with H.
 LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, IterationRecord& record) {
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return solved.status;
-  const double curvature = system.curvature(step_);
+  const double curvature = solved.exact
+                               ? -dot(system.gradient(), step_) - damping_of_step(system, lambda)
+                               : system.curvature(step_);
   predicted_ = model_decrease(system.gradient(), step_, curvature);
   cut_short_ = curvature < -dot(system.gradient(), step_) / 2;
   return LinearStatus::kOk;

@@ -19,6 +19,7 @@ class LevenbergMarquardt final : public Algorithm {
   double default_damping(const System& system) const;
   void start_damping(const System& system);
   void raise_damping();
+  double damping_of_step(const System& system, double lambda) const;
   LinearStatus find_step(System& system, double lambda, IterationRecord& record);
   LinearStatus find_first_step(System& system, double chi2, IterationRecord& record);
   bool take_step(System& system, double chi2, IterationRecord& record);

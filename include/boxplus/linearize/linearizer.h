@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
 #include "boxplus/linearize/plan.h"
 
 namespace boxplus {
@@ -38,7 +39,14 @@ class Linearizer {
   /// Adapts to the plan after extend_plan() (src/linearize/extend_plan.h). Allocates.
   void extend();
 
-  void linearize(const LinearizeOptions& options);
+  void linearize(const LinearizeOptions& options) {
+    linearize(options, static_cast<int>(plan_->chunks.size()), [](int, std::uint32_t, std::uint32_t) {});
+  }
+  /// The same. Calls after_batch(group, first, last) when the columns [first, last) of eliminated vertices are
+  /// complete in H and in the gradient, while they are in the cache. The chunks are divided into `groups`
+  /// ranges. One worker runs all chunks of a group, in order.
+  using AfterBatch = detail::FunctionRef<void(int, std::uint32_t, std::uint32_t)>;
+  void linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch);
   /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not finite.
   double chi2();
   /// When the token is raised, linearize() and chi2() end soon. H and the gradient are then not usable,
@@ -52,11 +60,18 @@ class Linearizer {
 
   /// The values of H. Not initialized before the first linearize().
   std::span<const double> values() const { return {values_.get(), plan_->structure.nonzero_values()}; }
-  std::span<const double> gradient() const { return gradient_; }
-  int workers() const { return static_cast<int>(plan_->chunks.size()); }
+  std::span<const double> gradient() const { return std::span(gradient_).first(plan_->scalars()); }
+  int workers() const { return plan_->workers; }
 
  private:
-  void linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options);
+  bool linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options,
+                       detail::FunctionRef<void(std::uint32_t, std::uint32_t)> after_batch);
+  bool clear_unbatched(const Chunk& chunk, PacedStop& pace);
+  bool clear_values(std::size_t begin, std::size_t end, PacedStop& pace);
+  void clear_columns(std::uint32_t first, std::uint32_t last);
+  bool linearize_runs(const Chunk& chunk, std::uint32_t first, std::uint32_t last, TileMemory& memory,
+                      const LinearizeOptions& options, PacedStop& pace);
+  void add_copies();
   bool linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                      const LinearizeOptions& options, PacedStop& pace);
   void add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
@@ -70,7 +85,7 @@ class Linearizer {
   std::atomic<bool> stopped_ = false;
   std::size_t values_room_ = 0;
   std::unique_ptr<double[]> values_;  // not initialized, so that the workers are the first to touch its pages
-  std::vector<double> gradient_, edge_chi2_;
+  std::vector<double> gradient_, edge_chi2_;  // values_ and gradient_ end with the copies of the chunks
   std::vector<TileMemory> memory_;
 };
 

@@ -61,13 +61,30 @@ struct Scatter {
   }
 };
 
-/// The share of one worker: the block columns of H that it owns, and the edges that touch these columns. If
-/// an edge touches columns of two workers, both linearize it, and each adds to its own columns. Exactly one
-/// worker sums each block of H, in the order of its runs. Therefore, H has the same bits for any number of
+/// A part of the linearization: the block columns of H that it owns, and the edges that touch these columns.
+/// Chunks do not write to the same values, so that each can have its own worker.
+///
+/// If no vertex is eliminated, each worker has one chunk. If an edge touches columns of two chunks, both
+/// linearize it, and each adds to its own columns. Exactly one chunk sums each block of H, in the order of
+/// its runs. Therefore, H has the same bits for any number of workers.
+///
+/// If vertices are eliminated, each edge is in one chunk: in that of its eliminated vertex, or in the last
+/// one. All chunks add to the columns of the other vertices, each to its own copy. The last chunk adds to the
+/// copy in H. The number of chunks depends only on the problem, so that H has the same bits for any number of
 /// workers.
 struct Chunk {
   struct Run {
     std::uint32_t scatter, begin, end;  ///< edges [begin, end) of scatters[scatter]
+  };
+  /// The runs [previous end, end_run), which contain all edges of the eliminated vertices [previous
+  /// end, end_column).
+  struct Batch {
+    std::uint32_t end_column, end_run;
+  };
+  /// The distance from an entry of a column that all chunks share to this chunk's copy of it: in the
+  /// gradient, and in the values of H.
+  struct CopyOffset {
+    std::uint32_t in_gradient = 0, in_values = 0;
   };
   /// The entries of H and of the gradient that belong to fixed scalars (Graph::fix_directions()) and that
   /// this chunk owns.
@@ -77,11 +94,15 @@ struct Chunk {
     std::vector<std::uint32_t> diagonals;  ///< diagonal entries of H
   };
   std::uint32_t first_column = 0, last_column = 0;
+  /// The first column that all chunks share.
+  std::uint32_t first_shared = BlockStructure::kAbsent;
+  CopyOffset copy;
   FixedScalars fixed;
   std::vector<Scatter> scatters;
   /// First, for each batch of eliminated vertices, their edges pool by pool; then the other edges, pool by
-  /// pool. No two consecutive runs are of the same pool.
+  /// pool. No two consecutive runs of a batch are of the same pool.
   std::vector<Run> runs;
+  std::vector<Batch> batches;
 };
 
 /// A vertex that is held at its estimate to remove the gauge freedom of its component.
@@ -100,6 +121,7 @@ struct Plan {
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
   std::vector<Chunk> chunks;
+  int workers = 1;  ///< the number of threads that linearize, at most one per chunk
   std::vector<GaugeVertex> held;               ///< GaugePolicy::kFixFirst
   std::vector<detail::GaugeFreedom> freedoms;  ///< the freedom that remains if the vertices `held` are held
   /// The entries of a step that are held at zero because of `freedoms` (GaugePolicy::kFixFirst).
@@ -113,6 +135,11 @@ struct Plan {
   std::size_t max_dense_values = 0;  ///< scratch values for the largest edge that dense kernels multiply
 
   std::uint32_t scalars() const { return structure.scalars(); }
+  /// The numbers of values of H and of entries of the gradient that belong to columns that all chunks share.
+  std::uint32_t shared_values() const {
+    return structure.nonzero_values() - structure.value_start[structure.column_start[eliminated_blocks]];
+  }
+  std::uint32_t shared_scalars() const { return scalars() - structure.offset[eliminated_blocks]; }
   /// The number of scalars that may change.
   std::uint32_t free_scalars() const { return scalars() - static_cast<std::uint32_t>(fixed_scalars.size()); }
 };
