@@ -14,8 +14,8 @@ std::uint32_t target(const BlockStructure& structure, const Chunk& chunk, std::u
   const std::uint32_t column = std::min(i, j);
   const bool shared = is_shared(chunk, column);
   if (!shared && !owns(chunk, column)) return Scatter::kNowhere;
-  const std::uint32_t value = structure.value_start[structure.find(std::max(i, j), column)] +
-                              (shared ? chunk.copy.in_values : 0);
+  const std::uint32_t value =
+      structure.value_start[structure.find(std::max(i, j), column)] + (shared ? chunk.copy.in_values : 0);
   return i >= j ? value : value | Scatter::kTransposed;
 }
 

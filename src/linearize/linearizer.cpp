@@ -161,8 +161,7 @@ void Linearizer::add_copies() {
     double* const gradient = gradient_.data() + structure.offset[chunk.first_shared];
     for (std::uint32_t i = 0; i < plan_->shared_scalars(); ++i)
       gradient[i] += gradient[chunk.copy.in_gradient + i];
-    double* const values =
-        values_.get() + structure.value_start[structure.column_start[chunk.first_shared]];
+    double* const values = values_.get() + structure.value_start[structure.column_start[chunk.first_shared]];
     for (std::uint32_t i = 0; i < plan_->shared_values(); ++i) values[i] += values[chunk.copy.in_values + i];
   }
 }

@@ -187,14 +187,13 @@ class SortedEdges {
   SortedEdges(const Graph& graph, const ActiveSet& active, PacedStop& pace)
       : eliminated_(active.eliminated_blocks), start_(batches() + 2, 0) {
     std::vector<PlacedEdge> unsorted;
-    for_each_active_edge(graph, active, pace,
-                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-                           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-                           const std::uint32_t batch =
-                               first < eliminated_ ? first / kVerticesPerBatch : batches();
-                           unsorted.push_back({batch, pool, edge});
-                           ++start_[batch + 1];
-                         });
+    for_each_active_edge(
+        graph, active, pace, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+          const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+          const std::uint32_t batch = first < eliminated_ ? first / kVerticesPerBatch : batches();
+          unsorted.push_back({batch, pool, edge});
+          ++start_[batch + 1];
+        });
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     edges_.resize(unsorted.size());
     std::vector<std::uint32_t> next = start_;
@@ -272,8 +271,7 @@ class ChunkBuilder {
   Chunk build_from(const SortedEdges& edges, std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t batch = first; batch < last; ++batch) {
       append_batch(edges, batch);
-      chunk_.batches.push_back(
-          {edges.end_column(batch), static_cast<std::uint32_t>(chunk_.runs.size())});
+      chunk_.batches.push_back({edges.end_column(batch), static_cast<std::uint32_t>(chunk_.runs.size())});
     }
     if (last == edges.batches()) append_batch(edges, last);
     return std::move(chunk_);

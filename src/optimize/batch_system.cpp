@@ -2,6 +2,7 @@
 #include "optimize/batch_system.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "linearize/extend_plan.h"
@@ -28,10 +29,13 @@ BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_p
       before_step_(graph, *plan_),  // so that no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
-      solver_(make_schur_solver(std::move(solver), schur)) {
+      solver_(std::move(solver), schur) {
   threads_ = request.threads;
   gauge_ = request.gauge;
-  solver_->analyze(plan_->structure, hints(), request.stop);
+  for (const Chunk& chunk : plan_->chunks) elimination_bounds_.push_back(chunk.first_column);
+  elimination_bounds_.push_back(plan_->eliminated_blocks);
+  solver_.analyze(plan_->structure, hints(), request.stop);
+  elimination_s_.resize(static_cast<std::size_t>(solver_.slices()));
   resize_vectors();
 }
 
@@ -39,7 +43,8 @@ AnalyzeHints BatchSystem::hints() const {
   return {.threads = threads_,
           .eliminated_blocks = plan_->eliminated_blocks,
           .last = plan_->loose_blocks,
-          .may_be_singular = !plan_->loose_blocks.empty()};
+          .may_be_singular = !plan_->loose_blocks.empty(),
+          .elimination_bounds = elimination_bounds_};
 }
 
 void BatchSystem::resize_vectors() {
@@ -55,8 +60,8 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
   linearizer_.extend();
   assembled_ = AssembledSystem(plan_->structure, linearizer_.values());
   resize_vectors();
-  if (!solver_->extend(growth->of_structure(), request.stop))
-    solver_->analyze(plan_->structure, hints(), request.stop);
+  if (!solver_.extend(growth->of_structure(), request.stop))
+    solver_.analyze(plan_->structure, hints(), request.stop);
   return true;
 }
 
@@ -65,7 +70,8 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
   control_ = {.relative_tolerance = options.linear_tolerance, .stop = stop};
   lost_scalars_.clear();
   holds_ = true;
-  gauge_damping_ = last_chi2_ = 0;
+  gauge_damping_ = last_chi2_ = last_floor_ = 0;
+  expected_.reset();
   linearizer_.set_stop(stop);
   timings_ = &timings;
 }
@@ -76,18 +82,73 @@ double BatchSystem::chi2() {
 }
 
 bool BatchSystem::linearize() {
-  const TimeAdder adder(timings_->linearize_s);
-  linearizer_.linearize(linearize_options_);
-  if (linearizer_.stopped()) return false;
-  const BlockStructure& structure = plan_->structure;
-  const auto values = linearizer_.values();
-  for (std::uint32_t block = 0; block < structure.blocks(); ++block) {
-    const double* diagonal_block = values.data() + structure.value_start[structure.column_start[block]];
-    const std::uint32_t dim = structure.dim(block);
-    for (std::uint32_t i = 0; i < dim; ++i)
-      diagonal_[structure.offset[block] + i] = diagonal_block[i * (dim + 1)];
+  const std::optional<StepDamping> expected = std::exchange(expected_, std::nullopt);
+  elimination_.reset();
+  if (expected && may_eliminate_early()) {
+    linearize_and_eliminate(*expected);
+  } else {
+    const TimeAdder adder(timings_->linearize_s);
+    linearizer_.linearize(linearize_options_);
+    if (!linearizer_.stopped()) collect(0, plan_->structure.blocks());
   }
+  if (linearizer_.stopped()) return false;
+  last_floor_ = diagonal_floor();
   return all_finite(linearizer_.gradient()) && all_finite(diagonal_);
+}
+
+/// Sets the diagonal of H and the right-hand side for the blocks [first, last).
+void BatchSystem::collect(std::uint32_t first, std::uint32_t last) {
+  const BlockStructure& structure = plan_->structure;
+  const double *values = linearizer_.values().data(), *gradient = linearizer_.gradient().data();
+  for (std::uint32_t block = first; block < last; ++block) {
+    const double* diagonal_block = values + structure.value_start[structure.column_start[block]];
+    const std::uint32_t dim = structure.dim(block), offset = structure.offset[block];
+    for (std::uint32_t i = 0; i < dim; ++i) {
+      diagonal_[offset + i] = diagonal_block[i * (dim + 1)];
+      right_hand_side_[offset + i] = -gradient[offset + i];
+    }
+  }
+}
+
+/// Whether vertices can be eliminated while other edges are still being linearized. This needs columns that
+/// are final when their edges have been added.
+bool BatchSystem::may_eliminate_early() const {
+  const std::uint32_t first_kept = plan_->structure.offset[plan_->eliminated_blocks];
+  const auto is_kept = [&](std::uint32_t scalar) { return scalar >= first_kept; };
+  return solver_.slices() > 0 && plan_->fixed_scalars.empty() &&
+         std::all_of(plan_->held_scalars.begin(), plan_->held_scalars.end(), is_kept) &&
+         std::all_of(lost_scalars_.begin(), lost_scalars_.end(), is_kept);
+}
+
+/// Linearizes all edges. Eliminates each batch of vertices as soon as its edges have been linearized, so that
+/// its columns of H are still in the cache.
+void BatchSystem::linearize_and_eliminate(const StepDamping& damping) {
+  const BlockStructure& structure = plan_->structure;
+  const bool uniform = is_uniform(damping);
+  const Damping full = uniform ? Damping{damping.lambda, nullptr} : Damping{1.0, damping_.data()};
+  const auto take = [&](std::uint32_t first, std::uint32_t last) {
+    collect(first, last);
+    if (!uniform) fill_damping(damping, last_floor_, structure.offset[first], structure.offset[last]);
+  };
+  SolveControl control = control_;
+  control.right_hand_side = right_hand_side_.data();
+  solver_.begin(assembled_, full, control);
+  std::fill(elimination_s_.begin(), elimination_s_.end(), 0.0);
+  const Stopwatch clock;
+  linearizer_.linearize(linearize_options_, solver_.slices(),
+                        [&](int slice, std::uint32_t first, std::uint32_t last) {
+                          take(first, last);
+                          const TimeAdder adder(elimination_s_[static_cast<std::size_t>(slice)]);
+                          solver_.eliminate_columns(slice, first, last, control.stop);
+                        });
+  const double eliminate_s = std::accumulate(elimination_s_.begin(), elimination_s_.end(), 0.0) /
+                             std::min(linearizer_.workers(), solver_.slices());
+  timings_->factorize_s += eliminate_s;
+  timings_->linearize_s += clock.seconds() - eliminate_s;
+  if (linearizer_.stopped()) return;
+  take(plan_->eliminated_blocks, structure.blocks());
+  if (!uniform) hold_scalars(damping, last_floor_);
+  elimination_ = {damping, full};
 }
 
 double BatchSystem::curvature(std::span<const double> d) {
@@ -96,28 +157,56 @@ double BatchSystem::curvature(std::span<const double> d) {
   return dot(d, product_);
 }
 
-/// The diagonal matrix to add to H: λD, plus the damping of the gauge, plus the diagonal entry of H for each
-/// held scalar. If λ > 0, does not hold Plan::held_scalars, because λD already removes the gauge freedom.
-Damping BatchSystem::full_damping(const StepDamping& damping) {
+double BatchSystem::diagonal_floor() const {
+  return std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
+}
+
+/// Whether the plan's held scalars are held. If λ > 0, they are not, because λD already removes the gauge
+/// freedom.
+bool BatchSystem::holds_scalars(const StepDamping& damping) const {
+  return holds_ && damping.lambda == 0 && !plan_->held_scalars.empty();
+}
+
+/// The fraction of itself that is added to each diagonal entry to remove the gauge freedom.
+double BatchSystem::gauge_fraction() const {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
-  const double gauge = is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
-  const bool holds = holds_ && damping.lambda == 0 && !plan_->held_scalars.empty();
+  return is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
+}
+
+/// Whether the matrix to add to H is λI.
+bool BatchSystem::is_uniform(const StepDamping& damping) const {
   const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
-  if (identity && gauge == 0 && !holds && lost_scalars_.empty()) return {damping.lambda, nullptr};
-  const double floor = std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
-  const auto scale = [&](std::size_t i) { return std::max(diagonal_[i], floor); };
-  for (std::size_t i = 0; i < damping_.size(); ++i)
-    damping_[i] = damping.lambda * (identity ? 1 : scale(i)) + gauge * scale(i);
-  if (holds) {
-    for (const std::uint32_t i : plan_->held_scalars) damping_[i] += scale(i);
+  return identity && gauge_fraction() == 0 && !holds_scalars(damping) && lost_scalars_.empty();
+}
+
+/// Computes the scalars [first, last) of the diagonal matrix to add to H: λD, plus the damping of the gauge.
+void BatchSystem::fill_damping(const StepDamping& damping, double floor, std::uint32_t first,
+                               std::uint32_t last) {
+  const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
+  const double gauge = gauge_fraction();
+  for (std::uint32_t i = first; i < last; ++i) {
+    const double scale = std::max(diagonal_[i], floor);
+    damping_[i] = damping.lambda * (identity ? 1 : scale) + gauge * scale;
   }
-  for (const std::uint32_t i : lost_scalars_) damping_[i] += scale(i);
+}
+
+/// Adds the diagonal entry of H for each held scalar.
+void BatchSystem::hold_scalars(const StepDamping& damping, double floor) {
+  const auto hold = [&](std::uint32_t i) { damping_[i] += std::max(diagonal_[i], floor); };
+  if (holds_scalars(damping)) std::for_each(plan_->held_scalars.begin(), plan_->held_scalars.end(), hold);
+  std::for_each(lost_scalars_.begin(), lost_scalars_.end(), hold);
+}
+
+/// The diagonal matrix to add to H.
+Damping BatchSystem::full_damping(const StepDamping& damping) {
+  if (is_uniform(damping)) return {damping.lambda, nullptr};
+  const double floor = diagonal_floor();
+  fill_damping(damping, floor, 0, plan_->scalars());
+  hold_scalars(damping, floor);
   return {1.0, damping_.data()};
 }
 
 StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step) {
-  const auto gradient = linearizer_.gradient();
-  for (std::size_t i = 0; i < gradient.size(); ++i) right_hand_side_[i] = -gradient[i];
   StepResult result = solve_once(damping, step);
   if (result.status == LinearStatus::kOk && !held_are_gauge(damping, step)) {
     lost_scalars_.clear();
@@ -146,8 +235,7 @@ StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step
 }
 
 StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double> step) {
-  const Damping full = full_damping(damping);
-  const StepResult result = factorize_and_solve(full, step);
+  const StepResult result = factorize_and_solve(damping, step);
   for (const std::uint32_t i : plan_->fixed_scalars) step[i] = 0;  // exactly 0, even with a custom solver
   return result;
 }
@@ -214,19 +302,26 @@ void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
   failed_scalar_ = scalar;
 }
 
-StepResult BatchSystem::factorize_and_solve(const Damping& damping, std::span<double> step) {
-  {
-    const TimeAdder adder(timings_->factorize_s);
-    SolveControl control = control_;
-    control.right_hand_side = right_hand_side_.data();
-    const FactorResult factor = solver_->factorize(assembled_, damping, control);
-    if (factor.status != LinearStatus::kOk) {
-      note_failure(factor.failed_block, factor.failed_scalar);
-      return {factor.status};
-    }
+FactorResult BatchSystem::factorize(const StepDamping& damping) {
+  const TimeAdder adder(timings_->factorize_s);
+  SolveControl control = control_;
+  control.right_hand_side = right_hand_side_.data();
+  const std::optional<Elimination> elimination = std::exchange(elimination_, std::nullopt);
+  if (elimination && elimination->damping == damping) {
+    const FactorResult result = solver_.finish(assembled_, elimination->full, control);
+    if (result.status == LinearStatus::kOk || result.status == LinearStatus::kStopped) return result;
+  }
+  return solver_.factorize(assembled_, full_damping(damping), control);
+}
+
+StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::span<double> step) {
+  const FactorResult factor = factorize(damping);
+  if (factor.status != LinearStatus::kOk) {
+    note_failure(factor.failed_block, factor.failed_scalar);
+    return {factor.status};
   }
   const TimeAdder adder(timings_->solve_s);
-  const SolveResult solved = solver_->solve(right_hand_side_.data(), 1, step.data(), control_);
+  const SolveResult solved = solver_.solve(right_hand_side_.data(), 1, step.data(), control_);
   if (solved.status == LinearStatus::kNotPositiveDefinite)
     note_failure(solved.failed_block, solved.failed_scalar);
   const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is usable

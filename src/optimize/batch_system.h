@@ -11,6 +11,7 @@
 #include "boxplus/linearize/linearizer.h"
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
+#include "linear/schur/schur_solver.h"
 #include "optimize/estimates.h"
 
 namespace boxplus {
@@ -33,6 +34,7 @@ class BatchSystem final : public System {
   void configure(const Options& options, Report::Timings& timings, const StopToken& stop = {});
 
   double chi2() override;
+  void expect(const StepDamping& damping) override { expected_ = damping; }
   bool linearize() override;
   std::span<const double> gradient() const override { return linearizer_.gradient(); }
   std::span<const double> diagonal() const override { return diagonal_; }
@@ -45,10 +47,10 @@ class BatchSystem final : public System {
 
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
-  const LinearSolver& linear_solver() const { return *solver_; }
+  const LinearSolver& linear_solver() const { return solver_; }
   /// The elimination order of the plan's blocks. Empty if the solver has no such order, or if the Schur
   /// complement eliminates some of the blocks.
-  std::span<const std::uint32_t> elimination_order() const { return solver_->elimination_order(); }
+  std::span<const std::uint32_t> elimination_order() const { return solver_.elimination_order(); }
   /// Whether any component of the graph can move without changing an error. May factorize H at the current
   /// estimates to find out.
   bool is_free();
@@ -61,12 +63,28 @@ class BatchSystem final : public System {
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
 
  private:
+  /// What linearize() has already computed for the next solve().
+  struct Elimination {
+    StepDamping damping;
+    Damping full;
+  };
+
+  void collect(std::uint32_t first, std::uint32_t last);
+  bool may_eliminate_early() const;
+  void linearize_and_eliminate(const StepDamping& damping);
+  bool is_uniform(const StepDamping& damping) const;
+  double gauge_fraction() const;
+  bool holds_scalars(const StepDamping& damping) const;
+  void fill_damping(const StepDamping& damping, double floor, std::uint32_t first, std::uint32_t last);
+  void hold_scalars(const StepDamping& damping, double floor);
+  double diagonal_floor() const;
   Damping full_damping(const StepDamping& damping);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
   bool has_other_types() const;
   bool hold_lost_pivot();
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
-  StepResult factorize_and_solve(const Damping& damping, std::span<double> step);
+  StepResult factorize_and_solve(const StepDamping& damping, std::span<double> step);
+  FactorResult factorize(const StepDamping& damping);
   void note_failure(std::uint32_t block, std::uint32_t scalar);
   AnalyzeHints hints() const;
   void resize_vectors();
@@ -76,8 +94,13 @@ class BatchSystem final : public System {
   Estimates before_step_;
   Linearizer linearizer_;
   AssembledSystem assembled_;
-  std::shared_ptr<LinearSolver> solver_;
+  SchurSolver solver_;
   std::vector<double> diagonal_, right_hand_side_, product_, damping_;
+  std::vector<std::uint32_t> elimination_bounds_;
+  std::vector<double> elimination_s_;       // per slice
+  std::optional<StepDamping> expected_;     // of the solve() after the next linearize()
+  std::optional<Elimination> elimination_;  // of the current H
+  double last_floor_ = 0;                   // diagonal_floor() of the last linearization
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
   std::vector<std::uint32_t> lost_scalars_;

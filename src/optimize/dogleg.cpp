@@ -32,11 +32,14 @@ void Dogleg::scale_from(const System& system) {
   for (std::size_t i = 0; i < scale_.size(); ++i) scale_[i] = std::max(diagonal[i], floor);
 }
 
+void Dogleg::lower_regularization() {
+  regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
+}
+
 /// Computes the Gauss-Newton step. If H is not positive definite, uses H + λD instead, with the smallest λ of
 /// a geometric series for which H + λD is positive definite. The series begins one value below the λ of the
 /// previous iteration.
 LinearStatus Dogleg::solve_gauss_newton(System& system, IterationRecord& record) {
-  regularization_ = regularization_ > kFirstRegularization ? regularization_ / 10 : 0;
   for (;;) {
     const StepResult solved = system.solve({regularization_, Options::DampingScale::kDiagonal}, newton_);
     record.linear_iterations += solved.linear_iterations;
@@ -125,6 +128,8 @@ void Dogleg::update_radius(double gain, double step_norm) {
 }
 
 IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& record) {
+  lower_regularization();
+  system.expect({regularization_, Options::DampingScale::kDiagonal});
   if (!system.linearize()) return outcome_without_linearization(system);
   record.gradient_max = max_abs(system.gradient());
   scale_from(system);

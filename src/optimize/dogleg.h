@@ -19,6 +19,7 @@ class Dogleg final : public Algorithm {
   int regularized_steps() const override { return regularized_steps_; }
 
  private:
+  void lower_regularization();
   LinearStatus solve_gauss_newton(System& system, IterationRecord& record);
   double curvature_of_newton(System& system) const;
   void find_cauchy_step(System& system);

@@ -17,7 +17,9 @@ void LevenbergMarquardt::reset(const Options& options, std::size_t scalars) {
   scale_ = options.damping;
   user_lambda_ = options.initial_lambda;
   growth_ = 2;
-  started_ = false;
+  // The scale of the identity is known after the first linearization.
+  started_ = user_lambda_ > 0 || scale_ != Options::DampingScale::kIdentity;
+  if (started_) lambda_ = user_lambda_ > 0 ? std::min(user_lambda_, kMaxLambda) : kInitialDamping;
   step_.resize(scalars);
 }
 
@@ -29,7 +31,7 @@ double LevenbergMarquardt::default_damping(const System& system) const {
 
 void LevenbergMarquardt::start_damping(const System& system) {
   started_ = true;
-  lambda_ = user_lambda_ > 0 ? std::min(user_lambda_, kMaxLambda) : default_damping(system);
+  lambda_ = default_damping(system);
 }
 
 void LevenbergMarquardt::raise_damping() {
@@ -53,9 +55,8 @@ LinearStatus LevenbergMarquardt::find_step(System& system, double lambda, Iterat
   const StepResult solved = system.solve({lambda, scale_}, step_);
   record.linear_iterations += solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return solved.status;
-  const double curvature = solved.exact
-                               ? -dot(system.gradient(), step_) - damping_of_step(system, lambda)
-                               : system.curvature(step_);
+  const double curvature = solved.exact ? -dot(system.gradient(), step_) - damping_of_step(system, lambda)
+                                        : system.curvature(step_);
   predicted_ = model_decrease(system.gradient(), step_, curvature);
   cut_short_ = curvature < -dot(system.gradient(), step_) / 2;
   return LinearStatus::kOk;
@@ -92,6 +93,7 @@ bool LevenbergMarquardt::take_step(System& system, double chi2, IterationRecord&
 }
 
 IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, IterationRecord& record) {
+  if (started_) system.expect({lambda_, scale_});
   if (!system.linearize()) return outcome_without_linearization(system);
   if (!started_) start_damping(system);
   record.gradient_max = max_abs(system.gradient());

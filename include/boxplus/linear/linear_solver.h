@@ -80,6 +80,9 @@ struct AnalyzeHints {
   /// Whether A may be singular. Then factorize() should name the pivot that vanishes. (With a factor in
   /// float, this is not possible.)
   bool may_be_singular = false;
+  /// The eliminated blocks at which a solver may divide its work among threads: 0, …, eliminated_blocks,
+  /// ascending. If empty, at any block. Only analyze() reads it.
+  std::span<const std::uint32_t> elimination_bounds = {};
 };
 
 /// The growth of a structure after its analysis: new diagonal blocks at its end, and new off-diagonal blocks.

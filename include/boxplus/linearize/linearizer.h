@@ -42,8 +42,8 @@ class Linearizer {
   void linearize(const LinearizeOptions& options) {
     linearize(options, static_cast<int>(plan_->chunks.size()), [](int, std::uint32_t, std::uint32_t) {});
   }
-  /// The same. Calls after_batch(group, first, last) when the columns [first, last) of eliminated vertices are
-  /// complete in H and in the gradient, while they are in the cache. The chunks are divided into `groups`
+  /// The same. Calls after_batch(group, first, last) when the columns [first, last) of eliminated vertices
+  /// are complete in H and in the gradient, while they are in the cache. The chunks are divided into `groups`
   /// ranges. One worker runs all chunks of a group, in order.
   using AfterBatch = detail::FunctionRef<void(int, std::uint32_t, std::uint32_t)>;
   void linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch);

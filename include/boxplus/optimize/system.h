@@ -13,6 +13,7 @@ namespace boxplus {
 struct StepDamping {
   double lambda = 0;
   Options::DampingScale scale = Options::DampingScale::kIdentity;
+  bool operator==(const StepDamping&) const = default;
 };
 
 struct [[nodiscard]] StepResult {
@@ -30,6 +31,9 @@ class System {
   virtual ~System() = default;
   /// F at the current estimates.
   virtual double chi2() = 0;
+  /// Announces the damping of the first solve() after the next linearize(). This saves time if the system can
+  /// begin to solve while it linearizes. The results are the same.
+  virtual void expect(const StepDamping& /*damping*/) {}
   /// Computes g and H. Returns false if they are not finite.
   virtual bool linearize() = 0;
   /// Whether Options::stop or time_limit_s stopped the last call of linearize(), try_step() or chi2(). If

@@ -69,14 +69,15 @@ std::vector<BlockCoordinate> kept_pairs(const BlockStructure& structure, std::ui
   return pairs;
 }
 
-/// The predicted time to subtract one product of blocks, and the least work of a thread.
-constexpr double kNanosecondsPerProduct = 30, kMinShareNanoseconds = 100e3;
+/// The most slices, the fewest values of H per slice, and the fewest values of H per value in the copies of
+/// S.
+constexpr std::uint32_t kMostSlices = 8, kValuesPerSlice = 1u << 14, kValuesPerCopiedValue = 4;
 
 }  // namespace
 
 Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-             int threads, const StopToken& stop)
-    : structure_(&structure), eliminated_(eliminated_blocks) {
+             int threads, std::span<const std::uint32_t> bounds, const StopToken& stop)
+    : structure_(&structure), eliminated_(eliminated_blocks), threads_(threads) {
   PacedStop pace(stop);
   std::vector<std::uint32_t> dims;
   for (std::uint32_t block = eliminated_; block < structure.blocks(); ++block)
@@ -94,7 +95,7 @@ Schur::Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, b
     diagonal += dim * dim;
   }
   if (explicit_values) set_targets(pace);
-  make_shares(threads, pace);
+  make_slices(bounds, pace);
 }
 
 /// Sets kept_target_ and pair_target_, and allocates S.
@@ -117,104 +118,165 @@ void Schur::set_targets(PacedStop& pace) {
   }
 }
 
-/// Divides the work among threads: the columns of S by the products that they receive, and the eliminated
-/// blocks by the size of their columns.
-void Schur::make_shares(int threads, PacedStop& pace) {
+/// The bounds of `count` parts of the eliminated columns with about the same number of values.
+std::vector<std::uint32_t> Schur::bounds_of_equal_parts(std::uint32_t count) const {
+  const std::uint64_t total = structure_->value_start[structure_->column_start[eliminated_]];
+  std::vector<std::uint32_t> bounds{0};
+  for (std::uint32_t e = 1; e < eliminated_; ++e) {
+    if (structure_->value_start[structure_->column_start[e]] * std::uint64_t{count} >= total * bounds.size())
+      bounds.push_back(e);
+  }
+  bounds.push_back(eliminated_);
+  return bounds;
+}
+
+void Schur::make_slices(std::span<const std::uint32_t> bounds, PacedStop& pace) {
   const BlockStructure& structure = *structure_;
-  const std::uint32_t kept = reduced_.blocks();
-  std::vector<double> work(kept, 0);  // predicted nanoseconds per column of S
-  std::size_t longest = 0, largest = 1, most_blocks = 0;
-  for (std::uint32_t e = 0; e < eliminated_; ++e) {
-    const std::uint32_t begin = structure.column_start[e] + 1, end = structure.column_start[e + 1];
-    pace.step(end - begin);
-    largest = std::max<std::size_t>(largest, structure.dim(e));
-    longest = std::max<std::size_t>(longest, structure.value_start[end] - structure.value_start[begin]);
-    most_blocks = std::max<std::size_t>(most_blocks, end - begin);
-    for (std::uint32_t k = begin; k < end; ++k)
-      work[structure.row[k] - eliminated_] +=
-          kNanosecondsPerProduct * (reduced_values_.empty() ? 1 : end - k);
+  const std::uint32_t values = structure.value_start[structure.column_start[eliminated_]];
+  const std::size_t copied = std::max<std::size_t>(reduced_values_.size() + reduced_.scalars(), 1);
+  std::uint32_t count = std::min(kMostSlices, values / kValuesPerSlice);
+  count = static_cast<std::uint32_t>(
+      std::clamp<std::size_t>(values / (kValuesPerCopiedValue * copied), 1, std::max(count, 1u)));
+  std::vector<std::uint32_t> equal_parts;
+  if (bounds.empty()) {
+    equal_parts = bounds_of_equal_parts(count);
+    bounds = equal_parts;
   }
-  const double total = std::accumulate(work.begin(), work.end(), 0.0);
-  const int count = std::clamp(static_cast<int>(total / kMinShareNanoseconds), 1,
-                               std::max(1, std::min(threads, static_cast<int>(kept))));
-  const double eliminated_values = structure.value_start[structure.column_start[eliminated_]];
-  double done = 0;
-  std::uint32_t column = 0, block = 0;
-  for (int t = 1; t <= count; ++t) {
-    Share share;
-    share.first_kept = column;
-    share.first_eliminated = block;
-    const double part = static_cast<double>(t) / count;
-    while (column < kept && (t == count || done + work[column] / 2 < part * total)) done += work[column++];
-    while (block < eliminated_ &&
-           (t == count || structure.value_start[structure.column_start[block]] < part * eliminated_values))
-      ++block;
-    share.last_kept = column;
-    share.last_eliminated = block;
-    share.factor.resize(largest * largest);
-    share.half_column.resize(longest);
-    share.half_rows.resize(most_blocks);
-    share.small.resize(largest);
-    shares_.push_back(std::move(share));
+  const std::size_t parts = bounds.size() - 1;
+  count = static_cast<std::uint32_t>(std::min<std::size_t>(count, parts));
+  copies_.resize((count - 1) * reduced_values_.size());
+  reduced_copies_.resize(std::size_t{count} * reduced_.scalars());
+  std::size_t pair = 0, longest = 0, largest = 1, most_blocks = 0;
+  for (std::uint32_t s = 0; s < count; ++s) {
+    Slice slice{};
+    slice.first = bounds[parts * s / count];
+    slice.last = bounds[parts * (s + 1) / count];
+    slice.first_pair = pair;
+    slice.values = s == 0 ? reduced_values_.data() : copies_.data() + (s - 1) * reduced_values_.size();
+    slice.reduced_r = reduced_copies_.data() + std::size_t{s} * reduced_.scalars();
+    for (std::uint32_t e = slice.first; e < slice.last; ++e) {
+      pace.step();
+      const std::uint32_t begin = structure.column_start[e] + 1, end = structure.column_start[e + 1];
+      const std::size_t blocks = end - begin;
+      largest = std::max<std::size_t>(largest, structure.dim(e));
+      longest = std::max<std::size_t>(longest, structure.value_start[end] - structure.value_start[begin]);
+      most_blocks = std::max(most_blocks, blocks);
+      pair += blocks * (blocks + 1) / 2;
+    }
+    slices_.push_back(std::move(slice));
   }
+  for (Slice& slice : slices_) {
+    slice.half_column.resize(longest);
+    slice.half_rows.resize(most_blocks);
+    slice.small.resize(largest);
+  }
+}
+
+/// Calls f for each slice, with several threads.
+void Schur::for_each_slice(detail::FunctionRef<void(Slice&)> f) {
+  const int threads = std::clamp(threads_, 1, slices());
+  detail::parallel_tasks(threads, [&](int thread) {
+    for (int s = slices() * thread / threads; s < slices() * (thread + 1) / threads; ++s)
+      f(slices_[static_cast<std::size_t>(s)]);
+  });
 }
 
 FactorResult Schur::eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop,
                               const double* r, double* reduced_r) {
-  values_ = values;
-  detail::parallel_tasks(static_cast<int>(shares_.size()), [&](int thread) {
-    eliminate_share(shares_[static_cast<std::size_t>(thread)], damping, stop, r, reduced_r);
+  begin(values, damping, r);
+  for_each_slice([&](Slice& slice) {
+    eliminate_columns(static_cast<int>(&slice - slices_.data()), slice.first, slice.last, stop);
   });
-  for (const Share& share : shares_) {
-    if (share.result.status != LinearStatus::kOk) return share.result;
+  return finish(reduced_r);
+}
+
+void Schur::begin(std::span<const double> values, const Damping& damping, const double* r) {
+  values_ = values;
+  damping_ = damping;
+  r_ = r;
+}
+
+/// Clears the copies of a slice, and lets it begin with its first column.
+void Schur::clear(Slice& slice) {
+  std::fill_n(slice.values, reduced_values_.size(), 0.0);
+  std::fill_n(slice.reduced_r, reduced_.scalars(), 0.0);
+  slice.next_target = pair_target_.data() + slice.first_pair;
+  slice.result = {};
+}
+
+void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last, const StopToken& stop) {
+  Slice& slice = slices_[static_cast<std::size_t>(index)];
+  if (first == slice.first) clear(slice);
+  PacedStop pace(stop);
+  for (std::uint32_t e = first; e < last && slice.result.status == LinearStatus::kOk; ++e) {
+    double* const l = factors_.data() + factor_start_[e];
+    const std::uint32_t blocks = structure_->column_start[e + 1] - structure_->column_start[e] - 1;
+    if (pace.is_raised_after(4 + (reduced_values_.empty() ? 0 : std::int64_t{blocks} * blocks))) {
+      slice.result = {LinearStatus::kStopped};
+      return;
+    }
+    slice.result = factorize_block(e, l);
+    if (slice.result.status != LinearStatus::kOk) return;
+    if (r_ != nullptr) reduce_column(e, r_, slice);
+    if (reduced_values_.empty()) continue;
+    halve_column(e, l, slice);
+    subtract_products(e, slice.next_target, slice);
+    slice.next_target += blocks * (blocks + 1) / 2;
   }
+}
+
+FactorResult Schur::finish(double* reduced_r) {
+  for (const Slice& slice : slices_) {
+    if (slice.result.status != LinearStatus::kOk) return slice.result;
+  }
+  if (!reduced_values_.empty()) add_copies();
+  if (r_ != nullptr) add_reduced_copies(r_, reduced_r);
   return {};
 }
 
-/// Every thread factorizes every block of V, because this takes less time than to wait for another thread. It
-/// stores only the factors of the blocks that its share owns.
-void Schur::eliminate_share(Share& share, const Damping& damping, const StopToken& stop, const double* r,
-                            double* reduced_r) {
-  PacedStop pace(stop);
-  if (!reduced_values_.empty()) copy_kept_values(share);
-  if (r != nullptr) {
-    std::copy(r + structure_->offset[eliminated_ + share.first_kept],
-              r + structure_->offset[eliminated_ + share.last_kept],
-              reduced_r + reduced_.offset[share.first_kept]);
-  }
-  const std::uint32_t* target = pair_target_.data();
-  for (std::uint32_t e = 0; e < eliminated_; ++e) {
-    const bool owned = e >= share.first_eliminated && e < share.last_eliminated;
-    double* l = owned ? factors_.data() + factor_start_[e] : share.factor.data();
-    const std::uint32_t begin = structure_->column_start[e] + 1, end = structure_->column_start[e + 1];
-    const std::uint32_t blocks = end - begin;
-    if (pace.is_raised_after(4 + (reduced_values_.empty() ? 0 : std::int64_t{blocks} * blocks))) {
-      share.result = {LinearStatus::kStopped};
-      return;
+/// Adds the copies of S, and U.
+void Schur::add_copies() {
+  const std::size_t size = reduced_values_.size();
+  const int threads = size * slices_.size() < kValuesPerSlice ? 1 : threads_;
+  detail::parallel_tasks(threads, [&](int thread) {
+    const auto bound = [&](int t) {
+      return size * static_cast<std::size_t>(t) / static_cast<std::size_t>(threads);
+    };
+    for (std::size_t s = 1; s < slices_.size(); ++s) {
+      for (std::size_t i = bound(thread); i < bound(thread + 1); ++i)
+        reduced_values_[i] += slices_[s].values[i];
     }
-    share.result = factorize_block(e, damping, l);
-    if (share.result.status != LinearStatus::kOk) return;
-    if (r != nullptr) reduce_column(e, share, l, r, share.small.data(), reduced_r);
-    if (reduced_values_.empty()) continue;
-    subtract_products(e, l, target, share);
-    target += blocks * (blocks + 1) / 2;
+  });
+  const std::uint32_t first = structure_->column_start[eliminated_];
+  for (std::uint32_t k = first; k < structure_->nonzero_blocks(); ++k) {
+    double* const to = reduced_values_.data() + kept_target_[k - first];
+    const std::uint32_t start = structure_->value_start[k];
+    for (std::uint32_t i = 0; i < structure_->value_start[k + 1] - start; ++i) to[i] += values_[start + i];
   }
 }
 
-FactorResult Schur::factorize_block(std::uint32_t block, const Damping& damping, double* l) const {
+/// reduced_r = r_kept, plus what each slice has subtracted from it.
+void Schur::add_reduced_copies(const double* r, double* reduced_r) const {
+  std::copy(r + eliminated_scalars(), r + structure_->scalars(), reduced_r);
+  for (const Slice& slice : slices_) {
+    for (std::uint32_t i = 0; i < reduced_.scalars(); ++i) reduced_r[i] += slice.reduced_r[i];
+  }
+}
+
+FactorResult Schur::factorize_block(std::uint32_t block, double* l) const {
   const int n = static_cast<int>(structure_->dim(block));
   std::copy_n(values_.data() + structure_->value_start[structure_->column_start[block]], n * n, l);
   for (int i = 0; i < n; ++i)
-    l[i + i * n] += damping(structure_->offset[block] + static_cast<std::uint32_t>(i));
+    l[i + i * n] += damping_(structure_->offset[block] + static_cast<std::uint32_t>(i));
   const int good = with_small_size(n, [&](auto size) { return small_cholesky(l, size); });
-  return good < n ? failure(block, static_cast<std::uint32_t>(good), damping) : FactorResult{};
+  return good < n ? failure(block, static_cast<std::uint32_t>(good)) : FactorResult{};
 }
 
-FactorResult Schur::failure(std::uint32_t block, std::uint32_t pivot, const Damping& damping) const {
+FactorResult Schur::failure(std::uint32_t block, std::uint32_t pivot) const {
   const double* v = values_.data() + structure_->value_start[structure_->column_start[block]];
   const std::uint32_t n = structure_->dim(block), first = structure_->offset[block];
   bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
-  for (std::uint32_t i = 0; i < n; ++i) finite = finite && std::isfinite(damping(first + i));
+  for (std::uint32_t i = 0; i < n; ++i) finite = finite && std::isfinite(damping_(first + i));
   if (!finite) return {LinearStatus::kNotFinite, block};
   return {LinearStatus::kNotPositiveDefinite, block, first + pivot};
 }
@@ -227,84 +289,59 @@ Damping Schur::reduced_damping(const Damping& damping) const {
   return {damping.lambda, damping.diagonal ? damping.diagonal + eliminated_scalars() : nullptr};
 }
 
-/// Copies U to the columns of S that `share` owns, and sets their other values to zero.
-void Schur::copy_kept_values(const Share& share) {
-  const auto value_of = [&](std::uint32_t column) {
-    return reduced_values_.begin() + reduced_.value_start[reduced_.column_start[column]];
-  };
-  std::fill(value_of(share.first_kept), value_of(share.last_kept), 0.0);
-  const std::uint32_t first = structure_->column_start[eliminated_];
-  for (std::uint32_t k = structure_->column_start[eliminated_ + share.first_kept];
-       k < structure_->column_start[eliminated_ + share.last_kept]; ++k) {
-    std::copy(values_.begin() + structure_->value_start[k], values_.begin() + structure_->value_start[k + 1],
-              reduced_values_.begin() + kept_target_[k - first]);
-  }
-}
-
-/// Computes W L⁻ᵀ of a column, from its block `first` on, in share.half_column, and sets share.half_rows.
-void Schur::halve_column(std::uint32_t column, std::uint32_t first, const double* l, Share& share) const {
+/// Computes W L⁻ᵀ of a column in slice.half_column, and sets slice.half_rows.
+void Schur::halve_column(std::uint32_t column, const double* l, Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
-  const std::uint32_t end = structure_->column_start[column + 1];
-  double* half = share.half_column.data();
-  for (std::uint32_t k = first; k < end; ++k) {
+  const std::uint32_t begin = structure_->column_start[column] + 1,
+                      end = structure_->column_start[column + 1];
+  double* half = slice.half_column.data();
+  for (std::uint32_t k = begin; k < end; ++k) {
     const int rows = static_cast<int>(structure_->dim(structure_->row[k]));
     elimination_kernels(rows, n).half_block(rows, n, l, values_.data() + structure_->value_start[k], half);
     half += rows * n;
-    share.half_rows[k - first] = rows;
+    slice.half_rows[k - begin] = rows;
   }
 }
 
-/// Subtracts the products of the blocks of a column from the columns of S that the share owns. `target` are
-/// the targets of all pairs of blocks of the column.
-void Schur::subtract_products(std::uint32_t column, const double* l, const std::uint32_t* target,
-                              Share& share) {
-  const std::uint32_t begin = structure_->column_start[column] + 1,
-                      end = structure_->column_start[column + 1];
-  // The rows of the blocks [first, last) are the columns of S that the share owns.
-  std::uint32_t first = begin;
-  while (first < end && structure_->row[first] - eliminated_ < share.first_kept) ++first;
-  std::uint32_t last = first;
-  while (last < end && structure_->row[last] - eliminated_ < share.last_kept) ++last;
-  if (first == last) return;
+/// Subtracts the products of all pairs of blocks of a column from the slice's copy of S. `target` are their
+/// targets.
+void Schur::subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const {
+  const std::uint32_t blocks = structure_->column_start[column + 1] - structure_->column_start[column] - 1;
   const int n = static_cast<int>(structure_->dim(column));
-  halve_column(column, first, l, share);
-  const double* half = share.half_column.data();
-  for (std::uint32_t a = first; a < end; ++a) {
-    const int rows = share.half_rows[a - first];
-    const std::uint32_t pair = (a - begin) * (a - begin + 1) / 2 + (first - begin);
+  const double* half = slice.half_column.data();
+  for (std::uint32_t a = 0; a < blocks; ++a) {
+    const int rows = slice.half_rows[a];
     elimination_kernels(rows, n).subtract_block_products(
         rows, n, half,
-        {share.half_column.data(), share.half_rows.data(), static_cast<int>(std::min(a + 1, last) - first),
-         target + pair, reduced_values_.data()});
+        {slice.half_column.data(), slice.half_rows.data(), static_cast<int>(a + 1), target, slice.values});
     half += rows * n;
+    target += a + 1;
   }
 }
 
-/// Subtracts W V⁻¹ r of one column from the entries of reduced_r that `share` owns.
-void Schur::reduce_column(std::uint32_t column, const Share& share, const double* l, const double* r,
-                          double* small, double* reduced_r) const {
+/// Subtracts W V⁻¹ r of one column from the slice's copy of reduced_r.
+void Schur::reduce_column(std::uint32_t column, const double* r, Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
+  double* const small = slice.small.data();
   std::copy_n(r + structure_->offset[column], n, small);
-  solve_small(l, n, small);
+  solve_eliminated(column, small);
   for_each_joined(column, [&](std::uint32_t row, const double* w, int rows) {
-    if (row < share.first_kept || row >= share.last_kept) return;
-    elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small, reduced_r + reduced_.offset[row]);
+    elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small,
+                                                         slice.reduced_r + reduced_.offset[row]);
   });
 }
 
 void Schur::reduce(const double* r, double* reduced_r) {
-  std::copy(r + eliminated_scalars(), r + structure_->scalars(), reduced_r);
-  detail::parallel_tasks(static_cast<int>(shares_.size()), [&](int thread) {
-    Share& share = shares_[static_cast<std::size_t>(thread)];
-    for (std::uint32_t e = 0; e < eliminated_; ++e)
-      reduce_column(e, share, factors_.data() + factor_start_[e], r, share.small.data(), reduced_r);
+  for_each_slice([&](Slice& slice) {
+    std::fill_n(slice.reduced_r, reduced_.scalars(), 0.0);
+    for (std::uint32_t e = slice.first; e < slice.last; ++e) reduce_column(e, r, slice);
   });
+  add_reduced_copies(r, reduced_r);
 }
 
-void Schur::back_substitute(const double* r, const double* reduced_x, double* x) const {
-  detail::parallel_tasks(static_cast<int>(shares_.size()), [&](int thread) {
-    const Share& share = shares_[static_cast<std::size_t>(thread)];
-    for (std::uint32_t e = share.first_eliminated; e < share.last_eliminated; ++e) {
+void Schur::back_substitute(const double* r, const double* reduced_x, double* x) {
+  for_each_slice([&](Slice& slice) {
+    for (std::uint32_t e = slice.first; e < slice.last; ++e) {
       const int n = static_cast<int>(structure_->dim(e));
       double* out = x + structure_->offset[e];
       std::copy_n(r + structure_->offset[e], n, out);
@@ -337,7 +374,7 @@ void Schur::kept_multiply(const double* x, double* y) const {
 
 void Schur::multiply(const double* x, double* y) {
   kept_multiply(x, y);
-  double* small = shares_.front().small.data();
+  double* small = slices_.front().small.data();
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     std::fill_n(small, n, 0.0);
@@ -360,9 +397,9 @@ void Schur::block_diagonal(double* out) {
   }
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
-    Share& share = shares_.front();
-    halve_column(e, structure_->column_start[e] + 1, factors_.data() + factor_start_[e], share);
-    const double* half = share.half_column.data();
+    Slice& slice = slices_.front();
+    halve_column(e, factors_.data() + factor_start_[e], slice);
+    const double* half = slice.half_column.data();
     for_each_joined(e, [&](std::uint32_t row, const double*, int rows) {
       elimination_kernels(rows, n).subtract_block_products(rows, n, half,
                                                            {half, &rows, 1, &diagonal_start_[row], out});

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "boxplus/base/function_ref.h"
 #include "boxplus/linear/block_system.h"
 #include "boxplus/linear/linear_solver.h"
 
@@ -20,12 +21,17 @@ class PacedStop;
 /// multiple station analytical stereotriangulation", 1958; Triggs et al., "Bundle adjustment: a modern
 /// synthesis", 2000, §6.1.)
 ///
+/// The eliminated blocks are divided into slices. One thread eliminates the blocks of a slice, in order, and
+/// adds to a copy of S. Then the copies are added in order. The number of slices depends only on the
+/// structure, so the bits of S do not depend on the number of threads.
+///
 /// Only the constructor allocates memory. `structure` must outlive this object.
 class Schur {
  public:
-  /// Uses at most `threads` threads. Throws Stopped when the token is raised.
+  /// Uses at most `threads` threads. Slices begin only at columns in `bounds` (AnalyzeHints); empty: at any
+  /// column. Throws Stopped when the token is raised.
   Schur(const BlockStructure& structure, std::uint32_t eliminated_blocks, bool explicit_values,
-        int threads = 1, const StopToken& stop = {});
+        int threads = 1, std::span<const std::uint32_t> bounds = {}, const StopToken& stop = {});
 
   /// The structure of S. It has the kept blocks, numbered from 0.
   const BlockStructure& reduced_structure() const { return reduced_; }
@@ -40,13 +46,22 @@ class Schur {
   /// reduced_r as reduce() does: this is faster than a call of reduce(), because W is in the cache.
   FactorResult eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop = {},
                          const double* r = nullptr, double* reduced_r = nullptr);
+
+  /// The same in steps, while H, the damping and r are being computed. First, call begin(). Then, call
+  /// eliminate_columns() for all columns of each slice, in order, as soon as the columns [first, last) of H
+  /// and their part of the damping and of r are complete. Different threads may do this for different slices.
+  /// When H and r are complete, call finish().
+  void begin(std::span<const double> values, const Damping& damping, const double* r);
+  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const StopToken& stop);
+  FactorResult finish(double* reduced_r);
+  int slices() const { return static_cast<int>(slices_.size()); }
   /// The part of a damping that belongs to the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
   /// reduced_r = r_kept − W (V + λD)⁻¹ r_eliminated.
   void reduce(const double* r, double* reduced_r);
   /// Computes the eliminated part of x, (V + λD)⁻¹ (r_eliminated − Wᵀ reduced_x), and copies the kept part
   /// from reduced_x. x may be r.
-  void back_substitute(const double* r, const double* reduced_x, double* x) const;
+  void back_substitute(const double* r, const double* reduced_x, double* x);
 
   /// x ← (V + λD)⁻¹ x for one eliminated block.
   void solve_eliminated(std::uint32_t block, double* x) const;
@@ -71,43 +86,46 @@ class Schur {
   void block_diagonal(double* out);
 
  private:
-  /// What one thread computes, and its scratch memory. Each value of S and of reduced_r has one owner, which
-  /// adds all terms in the order of the eliminated blocks. So the bits do not depend on the number of
-  /// threads.
-  struct Share {
-    std::uint32_t first_kept, last_kept;  // it owns these columns of S
-    std::uint32_t first_eliminated, last_eliminated;
+  struct Slice {
+    std::uint32_t first, last;         // its columns
+    std::size_t first_pair = 0;        // in pair_target_
+    const std::uint32_t* next_target;  // of the next column
     FactorResult result;
-    std::vector<double> factor;       // L of one eliminated block
+    double *values, *reduced_r;       // its copies
     std::vector<double> half_column;  // W L⁻ᵀ of one column
     std::vector<int> half_rows;       // the number of rows of each block in half_column
     std::vector<double> small;        // a vector of the size of an eliminated block
   };
 
   void set_targets(PacedStop& pace);
-  void make_shares(int threads, PacedStop& pace);
-  FactorResult factorize_block(std::uint32_t block, const Damping& damping, double* l) const;
-  FactorResult failure(std::uint32_t block, std::uint32_t pivot, const Damping& damping) const;
-  void eliminate_share(Share& share, const Damping& damping, const StopToken& stop, const double* r,
-                       double* reduced_r);
-  void copy_kept_values(const Share& share);
-  void halve_column(std::uint32_t column, std::uint32_t first, const double* l, Share& share) const;
-  void subtract_products(std::uint32_t column, const double* l, const std::uint32_t* target, Share& share);
-  void reduce_column(std::uint32_t column, const Share& share, const double* l, const double* r,
-                     double* small, double* reduced_r) const;
+  void make_slices(std::span<const std::uint32_t> bounds, PacedStop& pace);
+  std::vector<std::uint32_t> bounds_of_equal_parts(std::uint32_t count) const;
+  FactorResult factorize_block(std::uint32_t block, double* l) const;
+  FactorResult failure(std::uint32_t block, std::uint32_t pivot) const;
+  void for_each_slice(detail::FunctionRef<void(Slice&)> f);
+  void clear(Slice& slice);
+  void halve_column(std::uint32_t column, const double* l, Slice& slice) const;
+  void subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const;
+  void reduce_column(std::uint32_t column, const double* r, Slice& slice) const;
+  void add_reduced_copies(const double* r, double* reduced_r) const;
+  void add_copies();
   void kept_multiply(const double* x, double* y) const;
 
   const BlockStructure* structure_;
   std::uint32_t eliminated_;
   BlockStructure reduced_;
+  int threads_;
   std::span<const double> values_;
+  Damping damping_;
+  const double* r_ = nullptr;
   std::vector<std::uint32_t> factor_start_;  // the index in factors_ for each eliminated block
   std::vector<double> factors_;              // L of V + λD, dim × dim, with 1/L_ii on the diagonal
   std::vector<double> reduced_values_;
   std::vector<std::uint32_t> kept_target_;  // the first value in S of each kept block of H
   /// The first value in S of each pair of rows (a ≥ b) of each eliminated column.
   std::vector<std::uint32_t> pair_target_;
-  std::vector<Share> shares_;
+  std::vector<Slice> slices_;
+  std::vector<double> copies_, reduced_copies_;  // of S for all slices but the first; of reduced_r for all
   std::vector<std::uint32_t> diagonal_start_;  // the first value of each kept block among the diagonal blocks
 };
 

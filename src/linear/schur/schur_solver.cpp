@@ -22,7 +22,8 @@ void SchurSolver::analyze(const BlockStructure& structure, const AnalyzeHints& h
   const std::uint32_t eliminated = hints.eliminated_blocks;
   if (eliminated == 0 || eliminated == structure.blocks()) return inner_->analyze(structure, hints, stop);
   const bool make_values = mode_ == SchurMode::kExplicit || inner_->needs() == Needs::kBlocks;
-  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, hints.threads, stop);
+  auto schur = std::make_unique<Schur>(structure, eliminated, make_values, hints.threads,
+                                       hints.elimination_bounds, stop);
   if (make_values) {
     reduced_ = std::make_unique<AssembledSystem>(schur->reduced_structure(), schur->reduced_values());
   } else {
@@ -62,12 +63,25 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
     const std::uint32_t not_finite = find_not_finite(*structure_, system.values().data(), damping);
     if (not_finite != BlockStructure::kAbsent) return {LinearStatus::kNotFinite, not_finite};
   }
-  FactorResult result = schur_->eliminate(system.values(), damping, control.stop, control.right_hand_side,
-                                          reduced_vectors_.data());
-  if (result.status != LinearStatus::kOk) return result;
+  const FactorResult result = schur_->eliminate(system.values(), damping, control.stop,
+                                                control.right_hand_side, reduced_vectors_.data());
+  return result.status == LinearStatus::kOk ? factorize_reduced(system, damping, control) : result;
+}
+
+FactorResult SchurSolver::finish(const BlockSystem& system, const Damping& damping,
+                                 const SolveControl& control) {
+  factorized_ = false;
+  reduced_for_ = nullptr;
+  const FactorResult result = schur_->finish(reduced_vectors_.data());
+  return result.status == LinearStatus::kOk ? factorize_reduced(system, damping, control) : result;
+}
+
+/// Factorizes the Schur complement.
+FactorResult SchurSolver::factorize_reduced(const BlockSystem& system, const Damping& damping,
+                                            const SolveControl& control) {
   SolveControl inner_control = control;
   inner_control.right_hand_side = nullptr;
-  result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), inner_control);
+  FactorResult result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), inner_control);
   factorized_ = result.status == LinearStatus::kOk;
   if (factorized_) reduced_for_ = control.right_hand_side;
   move_to_full_numbering(result.failed_block, result.failed_scalar);

@@ -28,6 +28,20 @@ class SchurSolver final : public LinearSolver {
   }
   FactorResult factorize(const BlockSystem& system, const Damping& damping,
                          const SolveControl& control = {}) override;
+
+  /// The number of slices of eliminated columns that eliminate_columns() accepts, or 0 if this solver cannot
+  /// eliminate while H is being computed.
+  int slices() const { return eliminates() && !reduced_->values().empty() ? schur_->slices() : 0; }
+  /// factorize() in steps: see Schur::begin(). control.right_hand_side must not be null. Every slice begins
+  /// and ends at AnalyzeHints::elimination_bounds: slice s of n begins at bound ⌊b s / n⌋ of b + 1 bounds.
+  void begin(const BlockSystem& system, const Damping& damping, const SolveControl& control) {
+    schur_->begin(system.values(), damping, control.right_hand_side);
+  }
+  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const StopToken& stop) {
+    schur_->eliminate_columns(slice, first, last, stop);
+  }
+  FactorResult finish(const BlockSystem& system, const Damping& damping, const SolveControl& control);
+
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
   /// Works for all blocks of H, if the inner solver can compute blocks of the inverse of the Schur
   /// complement.
@@ -42,6 +56,8 @@ class SchurSolver final : public LinearSolver {
  private:
   bool eliminates() const { return schur_ != nullptr; }
   SolveResult solve_batch(const double* b, int columns, double* x, const SolveControl& control);
+  FactorResult factorize_reduced(const BlockSystem& system, const Damping& damping,
+                                 const SolveControl& control);
   void move_to_full_numbering(std::uint32_t& block, std::uint32_t& scalar) const;
 
   std::shared_ptr<LinearSolver> inner_;
