@@ -10,7 +10,7 @@
 
 namespace boxplus::bench {
 
-struct BundleProblem {
+struct __attribute__((visibility("default"))) BundleProblem {
   struct Observation {
     std::uint32_t camera, point;
     double x, y;
@@ -21,7 +21,7 @@ struct BundleProblem {
 };
 
 /// Reads a BAL file. Throws std::runtime_error if it ends too early.
-BundleProblem read_bundle_problem(const std::string& path);
+__attribute__((visibility("default"))) BundleProblem read_bundle_problem(const std::string& path);
 
 /// One run of a solver. The cost is ½ Σ ‖e‖², as Ceres defines it.
 struct BundleRun {
