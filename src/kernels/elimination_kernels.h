@@ -3,10 +3,21 @@
 // the columns of an eliminated vertex.
 #pragma once
 
+#include <utility>
+
 #include "kernels/kernel_table.h"
 #include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
+
+/// Calls f(std::integral_constant<int, 0>()) … with all i < N. The indices are constants before the compiler
+/// decides what to keep in registers; after `#pragma GCC unroll`, this is too late for arrays.
+template <int N, class F>
+[[gnu::always_inline]] inline void for_each_index(F&& f) {
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (f(std::integral_constant<int, I>()), ...);
+  }(std::make_integer_sequence<int, N>());
+}
 
 /// The widest vector of at most N doubles that this instruction set has.
 template <int N>
@@ -56,14 +67,14 @@ struct Column<0> {
 template <int R, int N>
 void half_block(int, int, const double* l, const double* w, double* y) {
   Column<R> columns[N];
-#pragma GCC unroll 3
-  for (int p = 0; p < N; ++p) {
+  for_each_index<N>([&](auto p) __attribute__((always_inline)) {
     columns[p].load(w + p * R);
-#pragma GCC unroll 3
-    for (int q = 0; q < p; ++q) columns[p].subtract(columns[q], l[p + q * N]);
+    for_each_index<p>([&](auto q) __attribute__((always_inline)) {
+      columns[p].subtract(columns[q], l[p + q * N]);
+    });
     columns[p].scale(l[p + p * N]);
     columns[p].store(y + p * R);
-  }
+  });
 }
 
 /// C −= A Bᵀ, with A in registers. Cols is the number of rows of B, or 0 if it is known only at run time.
@@ -74,8 +85,8 @@ inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int
   for (int j = 0; j < cols; ++j) {
     Column<R> sum;
     sum.load(c + j * R);
-#pragma GCC unroll 3
-    for (int p = 0; p < N; ++p) sum.subtract(a[p], b[j + p * cols]);
+    for_each_index<N>(
+        [&](auto p) __attribute__((always_inline)) { sum.subtract(a[p], b[j + p * cols]); });
     sum.store(c + j * R);
   }
 }
@@ -83,8 +94,7 @@ inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int
 template <int R, int N>
 void subtract_block_products(int, int, const double* a, const BlockProducts& products) {
   Column<R> columns[N];
-#pragma GCC unroll 3
-  for (int p = 0; p < N; ++p) columns[p].load(a + p * R);
+  for_each_index<N>([&](auto p) __attribute__((always_inline)) { columns[p].load(a + p * R); });
   const double* b = products.b;
   for (int k = 0; k < products.count; ++k) {
     const int b_rows = products.b_rows[k];
@@ -103,12 +113,11 @@ template <int R, int N>
 void subtract_block_multiple(int, int, const double* w, const double* x, double* y) {
   Column<R> sum;
   sum.load(y);
-#pragma GCC unroll 3
-  for (int p = 0; p < N; ++p) {
+  for_each_index<N>([&](auto p) __attribute__((always_inline)) {
     Column<R> column;
     column.load(w + p * R);
     sum.subtract(column, x[p]);
-  }
+  });
   sum.store(y);
 }
 
