@@ -77,8 +77,8 @@ Figures figures_of(const BundleRun& run, double observations) {
 }
 
 void print_row(const std::string& name, const Figures& f, double ours_s) {
-  fmt::print("| {} | {:.1f} | {:.0f} | {:.4f} | {:.0f} | {:.0f} | {:.0f} | {:.2f} |\n", name, 1e3 * f[0], f[2],
-             f[1], f[3], f[4], f[5], f[0] / ours_s);
+  fmt::print("| {} | {:.1f} | {:.0f} | {:.4f} | {:.0f} | {:.0f} | {:.0f} | {:.2f} |\n", name, 1e3 * f[0],
+             f[2], f[1], f[3], f[4], f[5], f[0] / ours_s);
 }
 
 /// The ratios of one file: how many times as long as boxplus the fastest configurations of Ceres take.
@@ -101,7 +101,8 @@ Ratios compare(const std::string& path, const BundleFile& file) {
                         observations);
     });
   }
-  const std::vector<Figures> medians = interleaved_medians(contestants, {.least = 5, .most = 9, .enough_s = 60});
+  const std::vector<Figures> medians =
+      interleaved_medians(contestants, {.least = 5, .most = 9, .enough_s = 60});
   fmt::print("\n{}: {} cameras, {} points, {} observations.\n\n", file.name, problem.cameras.size(),
              problem.points.size(), problem.observations.size());
   fmt::print(

@@ -143,7 +143,7 @@ inline void between_all(const PosePairs& edges, double* error, double* jacobian,
       sources[2][l] = edges.to[edge];
     }
     Pack poses[3][N];
-    for (int p = 0; p < 3; ++p) load_lanes(sources[p], N, poses[p]);
+    for (int p = 0; p < 3; ++p) load_lanes<N>(sources[p], poses[p]);
     between(poses[0], poses[1], poses[2], error + lane_offset(kRows, k),
             jacobian ? jacobian + lane_offset(2 * kRows * kRows, k) : nullptr);
   }

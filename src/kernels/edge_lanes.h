@@ -172,7 +172,7 @@ void add_edges_of(const EdgeLanes& tile) {
       weights[l] = tile.weight ? tile.weight[edge] : 1;
     }
     Pack omega[kNumbers];
-    load_lanes(omegas, kNumbers, omega);
+    load_lanes<kNumbers>(omegas, omega);
     if (tile.weight) {
       for (Pack& number : omega) number *= load(weights);
     }
@@ -238,7 +238,7 @@ inline void squared_norms_of(int count, const double* error, const double* const
     const double* omegas[kLanes];
     for (int l = 0; l < kLanes; ++l) omegas[l] = omega[k + l < count ? k + l : count - 1];
     Pack numbers[kOmegaNumbers<R, kKind>], e[R], weighted[R];
-    load_lanes(omegas, kOmegaNumbers<R, kKind>, numbers);
+    load_lanes<kOmegaNumbers<R, kKind>>(omegas, numbers);
     for (int r = 0; r < R; ++r) e[r] = load(error + lane_offset(R, k) + r * kTileLanes);
     weigh<R, kKind>(numbers, e, weighted);
     Pack sum{};
@@ -271,7 +271,7 @@ inline void to_lanes(const double* edges, int size, int count, double* lanes) {
     int m = 0;
     for (; m + kLanes <= size; m += kLanes) {
       Pack packs[kLanes];
-      load_lanes(blocks, kLanes, packs);
+      load_lanes<kLanes>(blocks, packs);
       for (int i = 0; i < kLanes; ++i) {
         store(to + (m + i) * kTileLanes, packs[i]);
         blocks[i] += kLanes;
@@ -279,7 +279,7 @@ inline void to_lanes(const double* edges, int size, int count, double* lanes) {
     }
     if (m < size) {
       Pack packs[kLanes];
-      load_lanes(blocks, size - m, packs);
+      load_lanes(blocks, packs, size - m);
       for (int i = 0; i < size - m; ++i) store(to + (m + i) * kTileLanes, packs[i]);
     }
   }

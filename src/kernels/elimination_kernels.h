@@ -3,21 +3,10 @@
 // the columns of an eliminated vertex.
 #pragma once
 
-#include <utility>
-
 #include "kernels/kernel_table.h"
 #include "kernels/simd_pack.h"
 
 namespace boxplus::dense::BOXPLUS_ISA {
-
-/// Calls f(std::integral_constant<int, 0>()) … with all i < N. The indices are constants before the compiler
-/// decides what to keep in registers; after `#pragma GCC unroll`, this is too late for arrays.
-template <int N, class F>
-[[gnu::always_inline]] inline void for_each_index(F&& f) {
-  [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f(std::integral_constant<int, I>()), ...);
-  }(std::make_integer_sequence<int, N>());
-}
 
 /// The widest vector of at most N doubles that this instruction set has.
 template <int N>
@@ -69,9 +58,8 @@ void half_block(int, int, const double* l, const double* w, double* y) {
   Column<R> columns[N];
   for_each_index<N>([&](auto p) __attribute__((always_inline)) {
     columns[p].load(w + p * R);
-    for_each_index<p>([&](auto q) __attribute__((always_inline)) {
-      columns[p].subtract(columns[q], l[p + q * N]);
-    });
+    for_each_index<p>([&](auto q)
+                          __attribute__((always_inline)) { columns[p].subtract(columns[q], l[p + q * N]); });
     columns[p].scale(l[p + p * N]);
     columns[p].store(y + p * R);
   });
@@ -85,8 +73,7 @@ inline void subtract_block_product(const Column<R> (&a)[N], const double* b, int
   for (int j = 0; j < cols; ++j) {
     Column<R> sum;
     sum.load(c + j * R);
-    for_each_index<N>(
-        [&](auto p) __attribute__((always_inline)) { sum.subtract(a[p], b[j + p * cols]); });
+    for_each_index<N>([&](auto p) __attribute__((always_inline)) { sum.subtract(a[p], b[j + p * cols]); });
     sum.store(c + j * R);
   }
 }

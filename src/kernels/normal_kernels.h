@@ -42,7 +42,7 @@ class NormalProducts {
         const int column = p * kLanes + l;
         columns[l] = edge_.jacobian[column < edge_.cols ? column : 0];
       }
-      load_lanes(columns, rows, jacobian[p]);
+      load_lanes(columns, jacobian[p], rows);
     }
     const auto add = [&](int r, int s, double factor) {
 #pragma GCC unroll 8

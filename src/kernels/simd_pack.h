@@ -7,6 +7,8 @@
 // instruction set.
 #pragma once
 
+#include <utility>
+
 #if defined(__AVX2__)
 #include <immintrin.h>
 #endif
@@ -16,6 +18,16 @@
 #endif
 
 namespace boxplus::dense::BOXPLUS_ISA {
+
+/// Calls f(std::integral_constant<int, 0>()) … with all i < N. The indices are constants before the compiler
+/// decides what to keep in registers; after `#pragma GCC unroll`, this is too late for arrays.
+template <int N, class F>
+[[gnu::always_inline]] inline void for_each_index(F&& f) {
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (f(std::integral_constant<int, I>()), ...);
+  }
+  (std::make_integer_sequence<int, N>());
+}
 
 // A pack uses the vector extension of GCC and Clang. For other compilers, a pack is a single scalar. kPacks ×
 // kStrip is the largest tile that fits into the registers together with the operands of one step.

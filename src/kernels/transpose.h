@@ -62,24 +62,35 @@ inline long lane_offset(int size, int k) {
   return static_cast<long>(k / kTileLanes) * size * kTileLanes + k % kTileLanes;
 }
 
-/// packs[m] = value m of each element, for m = 0 … count − 1. Reads no other values.
-inline void load_lanes(const double* const* elements, int count, Pack* packs) {
-  int m = 0;
-  for (; m + kLanes / 2 < count; m += kLanes) {
+/// packs[m] = value m of each element, for m = 0 … Count − 1. Reads no other values. With Count = 0, the
+/// number is `count`.
+template <int Count = 0>
+[[gnu::always_inline]] inline void load_lanes(const double* const* elements, Pack* packs, int count = Count) {
+  const auto load_part = [&](int m, auto here) __attribute__((always_inline)) {
     Pack rows[kLanes];
-    const int here = count - m < kLanes ? count - m : kLanes;
-    if (here == kLanes) {
-      for (int l = 0; l < kLanes; ++l) rows[l] = load(elements[l] + m);
+    if constexpr (here == kLanes) {
+      for_each_index<kLanes>([&](auto l) { rows[l] = load(elements[l] + m); });
     } else {
       const Lanes some(here);
-      for (int l = 0; l < kLanes; ++l) rows[l] = some.load(elements[l] + m);
+      for_each_index<kLanes>([&](auto l) { rows[l] = some.load(elements[l] + m); });
     }
     transpose(rows);
-    for (int k = 0; k < here; ++k) packs[m + k] = rows[k];
-  }
-  for (; m < count; ++m) {
+    for_each_index<here>([&](auto k) { packs[m + k] = rows[k]; });
+  };
+  const int size = Count > 0 ? Count : count;
+  int m = 0;
+#pragma GCC unroll 4
+  for (; m + kLanes <= size; m += kLanes) load_part(m, std::integral_constant<int, kLanes>());
+  for_each_index<kLanes / 2>([&](auto more) {  // a rest that is worth a transpose
+    constexpr int kHere = kLanes / 2 + more;
+    if (kHere > kLanes / 2 && size - m == kHere) {
+      load_part(m, std::integral_constant<int, kHere>());
+      m += kHere;
+    }
+  });
+  for (; m < size; ++m) {
     double lanes[kLanes];
-    for (int l = 0; l < kLanes; ++l) lanes[l] = elements[l][m];
+    for_each_index<kLanes>([&](auto l) { lanes[l] = elements[l][m]; });
     packs[m] = load(lanes);
   }
 }

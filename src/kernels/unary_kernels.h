@@ -66,7 +66,7 @@ class UnarySums {
           columns[l] = jacobian + (column < C ? column : 0) * R;
         }
         Pack transposed[R];
-        load_lanes(columns, R, transposed);
+        load_lanes<R>(columns, transposed);
         for (int r = 0; r < R; ++r) rows[r][p] = transposed[r];
       }
     }

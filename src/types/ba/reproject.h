@@ -29,8 +29,8 @@ inline void load_numbers(const double* const* sources, int first, int count, Lan
   const double* lanes[kLanes];
   for (int l = 0; l < kLanes; ++l) lanes[l] = sources[first + l < count ? first + l : count - 1];
   Pack packs[Size];
-  load_lanes(lanes, Size, packs);
-  for (int i = 0; i < Size; ++i) to[i].lanes = packs[i];
+  load_lanes<Size>(lanes, packs);
+  for_each_index<Size>([&](auto i) { to[i].lanes = packs[i]; });
 }
 
 template <class Camera>
