@@ -28,35 +28,45 @@ struct Component {
 /// Finds the moving vertices of an edge. Parameters count neither as moving nor as fixed.
 class EdgeEnds {
  public:
-  EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable)
-      : graph_(graph), movable_(movable) {}
+  EdgeEnds(const Graph& graph, const std::vector<std::vector<std::uint8_t>>& movable) : graph_(graph) {
+    for (std::size_t p = 0; p < movable.size(); ++p) {
+      const detail::VertexPool& pool = *graph.vertex_pools()[p];
+      std::vector<End>& ends = ends_.emplace_back(movable[p].size());
+      for (std::uint32_t slot = 0; slot < ends.size(); ++slot) {
+        ends[slot] = pool.parameter(slot)    ? End::kParameter
+                     : movable[p][slot] != 0 ? End::kMoving
+                                             : End::kFixed;
+      }
+    }
+  }
 
   template <class F>
   void for_each_moving(EdgeSlot edge, F&& f) const {
-    for_each(edge, [&](VertexSlot v, bool moves) {
-      if (moves) f(v);
+    for_each(edge, [&](VertexSlot v, End end) {
+      if (end == End::kMoving) f(v);
     });
   }
   bool has_fixed(EdgeSlot edge) const {
     bool result = false;
-    for_each(edge, [&](VertexSlot, bool moves) { result |= !moves; });
+    for_each(edge, [&](VertexSlot, End end) { result |= end == End::kFixed; });
     return result;
   }
 
  private:
+  enum class End : std::uint8_t { kParameter, kFixed, kMoving };
+
   template <class F>
   void for_each(EdgeSlot edge, F&& f) const {
     const detail::EdgePool& pool = *graph_.edge_pools()[edge.pool];
     const auto slots = pool.vertex_slots(edge.slot);
     for (std::size_t i = 0; i < slots.size(); ++i) {
       const std::uint32_t p = pool.vertex_pool(edge.slot, static_cast<int>(i));
-      if (!graph_.vertex_pools()[p]->parameter(slots[i]))
-        f(VertexSlot{p, slots[i]}, movable_[p][slots[i]] != 0);
+      f(VertexSlot{p, slots[i]}, ends_[p][slots[i]]);
     }
   }
 
   const Graph& graph_;
-  const std::vector<std::vector<std::uint8_t>>& movable_;
+  std::vector<std::vector<End>> ends_;  // per slot of each vertex pool
 };
 
 class GaugeFinder {
@@ -148,6 +158,15 @@ class GaugeFinder {
                       has_frame ? (frame.has_rotation ? 0 : 1) : 2, pool.id(v.slot));
   }
 
+  /// Whether v has a lower rank than w, which is of the same pool, so of the same kind.
+  bool comes_before(VertexSlot v, VertexSlot w) const {
+    const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
+    const auto rank_in_pool = [&](VertexSlot u) {
+      return std::tuple(pool.eliminated(u.slot), -pool.tangent_dim(u.slot), pool.id(u.slot));
+    };
+    return rank_in_pool(v) < rank_in_pool(w);
+  }
+
   VertexSlot first_choice(std::span<const VertexSlot> vertices) const {
     return *std::min_element(vertices.begin(), vertices.end(),
                              [&](VertexSlot a, VertexSlot b) { return rank(a) < rank(b); });
@@ -189,7 +208,10 @@ class GaugeFinder {
   }
 
   bool has_frames(const Component& component, int dimension) const {
+    std::vector<bool> seen(graph_.vertex_pools().size(), false);  // the vertices of a pool have one type
     return std::any_of(component.vertices.begin(), component.vertices.end(), [&](VertexSlot v) {
+      if (seen[v.pool]) return false;
+      seen[v.pool] = true;
       detail::Frame frame;
       return graph_.vertex_pools()[v.pool]->get_frame(v.slot, frame) && frame.dimension == dimension;
     });
@@ -238,7 +260,7 @@ class GaugeFinder {
                                      [&](VertexSlot f) { return f.pool == v.pool && role(f) == role(v); });
       if (same == firsts.end()) {
         firsts.push_back(v);
-      } else if (rank(v) < rank(*same)) {
+      } else if (comes_before(v, *same)) {
         *same = v;
       }
     }

@@ -50,6 +50,12 @@ double predicted_nanoseconds(const Graph& graph, const Plan& plan, PacedStop& pa
   return total;
 }
 
+std::size_t count_active_edges(const ActiveSet& active) {
+  std::size_t count = 0;
+  for (const auto& edges : active.edges) count += edges.size();
+  return count;
+}
+
 template <class F>
 void for_each_active_edge(const Graph& graph, const ActiveSet& active, PacedStop& pace, F&& f) {
   std::vector<std::uint32_t> blocks;
@@ -85,6 +91,7 @@ BlockStructure hessian_structure(const Graph& graph, const ActiveSet& active, co
     dims.push_back(static_cast<std::uint32_t>(graph.vertex_pools()[v.pool]->tangent_dim(v.slot)));
   }
   std::vector<BlockCoordinate> pairs;
+  pairs.reserve(count_active_edges(active));
   for_each_active_edge(
       graph, active, pace, [&](std::uint32_t, std::uint32_t, const std::vector<std::uint32_t>& blocks) {
         check_elimination(graph, active, blocks);
@@ -187,6 +194,7 @@ class SortedEdges {
   SortedEdges(const Graph& graph, const ActiveSet& active, PacedStop& pace)
       : eliminated_(active.eliminated_blocks), start_(batches() + 2, 0) {
     std::vector<PlacedEdge> unsorted;
+    unsorted.reserve(count_active_edges(active));
     for_each_active_edge(
         graph, active, pace, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
           const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
@@ -269,6 +277,7 @@ class ChunkBuilder {
   /// Adds the edges of the batches [first, last), and in the last chunk also the edges that touch no
   /// eliminated vertex.
   Chunk build_from(const SortedEdges& edges, std::uint32_t first, std::uint32_t last) {
+    make_room(edges.of_batches(first, last));
     for (std::uint32_t batch = first; batch < last; ++batch) {
       append_batch(edges, batch);
       chunk_.batches.push_back({edges.end_column(batch), static_cast<std::uint32_t>(chunk_.runs.size())});
@@ -278,6 +287,20 @@ class ChunkBuilder {
   }
 
  private:
+  void make_room(std::span<const PlacedEdge> edges) {
+    std::vector<std::size_t> edge_count(graph_.edge_pools().size(), 0), target_count(edge_count);
+    for (const auto& [batch, pool, edge] : edges) {
+      ++edge_count[pool];
+      target_count[pool] += Scatter::targets_of(graph_.edge_pools()[pool]->arity(edge));
+    }
+    for (std::uint32_t pool = 0; pool < edge_count.size(); ++pool) {
+      if (edge_count[pool] == 0) continue;
+      Scatter& scatter = chunk_.scatters[scatter_of(pool)];
+      scatter.edges.reserve(edge_count[pool]);
+      scatter.targets.reserve(target_count[pool]);
+    }
+  }
+
   void append_batch(const SortedEdges& edges, std::uint32_t batch) {
     begin_batch();
     for (const auto& [_, pool, edge] : edges.of_batches(batch, batch + 1)) {
@@ -287,14 +310,19 @@ class ChunkBuilder {
     }
   }
 
-  void begin_batch() { last_pool_ = ActiveSet::kInactive; }
-
-  void append(std::uint32_t pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks) {
+  std::uint32_t scatter_of(std::uint32_t pool) {
     std::uint32_t& scatter = scatter_of_[pool];
     if (scatter == ActiveSet::kInactive) {
       scatter = static_cast<std::uint32_t>(chunk_.scatters.size());
       chunk_.scatters.push_back({pool, {}, {}, {}});
     }
+    return scatter;
+  }
+
+  void begin_batch() { last_pool_ = ActiveSet::kInactive; }
+
+  void append(std::uint32_t pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks) {
+    const std::uint32_t scatter = scatter_of(pool);
     const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
     if (std::exchange(last_pool_, pool) != pool) chunk_.runs.push_back({scatter, position, position});
     ++chunk_.runs.back().end;

@@ -156,10 +156,10 @@ std::vector<SimilarityTest::Kind> SimilarityTest::list_kinds(std::span<const Ver
     const detail::VertexPool& pool = *graph_.vertex_pools()[v.pool];
     std::uint32_t& kind = kind_of_[v.pool][v.slot];
     kind = sets.find(kind);
-    detail::Frame frame;
-    if (!pool.get_frame(v.slot, frame) || frame.dimension != dimension) continue;
     const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.id == kind; });
     if (known != kinds.end()) continue;
+    detail::Frame frame;
+    if (!pool.get_frame(v.slot, frame) || frame.dimension != dimension) continue;
     if (frame.has_rotation) {
       kinds.push_back({kind, {WorldRole::kFrame, WorldRole::kInverse, WorldRole::kNone}});
     } else {
