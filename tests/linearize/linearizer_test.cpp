@@ -13,6 +13,7 @@
 #include "boxplus/manifold/se2.h"
 #include "boxplus/robust/huber.h"
 #include "boxplus/robust/redescending.h"
+#include "linearize/bundle.h"
 #include "linearize/dense_reference.h"
 
 namespace boxplus {
@@ -226,10 +227,7 @@ bool same_bits(std::span<const double> a, std::span<const double> b) {
 
 TEST(Linearizer, ComputesTheSameBitsForAnyNumberOfWorkers) {
   for (const bool eliminate : {false, true}) {
-    Graph graph = large_graph();
-    for (const VertexRef& vertex : graph.all_vertices()) {
-      if (eliminate && graph.tangent_dim(vertex) == 2) graph.set_eliminated(vertex, true);
-    }
+    const Graph graph = eliminate ? make_bundle(12, 600, true).graph : large_graph();
     const Plan one = make_plan(graph, {.threads = 1});
     ASSERT_GT(one.edge_count, 3000u);
     Linearizer reference(graph, one);
@@ -245,6 +243,38 @@ TEST(Linearizer, ComputesTheSameBitsForAnyNumberOfWorkers) {
       EXPECT_TRUE(same_bits(linearizer.gradient(), reference.gradient()));
       EXPECT_EQ(linearizer.chi2(), chi2);
     }
+  }
+}
+
+TEST(Linearizer, ReportsEachBatchOfEliminatedColumnsWhenItsValuesAreFinal) {
+  const Graph graph = make_bundle(12, 600, true).graph;
+  const Plan plan = make_plan(graph, {.threads = 3});
+  ASSERT_GT(plan.chunks.size(), 2u);
+  EXPECT_EQ(make_plan(graph, {.threads = 1}).chunks.size(), plan.chunks.size());
+  Linearizer linearizer(graph, plan);
+  linearizer.linearize({});
+  const std::vector<double> values(linearizer.values().begin(), linearizer.values().end());
+  const std::vector<double> gradient(linearizer.gradient().begin(), linearizer.gradient().end());
+  for (const int groups : {1, 2, static_cast<int>(plan.chunks.size())}) {
+    std::vector<std::uint32_t> ends(static_cast<std::size_t>(groups), BlockStructure::kAbsent);
+    std::vector<std::uint32_t> starts(ends);
+    std::vector<int> differences(ends.size(), 0);
+    linearizer.linearize({}, groups, [&](int group, std::uint32_t first, std::uint32_t last) {
+      const auto g = static_cast<std::size_t>(group);
+      if (starts[g] == BlockStructure::kAbsent) starts[g] = ends[g] = first;
+      differences[g] += first != ends[g];
+      ends[g] = last;
+      const auto begin = plan.structure.value_start[plan.structure.column_start[first]],
+                 end = plan.structure.value_start[plan.structure.column_start[last]];
+      for (std::uint32_t i = begin; i < end; ++i) differences[g] += linearizer.values()[i] != values[i];
+      for (std::uint32_t i = plan.structure.offset[first]; i < plan.structure.offset[last]; ++i)
+        differences[g] += linearizer.gradient()[i] != gradient[i];
+    });
+    EXPECT_THAT(differences, testing::Each(0));
+    EXPECT_EQ(starts[0], 0u);
+    for (std::size_t g = 1; g < starts.size(); ++g) EXPECT_EQ(starts[g], ends[g - 1]);
+    EXPECT_EQ(ends.back(), plan.eliminated_blocks);
+    EXPECT_TRUE(same_bits(linearizer.values(), values));
   }
 }
 

@@ -152,6 +152,32 @@ TEST(Schur, HasTheSameBitsForAnyNumberOfThreadsWhetherOrNotEliminateAlsoReducesT
   }
 }
 
+TEST(Schur, EliminatesColumnByColumnWithTheSameBits) {
+  const Problem problem(make_bundle(12, 600, true), 0.1, true);
+  const BlockStructure& structure = problem.plan.structure;
+  std::vector<double> r(structure.scalars());
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = std::sin(static_cast<double>(i));
+  const std::vector<std::uint32_t> bounds{0, 64, 192, 256, 512, 576, 600};
+  Schur whole(structure, 600, true, 2, bounds), stepwise(structure, 600, true, 2, bounds);
+  std::vector<double> expected(whole.reduced_structure().scalars()), actual(expected.size());
+  const auto eliminate = [&] {
+    return whole.eliminate(problem.linearizer.values(), problem.damping, {}, r.data(), expected.data());
+  };
+  ASSERT_EQ(eliminate().status, LinearStatus::kOk);
+  ASSERT_GT(whole.slices(), 2);
+  const std::size_t parts = bounds.size() - 1, slices = static_cast<std::size_t>(stepwise.slices());
+  for (int round = 0; round < 2; ++round) {
+    stepwise.begin(problem.linearizer.values(), problem.damping, r.data());
+    for (std::size_t s = slices; s-- > 0;) {  // slices may come in any order
+      for (std::uint32_t e = bounds[parts * s / slices]; e < bounds[parts * (s + 1) / slices]; ++e)
+        stepwise.eliminate_columns(static_cast<int>(s), e, e + 1, {});
+    }
+    ASSERT_EQ(stepwise.finish(actual.data()).status, LinearStatus::kOk);
+    EXPECT_THAT(stepwise.reduced_values(), testing::ElementsAreArray(whole.reduced_values()));
+    EXPECT_EQ(actual, expected);
+  }
+}
+
 TEST(Schur, NamesTheSameBlockForAnyNumberOfThreads) {
   const Problem problem(make_bundle(12, 600, true), 0, false);
   std::vector<double> values(problem.linearizer.values().begin(), problem.linearizer.values().end());
