@@ -39,6 +39,7 @@ bench: setup ## measures boxplus, CHOLMOD and Ceres, and writes bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/dataset_bench "$(BOXPLUS_DATA)" \
 	  "$$(git describe --always --dirty)" > build/bench/RESULTS.md
 	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/edge_bench >> build/bench/RESULTS.md
+	@OMP_THREAD_LIMIT=1 OPENBLAS_NUM_THREADS=1 build/bench/bin/bundle_bench "$(BOXPLUS_DATA)" >> build/bench/RESULTS.md
 	@mv build/bench/RESULTS.md bench/RESULTS.md
 
 dev asan ubsan tsan: setup

@@ -35,13 +35,13 @@ constexpr const char* kFooter =
     "\n"
     "Environment:\n"
     "  BOXPLUS_ISA  the instruction set for dense matrices: baseline, avx2 or avx512. The default is\n"
-    "               the latest one of the processor. The last digits of results may depend on it.\n"
+    "               the best one that the processor has. The last digits of results may depend on it.\n"
     "\n"
     "The file name - stands for standard input or standard output. Results go to standard output, and\n"
     "messages go to standard error.";
 
-/// Throws Error if BOXPLUS_ISA has an unknown name. Such a name would have no effect, and is most likely
-/// misspelled.
+/// Throws Error if the value of BOXPLUS_ISA is not an instruction set of this processor. The library would
+/// ignore such a value.
 void require_known_instructions() {
   const char* wanted = std::getenv("BOXPLUS_ISA");
   const std::vector<std::string_view> known = instruction_sets();

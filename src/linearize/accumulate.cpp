@@ -8,8 +8,8 @@
 namespace boxplus {
 namespace {
 
-/// Adds Jiᵀ WJj to a di × dj block, or its transpose to a dj × di block. Ji and WJj have `rows` rows. If Rows
-/// is positive, it must be equal to `rows`, so that the number of rows is known at compile time.
+/// Adds Jiᵀ WJj to a di × dj block, or its transpose to a dj × di block. Ji and WJj have `rows` rows. A
+/// positive Rows is this number as a constant; with Rows = 0, it is known only at run time.
 template <int Rows>
 void add_product(const double* Ji, int di, const double* WJj, int dj, int rows, bool transposed,
                  double* block) {
@@ -49,8 +49,9 @@ void add_rank_one(double scale, const double* vi, int di, const double* vj, int 
   }
 }
 
-/// Visits the targets of an edge. Calls add_vertex(column, dim, target) for each vertex that moves, and
-/// add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each pair j ≤ i of vertices that move.
+/// Visits the places in the gradient and in H to which an edge adds (Scatter). Calls add_vertex(column, dim,
+/// target) for each vertex i, and add_pair(column_i, dim_i, column_j, dim_j, transposed, target) for each
+/// pair of vertices i and j ≤ i. Skips targets that are kNowhere.
 template <class AddVertex, class AddPair>
 void for_each_target(const EdgeSystem& edge, const std::uint32_t* targets, AddVertex&& add_vertex,
                      AddPair&& add_pair) {

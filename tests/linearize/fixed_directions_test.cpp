@@ -67,7 +67,7 @@ TEST(FixedDirections, HaveZeroHessianEntriesOffTheDiagonal) {
   }
 }
 
-TEST(FixedDirections, GiveTheSameBitsOfHForAnyNumberOfWorkers) {
+TEST(FixedDirections, GiveTheSameHessianForAnyNumberOfThreads) {
   World w = make_world(1500);
   for (const auto& pose : w.poses) w.graph.fix_directions(pose, {1});
   const Plan one = make_plan(w.graph, {.threads = 1});

@@ -23,8 +23,8 @@ void add_completion(CLI::App& app, Action& action) {
   command->add_option("SHELL", *shell, "The shell")->required()->check(one_of({"bash", "zsh", "fish"}));
   command->footer(
       "Examples:\n"
-      "  source <(boxplus completion bash)        # for this shell; in ~/.bashrc, for every shell\n"
-      "  source <(boxplus completion zsh)         # for this shell; must come after compinit\n"
+      "  source <(boxplus completion bash)        # add this line to ~/.bashrc to keep it\n"
+      "  source <(boxplus completion zsh)         # after compinit; add it to ~/.zshrc\n"
       "  boxplus completion fish | source");
   command->callback([&app, &action, shell] {
     action = [&app, shell] {

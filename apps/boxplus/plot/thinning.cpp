@@ -17,8 +17,8 @@ Cell cell_of(const Spot& spot, const Spot& origin, double pixel) {
 }
 
 /// Joins consecutive steps of the trajectory until the joined step begins and ends in different pixels. The
-/// segments must be in the order of time. If the last steps before a gap or before the end stay within one
-/// pixel even when they are joined, they are left out.
+/// segments must be in the order of time. Does not change the first step after a gap. If the last steps
+/// before a gap or before the end stay within one pixel even when they are joined, they are left out.
 std::vector<Segment> with_joined_steps(const std::vector<Segment>& segments, const Spot& origin,
                                        double pixel) {
   std::vector<Segment> result;

@@ -15,11 +15,11 @@ using Subtree = TreeSchedule::Subtree;
 
 constexpr double kMinSavedNanoseconds = 200e3;  // the time that a worker may take to wake up
 constexpr double kSubtreesPerThread = 8;        // a larger number of subtrees does not help
-constexpr double kSerialShare = 0.2;            // the serial fraction of a front's work on several threads
+constexpr double kSerialShare = 0.2;            // the part of a front's work that only one thread can do
 constexpr double kJoin = 20e3;  // the ns per front that threads lose by waiting for each other
 
-/// A division of the fronts into subtrees, sorted by descending predicted time, and the fronts above the
-/// subtrees.
+/// The fronts, divided into disjoint subtrees and `top`, the fronts above them. The subtrees are sorted by
+/// predicted time, the longest first.
 struct Parts {
   std::vector<Subtree> subtrees;
   std::vector<std::uint32_t> top;
@@ -89,8 +89,8 @@ Forest::Forest(std::span<const Front> fronts, const AmalgamationRule& rule, int 
 }
 
 /// Moves the root to the top part, and adds the subtrees of its children. If the subtree of a child is not
-/// contiguous, splits it in the same way, because a thread needs a contiguous range of fronts. A subtree with
-/// kept blocks may not be contiguous.
+/// contiguous, splits it in the same way, because a thread needs a contiguous range of fronts. (A subtree can
+/// have gaps if it contains some of the last columns, which partition_columns() keeps in their places.)
 void Forest::take(std::uint32_t root) {
   std::vector<std::uint32_t> waiting{root};
   while (!waiting.empty()) {

@@ -257,7 +257,7 @@ TEST(DestructionOfEdges, HappensBeforeTheirVerticesAreDestroyed) {
   }
 }
 
-TEST(DestructionOfData, HappensWithTheElementUnlessTheElementWasRefused) {
+TEST(DestructionOfData, HappensWithItsElementIfTheGraphAcceptedTheElement) {
   struct Note : g2o::HyperGraph::Data {
     explicit Note(int& living) : count(living) { ++count; }
     ~Note() override { --count; }
@@ -313,7 +313,7 @@ TEST(DestructionOfParameters, AnEdgeReturnsNullForAMissingParameter) {
   EXPECT_EQ(e.parameter(5), nullptr);
 }
 
-TEST(NullPointers, AreRefusedAsCreatorAlgorithmAndLinearSolver) {
+TEST(NullPointers, AreRefusedForACreatorAnAlgorithmAndALinearSolver) {
   std::vector<std::string> messages;
   g2o::logging::setSink([&](g2o::logging::Level, const std::string& text) { messages.push_back(text); });
   g2o::OptimizationAlgorithmFactory::instance()->registerSolver(

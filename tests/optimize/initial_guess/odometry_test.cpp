@@ -20,7 +20,7 @@ TYPED_TEST(OdometryGuess, FollowsConsecutiveIdsAndBridgesGaps) {
   scene.join(a, b);
   scene.join(b, d);  // the correct edge across the gap between the ids 11 and 20
   scene.join(c, d);
-  // This wrong edge crosses the same gap, but its ids are farther apart.
+  // A wrong edge across the same gap. The chain reaches b, so b must not depend on this edge.
   scene.graph.add_edge(Between<TypeParam>{TypeParam::motion(55)}, 1e6, a, d);
   EXPECT_TRUE(scene.apply(0).made);
   EXPECT_LT(scene.error(b), 1e-9);

@@ -8,8 +8,8 @@
 #include "g2o/types/slam3d/vertex_se3.h"
 #include "types/adapters.h"
 
-// Registers the tags of all types of this library if a client uses one of the types. This is necessary
-// because linkers take only the referenced members of a static library.
+// Every source that includes this header refers to the source that registers the tags of all types. Without
+// this, a linker would leave that source out of a program that links the static library.
 G2O_USE_TYPE_GROUP(slam3d)
 
 namespace g2o {

@@ -8,7 +8,7 @@
 namespace g2o {
 namespace {
 
-/// The third value of the measurement: the depth.
+/// The third value of the measurement as a function of the depth, for depth_image(): the depth itself.
 struct Depth {
   static double of(double depth) { return depth; }
   static double derivative(double) { return 1; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client that defines its own type EdgeXYZPrior. It also defines the include guard of the g2o header with
-// the same type, so that the two types do not conflict. Then it uses types that types_icp.h includes.
+// A client that defines its own g2o::EdgeXYZPrior. It first defines the include guard of the g2o header that
+// declares a class of this name, so that this header is empty and the two classes do not conflict. Then it
+// uses types and macros that are known after including only types_icp.h.
 #define G2O_EDGE_XYZ_PRIOR_H_
 #include "g2o/types/icp/types_icp.h"
 
