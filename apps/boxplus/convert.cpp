@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus convert IN OUT: reads a graph in any known format and writes it as .g2o or BAL.
+// boxplus convert IN OUT: reads a graph in any known format and writes it in another one.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +16,7 @@ namespace boxplus::app {
 namespace {
 
 struct ConvertArguments {
-  std::string input, output;
+  std::string input, output, format;
   bool quiet = false;
   ReadOptions reading;
 };
@@ -37,11 +37,11 @@ std::string summary(const GraphFile& file) {
 }
 
 int convert_file(const ConvertArguments& arguments) {
-  const std::vector<Output> outputs{{"OUT", arguments.output}};
-  require_writable_format(arguments.output);
+  const std::vector<Output> outputs{{"OUT", arguments.output, true}};
+  if (arguments.format.empty()) require_writable_format(arguments.output);
   check_outputs(outputs);
   const GraphFile file = load_graph(arguments.input, arguments.reading);
-  save_graph(arguments.output, file);
+  save_graph(arguments.output, file, format_name(arguments.format));
   if (!arguments.quiet) {
     print_summary(outputs, fmt::format("{} → {}: {}\n", escaped(input_name(arguments.input)),
                                        escaped(output_name(arguments.output)), summary(file)));
@@ -61,12 +61,20 @@ void add_convert(CLI::App& app, Action& action) {
                    fmt::format("Where to write the graph ({}); - is standard output", writable_formats()))
       ->required()
       ->check(file_name());
+  command
+      ->add_option("--format", arguments->format,
+                   "The format to write; by default, the extension of OUT selects it")
+      ->type_name("FORMAT")
+      ->check(one_of(writable_names()))
+      ->group("Output");
   command->add_flag("-q,--quiet", arguments->quiet, "Do not print a summary of the conversion")
       ->group("Output");
   add_reading_options(*command, arguments->reading);
   command->footer(
       "Examples:\n"
       "  boxplus convert w10000.graph w10000.g2o\n"
+      "  boxplus convert sparse/0 text --format colmap-text\n"
+      "  boxplus convert sparse/0 points.ply\n"
       "  boxplus convert old.g2o - --rename VERTEX_CAM=VERTEX_SE3:QUAT | boxplus info -");
   command->callback([&action, arguments] { action = [arguments] { return convert_file(*arguments); }; });
 }

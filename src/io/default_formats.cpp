@@ -2,7 +2,9 @@
 // The table of the library's formats.
 #include "boxplus/io/file_format.h"
 #include "io/bal/bal_format.h"
+#include "io/colmap/colmap_format.h"
 #include "io/g2o/g2o_format.h"
+#include "io/ply/ply_format.h"
 #include "io/toro/toro_format.h"
 
 namespace boxplus {
@@ -13,6 +15,9 @@ const FileFormats& default_formats() {
     all.add(g2o_format());
     all.add(toro_format());
     all.add(bal_format());
+    all.add(colmap_format());
+    all.add(colmap_text_format());
+    all.add(ply_format());
     return all;
   }();
   return formats;

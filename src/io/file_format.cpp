@@ -8,15 +8,21 @@
 namespace boxplus {
 
 std::string FileFormat::label() const {
+  if (is_folder()) return name + "'s folder";
   return extension == "." + name ? extension : name + "'s " + extension;
 }
 
 void FileFormats::add(FileFormat format) {
-  if (format.name.empty() || format.extension.empty() || !format.recognize || !format.read)
+  const bool is_complete =
+      format.is_folder() ? format.can_read() && format.extension.empty()
+                         : !format.extension.empty() && format.recognize && (format.read || format.write);
+  if (format.name.empty() || !is_complete)
     throw InvalidArgument("file format '" + format.name +
-                          "': expected a name, an extension, recognize and read");
+                          "': expected a name, an extension, recognize, and read or write; or a name, and "
+                          "recognize and read for a folder");
   for (const FileFormat& other : formats_) {
-    if (other.name == format.name || other.extension == format.extension) {
+    const bool has_extension = !format.is_folder() && other.extension == format.extension;
+    if (other.name == format.name || has_extension) {
       throw InvalidArgument("file format '" + format.name +
                             "': expected a new name and a new extension, but " + other.label() +
                             " is already registered");
@@ -32,14 +38,23 @@ const FileFormat* FileFormats::find(std::string_view name) const {
 }
 
 const FileFormat* FileFormats::of_path(std::string_view path) const {
-  const auto found = std::find_if(formats_.begin(), formats_.end(),
-                                  [&](const FileFormat& format) { return path.ends_with(format.extension); });
+  const auto found = std::find_if(formats_.begin(), formats_.end(), [&](const FileFormat& format) {
+    return !format.is_folder() && path.ends_with(format.extension);
+  });
   return found == formats_.end() ? nullptr : &*found;
 }
 
 const FileFormat* FileFormats::recognize(std::string_view beginning) const {
-  const auto found = std::find_if(formats_.rbegin(), formats_.rend(),
-                                  [&](const FileFormat& format) { return format.recognize(beginning); });
+  const auto found = std::find_if(formats_.rbegin(), formats_.rend(), [&](const FileFormat& format) {
+    return !format.is_folder() && format.recognize(beginning);
+  });
+  return found == formats_.rend() ? nullptr : &*found;
+}
+
+const FileFormat* FileFormats::recognize_folder(const std::string& folder) const {
+  const auto found = std::find_if(formats_.rbegin(), formats_.rend(), [&](const FileFormat& format) {
+    return format.is_folder() && format.folder.recognize(folder);
+  });
   return found == formats_.rend() ? nullptr : &*found;
 }
 

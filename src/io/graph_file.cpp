@@ -2,6 +2,8 @@
 #include "boxplus/io/graph_file.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
@@ -14,9 +16,13 @@ const FileFormats& formats_of(const FileFormats* formats) {
   return formats ? *formats : default_formats();
 }
 
-std::string labels_of(const FileFormats& formats) {
+/// The formats that boxplus can read: texts or folders.
+std::string labels_of(const FileFormats& formats, bool of_folders) {
   std::string labels;
-  for (const FileFormat& format : formats.all()) labels += (labels.empty() ? "" : ", ") + format.label();
+  for (const FileFormat& format : formats.all()) {
+    if (format.can_read() && format.is_folder() == of_folders)
+      labels += (labels.empty() ? "" : ", ") + format.label();
+  }
   return labels;
 }
 
@@ -25,10 +31,24 @@ GraphFile read(const TextSource& text, const ReadOptions& options) {
   std::string memory;
   const FileFormat* format =
       formats.recognize(text.block_count() == 0 ? std::string_view() : text.block(0, memory));
-  if (!format)
+  if (!format || !format->read)
     throw InputError(text.name(), 1, 1,
-                     "expected a supported format (" + labels_of(formats) + "), got another one");
+                     "expected a supported format (" + labels_of(formats, false) + "), got " +
+                         (format ? format->label() + ", which boxplus can only write" : "another one"));
   GraphFile file = format->read(text, options);
+  file.format = format->name;
+  return file;
+}
+
+GraphFile read_folder(const std::string& path, const ReadOptions& options) {
+  const FileFormats& formats = formats_of(options.formats);
+  const FileFormat* format = formats.recognize_folder(path);
+  if (!format) {
+    const std::string labels = labels_of(formats, true);
+    throw FileError(path + ": expected a file" + (labels.empty() ? "" : " or " + labels) +
+                    ", got a folder without the files of a graph");
+  }
+  GraphFile file = format->folder.read(path, options);
   file.format = format->name;
   return file;
 }
@@ -40,8 +60,14 @@ const FileFormat& named_format(const FileFormats& formats, const std::string& na
     for (const FileFormat& each : formats.all()) known += (known.empty() ? "" : ", ") + each.name;
     throw InvalidArgument("unknown file format '" + name + "'; known formats: " + known);
   }
-  if (!format->write) throw InvalidArgument("cannot write " + format->label() + ": the format is read-only");
+  if (!format->can_write())
+    throw InvalidArgument("cannot write " + format->label() + ": the format is read-only");
   return *format;
+}
+
+bool is_folder(std::string_view path) {
+  std::error_code none;
+  return path.ends_with('/') || std::filesystem::is_directory(path, none);
 }
 
 /// `read_as`: the name of the format from which the graph was read, if any.
@@ -49,12 +75,14 @@ const FileFormat& format_to_write(std::string_view path, std::string_view read_a
                                   const WriteOptions& options) {
   const FileFormats& formats = formats_of(options.formats);
   if (!options.format.empty()) return named_format(formats, options.format);
-  const FileFormat* format = formats.of_path(path);
-  if (format && format->write) return *format;
-  format = formats.find(read_as);
-  if (format && format->write) return *format;
-  const auto first = std::find_if(formats.all().begin(), formats.all().end(),
-                                  [](const FileFormat& any) { return static_cast<bool>(any.write); });
+  const bool to_folder = is_folder(path);
+  const auto is_possible = [&](const FileFormat& format) {
+    return format.can_write() && (format.is_folder() || !to_folder);
+  };
+  for (const FileFormat* format : {formats.of_path(path), formats.find(read_as)}) {
+    if (format && is_possible(*format)) return *format;
+  }
+  const auto first = std::find_if(formats.all().begin(), formats.all().end(), is_possible);
   if (first == formats.all().end())
     throw InvalidArgument("cannot write a graph: no writable format is registered");
   return *first;
@@ -63,16 +91,19 @@ const FileFormat& format_to_write(std::string_view path, std::string_view read_a
 void write(const std::string& path, const GraphFileView& file, std::string_view read_as,
            const WriteOptions& options) {
   const FileFormat& format = format_to_write(path, read_as, options);
+  if (format.is_folder()) return format.folder.write(file, path);
   replace_file(path, [&](TextSink sink) { format.write(file, options, sink); });
 }
 
 GraphFileView view_of(const GraphFile& file) {
-  return {file.graph, file.edges, file.kept};
+  return {file.graph, file.edges, file.kept, file.model.get()};
 }
 
 }  // namespace
 
 GraphFile read_graph(const std::string& path, const ReadOptions& options) {
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) return read_folder(path, options);
   return read(TextSource::of_file(path), options);
 }
 
@@ -88,11 +119,22 @@ void write_graph(const std::string& path, const Graph& graph, const WriteOptions
   write(path, {graph}, {}, options);
 }
 
+void require_writable(const std::string& path, const GraphFile& file, const WriteOptions& options) {
+  const FileFormat& format = format_to_write(path, file.format, options);
+  if (format.is_folder()) {
+    if (format.folder.check) format.folder.check(view_of(file), path);
+  } else if (format.name != file.format) {
+    format.write(view_of(file), options, [](std::string_view) {});
+  }
+}
+
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {
+  const FileFormat& format = format_to_write({}, file.format, options);
+  if (format.is_folder())
+    throw InvalidArgument("cannot write " + format.label() +
+                          " as one text; expected the name of a folder, or of a file in another format");
   std::string text;
-  format_to_write({}, file.format, options).write(view_of(file), options, [&](std::string_view piece) {
-    text += piece;
-  });
+  format.write(view_of(file), options, [&](std::string_view piece) { text += piece; });
   return text;
 }
 

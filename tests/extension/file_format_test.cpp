@@ -106,12 +106,15 @@ TEST_F(CustomFileFormat, IsWrittenIfTheGraphWasReadInItAndTheExtensionIsUnknown)
 TEST_F(CustomFileFormat, IsListedAfterTheFormatsOfTheLibrary) {
   std::vector<std::string> labels;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "table's .csv"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP's folder",
+                                           "COLMAP-text's folder", ".ply", "table's .csv"));
   try {
     format_graph({}, {.formats = &formats_, .format = "tabel"});
     FAIL();
   } catch (const InvalidArgument& error) {
-    EXPECT_STREQ(error.what(), "unknown file format 'tabel'; known formats: g2o, TORO, BAL, table");
+    EXPECT_STREQ(
+        error.what(),
+        "unknown file format 'tabel'; known formats: g2o, TORO, BAL, COLMAP, COLMAP-text, ply, table");
   }
 }
 

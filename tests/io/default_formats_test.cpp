@@ -6,10 +6,11 @@
 namespace boxplus {
 namespace {
 
-TEST(DefaultFormats, AreG2oToroAndBal) {
+TEST(DefaultFormats, AreG2oToroBalColmapAndPly) {
   std::vector<std::string> labels;
   for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP's folder",
+                                           "COLMAP-text's folder", ".ply"));
 }
 
 }  // namespace

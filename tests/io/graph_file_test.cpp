@@ -51,7 +51,8 @@ TEST(GraphFile, CannotBeWrittenInAnUnknownOrReadOnlyFormat) {
       return error.what();
     }
   };
-  EXPECT_EQ(complaint("xml"), "unknown file format 'xml'; known formats: g2o, TORO, BAL");
+  EXPECT_EQ(complaint("xml"),
+            "unknown file format 'xml'; known formats: g2o, TORO, BAL, COLMAP, COLMAP-text, ply");
   EXPECT_EQ(complaint("TORO"), "cannot write TORO's .graph: the format is read-only");
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "boxplus/base/error.h"
@@ -13,7 +14,9 @@ namespace boxplus::app {
 
 std::string readable_formats() {
   std::vector<std::string> labels;
-  for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
+  for (const FileFormat& format : default_formats().all()) {
+    if (format.can_read()) labels.push_back(format.label());
+  }
   return fmt::format("{}", fmt::join(labels, ", "));
 }
 
@@ -24,14 +27,31 @@ std::string graph_to_read() {
 std::string writable_formats() {
   std::vector<std::string> labels;
   for (const FileFormat& format : default_formats().all()) {
-    if (format.write) labels.push_back(format.label());
+    if (format.can_write()) labels.push_back(format.label());
   }
-  return fmt::format("{}", fmt::join(labels, " or "));
+  const std::string last = labels.back();
+  labels.pop_back();
+  return fmt::format("{} or {}", fmt::join(labels, ", "), last);
+}
+
+std::vector<std::string> writable_names() {
+  std::vector<std::string> names;
+  for (const FileFormat& format : default_formats().all()) {
+    if (format.can_write()) names.push_back(CLI::detail::to_lower(format.name));
+  }
+  return names;
+}
+
+std::string format_name(const std::string& in_lower_case) {
+  for (const FileFormat& format : default_formats().all()) {
+    if (CLI::detail::to_lower(format.name) == in_lower_case) return format.name;
+  }
+  return in_lower_case;
 }
 
 void require_writable_format(const std::string& path) {
   const FileFormat* format = default_formats().of_path(path);
-  if (!format || format->write) return;
+  if (!format || format->can_write()) return;
   throw InvalidArgument(fmt::format("{}: expected a {} file as output, because boxplus can only read {}",
                                     path, writable_formats(), format->label()));
 }

@@ -162,16 +162,19 @@ void print_notes(const GraphFile& file, const std::string& path) {
 }
 
 void require_representable(const std::string& path, const GraphFile& file) {
-  const FileFormat* format = default_formats().of_path(path);
-  if (!format || !format->write || format->name == file.format) return;
-  format->write({file.graph, file.edges, file.kept}, {}, [](std::string_view) {});
+  if (path == kStandardStream) {
+    const FileFormat* format = default_formats().find(file.format);
+    if (format && format->is_folder()) format_graph(file);  // throws
+  } else if (!path.empty()) {
+    require_writable(path, file);
+  }
 }
 
-void save_graph(const std::string& path, const GraphFile& file) {
+void save_graph(const std::string& path, const GraphFile& file, const std::string& format) {
   if (path == kStandardStream) {
-    write_output(path, format_graph(file));
+    write_output(path, format_graph(file, {.format = format}));
   } else {
-    write_graph(path, file);
+    write_graph(path, file, {.format = format});
   }
 }
 

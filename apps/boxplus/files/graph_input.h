@@ -37,11 +37,12 @@ GraphFile load_graph(const std::string& path, const ReadOptions& options = {});
 /// others.
 void print_notes(const GraphFile& file, const std::string& path);
 
-/// Throws InvalidArgument if the extension of `path` selects a format that cannot represent the graph. Call
-/// it before a long computation, so that its result can be saved.
+/// Throws InvalidArgument or FileError if the graph cannot be written to `path` in the format that
+/// save_graph() uses, as far as this can be checked without writing. Call it before a long computation.
 void require_representable(const std::string& path, const GraphFile& file);
-/// Writes a graph to a file, in the format of its extension. Without such a format, and to standard output,
-/// writes the format of the file from which the graph was read, or .g2o. Throws FileError if this fails.
-void save_graph(const std::string& path, const GraphFile& file);
+/// Writes a graph in the format with the given name (FileFormat) or, if it is empty, in the format of the
+/// extension of `path`. Without such a format, and to standard output, writes the format of the file from
+/// which the graph was read, or .g2o. Throws FileError if this fails.
+void save_graph(const std::string& path, const GraphFile& file, const std::string& format = {});
 
 }  // namespace boxplus::app

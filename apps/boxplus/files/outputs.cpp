@@ -36,6 +36,11 @@ bool are_same(const Output& a, const Output& b) {
   return !place.empty() && place == place_of(b.path);
 }
 
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return path.ends_with('/') || std::filesystem::is_directory(path, none);
+}
+
 void write_to_stdout(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw FileError("cannot write to standard output");
@@ -53,7 +58,8 @@ void check_outputs(const std::vector<Output>& outputs) {
     }
   }
   for (const Output& output : outputs) {
-    if (!output.path.empty() && !is_stdout(output)) require_writable(output.path);
+    const bool may_be_folder = output.may_be_folder && is_folder(output.path);
+    if (!output.path.empty() && !is_stdout(output) && !may_be_folder) require_writable(output.path);
   }
 }
 

@@ -11,10 +11,12 @@ namespace boxplus::app {
 struct Output {
   const char* option;  ///< the option that names the output, for messages
   std::string path;    ///< "-" means standard output; an empty path means no output
+  bool may_be_folder = false;
 };
 
 /// Must be called before any other work. Throws InvalidArgument if two outputs are the same file, and
-/// FileError if an output cannot be written.
+/// FileError if an output cannot be written. A folder is checked only when the graph is known
+/// (require_representable()).
 void check_outputs(const std::vector<Output>& outputs);
 
 /// Must be called before any other work. Throws InvalidArgument if the output would replace one of the

@@ -52,7 +52,8 @@ void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, Vertex
   if (graph.is_fixed(vertex)) {
     ++type.fixed;
   } else {
-    type.unknowns += static_cast<std::size_t>(graph.tangent_dim(vertex));
+    type.unknowns +=
+        static_cast<std::size_t>(graph.tangent_dim(vertex)) - graph.fixed_directions(vertex).size();
   }
 }
 

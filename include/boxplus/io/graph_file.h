@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading and writing graphs, in any of the formats of a FileFormats: .g2o, TORO's .graph (reading only), and
-// BAL's problems of bundle adjustment (types/ba.h). docs/formats.md describes them.
+// the problems of bundle adjustment (types/ba.h) of BAL and COLMAP. A COLMAP model is a folder. Poses and
+// points are also written as .ply, for viewers. docs/formats.md describes them.
 //
 // The first two have one element per line: a tag (see Registry), ids and values, separated by blanks. `#`
 // begins a comment, and `FIX id…` fixes vertices. Elements may come in any order. Positions are in meters,
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ namespace boxplus {
 
 class FileFormats;
 class Registry;
+struct SparseModel;
 
 struct ReadOptions {
   const Registry* registry = nullptr;  ///< nullptr: default_registry()
@@ -34,7 +37,8 @@ struct WriteOptions {
   const FileFormats* formats = nullptr;  ///< nullptr: default_formats()
   /// The name of a format. If it is empty, the extension of the file selects the format. If no writable
   /// format has this extension, a graph that was read from a file is written in the format of that file.
-  /// Otherwise the first format (.g2o) is used.
+  /// Otherwise the first format (.g2o) is used. If the path is that of a folder (one that exists, or a name
+  /// with / at its end), only formats of folders are considered; the first one is COLMAP.
   std::string format = {};
 };
 
@@ -58,6 +62,9 @@ struct GraphFile {
   Graph graph;
   std::vector<EdgeRef> edges = {};  ///< in the order of the file
   std::vector<KeptLine> kept = {};
+  /// The model as it was read from COLMAP's files (io/sparse_model.h): names, colors and all that the graph
+  /// does not contain. nullptr for other formats.
+  std::shared_ptr<const SparseModel> model = {};
   std::vector<Note> notes = {};  ///< unusual things that are not errors
   std::string format = {};       ///< the name of the file's format (FileFormat); read_graph() sets it
   std::int64_t lines = 0;        ///< number of lines of the file
@@ -66,23 +73,24 @@ struct GraphFile {
       false;  ///< the file lists only edges, so the estimates are defaults: make an initial guess
 };
 
-/// Reads a file in the format that recognizes its beginning; the file's name does not matter. Throws
-/// FileError if the file cannot be opened. Throws InputError ("file:line:column: expected …, got …") for
-/// truncated lines, fields that are not finite numbers, ids that are taken or unknown, vertices of the wrong
-/// type, indefinite Ω, and quaternions that are far from unit length. Unknown tags are not errors: their
-/// lines are kept and noted.
+/// Reads a file in the format that recognizes its beginning; the file's name does not matter. A folder is
+/// read in the format that recognizes its files. Throws FileError if a file cannot be opened. Throws
+/// InputError ("file:line:column: expected …, got …") for truncated lines, fields that are not finite
+/// numbers, ids that are taken or unknown, vertices of the wrong type, indefinite Ω, and quaternions that are
+/// far from unit length. Unknown tags are not errors: their lines are kept and noted.
 GraphFile read_graph(const std::string& path, const ReadOptions& options = {});
 /// Does the same as read_graph() for a text in memory. Messages use `name` as the name of the file.
 GraphFile parse_graph(std::string_view text, const std::string& name, const ReadOptions& options = {});
 
 /// Writes a file. A .g2o file lists parameters by id, then vertices by id, each followed by its FIX line,
 /// then edges in the order of the file, then edges that were added later, by type. Every number is the
-/// shortest text from which the same double is read. The file is replaced atomically. Throws FileError if it
-/// cannot be written, and InvalidArgument if the format cannot represent the graph (a .g2o file: if an
-/// element has no tag), is unknown or read-only.
+/// shortest text from which the same double is read. The file is replaced atomically. A folder is
+/// created if necessary. Throws FileError if the file cannot be written, and InvalidArgument if the format
+/// cannot represent the graph (a .g2o file: if an element has no tag), is unknown or read-only.
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});
-/// The text that write_graph() would write to a file without an extension.
+/// The text that write_graph() would write to a file without an extension. Throws InvalidArgument if the
+/// format is that of a folder.
 std::string format_graph(const GraphFile& file, const WriteOptions& options = {});
 
 }  // namespace boxplus

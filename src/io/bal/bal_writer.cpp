@@ -6,6 +6,9 @@
 #include "boxplus/base/error.h"
 #include "boxplus/io/field_reader.h"
 #include "io/bal/bal_format.h"
+#include "io/bal/bal_from_model.h"
+#include "io/colmap/camera_types.h"
+#include "io/colmap/graph_model.h"
 #include "io/edges_to_write.h"
 
 namespace boxplus {
@@ -18,6 +21,12 @@ using BalEdgePool = detail::TypedEdgePool<BalEdge, BalVertex, Vector3>;
       "cannot write BAL's .bal: expected vertices Product<SE3, BalCamera> and Vector3, and edges "
       "Reprojection<BalCamera> between them with the identity as information, got " +
       what);
+}
+
+bool has_colmap_cameras(const Graph& graph) {
+  const auto pools = graph.vertex_pools();
+  return std::any_of(pools.begin(), pools.end(),
+                     [](const auto& pool) { return camera_type_of(*pool) && pool->alive_count() > 0; });
 }
 
 class BalWriter {
@@ -115,7 +124,9 @@ class BalWriter {
 }  // namespace
 
 void write_bal(const GraphFileView& file, const WriteOptions& /*options*/, TextSink sink) {
-  BalWriter(file).write(sink);
+  if (!has_colmap_cameras(file.graph)) return BalWriter(file).write(sink);
+  const GraphFile converted = bal_from_model(model_of(file));
+  BalWriter({converted.graph, converted.edges}).write(sink);
 }
 
 }  // namespace boxplus

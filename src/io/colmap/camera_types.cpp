@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/colmap/camera_types.h"
+
+#include <algorithm>
+#include <array>
+
+namespace boxplus {
+namespace {
+
+template <class Camera>
+VertexRef add_camera(Graph& graph, Id id, const double* parameters) {
+  constexpr int kCenter = Camera::Model::kFocalLengths;
+  const auto vertex =
+      graph.add_parameter(Camera(Eigen::Map<const Vector<double, Camera::kSize>>(parameters)), id);
+  graph.unfix(vertex);
+  graph.fix_directions(vertex, {kCenter, kCenter + 1});
+  return vertex;
+}
+
+template <class Camera>
+EdgeRef observe(Graph& graph, const Vector2& pixel, VertexHandle<SE3> pose, VertexHandle<Vector3> point,
+                VertexRef camera) {
+  return graph.add_edge(Reprojection<Camera>(pixel), pose, point, graph.typed<Camera>(camera));
+}
+
+template <class Camera>
+bool is_pool(const detail::VertexPool& pool) {
+  return dynamic_cast<const detail::TypedVertexPool<Camera>*>(&pool) != nullptr;
+}
+
+template <class Camera>
+std::span<const double> values(const Graph& graph, VertexRef camera) {
+  const Camera& value = graph.estimate(graph.typed<Camera>(camera));
+  return {value.parameters.data(), std::size_t{Camera::kSize}};
+}
+
+template <class Camera>
+const Vector2* pixel(const Graph& graph, EdgeRef edge) {
+  using Pool = detail::TypedEdgePool<Reprojection<Camera>, SE3, Vector3, Camera>;
+  const auto* pool = dynamic_cast<const Pool*>(graph.edge_pools()[edge.pool].get());
+  return pool ? &pool->value(edge.slot).measurement : nullptr;
+}
+
+template <class Camera>
+constexpr CameraType type_of(int model_id) {
+  return {Camera::kName,      model_id,        Camera::kSize,   Camera::Model::kFocalLengths,
+          add_camera<Camera>, observe<Camera>, is_pool<Camera>, values<Camera>,
+          pixel<Camera>};
+}
+
+constexpr std::array kTypes{type_of<SimplePinholeCamera>(0),
+                            type_of<PinholeCamera>(1),
+                            type_of<SimpleRadialCamera>(2),
+                            type_of<RadialCamera>(3),
+                            type_of<OpenCvCamera>(4),
+                            type_of<OpenCvFisheyeCamera>(5),
+                            type_of<FullOpenCvCamera>(6),
+                            type_of<FovCamera>(7),
+                            type_of<SimpleRadialFisheyeCamera>(8),
+                            type_of<RadialFisheyeCamera>(9),
+                            type_of<ThinPrismFisheyeCamera>(10)};
+
+template <class Predicate>
+const CameraType* find(Predicate predicate) {
+  const auto* const found = std::find_if(kTypes.begin(), kTypes.end(), predicate);
+  return found == kTypes.end() ? nullptr : found;
+}
+
+}  // namespace
+
+std::span<const CameraType> camera_types() {
+  return kTypes;
+}
+
+const CameraType* find_camera_type(std::string_view name) {
+  return find([name](const CameraType& type) { return type.name == name; });
+}
+
+const CameraType* find_camera_type(std::uint64_t model_id) {
+  return find(
+      [model_id](const CameraType& type) { return static_cast<std::uint64_t>(type.model_id) == model_id; });
+}
+
+const CameraType* camera_type_of(const detail::VertexPool& pool) {
+  return find([&pool](const CameraType& type) { return type.is_pool(pool); });
+}
+
+std::string camera_type_names() {
+  std::string names;
+  for (const CameraType& type : kTypes) names += (names.empty() ? "" : ", ") + std::string(type.name);
+  return names;
+}
+
+}  // namespace boxplus

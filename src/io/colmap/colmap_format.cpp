@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/colmap/colmap_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "boxplus/base/error.h"
+#include "boxplus/io/write_file.h"
+#include "io/colmap/graph_model.h"
+#include "io/colmap/model_output.h"
+#include "io/colmap/model_reader.h"
+#include "io/text_file.h"
+
+namespace boxplus {
+namespace {
+
+constexpr std::array<const char*, 3> kNames{"cameras", "images", "points3D"};
+/// Files of COLMAP 3.12 and later, which describe images that were taken together.
+constexpr std::array<const char*, 2> kRigNames{"rigs", "frames"};
+
+std::string path_of(const std::string& folder, std::string_view name, bool is_text) {
+  return (std::filesystem::path(folder) / name).string() + (is_text ? ".txt" : ".bin");
+}
+
+template <class Names>
+std::vector<std::string> existing_files(const std::string& folder, const Names& names, bool is_text) {
+  std::vector<std::string> files;
+  std::error_code none;
+  for (const char* name : names) {
+    std::string path = path_of(folder, name, is_text);
+    if (std::filesystem::exists(path, none)) files.push_back(std::move(path));
+  }
+  return files;
+}
+
+std::vector<std::string> rig_files(const std::string& folder) {
+  std::vector<std::string> files = existing_files(folder, kRigNames, false);
+  for (std::string& file : existing_files(folder, kRigNames, true)) files.push_back(std::move(file));
+  return files;
+}
+
+std::unique_ptr<ModelInput> open(const std::string& folder, ModelFile file, bool is_text) {
+  TextSource source = TextSource::of_file(path_of(folder, kNames[static_cast<std::size_t>(file)], is_text));
+  return is_text ? text_input(std::move(source)) : binary_input(std::move(source), file);
+}
+
+GraphFile read(const std::string& folder, bool is_text) {
+  const auto cameras = open(folder, ModelFile::kCameras, is_text),
+             images = open(folder, ModelFile::kImages, is_text),
+             points = open(folder, ModelFile::kPoints, is_text);
+  GraphFile file = graph_of(read_model(*cameras, *images, *points));
+  for (std::string& text : unusual_parts(*file.model)) file.notes.push_back({0, std::move(text)});
+  if (!rig_files(folder).empty())
+    file.notes.push_back({0, "rigs and frames are ignored: each image moves on its own"});
+  return file;
+}
+
+/// Refuses a folder with files that COLMAP would read instead of the written ones.
+void check_folder(const std::string& folder, bool is_text) {
+  std::vector<std::string> others = rig_files(folder);
+  if (is_text) {
+    for (std::string& file : existing_files(folder, kNames, false)) others.push_back(std::move(file));
+  }
+  if (others.empty()) return;
+  throw FileError(
+      fmt::format("{}: expected a folder without {}, which COLMAP would read instead of the new files; "
+                  "choose another folder",
+                  folder, std::filesystem::path(others.front()).filename().string()));
+}
+
+/// The first folder of the path that exists.
+std::filesystem::path existing_folder(const std::string& folder) {
+  std::error_code none;
+  std::filesystem::path path = std::filesystem::absolute(folder, none);
+  while (!std::filesystem::exists(path, none) && path.has_parent_path() && path != path.parent_path())
+    path = path.parent_path();
+  return path;
+}
+
+void check(const SparseModel& model, const std::string& folder, bool is_text) {
+  if (is_text) require_text_names(model);
+  check_folder(folder, is_text);
+  require_writable((existing_folder(folder) / "cameras.bin").string());
+}
+
+void write(const GraphFileView& file, const std::string& folder, bool is_text) {
+  const SparseModel model = model_of(file);
+  check(model, folder, is_text);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(fmt::format("{}: cannot be created: {}", folder, error.message()));
+  constexpr std::array kWriters{write_cameras, write_images, write_points};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    replace_file(path_of(folder, kNames[i], is_text), [&](TextSink sink) {
+      kWriters[i](model, is_text ? *text_output(sink) : *binary_output(sink));
+    });
+  }
+}
+
+FileFormat format(const char* name, bool is_text) {
+  const auto is_model = [is_text](const std::string& folder) {
+    const bool has_binary = !existing_files(folder, kNames, false).empty();
+    return is_text ? !has_binary && !existing_files(folder, kNames, true).empty() : has_binary;
+  };
+  return {
+      .name = name,
+      .folder = {.recognize = is_model,
+                 .read = [is_text](const std::string& folder,
+                                   const ReadOptions& /*options*/) { return read(folder, is_text); },
+                 .check = [is_text](const GraphFileView& file,
+                                    const std::string& folder) { check(model_of(file), folder, is_text); },
+                 .write = [is_text](const GraphFileView& file,
+                                    const std::string& folder) { write(file, folder, is_text); }}};
+}
+
+}  // namespace
+
+FileFormat colmap_format() {
+  return format("COLMAP", false);
+}
+
+FileFormat colmap_text_format() {
+  return format("COLMAP-text", true);
+}
+
+}  // namespace boxplus

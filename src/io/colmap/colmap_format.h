@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sparse models of COLMAP (Schönberger and Frahm, "Structure-from-motion revisited", 2016): folders with
+// cameras, images and points3D as .bin or .txt, as documented at https://colmap.github.io/format.html. If a
+// folder has both, the binary files are read, as in COLMAP.
+#pragma once
+
+#include "boxplus/io/file_format.h"
+
+namespace boxplus {
+
+FileFormat colmap_format();
+FileFormat colmap_text_format();
+
+}  // namespace boxplus

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/colmap/graph_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "boxplus/io/graph_file.h"
+#include "io/bal/bal_axes.h"
+#include "io/colmap/graph_roles.h"
+#include "io/colmap/model_reader.h"
+#include "io/edges_to_write.h"
+
+namespace boxplus {
+namespace {
+
+using Camera = SparseModel::Camera;
+using Feature = SparseModel::Feature;
+using Image = SparseModel::Image;
+using Observation = SparseModel::Observation;
+using Point = SparseModel::Point;
+using Role = GraphRoles::Role;
+
+constexpr std::size_t kNone = ~std::size_t{0};
+
+void set_pose(Image& image, const SE3& T_world_camera) {
+  const SE3 T_camera_world = T_world_camera.inverse();
+  const detail::Quaternion<double> q = T_camera_world.quaternion();
+  const Vector3 positive_zero(0, 0, 0), t = T_camera_world.translation() + positive_zero;
+  image.rotation = {q.w, q.x, q.y, q.z};
+  image.translation = {t[0], t[1], t[2]};
+}
+
+/// The smallest integer ≥ `least` of a size that images can have.
+double image_size(double least) {
+  return std::clamp(std::ceil(least), 1.0, 1e9);
+}
+
+/// Makes an image large enough for its features, which are relative to the center of the image, and turns
+/// their y axis.
+void move_center(Camera& camera, Image& image) {
+  std::array<double, 2> center{1, 1};
+  for (const Feature& feature : image.features) {
+    for (std::size_t i = 0; i < 2; ++i)
+      center[i] = std::max(center[i], image_size(std::abs(feature.pixel[i])));
+  }
+  for (Feature& feature : image.features)
+    feature.pixel = {feature.pixel[0] + center[0], center[1] - feature.pixel[1]};
+  camera.parameters[1] = center[0];
+  camera.parameters[2] = center[1];
+  camera.width = static_cast<std::uint64_t>(2 * center[0]);
+  camera.height = static_cast<std::uint64_t>(2 * center[1]);
+}
+
+/// Makes the images of a camera large enough for these features.
+void enlarge(Camera& camera, const Image& image) {
+  double width = 1, height = 1;
+  for (const Feature& feature : image.features) {
+    width = std::max(width, feature.pixel[0]);
+    height = std::max(height, feature.pixel[1]);
+  }
+  camera.width = std::max(camera.width, static_cast<std::uint64_t>(image_size(width)));
+  camera.height = std::max(camera.height, static_cast<std::uint64_t>(image_size(height)));
+}
+
+class ModelMaker {
+ public:
+  explicit ModelMaker(const GraphFileView& file)
+      : graph_(file.graph), roles_(file.graph), edges_(edges_to_write(file)) {
+    static const SparseModel kEmpty;
+    old_ = file.model ? file.model : &kEmpty;
+    for (const auto& pool : graph_.vertex_pools()) entries_.emplace_back(pool->slots());
+    is_taken_.resize(edges_.size());
+  }
+
+  SparseModel make() {
+    add_old_elements();
+    old_cameras_ = model_.cameras.size();
+    old_images_ = model_.images.size();
+    add_new_elements();
+    take_old_edges();
+    take_old_tracks();
+    take_new_edges();
+    set_cameras();
+    set_errors();
+    return std::move(model_);
+  }
+
+ private:
+  /// A vertex in the model. A BAL image is an image and a camera.
+  struct Entry {
+    std::size_t index = kNone;   // among the cameras, images or points of the model
+    std::size_t camera = kNone;  // of an image, if it has edges: index among the cameras
+    bool is_changed = true;      // since it was read
+  };
+  Entry& entry(VertexRef vertex) { return entries_[vertex.pool][vertex.slot]; }
+
+  bool has_role(const std::optional<VertexRef>& vertex, Role role) const {
+    return vertex && roles_.role(*vertex) == role;
+  }
+
+  // ---- Vertices ----
+
+  void add_old_elements() {
+    for (const Camera& camera : old_->cameras) {
+      next_camera_ = std::max(next_camera_, camera.id + 1);
+      const auto vertex = graph_.find_parameter(camera.id);
+      if (has_role(vertex, Role::kCamera)) add(camera, *vertex);
+    }
+    for (const Image& image : old_->images) {
+      next_image_ = std::max(next_image_, image.id + 1);
+      const auto vertex = graph_.find_vertex(image.id);
+      if (has_role(vertex, Role::kImage)) add(image, *vertex);
+    }
+    const Id first = old_->first_point_vertex();
+    for (const Point& point : old_->points) {
+      next_point_ = std::max(next_point_, point.id + 1);
+      const auto vertex = graph_.find_vertex(first + static_cast<Id>(point.id));
+      if (has_role(vertex, Role::kPoint)) add(point, *vertex);
+    }
+  }
+
+  void add_new_elements() {
+    for (const auto& vertices : {graph_.all_parameters(), graph_.all_vertices()}) {
+      for (const VertexRef& vertex : vertices) {
+        roles_.require_role(vertex);
+        if (entry(vertex).index == kNone) add_new(vertex);
+      }
+    }
+  }
+  void add_new(VertexRef vertex) {
+    switch (roles_.role(vertex)) {
+      case Role::kCamera:
+        return add(Camera{.id = next_camera_++, .model = {}, .parameters = {}}, vertex);
+      case Role::kPoint:
+        return add(Point{.id = next_point_++, .track = {}}, vertex);
+      default:
+        add(Image{.id = next_image_++, .name = std::to_string(graph_.id(vertex)), .features = {}}, vertex);
+    }
+  }
+
+  void add(Camera camera, VertexRef vertex) {
+    const CameraType* type = camera_type_of(*graph_.vertex_pools()[vertex.pool]);
+    const std::span<const double> values = type->values(graph_, vertex);
+    std::vector<double> parameters(values.begin(), values.end());
+    entry(vertex) = {model_.cameras.size(), kNone, camera.parameters != parameters};
+    camera.model = type->name;
+    camera.parameters = std::move(parameters);
+    model_.cameras.push_back(std::move(camera));
+  }
+
+  void add(Image image, VertexRef vertex) {
+    Entry& place = entry(vertex) = {model_.images.size()};
+    if (roles_.role(vertex) == Role::kBalImage) {
+      const BalVertex& estimate = graph_.estimate(graph_.typed<BalVertex>(vertex));
+      const Vector3& values = estimate.get<1>().parameters;
+      place.camera = model_.cameras.size();
+      model_.cameras.push_back({next_camera_++, "RADIAL", 0, 0, {values[0], 0, 0, values[1], values[2]}});
+      set_pose(image, with_turned_axes(estimate.get<0>()));
+    } else {
+      const SE3& estimate = graph_.estimate(graph_.typed<SE3>(vertex));
+      place.is_changed = pose_of(image).vector() != estimate.vector();
+      if (place.is_changed) set_pose(image, estimate);
+    }
+    image_indices_[image.id] = place.index;
+    model_.images.push_back(std::move(image));
+  }
+
+  void add(Point point, VertexRef vertex) {
+    const Vector3& estimate = graph_.estimate(graph_.typed<Vector3>(vertex));
+    entry(vertex) = {model_.points.size(), kNone, Vector3(point.position.data()) != estimate};
+    point.position = {estimate[0], estimate[1], estimate[2]};
+    model_.points.push_back(std::move(point));
+  }
+
+  // ---- Observations ----
+
+  /// The first edges belong to the features of the old model that show a point. If an edge is gone, its
+  /// feature shows no point anymore.
+  void take_old_edges() {
+    std::size_t next_edge = 0;
+    for (const Image& image : old_->images) {
+      const auto kept = image_indices_.find(image.id);
+      for (std::size_t i = 0; i < image.features.size(); ++i) {
+        if (image.features[i].point == Feature::kNoPoint) continue;
+        const std::size_t k = next_edge++;
+        if (kept == image_indices_.end()) continue;
+        Feature& feature = model_.images[kept->second].features[i];
+        if (k >= edges_.size() || !take_old_edge(k, kept->second, feature)) feature.point = Feature::kNoPoint;
+      }
+    }
+  }
+
+  bool take_old_edge(std::size_t k, std::size_t image, Feature& feature) {
+    if (edges_[k] == EdgeRef{}) return false;
+    const Sight sight = roles_.sight(edges_[k]);
+    const Entry& point = entry(sight.point);
+    if (entry(sight.image).index != image || model_.points[point.index].id != feature.point) return false;
+    feature.pixel = {sight.pixel[0], sight.pixel[1]};
+    take(k, sight);
+    return true;
+  }
+
+  /// Removes the observations whose features do not show their point anymore.
+  void take_old_tracks() {
+    std::unordered_map<std::uint32_t, const Image*> old_images;
+    for (const Image& image : old_->images) old_images[image.id] = &image;
+    for (std::size_t i = 0; i < model_.points.size(); ++i) {
+      Point& point = model_.points[i];
+      const auto is_gone = [&](const Observation& observation) {
+        const auto image = image_indices_.find(observation.image);
+        if (image == image_indices_.end()) return true;
+        return old_images.at(observation.image)->features[observation.feature].point == point.id &&
+               model_.images[image->second].features[observation.feature].point != point.id;
+      };
+      if (std::erase_if(point.track, is_gone) > 0) changed_tracks_.push_back(i);
+    }
+  }
+
+  void take_new_edges() {
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      if (edges_[k] == EdgeRef{} || is_taken_[k]) continue;
+      const Sight sight = roles_.sight(edges_[k]);
+      Image& image = model_.images[entry(sight.image).index];
+      const std::size_t index = entry(sight.point).index;
+      Point& point = model_.points[index];
+      point.track.push_back({image.id, static_cast<std::uint32_t>(image.features.size())});
+      image.features.push_back({{sight.pixel[0], sight.pixel[1]}, point.id});
+      changed_tracks_.push_back(index);
+      take(k, sight);
+    }
+  }
+
+  void take(std::size_t k, const Sight& sight) {
+    is_taken_[k] = true;
+    Entry& image = entry(sight.image);
+    const std::size_t camera = sight.camera == sight.image ? image.camera : entry(sight.camera).index;
+    if (image.camera != kNone && image.camera != camera)
+      refuse_for_colmap(fmt::format("pose {} with two cameras", graph_.id(sight.image)));
+    image.camera = camera;
+    const bool is_changed =
+        image.is_changed || entry(sight.point).is_changed || entry(sight.camera).is_changed;
+    seen_.push_back({edges_[k], entry(sight.point).index, is_changed});
+  }
+
+  // ---- What follows from the observations ----
+
+  void set_cameras() {
+    for (const VertexRef& vertex : graph_.all_vertices()) {
+      const Role role = roles_.role(vertex);
+      if (role != Role::kImage && role != Role::kBalImage) continue;
+      const Entry& place = entry(vertex);
+      Image& image = model_.images[place.index];
+      if (place.camera == kNone) {
+        if (place.index < old_images_) continue;  // an image without observations has the camera of the file
+        refuse_for_colmap(
+            fmt::format("pose {} without an edge, so that its camera is unknown", graph_.id(vertex)));
+      }
+      Camera& camera = model_.cameras[place.camera];
+      image.camera = camera.id;
+      if (role == Role::kBalImage) move_center(camera, image);
+      if (place.camera >= old_cameras_) enlarge(camera, image);
+    }
+  }
+
+  void set_errors() {
+    struct Mean {
+      bool is_wanted = false;
+      double sum = 0, count = 0;
+    };
+    std::vector<Mean> means(model_.points.size());
+    for (const std::size_t point : changed_tracks_) means[point].is_wanted = true;
+    for (const Seen& seen : seen_) means[seen.point].is_wanted |= seen.is_changed;
+    for (const Seen& seen : seen_) {
+      Mean& mean = means[seen.point];
+      if (!mean.is_wanted) continue;
+      mean.sum += std::sqrt(graph_.chi2(seen.edge));
+      ++mean.count;
+    }
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      if (means[i].is_wanted)
+        model_.points[i].error = means[i].count > 0 ? means[i].sum / means[i].count : -1;
+    }
+  }
+
+  struct Seen {
+    EdgeRef edge;
+    std::size_t point;
+    bool is_changed;
+  };
+
+  const Graph& graph_;
+  GraphRoles roles_;
+  std::vector<EdgeRef> edges_;
+  const SparseModel* old_ = nullptr;
+  SparseModel model_;
+  std::vector<std::vector<Entry>> entries_;  // by pool and slot
+  std::vector<bool> is_taken_;               // by position in edges_
+  std::vector<Seen> seen_;
+  std::vector<std::size_t> changed_tracks_;  // indices of points
+  std::size_t old_cameras_ = 0, old_images_ = 0;
+  std::unordered_map<std::uint32_t, std::size_t> image_indices_;  // by id
+  std::uint32_t next_camera_ = 1, next_image_ = 1;
+  std::uint64_t next_point_ = 1;
+};
+
+}  // namespace
+
+SparseModel model_of(const GraphFileView& file) {
+  return ModelMaker(file).make();
+}
+
+SparseModel sparse_model(const GraphFile& file) {
+  return model_of({file.graph, file.edges, file.kept, file.model.get()});
+}
+
+}  // namespace boxplus

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The COLMAP model of a graph (SparseModel).
+#pragma once
+
+#include "boxplus/io/file_format.h"
+#include "boxplus/io/sparse_model.h"
+
+namespace boxplus {
+
+/// See sparse_model().
+SparseModel model_of(const GraphFileView& file);
+
+}  // namespace boxplus

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/colmap/graph_roles.h"
+
+#include <fmt/format.h>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus {
+namespace {
+
+template <class T>
+bool holds(const detail::VertexPool& pool) {
+  return dynamic_cast<const detail::TypedVertexPool<T>*>(&pool) != nullptr;
+}
+
+GraphRoles::Role role_of(const detail::VertexPool& pool, const CameraType* type) {
+  using Role = GraphRoles::Role;
+  return type                     ? Role::kCamera
+         : holds<SE3>(pool)       ? Role::kImage
+         : holds<BalVertex>(pool) ? Role::kBalImage
+         : holds<Vector3>(pool)   ? Role::kPoint
+                                  : Role::kOther;
+}
+
+std::string name_of(const Graph& graph, EdgeRef edge) {
+  std::string ids;
+  for (const VertexRef& vertex : graph.vertices(edge)) ids += fmt::format(" {}", graph.id(vertex));
+  return fmt::format("an edge {} of the vertices{}", graph.edge_pools()[edge.pool]->type_name(), ids);
+}
+
+const Vector2* bal_pixel(const Graph& graph, EdgeRef edge) {
+  using Pool = detail::TypedEdgePool<BalEdge, BalVertex, Vector3>;
+  const auto* pool = dynamic_cast<const Pool*>(graph.edge_pools()[edge.pool].get());
+  return pool ? &pool->value(edge.slot).measurement : nullptr;
+}
+
+}  // namespace
+
+void refuse_for_colmap(const std::string& what) {
+  throw InvalidArgument(
+      "cannot write a COLMAP model: expected cameras of COLMAP's models, poses SE3, points Vector3 and edges "
+      "Reprojection between them with the identity as information, or a BAL problem, got " +
+      what);
+}
+
+GraphRoles::GraphRoles(const Graph& graph) : graph_(graph) {
+  for (const auto& pool : graph.vertex_pools()) {
+    types_.push_back(camera_type_of(*pool));
+    roles_.push_back(role_of(*pool, types_.back()));
+  }
+}
+
+void GraphRoles::require_role(VertexRef vertex) const {
+  if (role(vertex) != Role::kOther) return;
+  refuse_for_colmap(fmt::format("vertex {} of type {}", graph_.id(vertex),
+                                graph_.vertex_pools()[vertex.pool]->type_name()));
+}
+
+Sight GraphRoles::sight(EdgeRef edge) const {
+  const std::vector<VertexRef> vertices = graph_.vertices(edge);
+  const CameraType* type = vertices.size() == 3 ? types_[vertices[2].pool] : nullptr;
+  const Vector2* pixel = type ? type->pixel(graph_, edge) : bal_pixel(graph_, edge);
+  if (!pixel) refuse_for_colmap(name_of(graph_, edge));
+  const Information::View omega = graph_.information(edge);
+  if (omega(0, 0) != 1 || omega(1, 1) != 1 || omega(0, 1) != 0)
+    refuse_for_colmap(name_of(graph_, edge) + " with another information");
+  return {vertices[0], vertices[1], type ? vertices[2] : vertices[0], *pixel};
+}
+
+}  // namespace boxplus

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cameras, images, points and observations of a graph of bundle adjustment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/bal/bal_format.h"
+#include "io/colmap/camera_types.h"
+
+namespace boxplus {
+
+/// One reprojection error. The camera of a BAL image is the vertex of the image.
+struct Sight {
+  VertexRef image, point, camera;
+  Vector2 pixel;
+};
+
+class GraphRoles {
+ public:
+  enum class Role : std::uint8_t { kCamera, kImage, kBalImage, kPoint, kOther };
+
+  explicit GraphRoles(const Graph& graph);
+
+  Role role(VertexRef vertex) const { return roles_[vertex.pool]; }
+  /// Throws InvalidArgument if the vertex has no role in bundle adjustment.
+  void require_role(VertexRef vertex) const;
+  /// Throws InvalidArgument if the edge is no reprojection error, or its information is not the identity.
+  Sight sight(EdgeRef edge) const;
+
+ private:
+  const Graph& graph_;
+  std::vector<Role> roles_;               // by vertex pool
+  std::vector<const CameraType*> types_;  // by vertex pool; nullptr if it has no cameras
+};
+
+/// Throws InvalidArgument: `what` cannot be part of a COLMAP model.
+[[noreturn]] void refuse_for_colmap(const std::string& what);
+
+}  // namespace boxplus

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "boxplus/io/graph_file.h"
+#include "io/colmap/model_reader.h"
+
+namespace boxplus {
+namespace {
+
+/// Adds the edges of all images.
+class GraphMaker {
+ public:
+  explicit GraphMaker(const SparseModel& model) : model_(model) {}
+
+  GraphFile make() {
+    Graph& graph = file_.graph;
+    for (const SparseModel::Camera& camera : model_.cameras) {
+      const CameraType* type = find_camera_type(camera.model);
+      cameras_[camera.id] = {type, type->add(graph, camera.id, camera.parameters.data())};
+    }
+    std::vector<VertexHandle<SE3>> poses;
+    for (const SparseModel::Image& image : model_.images)
+      poses.push_back(graph.add_vertex(pose_of(image), image.id));
+    const Id first = model_.first_point_vertex();
+    for (const SparseModel::Point& point : model_.points) {
+      const auto vertex = graph.add_vertex(Vector3(point.position.data()), first + static_cast<Id>(point.id));
+      graph.set_eliminated(vertex, true);
+      points_[point.id] = vertex;
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) add_edges(model_.images[i], poses[i]);
+    return std::move(file_);
+  }
+
+ private:
+  struct CameraVertex {
+    const CameraType* type = nullptr;
+    VertexRef vertex;
+  };
+
+  void add_edges(const SparseModel::Image& image, VertexHandle<SE3> pose) {
+    const CameraVertex& camera = cameras_.at(image.camera);
+    for (const SparseModel::Feature& feature : image.features) {
+      if (feature.point == SparseModel::Feature::kNoPoint) continue;
+      file_.edges.push_back(camera.type->observe(file_.graph, Vector2(feature.pixel.data()), pose,
+                                                 points_.at(feature.point), camera.vertex));
+    }
+  }
+
+  const SparseModel& model_;
+  GraphFile file_;
+  std::unordered_map<std::uint32_t, CameraVertex> cameras_;
+  std::unordered_map<std::uint64_t, VertexHandle<Vector3>> points_;
+};
+
+/// Counts unusual parts.
+class ModelCensus {
+ public:
+  explicit ModelCensus(const SparseModel& model) : model_(model) {}
+
+  ModelNotes notes() {
+    for (const SparseModel::Image& image : model_.images) count(image);
+    for (const SparseModel::Point& point : model_.points) count(point);
+    note(model_.cameras.size() - used_cameras_.size(), "camera has no image", "cameras have no images");
+    note(empty_images_, "image has no observations", "images have no observations");
+    note(model_.points.size() - seen_points_.size(), "point has no observations",
+         "points have no observations");
+    note(duplicates_, "observation is a duplicate: its image shows the same point at another place, too",
+         "observations are duplicates: their images show the same points at other places, too");
+    note(observations_ - tracked_, "observation of an image is in no track",
+         "observations of images are in no track");
+    note(untrue_, "entry of a track is ignored, because its image shows no point or another one there",
+         "entries of tracks are ignored, because their images show no point or another one there");
+    return std::move(notes_);
+  }
+
+ private:
+  void count(const SparseModel::Image& image) {
+    used_cameras_.insert(image.camera);
+    images_[image.id] = &image;
+    std::vector<std::uint64_t> points;
+    for (const SparseModel::Feature& feature : image.features) {
+      if (feature.point != SparseModel::Feature::kNoPoint) points.push_back(feature.point);
+    }
+    observations_ += points.size();
+    empty_images_ += static_cast<std::size_t>(points.empty());
+    std::sort(points.begin(), points.end());
+    const auto end = std::unique(points.begin(), points.end());
+    duplicates_ += static_cast<std::size_t>(points.end() - end);
+    seen_points_.insert(points.begin(), end);
+  }
+
+  void count(const SparseModel::Point& point) {
+    const auto before = [](const SparseModel::Observation& a, const SparseModel::Observation& b) {
+      return std::pair(a.image, a.feature) < std::pair(b.image, b.feature);
+    };
+    std::vector<SparseModel::Observation> track = point.track;
+    std::sort(track.begin(), track.end(), before);
+    const auto end = std::unique(track.begin(), track.end());
+    untrue_ += static_cast<std::size_t>(track.end() - end);
+    for (auto observation = track.begin(); observation != end; ++observation) {
+      const bool is_true = images_.at(observation->image)->features[observation->feature].point == point.id;
+      ++(is_true ? tracked_ : untrue_);
+    }
+  }
+
+  void note(std::size_t count, const char* one, const char* many) {
+    if (count > 0) notes_.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  }
+
+  const SparseModel& model_;
+  std::unordered_set<std::uint32_t> used_cameras_;
+  std::unordered_set<std::uint64_t> seen_points_;
+  std::unordered_map<std::uint32_t, const SparseModel::Image*> images_;
+  std::size_t observations_ = 0, empty_images_ = 0, duplicates_ = 0, tracked_ = 0, untrue_ = 0;
+  ModelNotes notes_;
+};
+
+}  // namespace
+
+Id SparseModel::first_point_vertex() const {
+  std::uint32_t largest = 0;
+  for (const Image& image : images) largest = std::max(largest, image.id);
+  Id power = 10;
+  while (power <= static_cast<Id>(largest)) power *= 10;
+  return power;
+}
+
+ModelNotes unusual_parts(const SparseModel& model) {
+  return ModelCensus(model).notes();
+}
+
+GraphFile graph_of(SparseModel model) {
+  GraphFile file = GraphMaker(model).make();
+  file.model = std::make_shared<const SparseModel>(std::move(model));
+  return file;
+}
+
+}  // namespace boxplus

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads a COLMAP model, and makes a graph of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "boxplus/io/sparse_model.h"
+#include "io/colmap/model_input.h"
+
+namespace boxplus {
+
+/// Everything that is unusual about a model, but not an error.
+using ModelNotes = std::vector<std::string>;
+
+/// Throws InputError for fields that are missing or not finite, ids that are taken, and references to
+/// cameras, images, 2-D points and points that do not exist.
+SparseModel read_model(ModelInput& cameras, ModelInput& images, ModelInput& points);
+/// Images, points and cameras that nothing refers to, duplicate observations, and observations that only
+/// images or only tracks list.
+ModelNotes unusual_parts(const SparseModel& model);
+/// The graph that SparseModel describes. GraphFile::edges are the features that show a point, in the order of
+/// the model.
+GraphFile graph_of(SparseModel model);
+
+/// The pose of an image, as T_world_camera.
+SE3 pose_of(const SparseModel::Image& image);
+
+}  // namespace boxplus
