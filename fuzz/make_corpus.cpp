@@ -8,6 +8,7 @@
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/io/registry.h"
+#include "boxplus/io/text_source.h"
 #include "boxplus/io/write_file.h"
 #include "boxplus/testing/simulate.h"
 #include "boxplus/types/ba.h"
@@ -127,10 +128,47 @@ std::string bal() {
   return format_graph(file, {.format = "BAL"});
 }
 
+/// Returns the files of a model, as fuzz_colmap.cpp expects them. `extension` is that of the files.
+std::string joined_files(const std::string& folder, const std::string& extension) {
+  std::string text;
+  for (const char* name : {"cameras", "images", "points3D"}) {
+    std::string memory;
+    if (!text.empty()) text += "====\n";
+    text += TextSource::of_file((std::filesystem::path(folder) / name).string() + extension).text(memory);
+  }
+  return text;
+}
+
+/// A model with two images of one camera as text and binary, and one with a camera of each image.
+std::vector<std::string> colmap() {
+  GraphFile file;
+  Graph& graph = file.graph;
+  const auto camera = graph.add_parameter(OpenCvCamera(500, 510, 320, 240, -0.1, 0.01, 1e-3, -1e-3));
+  const auto a = graph.add_vertex(SE3());
+  const auto b = graph.add_vertex(SE3(Vector3(1, 0, 0), SO3::from_rotation_vector(Vector3(0.1, 0.2, -0.3))));
+  const auto p = graph.add_vertex(Vector3(0.5, 1, 10)), q = graph.add_vertex(Vector3(-2, 0, 8));
+  for (const auto& pose : {a, b}) {
+    graph.add_edge(Reprojection<OpenCvCamera>(Vector2(10.5, 20)), pose, p, camera);
+    graph.add_edge(Reprojection<OpenCvCamera>(Vector2(300, 1e-5)), pose, q, camera);
+  }
+  std::vector<std::string> seeds;
+  const std::string folder = (std::filesystem::temp_directory_path() / "boxplus_make_corpus").string();
+  for (const GraphFile& each : {file, parse_graph(bal(), "bal")}) {
+    for (const auto& [format, extension] : {std::pair{"COLMAP-text", ".txt"}, {"COLMAP", ".bin"}}) {
+      std::filesystem::remove_all(folder);
+      write_graph(folder, each, {.format = format});
+      seeds.push_back(joined_files(folder, extension));
+    }
+  }
+  std::filesystem::remove_all(folder);
+  return seeds;
+}
+
 /// Returns the seeds for a format. The list is empty if there are no seeds for the format.
 std::vector<std::string> seeds(const std::string& format) {
   if (format == "toro") return {toro_plane(), toro_space()};
   if (format == "bal") return {bal(), "1 1 0\n0 0 0 0 0 0 500 0 0\n1 2 3\n", "0 0 0\n"};
+  if (format == "colmap") return colmap();
   if (format != "g2o") return {};
   std::vector<std::string> all{plane(), space(), odds()};
   for (const World world : kWorlds) all.push_back(simulated(world));
@@ -149,7 +187,7 @@ void write_corpus(const std::string& format, const std::filesystem::path& folder
 
 int main(int argc, char** argv) {
   if (argc != 3 || boxplus::seeds(argv[1]).empty()) {
-    std::fprintf(stderr, "usage: make_corpus bal|g2o|toro FOLDER\n");
+    std::fprintf(stderr, "usage: make_corpus bal|colmap|g2o|toro FOLDER\n");
     return 2;
   }
   boxplus::write_corpus(argv[1], argv[2]);

@@ -37,7 +37,7 @@ std::string summary(const GraphFile& file) {
 }
 
 int convert_file(const ConvertArguments& arguments) {
-  const std::vector<Output> outputs{{"OUT", arguments.output, true}};
+  const std::vector<Output> outputs{graph_output("OUT", arguments.output, arguments.input)};
   if (arguments.format.empty()) require_writable_format(arguments.output);
   check_outputs(outputs);
   const GraphFile file = load_graph(arguments.input, arguments.reading);
@@ -53,8 +53,8 @@ int convert_file(const ConvertArguments& arguments) {
 
 void add_convert(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand(
-      "convert", fmt::format("Writes a graph as {}, with its vertices sorted by id", writable_formats()));
+  CLI::App* command =
+      app.add_subcommand("convert", "Writes a graph in another format, with its vertices sorted by id");
   command->add_option("IN", arguments->input, graph_to_read())->required()->check(file_name());
   command
       ->add_option("OUT", arguments->output,

@@ -8,7 +8,7 @@
 namespace boxplus {
 
 std::string FileFormat::label() const {
-  if (is_folder()) return name + "'s folder";
+  if (is_folder()) return name + " folder";
   return extension == "." + name ? extension : name + "'s " + extension;
 }
 

@@ -7,6 +7,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "boxplus/io/write_file.h"
 #include "io/text_file.h"
 
 namespace boxplus {
@@ -45,7 +46,7 @@ GraphFile read_folder(const std::string& path, const ReadOptions& options) {
   const FileFormat* format = formats.recognize_folder(path);
   if (!format) {
     const std::string labels = labels_of(formats, true);
-    throw FileError(path + ": expected a file" + (labels.empty() ? "" : " or " + labels) +
+    throw FileError(path + ": expected a file" + (labels.empty() ? "" : " or a " + labels) +
                     ", got a folder without the files of a graph");
   }
   GraphFile file = format->folder.read(path, options);
@@ -88,10 +89,20 @@ const FileFormat& format_to_write(std::string_view path, std::string_view read_a
   return *first;
 }
 
+/// Calls f(), and names the path if it throws InvalidArgument, because the path may be a folder by mistake.
+template <class F>
+void with_path(const std::string& path, F&& f) {
+  try {
+    f();
+  } catch (const InvalidArgument& error) {
+    throw InvalidArgument(path + ": " + error.what());
+  }
+}
+
 void write(const std::string& path, const GraphFileView& file, std::string_view read_as,
            const WriteOptions& options) {
   const FileFormat& format = format_to_write(path, read_as, options);
-  if (format.is_folder()) return format.folder.write(file, path);
+  if (format.is_folder()) return with_path(path, [&] { format.folder.write(file, path); });
   replace_file(path, [&](TextSink sink) { format.write(file, options, sink); });
 }
 
@@ -122,10 +133,11 @@ void write_graph(const std::string& path, const Graph& graph, const WriteOptions
 void require_writable(const std::string& path, const GraphFile& file, const WriteOptions& options) {
   const FileFormat& format = format_to_write(path, file.format, options);
   if (format.is_folder()) {
-    if (format.folder.check) format.folder.check(view_of(file), path);
-  } else if (format.name != file.format) {
-    format.write(view_of(file), options, [](std::string_view) {});
+    if (format.folder.check) with_path(path, [&] { format.folder.check(view_of(file), path); });
+    return;
   }
+  if (format.name != file.format) format.write(view_of(file), options, [](std::string_view) {});
+  require_writable(path);
 }
 
 std::string format_graph(const GraphFile& file, const WriteOptions& options) {

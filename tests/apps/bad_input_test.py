@@ -37,7 +37,7 @@ class BadInputTest(CommandCase):
 
     def test_files_that_cannot_be_read_are_refused(self):
         self.assert_bad(self.path / "none.g2o", "none.g2o: cannot be opened: No such file or directory")
-        self.assert_bad(self.path, "Is a directory")
+        self.assert_bad(self.path, "got a folder without the files of a graph")
         secret = self.written("secret.g2o", GRAPH)
         secret.chmod(0)
         if os.geteuid() != 0:  # root may read everything
@@ -77,7 +77,7 @@ class BadInputTest(CommandCase):
 
     def test_outputs_that_cannot_be_written_are_refused(self):
         graph = self.written("graph.g2o", GRAPH)
-        self.assert_refused(run("optimize", graph, "-o", self.path), "Is a directory")
+        self.assert_refused(run("optimize", graph, "-o", self.path), "cannot write a COLMAP model")
         self.assert_refused(run("optimize", graph, "-o", self.path / "none" / "out.g2o"), "No such file or directory")
         self.assert_refused(run("convert", graph, "/dev/full"), "No space left on device")
 

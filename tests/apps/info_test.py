@@ -108,7 +108,7 @@ class InfoTest(CommandCase):
     def test_bad_input_is_refused(self):
         self.assert_refused(run("info", "-", stdin="VERTEX_SE2 0 0 0\n"), "<stdin>:1:17: expected")
         self.assert_refused(run("info", "-", stdin="\x7fELF\x02\n\x00\n"), r"expected a vertex or an edge", r"its first line is '\x7fELF\x02'")
-        self.assert_refused(run("info", self.path), "cannot be read")
+        self.assert_refused(run("info", self.path), "got a folder without the files of a graph")
         self.assert_refused(run("info", TOWN, "--worst", -1), "--worst: expected a whole number ≥ 0, got '-1'")
 
 if __name__ == "__main__":

@@ -106,8 +106,8 @@ TEST_F(CustomFileFormat, IsWrittenIfTheGraphWasReadInItAndTheExtensionIsUnknown)
 TEST_F(CustomFileFormat, IsListedAfterTheFormatsOfTheLibrary) {
   std::vector<std::string> labels;
   for (const FileFormat& format : formats_.all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP's folder",
-                                           "COLMAP-text's folder", ".ply", "table's .csv"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP folder",
+                                           "COLMAP-text folder", ".ply", "table's .csv"));
   try {
     format_graph({}, {.formats = &formats_, .format = "tabel"});
     FAIL();

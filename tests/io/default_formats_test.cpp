@@ -9,8 +9,8 @@ namespace {
 TEST(DefaultFormats, AreG2oToroBalColmapAndPly) {
   std::vector<std::string> labels;
   for (const FileFormat& format : default_formats().all()) labels.push_back(format.label());
-  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP's folder",
-                                           "COLMAP-text's folder", ".ply"));
+  EXPECT_THAT(labels, testing::ElementsAre(".g2o", "TORO's .graph", "BAL's .bal", "COLMAP folder",
+                                           "COLMAP-text folder", ".ply"));
 }
 
 }  // namespace

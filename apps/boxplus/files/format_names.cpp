@@ -52,8 +52,8 @@ std::string format_name(const std::string& in_lower_case) {
 void require_writable_format(const std::string& path) {
   const FileFormat* format = default_formats().of_path(path);
   if (!format || format->can_write()) return;
-  throw InvalidArgument(fmt::format("{}: expected a {} file as output, because boxplus can only read {}",
-                                    path, writable_formats(), format->label()));
+  throw InvalidArgument(fmt::format("{}: expected a {} as output, because boxplus can only read {}", path,
+                                    writable_formats(), format->label()));
 }
 
 }  // namespace boxplus::app

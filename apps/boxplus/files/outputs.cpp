@@ -36,17 +36,20 @@ bool are_same(const Output& a, const Output& b) {
   return !place.empty() && place == place_of(b.path);
 }
 
-bool is_folder(const std::string& path) {
-  std::error_code none;
-  return path.ends_with('/') || std::filesystem::is_directory(path, none);
-}
-
 void write_to_stdout(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw FileError("cannot write to standard output");
 }
 
 }  // namespace
+
+Output graph_output(const char* option, const std::string& path, const std::string& input) {
+  const auto is_folder = [](const std::string& name) {
+    std::error_code none;
+    return name.ends_with('/') || std::filesystem::is_directory(name, none);
+  };
+  return {option, path, is_folder(input) || is_folder(path)};
+}
 
 void check_outputs(const std::vector<Output>& outputs) {
   for (auto a = outputs.begin(); a != outputs.end(); ++a) {
@@ -58,8 +61,7 @@ void check_outputs(const std::vector<Output>& outputs) {
     }
   }
   for (const Output& output : outputs) {
-    const bool may_be_folder = output.may_be_folder && is_folder(output.path);
-    if (!output.path.empty() && !is_stdout(output) && !may_be_folder) require_writable(output.path);
+    if (!output.path.empty() && !is_stdout(output) && !output.may_be_folder) require_writable(output.path);
   }
 }
 

@@ -14,9 +14,13 @@ struct Output {
   bool may_be_folder = false;
 };
 
+/// The output for a graph that is read from `input`. It may be a folder if it names one, or if the input is
+/// one.
+Output graph_output(const char* option, const std::string& path, const std::string& input);
+
 /// Must be called before any other work. Throws InvalidArgument if two outputs are the same file, and
-/// FileError if an output cannot be written. A folder is checked only when the graph is known
-/// (require_representable()).
+/// FileError if an output cannot be written. Does not check outputs that may be folders, because
+/// require_representable() checks them when the graph is known.
 void check_outputs(const std::vector<Output>& outputs);
 
 /// Must be called before any other work. Throws InvalidArgument if the output would replace one of the

@@ -31,7 +31,7 @@ std::string widths_text(const KernelFacts& kernel) {
 }  // namespace
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
-  return {{"--output", arguments.output, true}, {"--json", arguments.json}};
+  return {graph_output("--output", arguments.output, arguments.input), {"--json", arguments.json}};
 }
 
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {

@@ -115,7 +115,8 @@ void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas
   }
 }
 
-void draw_scale_bar(double right, double bottom, double scale, const Layout& layout, Canvas& canvas) {
+void draw_scale_bar(double right, double bottom, double scale, const char* unit_of_length,
+                    const Layout& layout, Canvas& canvas) {
   const double unit = layout.unit(), text = layout.text();
   const double length = round_length(130 * unit / scale), left = right - length * scale,
                at = bottom - 26 * text;
@@ -126,7 +127,7 @@ void draw_scale_bar(double right, double bottom, double scale, const Layout& lay
   bar.line_to({right, at});
   canvas.stroke(bar, {kFaintInk, std::max(0.5, 1.4 * unit)});
   canvas.text({(left + right) / 2, at - 2 * text}, {.size = 14 * text, .anchor = Anchor::kMiddle},
-              fmt::format("{:g} m", length));
+              fmt::format("{:g}{}", length, unit_of_length));
 }
 
 }  // namespace boxplus::app

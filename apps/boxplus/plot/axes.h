@@ -34,7 +34,8 @@ std::optional<AxisNames> axis_names(bool is_spatial, const View& view);
 void draw_ticks(const PlaneMap& map, const AxisNames& names, const Layout& layout, Canvas& canvas);
 void draw_arrows(const Box& plot, const View& view, const Layout& layout, Canvas& canvas);
 /// Draws the scale bar in the lower right corner of a panel whose right and bottom edges are at `right` and
-/// `bottom`.
-void draw_scale_bar(double right, double bottom, double scale, const Layout& layout, Canvas& canvas);
+/// `bottom`. The unit of length is empty in bundle adjustment, because images do not determine the scale.
+void draw_scale_bar(double right, double bottom, double scale, const char* unit_of_length,
+                    const Layout& layout, Canvas& canvas);
 
 }  // namespace boxplus::app

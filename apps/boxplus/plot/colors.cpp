@@ -34,6 +34,9 @@ ErrorColors::ErrorColors(std::span<const Scene> scenes) {
           segment.kind == SegmentKind::kLoopClosure || segment.kind == SegmentKind::kObservation;
       if (has_error && std::isfinite(segment.chi2_per_row)) errors.push_back(segment.chi2_per_row);
     }
+    for (const SeenPoint& point : scene.points) {
+      if (std::isfinite(point.chi2_per_row)) errors.push_back(point.chi2_per_row);
+    }
   }
   if (errors.empty()) return;
   constexpr double kShown = 0.99;
@@ -49,6 +52,11 @@ int ErrorColors::bin(double chi2_per_row) const {
   if (chi2_per_row <= 1) return 0;
   const double part = std::log10(chi2_per_row) / decades_;
   return part < 1 ? 1 + static_cast<int>(part * (kBins - 2)) : kBins - 1;
+}
+
+Rgb ErrorColors::point_color(int bin) {
+  constexpr Rgb kGood{0x64, 0x74, 0x8b};
+  return bin == 0 ? kGood : color(bin);
 }
 
 Rgb ErrorColors::color(int bin) {

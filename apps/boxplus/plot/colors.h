@@ -27,6 +27,8 @@ class ErrorColors {
   /// Returns the index of the color, from 0 to kBins − 1. NaN has the last color.
   int bin(double chi2_per_row) const;
   static Rgb color(int bin);
+  /// The same for points. The color of small errors is darker, so that a cloud of good points is easy to see.
+  static Rgb point_color(int bin);
   /// Returns log₁₀ of the chi2 per row at which the scale ends. Larger values have the darkest color.
   int decades() const { return decades_; }
 

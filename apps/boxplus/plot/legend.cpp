@@ -31,10 +31,12 @@ class Legend {
         canvas_(canvas) {}
 
   void draw() {
+    is_bundle_ = any([](const Scene& scene) { return scene.is_bundle; });
     if (any([](const Scene& scene) { return scene.poses > 0; })) trajectory();
     if (any([](const Scene& scene) { return !scene.landmarks.empty(); })) landmarks();
     if (has(SegmentKind::kTruth)) truth();
     if (any([](const Scene& scene) { return scene.has_ellipses; })) ellipses();
+    if (any([](const Scene& scene) { return !scene.points.empty(); })) errors("points (mean)");
     const bool closes = has(SegmentKind::kLoopClosure), observes = has(SegmentKind::kObservation);
     if (closes || observes) {
       errors(closes && observes ? "all edges but odometry" : closes ? "loop closures" : "observations");
@@ -73,7 +75,7 @@ class Legend {
       swatch(left_ + kSwatch * text_ * i / kPieces, kSwatch * text_ / kPieces,
              {trajectory_color(static_cast<double>(i) / (kPieces - 1)), 3.5 * text_});
     }
-    name(kSwatch, 70, "trajectory");
+    name(kSwatch, 70, is_bundle_ ? "cameras" : "trajectory");
   }
 
   void landmarks() {
@@ -108,8 +110,10 @@ class Legend {
     canvas_.text({right_, top - 8 * text_}, {.size = 14 * text_, .anchor = Anchor::kEnd},
                  fmt::format("{}chi2 per row of {}", is_robust ? "robust " : "", what));
     const double bin_width = width / ErrorColors::kBins;
-    for (int bin = 0; bin < ErrorColors::kBins; ++bin)
-      canvas_.fill({left + bin_width * bin, top, bin_width + 0.5 * text_, bar}, 0, ErrorColors::color(bin));
+    for (int bin = 0; bin < ErrorColors::kBins; ++bin) {
+      canvas_.fill({left + bin_width * bin, top, bin_width + 0.5 * text_, bar}, 0,
+                   is_bundle_ ? ErrorColors::point_color(bin) : ErrorColors::color(bin));
+    }
     // The first color ends at 1, and the last color begins at the end of the scale.
     const double first = left + bin_width, range = width - 2 * bin_width;
     const int stride = (colors_.decades() + 3) / 4;
@@ -124,6 +128,7 @@ class Legend {
   const std::vector<Scene>& scenes_;
   const ErrorColors& colors_;
   double text_, start_, left_, right_, middle_, row_;
+  bool is_bundle_ = false;
   Canvas& canvas_;
 };
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <tuple>
 
+#include "io/ply/camera_pyramids.h"
 #include "plot/ellipses.h"
 
 namespace boxplus::app {
@@ -48,6 +49,8 @@ class ScenePainter {
   void draw() {
     segments();
     landmarks();
+    points();
+    cameras();
     dots();
   }
 
@@ -113,6 +116,31 @@ class ScenePainter {
       canvas_.stroke(path, {kLandmarkColor, size * unit_, nearness(depth)});
   }
 
+  /// Draws the points of bundle adjustment, distant layers and small errors first. The more points there are,
+  /// the smaller are their dots.
+  void points() {
+    std::map<std::pair<int, int>, Path> paths;
+    for (const SeenPoint& point : scene_.points)
+      paths[{layer(point.spot[2]), colors_.bin(point.chi2_per_row)}].move_to(at(point.spot));
+    const double area = map_.plot.width * map_.plot.height;
+    const double space =
+        std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, scene_.points.size())));
+    const double size = std::clamp(0.55 * space / unit_, 1.1, 4.5) * unit_;
+    for (const auto& [key, path] : paths)
+      canvas_.stroke(path, {ErrorColors::point_color(key.second), size, 0.4 + 0.6 * nearness(key.first)});
+  }
+
+  void cameras() {
+    for (const CameraMark& camera : scene_.cameras) {
+      Path path;
+      for (const auto& [from, to] : kPyramidLines) {
+        path.move_to(at(camera.corners[static_cast<std::size_t>(from)]));
+        path.line_to(at(camera.corners[static_cast<std::size_t>(to)]));
+      }
+      canvas_.stroke(path, {trajectory_color(camera.time), 1.2 * unit_, 0.9});
+    }
+  }
+
   void dots() {
     const double size = scene_.dots.size() > 1000 ? 2.4 : 6;
     for (const Dot& dot : scene_.dots) canvas_.dot(at(dot.spot), size * unit_, trajectory_color(dot.time));
@@ -133,17 +161,24 @@ void draw_card(const Box& box, const Layout& layout, Canvas& canvas) {
               kWhite);
 }
 
-void draw_header(const Scene& scene, const Box& frame, const Layout& layout, Canvas& canvas) {
-  const double left = frame.left + 22 * layout.unit(), text = layout.text();
-  canvas.text({left, frame.top + 36 * text}, {.size = 21 * text, .color = kInk, .is_bold = true},
-              scene.title);
-  std::string facts = fmt::format("{}  ·  {}", chi2_text(scene), counted(scene.poses, "pose"));
-  if (scene.landmark_count > 0) facts += ", " + counted(scene.landmark_count, "landmark");
-  canvas.text({left, frame.top + 61 * text}, {.size = 15 * text},
-              facts + ", " + counted(scene.edges, "edge"));
+std::string facts_of(const Scene& scene) {
+  std::string facts =
+      fmt::format("{}  ·  {}", chi2_text(scene), counted(scene.poses, scene.is_bundle ? "camera" : "pose"));
+  if (scene.landmark_count > 0)
+    facts += ", " + counted(scene.landmark_count, scene.is_bundle ? "point" : "landmark");
+  if (scene.outside > 0) facts += fmt::format(" ({} outside)", scene.outside);
+  return facts + ", " + counted(scene.edges, scene.is_bundle ? "observation" : "edge");
 }
 
 }  // namespace
+
+void draw_card_with_header(const std::string& title, const std::string& facts, const Box& frame,
+                           const Layout& layout, Canvas& canvas) {
+  draw_card(frame, layout, canvas);
+  const double left = frame.left + 22 * layout.unit(), text = layout.text();
+  canvas.text({left, frame.top + 36 * text}, {.size = 21 * text, .color = kInk, .is_bold = true}, title);
+  canvas.text({left, frame.top + 61 * text}, {.size = 15 * text}, facts);
+}
 
 double fitting_scale(const Scene& scene, const Box& box) {
   constexpr double kMost = 1e9;
@@ -162,10 +197,8 @@ void draw_panel(const Scene& scene, const PanelLayout& place, double scale, cons
   const PictureOptions& options = style.options;
   const PlaneMap map{place.plot, scale, (scene.low[0] + scene.high[0]) / 2,
                      (scene.low[1] + scene.high[1]) / 2};
-  if (!options.is_bare) {
-    draw_card(place.frame, style.layout, canvas);
-    draw_header(scene, place.frame, style.layout, canvas);
-  }
+  if (!options.is_bare)
+    draw_card_with_header(scene.title, facts_of(scene), place.frame, style.layout, canvas);
   const std::optional<AxisNames> names = axis_names(scene.is_spatial, style.view);
   const bool has_ticks = options.has_axes && names.has_value();
   if (has_ticks && has_extent(scene)) draw_ticks(map, *names, style.layout, canvas);
@@ -177,7 +210,8 @@ void draw_panel(const Scene& scene, const PanelLayout& place, double scale, cons
   if (has_bar) {
     const Box& box = options.is_bare ? place.plot : place.frame;
     const double inset = options.is_bare ? 0 : 22 * style.layout.unit();
-    draw_scale_bar(box.right() - inset, box.bottom(), scale, style.layout, canvas);
+    draw_scale_bar(box.right() - inset, box.bottom(), scale, scene.is_bundle ? "" : " m", style.layout,
+                   canvas);
   }
 }
 

@@ -14,6 +14,10 @@ double fitting_scale(const Scene& scene, const Box& box);
 /// Returns true if the scene shows things at more than one position.
 bool has_extent(const Scene& scene);
 
+/// Draws the card behind a panel, with its title and a line of facts.
+void draw_card_with_header(const std::string& title, const std::string& facts, const Box& frame,
+                           const Layout& layout, Canvas& canvas);
+
 struct PanelStyle {
   const PictureOptions& options;
   const Layout& layout;

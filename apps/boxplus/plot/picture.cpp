@@ -57,25 +57,30 @@ std::vector<double> scales_of(const std::vector<Scene>& scenes, const Layout& la
 
 }  // namespace
 
-std::string draw_picture(std::vector<Scene> scenes, const View& view, const PictureOptions& options,
-                         PictureFormat format, double resolution) {
-  constexpr double kVisible = 0.4;        // in pixels
-  constexpr std::size_t kMost = 120'000;  // the largest number of elements to draw
+std::unique_ptr<Canvas> begin_picture(const Layout& layout, const PictureOptions& options,
+                                      PictureFormat format, double resolution) {
   constexpr Rgb kBackground{0xf8, 0xfa, 0xfc};
-  const bool has_ticks =
-      options.has_axes && std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-        return axis_names(scene.is_spatial, view).has_value();
-      });
-  const Layout layout(options, scenes.size(), has_ticks);
-  const std::unique_ptr<Canvas> canvas = make_canvas(layout, options.title, format, resolution);
+  std::unique_ptr<Canvas> canvas = make_canvas(layout, options.title, format, resolution);
   if (!options.is_bare) canvas->fill({0, 0, layout.width(), layout.height()}, 0, kBackground);
   if (layout.title_height() > 0) {
     canvas->text({layout.width() / 2, layout.title_height() - 14 * layout.text()},
                  {.size = 24 * layout.text(), .color = kInk, .anchor = Anchor::kMiddle, .is_bold = true},
                  options.title);
-  } else if (!options.title.empty()) {
-    scenes.front().title = options.title;
   }
+  return canvas;
+}
+
+std::string draw_picture(std::vector<Scene> scenes, const View& view, const PictureOptions& options,
+                         PictureFormat format, double resolution) {
+  constexpr double kVisible = 0.4;        // in pixels
+  constexpr std::size_t kMost = 120'000;  // the largest number of elements to draw
+  const bool has_ticks =
+      options.has_axes && std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
+        return axis_names(scene.is_spatial, view).has_value();
+      });
+  const Layout layout(options, scenes.size(), has_ticks);
+  const std::unique_ptr<Canvas> canvas = begin_picture(layout, options, format, resolution);
+  if (layout.title_height() == 0 && !options.title.empty()) scenes.front().title = options.title;
   const ErrorColors colors(scenes);
   const std::vector<double> scales = scales_of(scenes, layout, options.has_one_scale);
   for (std::size_t i = 0; i < scenes.size(); ++i) {

@@ -12,7 +12,9 @@
 #include "files/graph_input.h"
 #include "files/outputs.h"
 #include "optimize/optimize_run.h"
+#include "plot/bundle_scene.h"
 #include "plot/ellipses.h"
+#include "plot/error_chart.h"
 #include "plot/plot_options.h"
 #include "plot/truth.h"
 
@@ -26,6 +28,9 @@ constexpr const char* kFooter =
     "Graph files do not contain robust kernels. After a robust run, repeat the options --kernel and\n"
     "--kernel-width of optimize, so that the colors show chi2 after the kernel.\n"
     "Graphs in space are drawn in parallel projection.\n"
+    "In bundle adjustment, cameras are drawn as pyramids, and the colors of points show the mean chi2 per\n"
+    "row of their observations. The picture is turned so that the cameras on average look away from the\n"
+    "viewer, and shows most points; points far away are left out and counted.\n"
     "Ellipses show the covariances at the estimates, relative to the fixed vertex or, if no vertex is\n"
     "fixed, to the first pose. Ellipses that overlap others or are too small to see are left out.\n"
     "\n"
@@ -33,21 +38,38 @@ constexpr const char* kFooter =
     "  boxplus simulate streets -o before.g2o --truth truth.g2o\n"
     "  boxplus optimize before.g2o -o after.g2o\n"
     "  boxplus plot before.g2o after.g2o -o streets.svg --truth truth.g2o\n"
+    "  boxplus plot sparse/0 sparse/1 -o errors.svg --reprojection-errors\n"
     "  boxplus plot after.g2o -o figure.pdf --bare --axes --size 252x200 --font-size 7";
 
 struct Input {
-  std::string name;  ///< the name of the file, for messages
+  std::string name;   ///< the name of the file, for messages
+  std::string title;  ///< of its panel
   Graph graph;
 };
 
-Input read(const std::string& path, const PlotArguments& arguments) {
-  Input input{input_name(path), load_graph(path, arguments.reading).graph};
+std::string title_of(const std::string& path) {
+  if (path == kStandardStream) return "graph";
+  const std::filesystem::path file(path);
+  return (file.has_filename() ? file : file.parent_path()).stem().string();
+}
+
+Input read(const std::string& path, std::string title, const PlotArguments& arguments) {
+  Input input{input_name(path), std::move(title), load_graph(path, arguments.reading).graph};
   robustify(input.graph, arguments.kernel);
   return input;
 }
 
-Scene scene_of(const Input& input, std::string title, const View& view, const TruePlaces& truth) {
-  Scene scene = make_scene(input.graph, std::move(title), view, truth);
+std::vector<Input> read_inputs(const PlotArguments& arguments) {
+  const bool compares = !arguments.after.empty();
+  std::vector<Input> inputs;
+  inputs.push_back(read(arguments.before, compares ? "before" : title_of(arguments.before), arguments));
+  if (compares) inputs.push_back(read(arguments.after, "after", arguments));
+  return inputs;
+}
+
+Scene scene_of(const Input& input, const View& view, const TruePlaces& truth) {
+  Scene scene = is_bundle(input.graph) ? make_bundle_scene(input.graph, input.title, view)
+                                       : make_scene(input.graph, input.title, view, truth);
   if (scene.poses + scene.landmark_count == 0)
     throw FileError(input.name + ": expected poses or points to draw, found none with a finite position");
   if (scene.hidden > 0) {
@@ -55,10 +77,6 @@ Scene scene_of(const Input& input, std::string title, const View& view, const Tr
                               scene.hidden == 1 ? "vertex is" : "vertices are"));
   }
   return scene;
-}
-
-std::string title_of(const std::string& path) {
-  return path == kStandardStream ? "graph" : std::filesystem::path(path).stem().string();
 }
 
 void check_files(const PlotArguments& arguments) {
@@ -69,28 +87,47 @@ void check_files(const PlotArguments& arguments) {
   refuse_to_replace({"--output", arguments.output}, inputs);
 }
 
+std::string picture_of_graphs(const std::vector<Input>& inputs, const PlotArguments& arguments,
+                              PictureFormat format) {
+  const Input& last = inputs.back();
+  View view = arguments.view;
+  if (is_bundle(last.graph)) view.leveling = leveling(last.graph);
+  TruePlaces truth;
+  if (!arguments.truth.empty()) {
+    if (is_bundle(last.graph))
+      throw InvalidArgument("--truth: expected a graph with a trajectory, got one of bundle adjustment");
+    truth = true_places(last.graph, last.name, arguments.truth, arguments.reading);
+  }
+  std::vector<Scene> scenes;
+  for (const Input& input : inputs) scenes.push_back(scene_of(input, view, truth));
+  if (arguments.has_ellipses) add_ellipses(scenes.back(), last.graph, view, last.name);
+  return draw_picture(std::move(scenes), view, arguments.picture, format, arguments.resolution);
+}
+
+std::string picture_of_errors(const std::vector<Input>& inputs, const PlotArguments& arguments,
+                              PictureFormat format) {
+  std::vector<ErrorChart> charts;
+  for (const Input& input : inputs) {
+    if (!is_bundle(input.graph)) {
+      throw FileError(input.name +
+                      ": expected a graph of bundle adjustment (all edges are reprojection errors) for "
+                      "--reprojection-errors, got another one");
+    }
+    charts.push_back(make_error_chart(input.graph, input.title));
+  }
+  return draw_error_charts(std::move(charts), arguments.picture, format, arguments.resolution);
+}
+
 int plot_files(const PlotArguments& arguments) {
   const PictureFormat format = format_of(arguments);
   check_files(arguments);
-  const bool compares = !arguments.after.empty();
-  std::vector<Input> inputs;
-  inputs.push_back(read(arguments.before, arguments));
-  if (compares) inputs.push_back(read(arguments.after, arguments));
-  TruePlaces truth;
-  if (!arguments.truth.empty())
-    truth = true_places(inputs.back().graph, inputs.back().name, arguments.truth, arguments.reading);
-  std::vector<Scene> scenes;
-  scenes.push_back(
-      scene_of(inputs.front(), compares ? "before" : title_of(arguments.before), arguments.view, truth));
-  if (compares) scenes.push_back(scene_of(inputs.back(), "after", arguments.view, truth));
-  if (arguments.has_ellipses)
-    add_ellipses(scenes.back(), inputs.back().graph, arguments.view, inputs.back().name);
-  const std::string picture =
-      draw_picture(std::move(scenes), arguments.view, arguments.picture, format, arguments.resolution);
+  const std::vector<Input> inputs = read_inputs(arguments);
+  const std::string picture = arguments.has_error_chart ? picture_of_errors(inputs, arguments, format)
+                                                        : picture_of_graphs(inputs, arguments, format);
   write_output(arguments.output, picture);
   if (arguments.output != kStandardStream) {
-    fmt::print("{}: {}, {} kB\n", escaped(arguments.output), compares ? "before and after" : "one graph",
-               (picture.size() + 999) / 1000);
+    fmt::print("{}: {}, {} kB\n", escaped(arguments.output),
+               inputs.size() > 1 ? "before and after" : "one graph", (picture.size() + 999) / 1000);
   }
   return kSuccess;
 }

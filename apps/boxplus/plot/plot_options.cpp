@@ -136,6 +136,10 @@ void add_look_options(CLI::App& command, PlotArguments& arguments) {
           "this graph first")
       ->group("Look");
   command
+      .add_flag("--reprojection-errors", arguments.has_error_chart,
+                "Bundle adjustment: draw the reprojection errors of each image as a box chart, not the graph")
+      ->group("Look");
+  command
       .add_flag("--equal-scale", picture.has_one_scale,
                 "Always use one scale for both panels; by default, each panel has its own if one graph would "
                 "be tiny")

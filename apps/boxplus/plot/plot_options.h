@@ -18,6 +18,7 @@ struct PlotArguments {
   PictureOptions picture;
   double resolution = 2;
   bool has_ellipses = false;
+  bool has_error_chart = false;
   KernelArguments kernel;
   ReadOptions reading;
 };

@@ -151,8 +151,13 @@ Spot project(const std::array<double, 3>& point, int dimension, const View& view
   const double azimuth = kDegree * view.azimuth_deg, elevation = kDegree * view.elevation_deg;
   const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation),
                se = std::sin(elevation);
-  const double right = ca * point[0] - sa * point[1], away = sa * point[0] + ca * point[1];
-  return {right, ce * point[2] + se * away, se * point[2] - ce * away};
+  const auto level = [&](std::size_t row) {
+    const double* r = view.leveling.data() + 3 * row;
+    return r[0] * point[0] + r[1] * point[1] + r[2] * point[2];
+  };
+  const double x = level(0), y = level(1), z = level(2);
+  const double right = ca * x - sa * y, away = sa * x + ca * y;
+  return {right, ce * z + se * away, se * z - ce * away};
 }
 
 Scene make_scene(const Graph& graph, std::string title, const View& view, const TruePlaces& truth) {

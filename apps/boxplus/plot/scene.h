@@ -39,10 +39,24 @@ struct Ellipse {
   double time;  ///< the time of the pose, in [0, 1]
 };
 
+/// A point of bundle adjustment.
+struct SeenPoint {
+  Spot spot;
+  double chi2_per_row;  ///< the mean of its observations, after their kernels
+};
+
+/// A camera of bundle adjustment, drawn as a pyramid whose first corner is the center.
+struct CameraMark {
+  std::array<Spot, 5> corners;
+  double time;  ///< the time of the camera, in [0, 1]
+};
+
 struct Scene {
   std::vector<Segment> segments;  ///< all segments, in the order of time
   std::vector<Spot> landmarks;
   std::vector<Dot> dots;  ///< the poses that are not on the trajectory; if there are few poses, all of them
+  std::vector<SeenPoint> points;    ///< only in bundle adjustment, instead of landmarks and observations
+  std::vector<CameraMark> cameras;  ///< only in bundle adjustment, instead of a trajectory
   std::vector<Ellipse> ellipses;
   bool has_ellipses =
       false;           ///< true if the user asked for ellipses, even if all of them are too small to see
@@ -50,6 +64,10 @@ struct Scene {
   std::size_t poses = 0, landmark_count = 0, edges = 0;
   /// The number of vertices that are not drawn, because they are too far away or not finite.
   std::size_t hidden = 0;
+  /// The number of points of bundle adjustment that are not drawn, because they are far away from most
+  /// others.
+  std::size_t outside = 0;
+  bool is_bundle = false;   ///< true if the graph is one of bundle adjustment
   bool is_spatial = false;  ///< true if the graph is in space, and drawn in parallel projection
   double chi2 = 0;          ///< chi2 of the graph, after its kernels
   std::string kernel;       ///< the name of the first kernel of an edge; empty if no edge has a kernel
@@ -63,6 +81,8 @@ struct Scene {
 /// 90, x points to the right and y points up.
 struct View {
   double azimuth_deg = -31.5, elevation_deg = 24;
+  /// Rotates the world before it is seen; row-major.
+  std::array<double, 9> leveling{1, 0, 0, 0, 1, 0, 0, 0, 1};
   bool operator==(const View&) const = default;
 };
 /// Projects the point (x, y, z) onto the picture plane. Points of a graph in the plane are seen from above

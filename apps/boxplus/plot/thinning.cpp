@@ -77,6 +77,16 @@ std::vector<Dot> without_copies(const std::vector<Dot>& dots, const Spot& origin
   return without_copies(dots, std::move(keys));
 }
 
+std::vector<SeenPoint> without_copies(const std::vector<SeenPoint>& points, const Spot& origin,
+                                      double pixel) {
+  std::vector<std::tuple<Cell, double, std::size_t>> keys;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double badness = std::isnan(points[i].chi2_per_row) ? HUGE_VAL : points[i].chi2_per_row;
+    keys.emplace_back(cell_of(points[i].spot, origin, pixel), -badness, i);
+  }
+  return without_copies(points, std::move(keys));
+}
+
 }  // namespace
 
 Scene thinned(Scene scene, double pixel, std::size_t most) {
@@ -84,7 +94,9 @@ Scene thinned(Scene scene, double pixel, std::size_t most) {
     scene.segments = without_copies(with_joined_steps(scene.segments, scene.low, pixel), scene.low, pixel);
     scene.landmarks = without_copies(scene.landmarks, scene.low, pixel);
     scene.dots = without_copies(scene.dots, scene.low, pixel);
-    if (scene.segments.size() + scene.landmarks.size() + scene.dots.size() <= most) return scene;
+    scene.points = without_copies(scene.points, scene.low, pixel);
+    if (scene.segments.size() + scene.landmarks.size() + scene.dots.size() + scene.points.size() <= most)
+      return scene;
   }
 }
 

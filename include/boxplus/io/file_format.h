@@ -63,7 +63,7 @@ struct FileFormat {
   bool is_folder() const { return static_cast<bool>(folder.recognize); }
   bool can_read() const { return read || folder.read; }
   bool can_write() const { return write || folder.write; }
-  /// For help texts: "TORO's .graph", "COLMAP's folder", or only ".g2o" if the extension equals the name.
+  /// For help texts: "TORO's .graph", "COLMAP folder", or only ".g2o" if the extension equals the name.
   std::string label() const;
 };
 
@@ -93,8 +93,7 @@ class FileFormats {
 const FileFormats& default_formats();
 
 /// Throws the InvalidArgument or FileError that write_graph() would throw, as far as this can be checked
-/// without writing. Call it before a long computation, so that its result can be saved. If the format is that
-/// of the file from which the graph was read, it can represent the graph, so only folders are checked.
+/// without writing. Call it before a long computation, so that its result can be saved.
 void require_writable(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 
 }  // namespace boxplus

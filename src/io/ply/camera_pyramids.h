@@ -14,18 +14,22 @@
 
 namespace boxplus {
 
+inline bool is_reprojection(const detail::EdgePool& pool) {
+  const std::string_view name = pool.type_name();
+  return name.starts_with("Reprojection<") || name.starts_with("CalibratedReprojection<");
+}
+
 /// Per vertex pool: 1 if its poses are cameras that look along z, −1 if they look along −z, and 0 if they are
 /// no cameras. The first vertex of a reprojection error is a camera.
 inline std::vector<int> view_directions(const Graph& graph) {
   std::vector<int> directions(graph.vertex_pools().size());
   for (std::uint32_t pool = 0; pool < graph.edge_pools().size(); ++pool) {
     const detail::EdgePool& edges = *graph.edge_pools()[pool];
-    const std::string_view name = edges.type_name();
-    if (!name.starts_with("Reprojection<") && !name.starts_with("CalibratedReprojection<")) continue;
+    if (!is_reprojection(edges)) continue;
     for (std::uint32_t slot = 0; slot < edges.slots(); ++slot) {
       if (!edges.alive(slot)) continue;
       directions[graph.vertices({pool, slot, edges.generation(slot)}).front().pool] =
-          name.ends_with("<BAL>") ? -1 : 1;
+          edges.type_name().ends_with("<BAL>") ? -1 : 1;
       break;
     }
   }

@@ -129,7 +129,9 @@ FileFormat ply_format() {
   return {.name = "ply",
           .extension = ".ply",
           .recognize =
-              [](std::string_view text) { return text.starts_with("ply\n") || text.starts_with("ply\r"); },
+              [](std::string_view text) {
+                return text.starts_with("ply\nformat ") || text.starts_with("ply\r\nformat ");
+              },
           .write = [](const GraphFileView& file, const WriteOptions& /*options*/,
                       TextSink sink) { Cloud(file).write(sink); }};
 }

@@ -241,7 +241,7 @@ TEST(ColmapFormat, CreatesAFolderForAGraphThatWasReadInIt) {
 TEST(ColmapFormat, NamesAMissingFile) {
   const TestFolder folder("model");
   EXPECT_THAT(complaint_of([&] { read_graph(folder.path()); }),
-              HasSubstr("expected a file or COLMAP's folder, COLMAP-text's folder, got a folder without"));
+              HasSubstr("expected a file or a COLMAP folder, COLMAP-text folder, got a folder without"));
   folder.write({});
   std::filesystem::remove(folder.file("images.txt"));
   EXPECT_EQ(complaint_of([&] { read_graph(folder.path()); }),

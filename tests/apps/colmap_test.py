@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests that every sub-command that reads graphs works with COLMAP's sparse models, and that all of them can be drawn."""
+
+import json
+import re
+import xml.etree.ElementTree as xml
+
+from command_case import CommandCase, main, run
+
+CENTERS = [(0, 0), (1, 0), (0, 1)]
+POINTS = [(x, y, 8 + x * y) for x in (-2, -1, 1, 2) for y in (-1, 0, 1)]
+
+def model():
+    """The texts of three images of one camera, which look along z from known places. The first estimates are off."""
+    points = [f"{k + 1} {x} {y} {z + 0.1} 10 20 30 -1 " + " ".join(f"{i + 1} {k}" for i in range(len(CENTERS)))
+              for k, (x, y, z) in enumerate(POINTS)]
+    images = []
+    for i, (cx, cy) in enumerate(CENTERS):
+        images.append(f"{i + 1} 1 0.001 0 0 {-cx} {-cy + 0.05} 0 4 photos/{i}.jpg")
+        images.append(" ".join(f"{500 * (x - cx) / z + 320!r} {500 * (y - cy) / z + 240!r} {k + 1}"
+                               for k, (x, y, z) in enumerate(POINTS)))
+    return {"cameras.txt": "4 SIMPLE_RADIAL 640 480 480 320 240 0\n",
+            "images.txt": "\n".join(images) + "\n", "points3D.txt": "\n".join(points) + "\n"}
+
+class ColmapTest(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.folder = self.path / "sparse"
+        self.folder.mkdir()
+        for name, text in model().items():
+            (self.folder / name).write_text(text, encoding="utf-8")
+
+    def lines(self, folder, name):
+        text = (folder / name).read_text(encoding="utf-8")
+        return [line.split() for line in text.splitlines() if not line.startswith("#")]
+
+    def test_a_model_is_optimized_with_its_intrinsics(self):
+        out = self.path / "out" / "0"
+        done = run("optimize", self.folder, "-o", out, "--json", self.path / "report.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("eliminated      12 vertices", done.stdout)
+        report = json.loads((self.path / "report.json").read_text(encoding="utf-8"))
+        self.assertLess(report["chi2_final"], 1e-6)
+        camera = self.lines(out, "cameras.txt")[0]
+        self.assertEqual(camera[:4] + camera[5:7], ["4", "SIMPLE_RADIAL", "640", "480", "320", "240"])
+        self.assertNotEqual(camera[4], "480")
+        images = self.lines(out, "images.txt")
+        self.assertEqual([line[9] for line in images[::2]], ["photos/0.jpg", "photos/1.jpg", "photos/2.jpg"])
+        features = self.lines(self.folder, "images.txt")[1]
+        self.assertEqual([float(x) for x in images[1]], [float(x) for x in features])
+        for point in self.lines(out, "points3D.txt"):
+            self.assertEqual(point[4:7], ["10", "20", "30"])
+            self.assertLess(float(point[7]), 1e-3)
+
+    def test_a_model_can_be_converted_to_binary_and_back(self):
+        binary, text = self.path / "binary", self.path / "text"
+        done = run("convert", self.folder, binary, "--format", "colmap")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("15 vertices, 36 edges, 1 parameter", done.stdout)
+        self.assertEqual(sorted(file.name for file in binary.iterdir()), ["cameras.bin", "images.bin", "points3D.bin"])
+        self.assertEqual(run("convert", binary, text, "--format", "colmap-text").returncode, 0)
+        for name in model():
+            self.assertEqual([[float(x) if re.fullmatch(r"[-\d.e]+", x) else x for x in line]
+                              for line in self.lines(text, name)],
+                             [[float(x) if re.fullmatch(r"[-\d.e]+", x) else x for x in line]
+                              for line in self.lines(self.folder, name)], name)
+
+    def test_a_model_becomes_bal_and_bal_becomes_a_model(self):
+        bal, again = self.path / "out.bal", self.path / "again"
+        self.assertEqual(run("convert", self.folder, bal).returncode, 0)
+        again.mkdir()
+        self.assertEqual(run("convert", bal, again).returncode, 0)
+        chi2 = [json.loads(run("info", graph, "--json", "-").stdout)["chi2"] for graph in (self.folder, bal, again)]
+        self.assertAlmostEqual(chi2[1] / chi2[0], 1, places=9)
+        self.assertAlmostEqual(chi2[2] / chi2[0], 1, places=9)
+
+    def test_a_model_becomes_a_point_cloud(self):
+        out = self.path / "cloud.ply"
+        self.assertEqual(run("convert", self.folder, out).returncode, 0)
+        content = out.read_bytes()
+        header = content[:content.index(b"end_header\n") + 11]
+        self.assertIn(b"element vertex 27\n", header)
+        self.assertEqual(len(content) - len(header), 27 * 27 + 24 * 8)
+        self.assert_refused(run("info", out), "got .ply, which boxplus can only write")
+
+    def test_a_model_can_be_inspected(self):
+        done = run("info", self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Reprojection<SIMPLE_RADIAL>", done.stdout)
+        self.assertIn("unknowns      56 ", done.stdout)  # 3 poses, 12 points, f and k
+
+    def test_a_model_can_be_drawn_with_cameras_as_pyramids(self):
+        out = self.path / "out.svg"
+        done = run("plot", self.folder, "-o", out)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        text = out.read_text(encoding="utf-8")
+        xml.fromstring(text)
+        self.assertIn("3 cameras, 12 points, 36 observations", text)
+        self.assertIn(">cameras<", text)
+
+    def test_far_points_do_not_make_the_picture_tiny(self):
+        lines = (self.folder / "points3D.txt").read_text(encoding="utf-8").splitlines()
+        near = [f"{k + 100} {k % 10} {k // 10} 9 0 0 0 -1" for k in range(100)]
+        (self.folder / "points3D.txt").write_text(
+            "\n".join([*lines, *near, "999 1e6 1e6 1e6 0 0 0 -1"]) + "\n", encoding="utf-8")
+        out = self.path / "out.svg"
+        self.assertEqual(run("plot", self.folder, "-o", out).returncode, 0)
+        text = out.read_text(encoding="utf-8")
+        self.assertRegex(text, r"113 points \(\d+ outside\)")
+        bar = re.search(r'text-anchor="middle"[^>]*>([\d.e+]+)<', text)
+        self.assertLess(float(bar.group(1)), 100)
+
+    def test_reprojection_errors_are_drawn_by_image(self):
+        out = self.path / "errors.svg"
+        done = run("plot", self.folder, self.folder, "-o", out, "--reprojection-errors")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        text = out.read_text(encoding="utf-8")
+        xml.fromstring(text)
+        self.assertIn("3 images, 36 observations", text)
+        self.assertRegex(text, r"median \d")
+        graph = self.written("graph.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n")
+        self.assert_refused(run("plot", graph, "-o", out, "--reprojection-errors"), "expected a graph of bundle adjustment")
+
+    def test_bad_input_is_refused(self):
+        (self.folder / "cameras.txt").write_text("4 FISH 640 480 480 320 240 0\n", encoding="utf-8")
+        out = self.path / "out"
+        for words in (["optimize", self.folder, "-o", out], ["info", self.folder], ["convert", self.folder, out],
+                      ["plot", self.folder, "-o", self.path / "out.svg"]):
+            self.assert_refused(run(*words), "cameras.txt:1:3: expected a camera model (SIMPLE_PINHOLE, PINHOLE")
+        self.assertFalse(out.exists())
+        (self.folder / "images.txt").unlink()
+        self.assert_refused(run("info", self.folder), "images.txt: cannot be opened")
+        self.assert_refused(run("info", self.path), "got a folder without the files of a graph")
+
+    def test_a_folder_cannot_be_standard_output_or_hold_another_graph(self):
+        self.assert_refused(run("optimize", self.folder, "-o", "-"), "as one text")
+        self.assert_refused(run("convert", self.folder, "-"), "as one text")
+        graph = self.written("graph.g2o", "VERTEX_SE2 0 0 0 0\n")
+        self.assert_refused(run("convert", graph, str(self.path / "out") + "/"), "got vertex 0 of type SE2")
+        self.assertFalse((self.path / "out").exists())
+
+if __name__ == "__main__":
+    main()
