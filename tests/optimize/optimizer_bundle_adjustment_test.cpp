@@ -168,7 +168,9 @@ TEST_P(PublicBundle, ReportsThatTheScaleIsFreeIfOnlyOnePoseIsFixed) {
 
 TEST_P(PublicBundle, ConvergesWithRobustKernels) {
   Graph graph = make_graph(problem_, Form::kCamera, Fixed::kNothing, std::make_shared<const Huber>(2.0));
-  const Report report = optimize(graph);
+  // Some points move toward infinity, so the last decreases of chi2 are small, and rounding errors decide how
+  // many there are.
+  const Report report = optimize(graph, {.max_iterations = 200});
   EXPECT_TRUE(report.converged()) << report;
 }
 
