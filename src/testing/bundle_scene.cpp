@@ -126,7 +126,7 @@ class City final : public BundleScene {
   }
 
  private:
-  static constexpr double kSmallestBlock = 20, kLargestBlock = 60;
+  static constexpr double kSmallestBlock = 40, kLargestBlock = 60;
   struct Drive {
     bool across, back;
     int number;

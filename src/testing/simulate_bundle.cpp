@@ -96,8 +96,14 @@ class BundleSimulator {
 
   /// Adds a point that at least two cameras see from directions that determine its distance.
   void add_point() {
+    constexpr int kMostTries = 100'000;
     SurfacePoint point;
+    int tries = 0;
     do {
+      if (++tries > kMostTries)
+        throw InvalidArgument(
+            "simulate_bundle: expected cameras that see common places, got cameras that are too far apart; "
+            "increase track_length");
       point = scene_->draw(random_);
       find_views(point);
     } while (!has_parallax(point.place));

@@ -57,8 +57,8 @@ struct BundleSimulation {
 /// Every point is seen by at least two cameras, from directions that differ by at least 3°. The same options
 /// give the same graph with every compiler. Takes time in proportion to the number of observations, and
 /// little more memory than the graph. Throws InvalidArgument for fewer than 2 cameras, no points, a track
-/// length outside [2, 1000] or above the number of cameras, negative noise, and a fraction of outliers
-/// outside [0, 1].
+/// length outside [2, 1000] or above the number of cameras, negative noise, a fraction of outliers
+/// outside [0, 1], and if cameras are too far apart to see common places.
 BundleSimulation simulate_bundle(BundleWorld world, const BundleOptions& options = {});
 
 }  // namespace boxplus
