@@ -55,6 +55,20 @@ class SimulateTest(CommandCase):
             for a, b in zip(estimate, truth):
                 self.assertAlmostEqual(a, b, places=9)
 
+    def test_each_world_of_bundle_adjustment_is_in_the_help_and_can_be_optimized(self):
+        text = run("simulate", "--help").stdout
+        for world in ("ba-ring", "ba-street", "ba-city"):
+            self.assertRegex(text, rf"\n  {world} +\w+")
+            graph, truth = self.path / f"{world}.txt", self.path / f"{world}_truth.txt"
+            done = run("simulate", world, "--poses", 60, "--points", 1500, "-o", graph, "--truth", truth)
+            found = re.fullmatch(r".*txt: 60 cameras, 1500 points, (\d+) observations; chi2 is (\S+), and (\S+) at the truth\n", done.stdout)
+            self.assertIsNotNone(found, done.stdout + done.stderr)
+            observations, chi2, of_truth = int(found[1]), float(found[2]), float(found[3])
+            self.assertEqual(graph.read_text(encoding="utf-8").split()[:3], ["60", "1500", str(observations)])
+            self.assertAlmostEqual(of_truth / (2 * observations), 1, delta=0.1)
+            self.assertGreater(chi2, of_truth)
+            self.assertIn(run("optimize", truth, "-q", "--iterations", 3).returncode, (0, 1))
+
     def test_writes_to_standard_output(self):
         done = run("simulate", "sphere", "--poses", 25, "-o", "-")
         run("simulate", "sphere", "--poses", 25, "-o", self.path / "s.g2o")
