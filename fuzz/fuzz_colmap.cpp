@@ -40,18 +40,35 @@ Files split(std::string_view input) {
   return files;
 }
 
-/// A folder that is used for all inputs.
-std::string folder(const char* name) {
-  static const std::string kRoot = [] {
+/// The folder of all files, which is removed at the end.
+class Root {
+ public:
+  Root() : path_(parent() / ("boxplus_fuzz_" + std::to_string(::getpid()))) {}
+  ~Root() {
+    std::error_code none;
+    std::filesystem::remove_all(path_, none);
+  }
+  Root(const Root&) = delete;
+  Root& operator=(const Root&) = delete;
+
+  std::string folder(const char* name) const {
+    std::filesystem::create_directories(path_ / name);
+    return (path_ / name).string();
+  }
+
+ private:
+  static std::filesystem::path parent() {
     const std::filesystem::path memory("/dev/shm");
     std::error_code none;
-    const auto parent =
-        std::filesystem::is_directory(memory, none) ? memory : std::filesystem::temp_directory_path();
-    return (parent / ("boxplus_fuzz_" + std::to_string(::getpid()))).string();
-  }();
-  const std::string path = kRoot + "_" + name;
-  std::filesystem::create_directories(path);
-  return path;
+    return std::filesystem::is_directory(memory, none) ? memory : std::filesystem::temp_directory_path();
+  }
+  std::filesystem::path path_;
+};
+
+/// A folder that is used for all inputs.
+std::string folder(const char* name) {
+  static const Root root;
+  return root.folder(name);
 }
 
 std::string path_of(const std::string& folder, std::size_t file, bool is_text) {

@@ -90,6 +90,13 @@ class ColmapTest(CommandCase):
         self.assertIn("Reprojection<SIMPLE_RADIAL>", done.stdout)
         self.assertIn("unknowns      56 ", done.stdout)  # 3 poses, 12 points, f and k
 
+    def test_models_can_be_compared(self):
+        out = self.path / "out"
+        self.assertEqual(run("optimize", self.folder, "-o", out).returncode, 0)
+        done = run("compare", out, self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("3 poses", done.stdout)
+
     def test_a_model_can_be_drawn_with_cameras_as_pyramids(self):
         out = self.path / "out.svg"
         done = run("plot", self.folder, "-o", out)

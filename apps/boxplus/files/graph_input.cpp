@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 #include "boxplus/base/error.h"
@@ -27,6 +28,11 @@ namespace {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
+
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return path != kStandardStream && std::filesystem::is_directory(path, none);
+}
 
 std::string read_all(std::FILE* file, const std::string& path) {
   std::string text;
@@ -101,6 +107,7 @@ std::string input_name(const std::string& path) {
 
 std::string read_text(const std::string& path) {
   if (path == kStandardStream) return read_all(stdin, path);
+  if (is_folder(path)) return {};
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rbe"));
   if (!file) fail(path, "cannot be opened");
   return read_all(file.get(), path);
@@ -134,6 +141,7 @@ GraphFile read_input(const std::string& path, const ReadOptions& options) {
 }
 
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options) {
+  if (is_folder(path)) return read_input(path, options);
   GraphFile file = parse_graph(text, input_name(path), options);
   require_graph(file, path);
   return file;

@@ -18,7 +18,7 @@ inline constexpr const char* kStandardStream = "-";
 /// Returns "<stdin>" for "-", and otherwise the path.
 std::string input_name(const std::string& path);
 
-/// Reads a whole file or standard input. Throws FileError if this fails.
+/// Reads a whole file or standard input. The text of a folder is empty. Throws FileError if this fails.
 std::string read_text(const std::string& path);
 
 /// Adds the options --lenient and --rename, which set `options`.
@@ -27,7 +27,8 @@ void add_reading_options(CLI::App& command, ReadOptions& options);
 /// Reads a graph. Throws FileError if the file cannot be read. Throws InputError if the file is malformed, or
 /// if it has neither a vertex nor an edge.
 GraphFile read_input(const std::string& path, const ReadOptions& options = {});
-/// Like read_input(), but parses `text`, which is the content of the file. Messages contain `path`.
+/// Like read_input(), but parses `text`, which read_text() returned for this path. A folder is read from
+/// `path`. Messages contain `path`.
 GraphFile parse_input(const std::string& text, const std::string& path, const ReadOptions& options);
 
 /// Reads a graph and prints the notes about the file. If the file has edges only, also computes initial

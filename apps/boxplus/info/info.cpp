@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "command.h"
@@ -28,11 +27,8 @@ int describe_file(const InfoArguments& arguments) {
   const std::vector<Output> outputs{{"--json", arguments.json}};
   refuse_to_replace(outputs.front(), {arguments.input});
   check_outputs(outputs);
-  std::error_code none;
-  const bool is_folder = std::filesystem::is_directory(arguments.input, none);
-  const std::string text = is_folder ? "" : read_text(arguments.input);
-  const GraphFile file = is_folder ? read_input(arguments.input, arguments.reading)
-                                   : parse_input(text, arguments.input, arguments.reading);
+  const std::string text = read_text(arguments.input);
+  const GraphFile file = parse_input(text, arguments.input, arguments.reading);
   print_notes(file, arguments.input);
   const std::string name = input_name(arguments.input);
   const GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);

@@ -82,7 +82,7 @@ std::filesystem::path existing_folder(const std::string& folder) {
 }
 
 void check(const SparseModel& model, const std::string& folder, bool is_text) {
-  if (is_text) require_text_names(model);
+  require_names(model, is_text);
   check_folder(folder, is_text);
   require_writable((existing_folder(folder) / "cameras.bin").string());
 }

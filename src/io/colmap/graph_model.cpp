@@ -69,8 +69,8 @@ class ModelMaker {
  public:
   explicit ModelMaker(const GraphFileView& file)
       : graph_(file.graph), roles_(file.graph), edges_(edges_to_write(file)) {
-    static const SparseModel kEmpty;
-    old_ = file.model ? file.model : &kEmpty;
+    static const SparseModel no_model;
+    old_ = file.model ? file.model : &no_model;
     for (const auto& pool : graph_.vertex_pools()) entries_.emplace_back(pool->slots());
     is_taken_.resize(edges_.size());
   }

@@ -126,11 +126,14 @@ void write_points(const SparseModel& model, ModelOutput& out) {
   out.flush(1);
 }
 
-void require_text_names(const SparseModel& model) {
+void require_names(const SparseModel& model, bool is_text) {
   for (const SparseModel::Image& image : model.images) {
     const std::string& name = image.name;
-    if (name.empty() || is_blank(name.front()) || is_blank(name.back()) ||
-        name.find('\n') != std::string::npos)
+    if (name.find('\0') != std::string::npos)
+      throw InvalidArgument("cannot write a COLMAP model: image " + std::to_string(image.id) +
+                            ": expected a name without bytes of value 0, got " + quoted(name));
+    if (is_text && (name.empty() || is_blank(name.front()) || is_blank(name.back()) ||
+                    name.find('\n') != std::string::npos))
       throw InvalidArgument("cannot write COLMAP's text: image " + std::to_string(image.id) +
                             ": expected a name of one line without blanks around it, got " + quoted(name));
   }

@@ -47,7 +47,7 @@ std::unique_ptr<ModelOutput> binary_output(TextSink sink);
 void write_cameras(const SparseModel& model, ModelOutput& out);
 void write_images(const SparseModel& model, ModelOutput& out);
 void write_points(const SparseModel& model, ModelOutput& out);
-/// Throws InvalidArgument if the names of the images cannot be written as text.
-void require_text_names(const SparseModel& model);
+/// Throws InvalidArgument if the names of the images cannot be written as text, or as binary.
+void require_names(const SparseModel& model, bool is_text);
 
 }  // namespace boxplus

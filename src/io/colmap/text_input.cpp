@@ -62,8 +62,9 @@ class TextInput : public ModelInput {
     set_place(here());
     const char* last = end_;
     while (last != at_ && is_blank(last[-1])) --last;
-    if (last == at_) refuse("the name of the image", {});
-    return {std::exchange(at_, end_), last};
+    const std::string name(std::exchange(at_, end_), last);
+    if (name.empty() || name.find('\0') != std::string::npos) refuse("the name of the image", name);
+    return name;
   }
 
   void begin_list(bool has_own_line) override {

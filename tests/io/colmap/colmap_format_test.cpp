@@ -220,6 +220,25 @@ TEST(ColmapFormat, CannotRepresentOtherGraphs) {
   EXPECT_THAT(complaint_of([] { format_graph(model()); }), HasSubstr("as one text"));
 }
 
+TEST(ColmapFormat, CannotHaveEveryNameOfAnImage) {
+  const TestFolder folder("model");
+  const auto complaint = [&](const std::string& name, const char* format) {
+    GraphFile file = model();
+    SparseModel renamed = *file.model;
+    renamed.images[1].name = name;
+    file.model = std::make_shared<const SparseModel>(std::move(renamed));
+    return complaint_of([&] { write_graph(folder.file("new"), file, {.format = format}); });
+  };
+  for (const char* name : {"", " a", "a ", "a\nb"})
+    EXPECT_THAT(complaint(name, "COLMAP-text"), HasSubstr("image 5: expected a name of one line")) << name;
+  for (const char* format : {"COLMAP-text", "COLMAP"}) {
+    EXPECT_THAT(complaint(std::string("a\0b", 3), format),
+                HasSubstr("image 5: expected a name without bytes of"));
+    EXPECT_EQ(complaint("a b", format), "no complaint");
+  }
+  EXPECT_EQ(complaint("", "COLMAP"), "no complaint");
+}
+
 TEST(ColmapFormat, IsNotWrittenIntoAFolderWithFilesThatColmapPrefers) {
   const TestFolder folder("model");
   write_graph(folder.path(), model(), {.format = "COLMAP"});

@@ -43,13 +43,15 @@ TEST(ColmapText, NamesTheLineAndTheColumnOfAnErrorInTheCameras) {
 }
 
 TEST(ColmapText, NamesTheLineAndTheColumnOfAnErrorInTheImages) {
-  const auto complaint = [](const char* old, const char* fresh) {
+  const auto complaint = [](const std::string& old, const std::string& fresh) {
     return complaint_after(&ModelTexts::images, old, fresh);
   };
   EXPECT_EQ(complaint("3 7 the", "3 8 the"),
             "images.txt:4:22: expected the id of a camera, got 8, which does not exist");
   EXPECT_EQ(complaint(" the first.jpg", ""),
             "images.txt:4:23: expected the name of the image, got the end of the line");
+  EXPECT_EQ(complaint("the first", std::string("t\0e", 3)),
+            "images.txt:4:24: expected the name of the image, got 't\\x00e.jpg'");
   EXPECT_EQ(complaint("250 30", "250 31"),
             "images.txt:5:9: expected the id of a point, got 31, which does not exist");
   EXPECT_EQ(
