@@ -200,7 +200,7 @@ void Schur::begin(std::span<const double> values, const Damping& damping, const 
 void Schur::clear(Slice& slice) {
   std::fill_n(slice.values, reduced_values_.size(), 0.0);
   std::fill_n(slice.reduced_r, reduced_.scalars(), 0.0);
-  slice.next_target = pair_target_.data() + slice.first_pair;
+  if (!pair_target_.empty()) slice.next_target = pair_target_.data() + slice.first_pair;
   slice.result = {};
 }
 
