@@ -62,7 +62,7 @@ class TextInput : public ModelInput {
     set_place(here());
     const char* last = end_;
     while (last != at_ && is_blank(last[-1])) --last;
-    const std::string name(std::exchange(at_, end_), last);
+    std::string name(std::exchange(at_, end_), last);
     if (name.empty() || name.find('\0') != std::string::npos) refuse("the name of the image", name);
     return name;
   }
