@@ -48,7 +48,7 @@ struct ModelTexts {
 class TestFolder {
  public:
   explicit TestFolder(const std::string& name)
-      : path_(testing::TempDir() + "boxplus_" + std::to_string(::getpid()) + "_" + std::to_string(count_++) +
+      : path_(testing::TempDir() + "boxplus_" + std::to_string(::getpid()) + "_" + std::to_string(count++) +
               "_" + name) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
@@ -79,7 +79,7 @@ class TestFolder {
   }
 
  private:
-  static inline int count_ = 0;
+  static inline int count = 0;
   std::string path_;
 };
 
