@@ -205,10 +205,12 @@ void add_edges(const EdgeLanes& tile) {
   for_kind(tile.kind, [&]<EdgeNumbers::Kind kKind>() { add_edges_of<kKind, R, D...>(tile); });
 }
 
-/// The kernel for edges of these sizes, or null if there is none. There are kernels for relative poses and
-/// points, for observations of a point from a pose, and for pixels (2 rows). The camera of a pixel is one
-/// vertex of 6 or 9 dimensions, or its 3 or 4 intrinsic parameters are a vertex of their own.
-inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
+/// Calls f(Sizes) with the sizes as compile-time constants, if there are kernels for them. There are kernels
+/// for relative poses and points, for observations of a point from a pose, and for pixels (2 rows). The
+/// camera of a pixel is one vertex of 6 or 9 dimensions, or its 3 or 4 intrinsic parameters are a vertex of
+/// their own.
+template <class F>
+void for_lane_sizes(int rows, const int* dims, int arity, F&& f) {
   const auto is = [&]<int R, int... D>(Sizes<R, D...>) {
     constexpr int kDims[] = {D...};
     if (rows != R || arity != static_cast<int>(sizeof...(D))) return false;
@@ -217,9 +219,8 @@ inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
     }
     return true;
   };
-  AddEdges found = nullptr;
   const auto offer = [&]<int R, int... D>(Sizes<R, D...> sizes) {
-    if (is(sizes)) found = add_edges<R, D...>;
+    if (is(sizes)) f(sizes);
   };
   offer(Sizes<3, 3, 3>());
   offer(Sizes<6, 6, 6>());
@@ -229,6 +230,13 @@ inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
   offer(Sizes<2, 9, 3>());
   offer(Sizes<2, 6, 3, 3>());
   offer(Sizes<2, 6, 3, 4>());
+}
+
+/// The kernel for edges of these sizes, or null if there is none.
+inline AddEdges add_edges_for(int rows, const int* dims, int arity) {
+  AddEdges found = nullptr;
+  for_lane_sizes(
+      rows, dims, arity, [&]<int R, int... D>(Sizes<R, D...>) { found = add_edges<R, D...>; });
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Defines the table of the kernels for one instruction set. Each isa_*.cpp includes this file once.
 #include "kernels/between_lanes.h"
+#include "kernels/coupling_lanes.h"
 #include "kernels/edge_lanes.h"
 #include "kernels/elimination_kernels.h"
 #include "kernels/kernel_table.h"
@@ -31,6 +32,7 @@ const KernelTable kTable{BOXPLUS_TEXT_OF(BOXPLUS_ISA),
                          normal_products,
                          add_block,
                          add_edges_for,
+                         subtract_coupling_for,
                          add_unary_edges_for,
                          to_lanes,
                          squared_norms_for,

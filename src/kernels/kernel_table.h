@@ -45,6 +45,22 @@ struct EdgeLanes {
 /// Adds JᵀΩJ to H and JᵀΩe to the gradient, for all edges in their order.
 using AddEdges = void (*)(const EdgeLanes& edges);
 
+/// Edges of one shape, and a vector x with an entry for each scalar of H. Gradient targets below `first_kept`
+/// belong to eliminated vertices and are indices of x. Other targets are indices of x plus `copy`.
+struct CoupledEdges {
+  int count;
+  const double* jacobian;  // the Jacobians of all edges, in lanes
+  EdgeNumbers::Kind kind;
+  const double* const* omega;           // Ω of each edge
+  const double* weight;                 // the weight ρ′ of each edge; null if all weights are 1
+  const std::uint32_t* const* targets;  // of each edge
+  std::uint32_t first_kept, copy;
+  double* x;
+};
+/// x_e −= ρ′ J_eᵀ Ω J_k x_k, for the parts x_e and x_k of x that belong to the eliminated and to the kept
+/// vertices of an edge; for all edges in their order.
+using SubtractCoupling = void (*)(const CoupledEdges& edges);
+
 /// out[k] = eᵀΩe of edge k. `error` is stored in lanes. All Ω have the same kind.
 using SquaredNorms = void (*)(int count, const double* error, EdgeNumbers::Kind kind,
                               const double* const* omega, double* out);
@@ -150,8 +166,9 @@ struct KernelTable {
   int (*normal_products)(const EdgeNumbers& edge, double* products, double* gradient);
   /// block += source. The block is rows × cols and dense; the source has the given stride.
   void (*add_block)(double* block, int rows, int cols, const double* source, int stride);
-  /// The kernel for edges with two or more vertices of these tangent sizes, or null if there is none.
+  /// The kernels for edges with two or more vertices of these tangent sizes, or null if there are none.
   AddEdges (*add_edges_for)(int rows, const int* dims, int arity);
+  SubtractCoupling (*subtract_coupling_for)(int rows, const int* dims, int arity);
   /// The kernel for unary edges of these sizes, or null if there is none.
   AddUnaryEdges (*add_unary_edges_for)(int rows, int dim);
   /// Copies blocks of `size` values, which lie edge after edge, to lanes. Remaining lanes get copies of the

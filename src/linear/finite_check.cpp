@@ -15,11 +15,13 @@ bool damping_is_finite(const BlockStructure& structure, std::uint32_t block, con
 
 }  // namespace
 
-std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping) {
-  for (std::uint32_t j = 0; j < structure.blocks(); ++j) {
-    const std::uint32_t begin = structure.value_start[structure.column_start[j]];
-    const std::uint32_t end = structure.value_start[structure.column_start[j + 1]];
-    if (!all_finite(values + begin, end - begin) || !damping_is_finite(structure, j, damping)) return j;
+std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping,
+                              std::uint32_t first) {
+  for (std::uint32_t j = first; j < structure.blocks(); ++j) {
+    const std::uint32_t size = structure.value_start[structure.column_start[j + 1]] -
+                               structure.value_start[structure.column_start[j]];
+    if (!all_finite(values, size) || !damping_is_finite(structure, j, damping)) return j;
+    values += size;
   }
   return BlockStructure::kAbsent;
 }

@@ -10,7 +10,9 @@
 namespace boxplus {
 
 /// The first block column with a value or a damping that is not finite, or kAbsent if all of them are finite.
-std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping);
+/// Begins with column `first`, whose first value is the first of `values`.
+std::uint32_t find_not_finite(const BlockStructure& structure, const double* values, const Damping& damping,
+                              std::uint32_t first = 0);
 
 /// Like find_not_finite(), but checks only the diagonal blocks, in the layout of
 /// BlockSystem::block_diagonal().

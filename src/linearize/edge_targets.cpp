@@ -9,13 +9,14 @@ bool is_shared(const Chunk& chunk, std::uint32_t block) {
   return block != kNoBlock && block >= chunk.first_shared;
 }
 
-std::uint32_t target(const BlockStructure& structure, const Chunk& chunk, std::uint32_t i, std::uint32_t j) {
+std::uint32_t target(const BlockStructure& structure, const Chunk& chunk, ValueShift shift, std::uint32_t i,
+                     std::uint32_t j) {
   if (i == kNoBlock || j == kNoBlock) return Scatter::kNowhere;
   const std::uint32_t column = std::min(i, j);
   const bool shared = is_shared(chunk, column);
   if (!shared && !owns(chunk, column)) return Scatter::kNowhere;
   const std::uint32_t value =
-      structure.value_start[structure.find(std::max(i, j), column)] + (shared ? chunk.copy.in_values : 0);
+      structure.value_start[structure.find(std::max(i, j), column)] + (shared ? shift.shared : shift.own);
   return i >= j ? value : value | Scatter::kTransposed;
 }
 
@@ -27,7 +28,7 @@ std::uint32_t gradient_target(const BlockStructure& structure, const Chunk& chun
 }  // namespace
 
 void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
-                 const BlockStructure& structure, const Chunk& chunk, Scatter& scatter) {
+                 const BlockStructure& structure, const Chunk& chunk, ValueShift shift, Scatter& scatter) {
   scatter.edges.push_back(edge);
   if (!pool.uniform_shape())
     scatter.target_start.push_back(static_cast<std::uint32_t>(scatter.targets.size()));
@@ -36,7 +37,7 @@ void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::ve
   }
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (std::size_t j = 0; j <= i; ++j)
-      scatter.targets.push_back(target(structure, chunk, blocks[i], blocks[j]));
+      scatter.targets.push_back(target(structure, chunk, shift, blocks[i], blocks[j]));
   }
 }
 

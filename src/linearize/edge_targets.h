@@ -35,8 +35,14 @@ inline bool touches(const Chunk& chunk, const std::vector<std::uint32_t>& blocks
   return std::any_of(blocks.begin(), blocks.end(), [&](std::uint32_t b) { return owns(chunk, b); });
 }
 
+/// The distances modulo 2^32 from a value of H to its place among the values of the Linearizer: for columns
+/// that the chunk owns, and for columns that all chunks share.
+struct ValueShift {
+  std::uint32_t own = 0, shared = 0;
+};
+
 /// Appends `edge` to `scatter`, which belongs to `chunk`. `blocks` lists the blocks of the edge's vertices.
 void append_edge(const detail::EdgePool& pool, std::uint32_t edge, const std::vector<std::uint32_t>& blocks,
-                 const BlockStructure& structure, const Chunk& chunk, Scatter& scatter);
+                 const BlockStructure& structure, const Chunk& chunk, ValueShift shift, Scatter& scatter);
 
 }  // namespace boxplus

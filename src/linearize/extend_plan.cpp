@@ -307,7 +307,7 @@ void append_edges(const Graph& graph, std::uint32_t p, const std::vector<std::ui
       run = chunk.runs.insert(run, {static_cast<std::uint32_t>(chunk.scatters.size()), 0, 0});
       chunk.scatters.push_back({p, {}, {}, {}});
     }
-    append_edge(pool, edge, blocks, structure, chunk, chunk.scatters[run->scatter]);
+    append_edge(pool, edge, blocks, structure, chunk, {}, chunk.scatters[run->scatter]);
     ++run->end;
   }
 }

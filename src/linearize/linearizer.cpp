@@ -27,6 +27,11 @@ void vertex_dims(const Graph& graph, const detail::EdgePool& pool, std::uint32_t
   }
 }
 
+/// Whether tiles of these edges are large enough for SIMD lanes. `edge` is any edge of the pool.
+bool fits_kernels(const detail::EdgePool& pool, std::uint32_t edge) {
+  return pool.uniform_shape() && tile_capacity(pool.shape(edge)) >= detail::EdgeTile::kLanes;
+}
+
 /// The number of edges between two checks of the stop token. It is reasonable for edges that take between 1
 /// µs and 100 µs. kValuesBetweenStops is the number of values of H that are cleared in about the same time.
 constexpr std::uint32_t kEdgesBetweenStops = detail::EdgeTile::kCapacity;
@@ -49,10 +54,12 @@ void evaluate(const detail::EdgePool& pool, std::span<const std::uint32_t> edges
 }  // namespace
 
 Linearizer::Linearizer(const Graph& graph, const Plan& plan)
-    : graph_(&graph), plan_(&plan), edge_chi2_(plan.edge_count) {
+    : graph_(&graph), plan_(&plan), edge_chi2_(plan.edge_count), chunk_sums_(plan.chunks.size()) {
   const std::size_t copies = plan.eliminated_blocks > 0 ? plan.chunks.size() - 1 : 0;
   gradient_.resize(plan.scalars() + copies * plan.shared_scalars());
-  allocate_values(plan.structure.nonzero_values() + copies * plan.shared_values());
+  std::size_t values = plan.structure.nonzero_values() - plan.first_stored_value();
+  for (const Chunk& chunk : plan.chunks) values += chunk.window.size;
+  allocate_values(values + copies * plan.shared_values());
   for (int worker = 0; worker < plan.workers; ++worker) {
     memory_.emplace_back(static_cast<std::size_t>(plan.max_tile_values),
                          static_cast<std::size_t>(plan.max_tile_rows), plan.max_dense_values);
@@ -75,18 +82,24 @@ void Linearizer::extend() {
   edge_chi2_.resize(plan_->edge_count);
 }
 
-void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch) {
+/// Calls f for each chunk until it returns false: then, the token was raised. One worker runs all chunks of a
+/// group, in order.
+void Linearizer::for_each_chunk(int groups, detail::FunctionRef<bool(const Chunk&, int, TileMemory&)> f) {
   stopped_ = false;
   const int threads = std::min(workers(), groups), chunks = static_cast<int>(plan_->chunks.size());
   detail::parallel_tasks(threads, [&](int worker) {
     for (int group = groups * worker / threads; group < groups * (worker + 1) / threads; ++group) {
-      const auto done = [&](std::uint32_t first, std::uint32_t last) { after_batch(group, first, last); };
       for (int c = chunks * group / groups; c < chunks * (group + 1) / groups; ++c) {
-        const Chunk& chunk = plan_->chunks[static_cast<std::size_t>(c)];
-        if (!linearize_chunk(chunk, memory_[static_cast<std::size_t>(worker)], options, done))
+        if (!f(plan_->chunks[static_cast<std::size_t>(c)], group, memory_[static_cast<std::size_t>(worker)]))
           return void(stopped_ = true);
       }
     }
+  });
+}
+
+void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch) {
+  for_each_chunk(groups, [&](const Chunk& chunk, int group, TileMemory& memory) {
+    return linearize_chunk(chunk, memory, options, group, after_batch);
   });
   if (stopped_) return;
   add_copies();
@@ -94,16 +107,23 @@ void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBat
     leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
 }
 
+/// The memory for the values of a batch whose first column is `first_column`.
+double* Linearizer::batch_values(const Chunk& chunk, std::uint32_t first_column) const {
+  const bool are_stored = plan_->columns == ColumnStorage::kAll;
+  return values_.get() + (are_stored ? plan_->first_value(first_column) : chunk.window.first);
+}
+
 /// Linearizes the edges of a chunk. Returns false if the token was raised.
 bool Linearizer::linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options,
-                                 detail::FunctionRef<void(std::uint32_t, std::uint32_t)> after_batch) {
+                                 int group, AfterBatch after_batch) {
   PacedStop pace(stop_, kEdgesBetweenStops);
   if (!clear_unbatched(chunk, pace)) return false;
   std::uint32_t column = chunk.first_column, run = 0;
   for (const Chunk::Batch& batch : chunk.batches) {
-    clear_columns(column, batch.end_column);
+    double* const values = batch_values(chunk, column);
+    clear_columns(column, batch.end_column, values);
     if (!linearize_runs(chunk, run, batch.end_run, memory, options, pace)) return false;
-    after_batch(column, batch.end_column);
+    after_batch({group, column, batch.end_column, values});
     column = batch.end_column;
     run = batch.end_run;
   }
@@ -116,15 +136,16 @@ bool Linearizer::clear_unbatched(const Chunk& chunk, PacedStop& pace) {
   const BlockStructure& structure = plan_->structure;
   const std::uint32_t first = chunk.batches.empty() ? chunk.first_column : chunk.batches.back().end_column;
   const auto value_of = [&](std::uint32_t column) {
-    return structure.value_start[structure.column_start[column]];
+    return std::size_t{plan_->first_value(column)} - plan_->first_stored_value();
   };
   std::fill(gradient_.begin() + structure.offset[first],
             gradient_.begin() + structure.offset[chunk.last_column], 0.0);
-  if (!clear_values(value_of(first), value_of(chunk.last_column), pace)) return false;
+  if (first < chunk.last_column && !clear_values(value_of(first), value_of(chunk.last_column), pace))
+    return false;
   if (chunk.copy.in_gradient == 0) return true;
   std::fill_n(gradient_.begin() + structure.offset[chunk.first_shared] + chunk.copy.in_gradient,
               plan_->shared_scalars(), 0.0);
-  const std::size_t copy = value_of(chunk.first_shared) + std::size_t{chunk.copy.in_values};
+  const std::size_t copy = value_of(chunk.first_shared) + chunk.copy.in_values;
   return clear_values(copy, copy + plan_->shared_values(), pace);
 }
 
@@ -136,11 +157,10 @@ bool Linearizer::clear_values(std::size_t begin, std::size_t end, PacedStop& pac
   return true;
 }
 
-void Linearizer::clear_columns(std::uint32_t first, std::uint32_t last) {
-  const BlockStructure& structure = plan_->structure;
-  std::fill(values_.get() + structure.value_start[structure.column_start[first]],
-            values_.get() + structure.value_start[structure.column_start[last]], 0.0);
-  std::fill(gradient_.begin() + structure.offset[first], gradient_.begin() + structure.offset[last], 0.0);
+void Linearizer::clear_columns(std::uint32_t first, std::uint32_t last, double* values) {
+  const std::vector<std::uint32_t>& offset = plan_->structure.offset;
+  std::fill_n(values, plan_->first_value(last) - plan_->first_value(first), 0.0);
+  std::fill(gradient_.begin() + offset[first], gradient_.begin() + offset[last], 0.0);
 }
 
 /// Linearizes the runs [first, last) of a chunk. Returns false if the token was raised.
@@ -161,7 +181,8 @@ void Linearizer::add_copies() {
     double* const gradient = gradient_.data() + structure.offset[chunk.first_shared];
     for (std::uint32_t i = 0; i < plan_->shared_scalars(); ++i)
       gradient[i] += gradient[chunk.copy.in_gradient + i];
-    double* const values = values_.get() + structure.value_start[structure.column_start[chunk.first_shared]];
+    double* const values =
+        values_.get() + (plan_->first_value(chunk.first_shared) - plan_->first_stored_value());
     for (std::uint32_t i = 0; i < plan_->shared_values(); ++i) values[i] += values[chunk.copy.in_values + i];
   }
 }
@@ -172,26 +193,39 @@ bool Linearizer::linearize_run(const Scatter& scatter, const Chunk::Run& run, Ti
                                const LinearizeOptions& options, PacedStop& pace) {
   const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
+  const bool by_tiles = !options.triggs_correction && fits_kernels(pool, scatter.edges[run.begin]) &&
+                        memory.adder.choose(pool.shape(scatter.edges[run.begin]).rows, memory.dims);
+  const bool in_lanes = by_tiles && memory.adder.takes_lanes();
+  return for_each_tile(scatter, run, memory, options, in_lanes, pace, [&](const PlacedTile& edges) {
+    if (by_tiles) {
+      memory.adder.add(pool, edges.edges, edges.tile, edges.targets, values_.get(), gradient_.data());
+    } else {
+      add_one_by_one(pool, edges.edges, edges.tile, memory, options.triggs_correction);
+    }
+  });
+}
+
+/// Linearizes the edges of a run, and calls f for each tile. `in_lanes` says whether f can read lanes.
+/// Returns false if the token was raised.
+bool Linearizer::for_each_tile(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                               const LinearizeOptions& options, bool in_lanes, PacedStop& pace,
+                               detail::FunctionRef<void(const PlacedTile&)> f) {
+  const detail::EdgePool& pool = *graph_->edge_pools()[scatter.pool];
   const bool uniform = pool.uniform_shape();
   const detail::EdgeShape shape = pool.shape(scatter.edges[run.begin]);
   const std::size_t capacity = uniform ? static_cast<std::size_t>(tile_capacity(shape)) : 1;
-  const bool by_tiles = capacity >= detail::EdgeTile::kLanes && !options.triggs_correction &&
-                        memory.adder.choose(shape.rows, memory.dims);
   detail::EdgeTile tile;
   tile.error = memory.error.data();
   tile.jacobian = memory.jacobian.data();
+  vertex_dims(*graph_, pool, scatter.edges[run.begin], memory.dims);
   for (std::uint32_t next = run.begin; next < run.end;) {
     const auto edges = memory.gather(pool, scatter, next, run.end, capacity);
     if (edges.empty()) continue;
     if (pace.is_raised_after(static_cast<std::int64_t>(edges.size()))) return false;
-    tile.in_lanes = by_tiles && memory.adder.takes_lanes();
+    tile.in_lanes = in_lanes;
     pool.linearize(edges, tile, options.numeric_jacobians);
-    if (by_tiles) {
-      memory.adder.add(pool, edges, tile, memory.targets, values_.get(), gradient_.data());
-    } else {
-      if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
-      add_one_by_one(pool, edges, tile, memory, options.triggs_correction);
-    }
+    if (!uniform) vertex_dims(*graph_, pool, edges[0], memory.dims);
+    f({pool, edges, tile, memory.dims, std::span(memory.targets).first(edges.size())});
   }
   return true;
 }
@@ -209,6 +243,54 @@ void Linearizer::add_one_by_one(const detail::EdgePool& pool, std::span<const st
                values_.get(), gradient_.data(), memory.weighted.data(), memory.weighted_error.data(),
                memory.dense.data());
   }
+}
+
+void Linearizer::subtract_coupling(const LinearizeOptions& options, int groups, double* x,
+                                   AfterBatch after_batch) {
+  for_each_chunk(groups, [&](const Chunk& chunk, int group, TileMemory& memory) {
+    PacedStop pace(stop_, kEdgesBetweenStops);
+    std::uint32_t column = chunk.first_column, run = 0;
+    for (const Chunk::Batch& batch : chunk.batches) {
+      for (; run < batch.end_run; ++run) {
+        const auto subtract = [&](const PlacedTile& edges) {
+          if (edges.dims.size() > 1) memory.products.subtract_coupling(edges, layout_of(chunk), x);
+        };
+        if (!multiply_run(chunk, chunk.runs[run], memory, options, pace, subtract)) return false;
+      }
+      after_batch({group, column, batch.end_column, nullptr});
+      column = batch.end_column;
+    }
+    return true;
+  });
+}
+
+double Linearizer::curvature(const LinearizeOptions& options, const double* d) {
+  std::fill(chunk_sums_.begin(), chunk_sums_.end(), 0.0);
+  for_each_chunk(static_cast<int>(chunk_sums_.size()), [&](const Chunk& chunk, int c, TileMemory& memory) {
+    PacedStop pace(stop_, kEdgesBetweenStops);
+    double& sum = chunk_sums_[static_cast<std::size_t>(c)];
+    return std::all_of(chunk.runs.begin(), chunk.runs.end(), [&](const Chunk::Run& run) {
+      return multiply_run(chunk, run, memory, options, pace, [&](const PlacedTile& edges) {
+        sum += memory.products.curvature(edges, layout_of(chunk), d);
+      });
+    });
+  });
+  return stopped_ ? std::numeric_limits<double>::quiet_NaN() : pairwise_sum(chunk_sums_);
+}
+
+/// Linearizes the edges of a run, and calls f for each tile, whose size suits JacobianProducts. Returns false
+/// if the token was raised.
+bool Linearizer::multiply_run(const Chunk& chunk, const Chunk::Run& run, TileMemory& memory,
+                              const LinearizeOptions& options, PacedStop& pace,
+                              detail::FunctionRef<void(const PlacedTile&)> f) {
+  const Scatter& scatter = chunk.scatters[run.scatter];
+  const bool in_lanes = fits_kernels(*graph_->edge_pools()[scatter.pool], scatter.edges[run.begin]);
+  return for_each_tile(scatter, run, memory, options, in_lanes, pace, f);
+}
+
+/// The layout of vectors for the gradient targets of a chunk.
+VectorLayout Linearizer::layout_of(const Chunk& chunk) const {
+  return {plan_->structure.offset[plan_->eliminated_blocks], chunk.copy.in_gradient};
 }
 
 double Linearizer::chi2() {

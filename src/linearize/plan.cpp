@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/paced_stop.h"
+#include "linear/automatic/physical_memory.h"
 #include "linearize/accumulate.h"
 #include "linearize/active_set.h"
 #include "linearize/edge_targets.h"
@@ -180,7 +181,7 @@ std::vector<std::uint32_t> share_columns(const Graph& graph, const ActiveSet& ac
 }
 
 struct PlacedEdge {
-  std::uint32_t batch, pool, edge;
+  std::uint32_t pool, edge;
 };
 
 /// The number of eliminated vertices whose edges are linearized together.
@@ -193,22 +194,16 @@ class SortedEdges {
  public:
   SortedEdges(const Graph& graph, const ActiveSet& active, PacedStop& pace)
       : eliminated_(active.eliminated_blocks), start_(batches() + 2, 0) {
-    std::vector<PlacedEdge> unsorted;
-    unsorted.reserve(count_active_edges(active));
-    for_each_active_edge(
-        graph, active, pace, [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
-          const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
-          const std::uint32_t batch = first < eliminated_ ? first / kVerticesPerBatch : batches();
-          unsorted.push_back({batch, pool, edge});
-          ++start_[batch + 1];
-        });
+    for_each_active_edge(graph, active, pace, [&](std::uint32_t, std::uint32_t, const auto& blocks) {
+      ++start_[batch_of(blocks) + 1];
+    });
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
-    edges_.resize(unsorted.size());
+    edges_.resize(start_.back());
     std::vector<std::uint32_t> next = start_;
-    for (const PlacedEdge& edge : unsorted) {
-      pace.step();
-      edges_[next[edge.batch]++] = edge;
-    }
+    for_each_active_edge(graph, active, pace,
+                         [&](std::uint32_t pool, std::uint32_t edge, const auto& blocks) {
+                           edges_[next[batch_of(blocks)]++] = {pool, edge};
+                         });
   }
 
   std::uint32_t batches() const { return (eliminated_ + kVerticesPerBatch - 1) / kVerticesPerBatch; }
@@ -237,6 +232,11 @@ class SortedEdges {
   }
 
  private:
+  std::uint32_t batch_of(const std::vector<std::uint32_t>& blocks) const {
+    const std::uint32_t first = *std::min_element(blocks.begin(), blocks.end());
+    return first < eliminated_ ? first / kVerticesPerBatch : batches();
+  }
+
   std::uint32_t eliminated_;
   std::vector<std::uint32_t> start_;  // per batch
   std::vector<PlacedEdge> edges_;
@@ -252,15 +252,36 @@ int count_chunks(const Plan& plan, double predicted_nanoseconds) {
   return std::max(1, static_cast<int>(std::min(most, predicted_nanoseconds / kMinWorkerNanoseconds)));
 }
 
+/// Decides whether the columns of eliminated vertices are stored. Recomputing them costs the Jacobians once
+/// more, but storing them costs the time to write them to memory and to read them again.
+ColumnStorage choose_column_storage(const Graph& graph, const Plan& plan, ColumnStorage requested,
+                                    double predicted_nanoseconds) {
+  constexpr double kJacobianShare = 0.4, kNanosecondsPerByte = 0.2, kCacheBytes = 1 << 20;
+  constexpr double kBytesOfAnyMachine = 1 << 28, kMemoryShare = 0.25;
+  const auto has_fixed_directions = [](const auto& pool) { return pool->has_fixed_directions(); };
+  const auto& pools = graph.vertex_pools();
+  if (plan.eliminated_blocks == 0 || plan.shared_scalars() == 0 ||
+      std::any_of(pools.begin(), pools.end(), has_fixed_directions))
+    return ColumnStorage::kAll;
+  if (requested != ColumnStorage::kAutomatic) return requested;
+  const double bytes = sizeof(double) * std::size_t{plan.eliminated_values()};
+  if (bytes > kCacheBytes && kJacobianShare * predicted_nanoseconds < kNanosecondsPerByte * bytes)
+    return ColumnStorage::kBatch;
+  if (bytes <= kBytesOfAnyMachine) return ColumnStorage::kAll;
+  const auto memory = static_cast<double>(physical_memory());
+  return memory > 0 && bytes > kMemoryShare * memory ? ColumnStorage::kBatch : ColumnStorage::kAll;
+}
+
 /// Builds the scatter map of one chunk.
 class ChunkBuilder {
  public:
-  ChunkBuilder(const Graph& graph, const ActiveSet& active, const BlockStructure& structure, Chunk chunk,
+  ChunkBuilder(const Graph& graph, const ActiveSet& active, const Plan& plan, Chunk chunk,
                const StopToken& stop)
       : graph_(graph),
         active_(active),
-        structure_(structure),
+        plan_(plan),
         chunk_(std::move(chunk)),
+        shift_{.shared = chunk_.copy.in_values - plan.first_stored_value()},
         scatter_of_(graph.edge_pools().size(), ActiveSet::kInactive),
         pace_(stop) {}
 
@@ -279,6 +300,8 @@ class ChunkBuilder {
   Chunk build_from(const SortedEdges& edges, std::uint32_t first, std::uint32_t last) {
     make_room(edges.of_batches(first, last));
     for (std::uint32_t batch = first; batch < last; ++batch) {
+      if (plan_.columns == ColumnStorage::kBatch)
+        shift_.own = chunk_.window.first - plan_.first_value(batch * kVerticesPerBatch);
       append_batch(edges, batch);
       chunk_.batches.push_back({edges.end_column(batch), static_cast<std::uint32_t>(chunk_.runs.size())});
     }
@@ -289,7 +312,7 @@ class ChunkBuilder {
  private:
   void make_room(std::span<const PlacedEdge> edges) {
     std::vector<std::size_t> edge_count(graph_.edge_pools().size(), 0), target_count(edge_count);
-    for (const auto& [batch, pool, edge] : edges) {
+    for (const auto& [pool, edge] : edges) {
       ++edge_count[pool];
       target_count[pool] += Scatter::targets_of(graph_.edge_pools()[pool]->arity(edge));
     }
@@ -303,7 +326,7 @@ class ChunkBuilder {
 
   void append_batch(const SortedEdges& edges, std::uint32_t batch) {
     begin_batch();
-    for (const auto& [_, pool, edge] : edges.of_batches(batch, batch + 1)) {
+    for (const auto& [pool, edge] : edges.of_batches(batch, batch + 1)) {
       pace_.step(4);
       edge_blocks(*graph_.edge_pools()[pool], edge, active_.block, blocks_);
       append(pool, edge, blocks_);
@@ -326,18 +349,30 @@ class ChunkBuilder {
     const auto position = static_cast<std::uint32_t>(chunk_.scatters[scatter].edges.size());
     if (std::exchange(last_pool_, pool) != pool) chunk_.runs.push_back({scatter, position, position});
     ++chunk_.runs.back().end;
-    append_edge(*graph_.edge_pools()[pool], edge, blocks, structure_, chunk_, chunk_.scatters[scatter]);
+    append_edge(*graph_.edge_pools()[pool], edge, blocks, plan_.structure, chunk_, shift_,
+                chunk_.scatters[scatter]);
   }
 
   const Graph& graph_;
   const ActiveSet& active_;
-  const BlockStructure& structure_;
+  const Plan& plan_;
   Chunk chunk_;
+  ValueShift shift_;
   std::vector<std::uint32_t> scatter_of_;
   PacedStop pace_;
   std::vector<std::uint32_t> blocks_;
   std::uint32_t last_pool_ = ActiveSet::kInactive;
 };
+
+/// The most values of H that the columns of one of the batches [first, last) have.
+std::uint32_t largest_batch(const Plan& plan, std::uint32_t first, std::uint32_t last) {
+  std::uint32_t largest = 0;
+  for (std::uint32_t batch = first; batch < last; ++batch) {
+    const std::uint32_t end = std::min((batch + 1) * kVerticesPerBatch, plan.eliminated_blocks);
+    largest = std::max(largest, plan.first_value(end) - plan.first_value(batch * kVerticesPerBatch));
+  }
+  return largest;
+}
 
 /// The chunks if no vertex is eliminated.
 void add_chunks_by_owner(const Graph& graph, const ActiveSet& active, const StopToken& stop, Plan& plan) {
@@ -347,8 +382,7 @@ void add_chunks_by_owner(const Graph& graph, const ActiveSet& active, const Stop
     Chunk chunk;
     chunk.first_column = bounds[c];
     chunk.last_column = bounds[c + 1];
-    plan.chunks.push_back(
-        ChunkBuilder(graph, active, plan.structure, std::move(chunk), stop).build_from_all());
+    plan.chunks.push_back(ChunkBuilder(graph, active, plan, std::move(chunk), stop).build_from_all());
   }
 }
 
@@ -358,6 +392,7 @@ void add_chunks_with_copies(const Graph& graph, const ActiveSet& active, int cou
   PacedStop pace(stop);
   const SortedEdges edges(graph, active, pace);
   const std::vector<std::uint32_t> bounds = edges.share_batches(count);
+  auto window = static_cast<std::uint32_t>((bounds.size() - 1) * plan.shared_values());
   for (std::uint32_t c = 0; c + 1 < bounds.size(); ++c) {
     const bool is_last = bounds[c + 1] == edges.batches();
     Chunk chunk;
@@ -365,7 +400,10 @@ void add_chunks_with_copies(const Graph& graph, const ActiveSet& active, int cou
     chunk.last_column = is_last ? plan.structure.blocks() : bounds[c + 1] * kVerticesPerBatch;
     chunk.first_shared = active.eliminated_blocks;
     if (!is_last) chunk.copy = {(c + 1) * plan.shared_scalars(), (c + 1) * plan.shared_values()};
-    plan.chunks.push_back(ChunkBuilder(graph, active, plan.structure, std::move(chunk), stop)
+    if (plan.columns == ColumnStorage::kBatch)
+      chunk.window = {window, largest_batch(plan, bounds[c], bounds[c + 1])};
+    window += chunk.window.size;
+    plan.chunks.push_back(ChunkBuilder(graph, active, plan, std::move(chunk), stop)
                               .build_from(edges, bounds[c], bounds[c + 1]));
   }
 }
@@ -393,6 +431,7 @@ Plan make_plan(const Graph& graph, const PlanRequest& request) {
   const double predicted = predicted_nanoseconds(graph, plan, pace);
   const double worth = std::min(predicted / kMinWorkerNanoseconds, 1.0 * request.threads);
   plan.workers = std::max(1, static_cast<int>(worth));
+  plan.columns = choose_column_storage(graph, plan, request.columns, predicted);
   if (plan.eliminated_blocks > 0) {
     add_chunks_with_copies(graph, active, count_chunks(plan, predicted), request.stop, plan);
   } else {

@@ -8,6 +8,7 @@
 
 #include "boxplus/graph/edge_pool.h"
 #include "kernels/kernel_table.h"
+#include "linearize/tile_weights.h"
 
 namespace boxplus {
 
@@ -27,19 +28,13 @@ class TileAdder {
            std::span<const std::uint32_t* const> targets, double* values, double* gradient);
 
  private:
-  const double* weights() const { return weights_.empty() ? nullptr : weights_.data(); }
-  void weigh(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
-             const detail::EdgeTile& tile);
-
-  void add_in_lanes(const detail::EdgeTile& tile, detail::InformationKind kind,
-                    const std::uint32_t* const* targets, double* values, double* gradient);
+  void add_in_lanes(const detail::EdgeTile& tile, const std::uint32_t* const* targets, double* values,
+                    double* gradient);
 
   dense::AddEdges add_edges_ = nullptr;             // the kernel for edges in lanes
   dense::AddUnaryEdges add_unary_edges_ = nullptr;  // the kernel, if the edges are unary
   std::vector<double> jacobian_, error_;            // copies of a tile's Jacobians and errors in lanes
-  std::vector<double> omega_;                       // all Ω as full matrices, if their kinds differ
-  std::vector<double> weights_;                     // empty if no edge has a robust kernel
-  std::vector<const double*> omegas_;
+  TileWeights weights_;
 };
 
 }  // namespace boxplus

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "boxplus/linearize/plan.h"
+#include "linearize/jacobian_products.h"
 #include "linearize/tile_adder.h"
 
 namespace boxplus {
@@ -20,7 +21,8 @@ struct TileMemory {
         weighted(values),
         weighted_error(values + rows),
         dense(dense_values),
-        adder(values, rows) {
+        adder(values, rows),
+        products(values, rows) {
     edges.resize(detail::EdgeTile::kCapacity);
     targets.resize(detail::EdgeTile::kCapacity);
   }
@@ -45,6 +47,7 @@ struct TileMemory {
   std::vector<const std::uint32_t*> targets;  // the targets of each gathered edge
   std::vector<int> dims;
   TileAdder adder;
+  JacobianProducts products;
 };
 
 }  // namespace boxplus

@@ -20,12 +20,19 @@ constexpr double kGaugeDamping = 1e-10;
 /// entry. Smaller entries are rounding errors of Jacobians that are zero.
 constexpr double kDiagonalFloor = 1e-20;
 
+/// The request. Asks to store all columns if the solver needs an operator instead of a Schur complement.
+PlanRequest with_columns(PlanRequest request, const LinearSolver& solver, SchurMode schur) {
+  if (schur != SchurMode::kExplicit && solver.needs() != LinearSolver::Needs::kBlocks)
+    request.columns = ColumnStorage::kAll;
+  return request;
+}
+
 }  // namespace
 
 BatchSystem::BatchSystem(Graph& graph, const PlanRequest& request, std::shared_ptr<LinearSolver> solver,
                          SchurMode schur)
     : graph_(&graph),
-      plan_(std::make_unique<Plan>(make_plan(graph, request))),
+      plan_(std::make_unique<Plan>(make_plan(graph, with_columns(request, *solver, schur)))),
       before_step_(graph, *plan_),  // so that no iteration allocates, not even the first
       linearizer_(graph, *plan_),
       assembled_(plan_->structure, linearizer_.values()),
@@ -88,26 +95,46 @@ bool BatchSystem::linearize() {
     linearize_and_eliminate(*expected);
   } else {
     const TimeAdder adder(timings_->linearize_s);
-    linearizer_.linearize(linearize_options_);
-    if (!linearizer_.stopped()) collect(0, plan_->structure.blocks());
+    linearize_only();
   }
   if (linearizer_.stopped()) return false;
   last_floor_ = diagonal_floor();
   return all_finite(linearizer_.gradient()) && all_finite(diagonal_);
 }
 
-/// Sets the diagonal of H and the right-hand side for the blocks [first, last).
-void BatchSystem::collect(std::uint32_t first, std::uint32_t last) {
+/// Sets the diagonal of H and the right-hand side for the blocks [first, last), whose columns begin with
+/// `values`.
+void BatchSystem::collect(std::uint32_t first, std::uint32_t last, const double* values) {
   const BlockStructure& structure = plan_->structure;
-  const double *values = linearizer_.values().data(), *gradient = linearizer_.gradient().data();
+  const double* gradient = linearizer_.gradient().data();
   for (std::uint32_t block = first; block < last; ++block) {
-    const double* diagonal_block = values + structure.value_start[structure.column_start[block]];
     const std::uint32_t dim = structure.dim(block), offset = structure.offset[block];
     for (std::uint32_t i = 0; i < dim; ++i) {
-      diagonal_[offset + i] = diagonal_block[i * (dim + 1)];
+      diagonal_[offset + i] = values[i * (dim + 1)];
       right_hand_side_[offset + i] = -gradient[offset + i];
     }
+    values += plan_->first_value(block + 1) - plan_->first_value(block);
   }
+}
+
+/// Linearizes all edges.
+void BatchSystem::linearize_only() {
+  if (stores_all_columns()) {
+    linearizer_.linearize(linearize_options_);
+    if (!linearizer_.stopped()) collect(0, plan_->structure.blocks(), linearizer_.values().data());
+    return;
+  }
+  linearizer_.linearize(linearize_options_, solver_.slices(), [&](const Linearizer::Batch& batch) {
+    collect(batch.first, batch.last, batch.values);
+  });
+  if (!linearizer_.stopped()) collect_kept();
+}
+
+void BatchSystem::collect_kept() {
+  const std::uint32_t first = plan_->eliminated_blocks;
+  const double* kept =
+      linearizer_.values().data() + (plan_->first_value(first) - plan_->first_stored_value());
+  collect(first, plan_->structure.blocks(), kept);
 }
 
 /// Whether vertices can be eliminated while other edges are still being linearized. This needs columns that
@@ -120,39 +147,47 @@ bool BatchSystem::may_eliminate_early() const {
          std::all_of(lost_scalars_.begin(), lost_scalars_.end(), is_kept);
 }
 
-/// Linearizes all edges. Eliminates each batch of vertices as soon as its edges have been linearized, so that
-/// its columns of H are still in the cache.
+/// Linearizes all edges, and eliminates each batch of vertices.
 void BatchSystem::linearize_and_eliminate(const StepDamping& damping) {
-  const BlockStructure& structure = plan_->structure;
+  const std::vector<std::uint32_t>& offset = plan_->structure.offset;
   const bool uniform = is_uniform(damping);
   const Damping full = uniform ? Damping{damping.lambda, nullptr} : Damping{1.0, damping_.data()};
-  const auto take = [&](std::uint32_t first, std::uint32_t last) {
-    collect(first, last);
-    if (!uniform) fill_damping(damping, last_floor_, structure.offset[first], structure.offset[last]);
+  const auto fill = [&](std::uint32_t first, std::uint32_t last) {
+    if (!uniform) fill_damping(damping, last_floor_, offset[first], offset[last]);
   };
-  SolveControl control = control_;
-  control.right_hand_side = right_hand_side_.data();
-  solver_.begin(assembled_, full, control);
-  std::fill(elimination_s_.begin(), elimination_s_.end(), 0.0);
-  const Stopwatch clock;
-  linearizer_.linearize(linearize_options_, solver_.slices(),
-                        [&](int slice, std::uint32_t first, std::uint32_t last) {
-                          take(first, last);
-                          const TimeAdder adder(elimination_s_[static_cast<std::size_t>(slice)]);
-                          solver_.eliminate_columns(slice, first, last, control.stop);
-                        });
-  const double eliminate_s = std::accumulate(elimination_s_.begin(), elimination_s_.end(), 0.0) /
-                             std::min(linearizer_.workers(), solver_.slices());
-  timings_->factorize_s += eliminate_s;
-  timings_->linearize_s += clock.seconds() - eliminate_s;
+  eliminate_batches(full, [&](const Linearizer::Batch& batch) {
+    collect(batch.first, batch.last, batch.values);
+    fill(batch.first, batch.last);
+  });
   if (linearizer_.stopped()) return;
-  take(plan_->eliminated_blocks, structure.blocks());
+  collect_kept();
+  fill(plan_->eliminated_blocks, plan_->structure.blocks());
   if (!uniform) hold_scalars(damping, last_floor_);
   elimination_ = {damping, full};
 }
 
+/// Linearizes all edges. Eliminates each batch of vertices as soon as its edges have been linearized, so that
+/// its columns of H are still in the cache. `before` is called before the elimination of a batch.
+void BatchSystem::eliminate_batches(const Damping& damping, Linearizer::AfterBatch before) {
+  SolveControl control = control_;
+  control.right_hand_side = right_hand_side_.data();
+  solver_.begin(damping, control);
+  std::fill(elimination_s_.begin(), elimination_s_.end(), 0.0);
+  const Stopwatch clock;
+  linearizer_.linearize(linearize_options_, solver_.slices(), [&](const Linearizer::Batch& batch) {
+    before(batch);
+    const TimeAdder adder(elimination_s_[static_cast<std::size_t>(batch.group)]);
+    solver_.eliminate_columns(batch.group, batch.first, batch.last, batch.values, control.stop);
+  });
+  const double eliminate_s = std::accumulate(elimination_s_.begin(), elimination_s_.end(), 0.0) /
+                             std::min(linearizer_.workers(), solver_.slices());
+  timings_->factorize_s += eliminate_s;
+  timings_->linearize_s += clock.seconds() - eliminate_s;
+}
+
 double BatchSystem::curvature(std::span<const double> d) {
   const TimeAdder adder(timings_->solve_s);
+  if (!stores_all_columns()) return linearizer_.curvature(linearize_options_, d.data());
   assembled_.multiply(d.data(), product_.data());
   return dot(d, product_);
 }
@@ -303,15 +338,38 @@ void BatchSystem::note_failure(std::uint32_t block, std::uint32_t scalar) {
 }
 
 FactorResult BatchSystem::factorize(const StepDamping& damping) {
-  const TimeAdder adder(timings_->factorize_s);
   SolveControl control = control_;
   control.right_hand_side = right_hand_side_.data();
   const std::optional<Elimination> elimination = std::exchange(elimination_, std::nullopt);
   if (elimination && elimination->damping == damping) {
-    const FactorResult result = solver_.finish(assembled_, elimination->full, control);
+    const TimeAdder adder(timings_->factorize_s);
+    const FactorResult result = solver_.finish(linearizer_.values(), elimination->full, control);
     if (result.status == LinearStatus::kOk || result.status == LinearStatus::kStopped) return result;
   }
-  return solver_.factorize(assembled_, full_damping(damping), control);
+  const Damping full = full_damping(damping);
+  if (!stores_all_columns()) {
+    eliminate_batches(full, [](const Linearizer::Batch&) {});
+    if (linearizer_.stopped()) return {LinearStatus::kStopped};
+  }
+  const TimeAdder adder(timings_->factorize_s);
+  return stores_all_columns() ? solver_.factorize(assembled_, full, control)
+                              : solver_.finish(linearizer_.values(), full, control);
+}
+
+/// Computes the step from the factor.
+SolveResult BatchSystem::solve_factorized(std::span<double> step) {
+  const TimeAdder adder(timings_->solve_s);
+  if (stores_all_columns()) return solver_.solve(right_hand_side_.data(), 1, step.data(), control_);
+  const SolveResult kept = solver_.solve_kept(step.data(), control_);
+  if (kept.status != LinearStatus::kOk && kept.status != LinearStatus::kNotConverged) return kept;
+  const std::vector<std::uint32_t>& offset = plan_->structure.offset;
+  std::copy_n(right_hand_side_.data(), offset[plan_->eliminated_blocks], step.data());
+  linearizer_.subtract_coupling(linearize_options_, solver_.slices(), step.data(),
+                                [&](const Linearizer::Batch& batch) {
+                                  for (std::uint32_t e = batch.first; e < batch.last; ++e)
+                                    solver_.solve_eliminated(e, step.data() + offset[e]);
+                                });
+  return linearizer_.stopped() ? SolveResult{LinearStatus::kStopped} : kept;
 }
 
 StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::span<double> step) {
@@ -320,8 +378,7 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
     note_failure(factor.failed_block, factor.failed_scalar);
     return {factor.status};
   }
-  const TimeAdder adder(timings_->solve_s);
-  const SolveResult solved = solver_.solve(right_hand_side_.data(), 1, step.data(), control_);
+  const SolveResult solved = solve_factorized(step);
   if (solved.status == LinearStatus::kNotPositiveDefinite)
     note_failure(solved.failed_block, solved.failed_scalar);
   const bool usable = solved.status == LinearStatus::kNotConverged;  // an inexact step is usable

@@ -69,9 +69,13 @@ class BatchSystem final : public System {
     Damping full;
   };
 
-  void collect(std::uint32_t first, std::uint32_t last);
+  void collect(std::uint32_t first, std::uint32_t last, const double* values);
+  void collect_kept();
+  void linearize_only();
+  bool stores_all_columns() const { return plan_->columns == ColumnStorage::kAll; }
   bool may_eliminate_early() const;
   void linearize_and_eliminate(const StepDamping& damping);
+  void eliminate_batches(const Damping& damping, Linearizer::AfterBatch before);
   bool is_uniform(const StepDamping& damping) const;
   double gauge_fraction() const;
   bool holds_scalars(const StepDamping& damping) const;
@@ -85,6 +89,7 @@ class BatchSystem final : public System {
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
   StepResult factorize_and_solve(const StepDamping& damping, std::span<double> step);
   FactorResult factorize(const StepDamping& damping);
+  SolveResult solve_factorized(std::span<double> step);
   void note_failure(std::uint32_t block, std::uint32_t scalar);
   AnalyzeHints hints() const;
   void resize_vectors();

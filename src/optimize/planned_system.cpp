@@ -14,6 +14,12 @@ Precision resolved_precision(const Options& options) {
   return exact_steps && options.precision == Precision::kAutomatic ? Precision::kDouble : options.precision;
 }
 
+/// Whether the options need all columns of H. Jacobians that are computed again cost too much if they are
+/// numeric, and products with them do not include the correction of Triggs.
+bool needs_all_columns(const Options& options) {
+  return options.numeric_jacobians || options.triggs_correction;
+}
+
 }  // namespace
 
 int resolved_threads(const Options& options) {
@@ -36,8 +42,10 @@ bool PlannedSystem::suits(const Options& options) const {
   const bool has_precision = options_.precision == wanted ||
                              (options_.precision == Precision::kAutomatic && wanted == Precision::kDouble &&
                               system_->linear_solver().statistics().precision == Precision::kDouble);
-  return has_precision && options_.level == options.level && options_.threads == resolved_threads(options) &&
-         options_.gauge == options.gauge && options_.linear_solver == options.linear_solver &&
+  const bool has_columns = system_->plan().columns == ColumnStorage::kAll || !needs_all_columns(options);
+  return has_precision && has_columns && options_.level == options.level &&
+         options_.threads == resolved_threads(options) && options_.gauge == options.gauge &&
+         options_.linear_solver == options.linear_solver &&
          options_.custom_linear_solver == options.custom_linear_solver && options_.schur == options.schur &&
          options_.max_factor_bytes == options.max_factor_bytes && options_.vertices == options.vertices &&
          options_.edges == options.edges;
@@ -79,7 +87,13 @@ void PlannedSystem::note_structure(const Graph& graph) {
 }
 
 PlanRequest PlannedSystem::request(const StopToken& stop) const {
-  return {options_.level, options_.vertices, options_.edges, options_.gauge, options_.threads, stop};
+  return {.level = options_.level,
+          .vertices = options_.vertices,
+          .edges = options_.edges,
+          .gauge = options_.gauge,
+          .threads = options_.threads,
+          .stop = stop,
+          .columns = needs_all_columns(options_) ? ColumnStorage::kAll : ColumnStorage::kAutomatic};
 }
 
 }  // namespace boxplus

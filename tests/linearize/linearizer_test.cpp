@@ -259,13 +259,14 @@ TEST(Linearizer, ReportsEachBatchOfEliminatedColumnsWhenItsValuesAreFinal) {
     std::vector<std::uint32_t> ends(static_cast<std::size_t>(groups), BlockStructure::kAbsent);
     std::vector<std::uint32_t> starts(ends);
     std::vector<int> differences(ends.size(), 0);
-    linearizer.linearize({}, groups, [&](int group, std::uint32_t first, std::uint32_t last) {
-      const auto g = static_cast<std::size_t>(group);
+    linearizer.linearize({}, groups, [&](const Linearizer::Batch& batch) {
+      const auto g = static_cast<std::size_t>(batch.group);
+      const auto [first, last] = std::pair(batch.first, batch.last);
       if (starts[g] == BlockStructure::kAbsent) starts[g] = ends[g] = first;
       differences[g] += first != ends[g];
       ends[g] = last;
-      const auto begin = plan.structure.value_start[plan.structure.column_start[first]],
-                 end = plan.structure.value_start[plan.structure.column_start[last]];
+      const std::uint32_t begin = plan.first_value(first), end = plan.first_value(last);
+      differences[g] += batch.values != linearizer.values().data() + begin;
       for (std::uint32_t i = begin; i < end; ++i) differences[g] += linearizer.values()[i] != values[i];
       for (std::uint32_t i = plan.structure.offset[first]; i < plan.structure.offset[last]; ++i)
         differences[g] += linearizer.gradient()[i] != gradient[i];

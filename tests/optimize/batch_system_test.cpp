@@ -22,13 +22,14 @@ struct Results {
   bool operator==(const Results&) const = default;
 };
 
-class EarlyElimination : public testing::Test {
+/// The parameter says which columns of eliminated vertices are stored.
+class EarlyElimination : public testing::TestWithParam<ColumnStorage> {
  protected:
   explicit EarlyElimination(Bundle b = make_bundle(12, 600, true)) : bundle(std::move(b)) {}
 
-  BatchSystem make_system(int threads) {
+  BatchSystem make_system(int threads, ColumnStorage columns = GetParam()) {
     return {bundle.graph,
-            {.threads = threads},
+            {.threads = threads, .columns = columns},
             make_linear_solver(LinearSolverKind::kBlockCholesky),
             SchurMode::kAutomatic};
   }
@@ -47,7 +48,7 @@ class EarlyElimination : public testing::Test {
   Report::Timings timings;
 };
 
-TEST_F(EarlyElimination, ComputesTheSameBitsForAnyDampingAndAnyNumberOfThreads) {
+TEST_P(EarlyElimination, ComputesTheSameBitsForAnyDampingAndAnyNumberOfThreads) {
   for (const StepDamping& damping : {StepDamping{0, Scale::kDiagonal}, StepDamping{0, Scale::kIdentity},
                                      StepDamping{1e-3, Scale::kDiagonal}, StepDamping{2, Scale::kIdentity}}) {
     BatchSystem late = make_system(1);
@@ -64,7 +65,7 @@ TEST_F(EarlyElimination, ComputesTheSameBitsForAnyDampingAndAnyNumberOfThreads) 
   }
 }
 
-TEST_F(EarlyElimination, DoesNotChangeAStepWithAnotherDamping) {
+TEST_P(EarlyElimination, DoesNotChangeAStepWithAnotherDamping) {
   const StepDamping damping{1e-3, Scale::kDiagonal}, other{1e-2, Scale::kDiagonal};
   BatchSystem system = make_system(2);
   system.configure({}, timings);
@@ -75,7 +76,25 @@ TEST_F(EarlyElimination, DoesNotChangeAStepWithAnotherDamping) {
   EXPECT_EQ(step, first.step);
 }
 
-TEST_F(EarlyElimination, IsNotAffectedByFixedDirectionsOfPoints) {
+TEST_P(EarlyElimination, ComputesTheStepsAndCurvaturesOfStoredColumns) {
+  BatchSystem stored = make_system(1, ColumnStorage::kAll), system = make_system(2);
+  stored.configure({}, timings);
+  system.configure({}, timings);
+  for (const StepDamping& damping : {StepDamping{0, Scale::kDiagonal}, StepDamping{1e-3, Scale::kDiagonal},
+                                     StepDamping{2, Scale::kIdentity}}) {
+    const Results expected = run(stored, damping, damping), actual = run(system, damping, damping);
+    EXPECT_EQ(actual.gradient, expected.gradient);
+    EXPECT_EQ(actual.diagonal, expected.diagonal);
+    const auto size = static_cast<Eigen::Index>(expected.step.size());
+    const Eigen::Map<const Eigen::VectorXd> step(expected.step.data(), size);
+    EXPECT_LE((Eigen::Map<const Eigen::VectorXd>(actual.step.data(), size) - step).norm(),
+              1e-9 * step.norm());
+    const double curvature = stored.curvature(expected.step);
+    EXPECT_NEAR(system.curvature(expected.step), curvature, 1e-10 * curvature);
+  }
+}
+
+TEST_P(EarlyElimination, IsNotAffectedByFixedDirectionsOfPoints) {
   for (std::size_t k = 0; k < bundle.points.size(); k += 3)
     bundle.graph.fix_directions(bundle.points[k], {1});
   const StepDamping damping{1e-3, Scale::kDiagonal};
@@ -84,7 +103,7 @@ TEST_F(EarlyElimination, IsNotAffectedByFixedDirectionsOfPoints) {
   EXPECT_EQ(run(system, damping, damping), run(system, damping, std::nullopt));
 }
 
-TEST_F(EarlyElimination, ReportsAPointThatIsNotFinite) {
+TEST_P(EarlyElimination, ReportsAPointThatIsNotFinite) {
   bundle.graph.set_estimate(bundle.points[70], Vector3(std::numeric_limits<double>::quiet_NaN(), 0, 5));
   BatchSystem system = make_system(2);
   system.configure({}, timings);
@@ -94,7 +113,7 @@ TEST_F(EarlyElimination, ReportsAPointThatIsNotFinite) {
   EXPECT_EQ(results.status, LinearStatus::kNotFinite);
 }
 
-TEST_F(EarlyElimination, CountsTheTimesOfBothPhases) {
+TEST_P(EarlyElimination, CountsTheTimesOfBothPhases) {
   BatchSystem system = make_system(1);
   system.configure({}, timings);
   const StepDamping damping{1e-3, Scale::kDiagonal};
@@ -102,6 +121,11 @@ TEST_F(EarlyElimination, CountsTheTimesOfBothPhases) {
   EXPECT_GT(timings.linearize_s, 0);
   EXPECT_GT(timings.factorize_s, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Columns, EarlyElimination,
+                         testing::Values(ColumnStorage::kAll, ColumnStorage::kBatch), [](const auto& info) {
+                           return info.param == ColumnStorage::kAll ? "stored" : "recomputed";
+                         });
 
 }  // namespace
 }  // namespace boxplus

@@ -15,7 +15,9 @@
 namespace boxplus {
 
 class PacedStop;
+struct PlacedTile;
 struct TileMemory;
+struct VectorLayout;
 
 struct LinearizeOptions {
   bool numeric_jacobians = false;  ///< differentiate every edge numerically
@@ -40,17 +42,31 @@ class Linearizer {
   void extend();
 
   void linearize(const LinearizeOptions& options) {
-    linearize(options, static_cast<int>(plan_->chunks.size()), [](int, std::uint32_t, std::uint32_t) {});
+    linearize(options, static_cast<int>(plan_->chunks.size()), [](const Batch&) {});
   }
-  /// The same. Calls after_batch(group, first, last) when the columns [first, last) of eliminated vertices
-  /// are complete in H and in the gradient, while they are in the cache. The chunks are divided into `groups`
-  /// ranges. One worker runs all chunks of a group, in order.
-  using AfterBatch = detail::FunctionRef<void(int, std::uint32_t, std::uint32_t)>;
+  /// A batch of eliminated vertices, whose columns of H are [first, last). `values` is the address of the
+  /// first value of these columns. The chunks are divided into groups. One worker runs all chunks of a group,
+  /// in order.
+  struct Batch {
+    int group;
+    std::uint32_t first, last;
+    const double* values;
+  };
+  using AfterBatch = detail::FunctionRef<void(const Batch&)>;
+  /// The same. Divides the chunks into `groups` ranges. Calls after_batch() when the columns of a batch are
+  /// complete in H and in the gradient, while they are in the cache. With ColumnStorage::kBatch, their values
+  /// are then lost.
   void linearize(const LinearizeOptions& options, int groups, AfterBatch after_batch);
+  /// Let W be the rows of kept vertices in the columns of eliminated vertices. Sets x_e −= Wᵀ x_k, for the
+  /// parts x_e and x_k of x that belong to eliminated and to kept vertices. Computes Jacobians instead of
+  /// reading H. Calls after_batch() when the part of x of each batch is complete; values are null.
+  void subtract_coupling(const LinearizeOptions& options, int groups, double* x, AfterBatch after_batch);
+  /// dᵀHd. Computes Jacobians instead of reading H. Must not be called with options.triggs_correction.
+  double curvature(const LinearizeOptions& options, const double* d);
   /// Σ ρ(eᵀΩe) over the active, enabled edges. Not finite if the term of an edge is not finite.
   double chi2();
-  /// When the token is raised, linearize() and chi2() end soon. H and the gradient are then not usable,
-  /// chi2() returns NaN, and stopped() is true until the next call.
+  /// When the token is raised, all functions that compute end soon. Their results are then not usable; those
+  /// of chi2() and curvature() are NaN. stopped() is true until the next call.
   void set_stop(const StopToken& stop) { stop_ = stop; }
   bool stopped() const { return stopped_; }
   /// The first active edge, in pool and slot order, whose ρ(eᵀΩe) is not finite. find_non_finite_jacobian()
@@ -58,22 +74,34 @@ class Linearizer {
   std::optional<EdgeRef> find_non_finite_error() const;
   std::optional<EdgeRef> find_non_finite_jacobian(const LinearizeOptions& options) const;
 
-  /// The values of H. Not initialized before the first linearize().
-  std::span<const double> values() const { return {values_.get(), plan_->structure.nonzero_values()}; }
+  /// The values of H, beginning with Plan::first_stored_value(). Not initialized before the first
+  /// linearize().
+  std::span<const double> values() const {
+    return {values_.get(), plan_->structure.nonzero_values() - plan_->first_stored_value()};
+  }
   std::span<const double> gradient() const { return std::span(gradient_).first(plan_->scalars()); }
   int workers() const { return plan_->workers; }
 
  private:
-  bool linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options,
-                       detail::FunctionRef<void(std::uint32_t, std::uint32_t)> after_batch);
+  void for_each_chunk(int groups, detail::FunctionRef<bool(const Chunk&, int group, TileMemory&)> f);
+  bool linearize_chunk(const Chunk& chunk, TileMemory& memory, const LinearizeOptions& options, int group,
+                       AfterBatch after_batch);
+  double* batch_values(const Chunk& chunk, std::uint32_t first_column) const;
   bool clear_unbatched(const Chunk& chunk, PacedStop& pace);
   bool clear_values(std::size_t begin, std::size_t end, PacedStop& pace);
-  void clear_columns(std::uint32_t first, std::uint32_t last);
+  void clear_columns(std::uint32_t first, std::uint32_t last, double* values);
   bool linearize_runs(const Chunk& chunk, std::uint32_t first, std::uint32_t last, TileMemory& memory,
                       const LinearizeOptions& options, PacedStop& pace);
   void add_copies();
   bool linearize_run(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
                      const LinearizeOptions& options, PacedStop& pace);
+  bool for_each_tile(const Scatter& scatter, const Chunk::Run& run, TileMemory& memory,
+                     const LinearizeOptions& options, bool in_lanes, PacedStop& pace,
+                     detail::FunctionRef<void(const PlacedTile&)> f);
+  bool multiply_run(const Chunk& chunk, const Chunk::Run& run, TileMemory& memory,
+                    const LinearizeOptions& options, PacedStop& pace,
+                    detail::FunctionRef<void(const PlacedTile&)> f);
+  VectorLayout layout_of(const Chunk& chunk) const;
   void add_one_by_one(const detail::EdgePool& pool, std::span<const std::uint32_t> edges,
                       const detail::EdgeTile& tile, TileMemory& memory, bool triggs_correction);
   void evaluate_share(int worker, int workers);
@@ -86,6 +114,7 @@ class Linearizer {
   std::size_t values_room_ = 0;
   std::unique_ptr<double[]> values_;  // not initialized, so that the workers are the first to touch its pages
   std::vector<double> gradient_, edge_chi2_;  // values_ and gradient_ end with the copies of the chunks
+  std::vector<double> chunk_sums_;            // of curvature()
   std::vector<TileMemory> memory_;
 };
 

@@ -16,14 +16,22 @@
 
 namespace boxplus {
 
+/// The columns of H that belong to eliminated vertices contain most of its values.
+enum class ColumnStorage : std::uint8_t {
+  kAll,        ///< stores all columns
+  kBatch,      ///< stores the columns of one batch of vertices per chunk, and recomputes them when needed
+  kAutomatic,  ///< chooses kBatch if it is predicted to save time or if all columns would not fit in memory
+};
+
 struct PlanRequest {
   int level = 0;  ///< edges of this level take part; if negative, edges of all levels
   std::span<const VertexRef> vertices =
       {};  ///< if not empty, only these vertices move, and only their edges take part
   std::span<const EdgeRef> edges = {};  ///< if not empty, only these edges take part
   GaugePolicy gauge = GaugePolicy::kFixFirst;
-  int threads = 1;      ///< maximum number; small problems use fewer
-  StopToken stop = {};  ///< when it is raised, make_plan() throws Stopped
+  int threads = 1;                              ///< maximum number; small problems use fewer
+  StopToken stop = {};                          ///< when it is raised, make_plan() throws Stopped
+  ColumnStorage columns = ColumnStorage::kAll;  ///< with fixed directions, all columns are stored
 };
 
 /// The active vertices of one pool.
@@ -97,6 +105,11 @@ struct Chunk {
   /// The first column that all chunks share.
   std::uint32_t first_shared = BlockStructure::kAbsent;
   CopyOffset copy;
+  /// With ColumnStorage::kBatch: the memory for the columns of one batch, among the values of the Linearizer.
+  struct Window {
+    std::uint32_t first = 0, size = 0;
+  };
+  Window window;
   FixedScalars fixed;
   std::vector<Scatter> scatters;
   /// First, for each batch of eliminated vertices, their edges pool by pool; then the other edges, pool by
@@ -116,7 +129,8 @@ struct Plan {
   std::vector<VertexRef>
       block_vertex;  ///< the vertex of each block: eliminated vertices first; both groups by id
   std::uint32_t eliminated_blocks = 0;
-  BlockStructure structure;  ///< of H
+  BlockStructure structure;                     ///< of H
+  ColumnStorage columns = ColumnStorage::kAll;  ///< never kAutomatic
   std::vector<VertexList> vertices;
   std::vector<EdgeList> edges;
   std::uint32_t edge_count = 0;
@@ -135,10 +149,18 @@ struct Plan {
   std::size_t max_dense_values = 0;  ///< scratch values for the largest edge that dense kernels multiply
 
   std::uint32_t scalars() const { return structure.scalars(); }
-  /// The numbers of values of H and of entries of the gradient that belong to columns that all chunks share.
-  std::uint32_t shared_values() const {
-    return structure.nonzero_values() - structure.value_start[structure.column_start[eliminated_blocks]];
+  /// The first value of H in this column, or the number of values if it is the end of the columns.
+  std::uint32_t first_value(std::uint32_t column) const {
+    return structure.value_start[structure.column_start[column]];
   }
+  /// The number of values of H in the columns of eliminated vertices.
+  std::uint32_t eliminated_values() const { return first_value(eliminated_blocks); }
+  /// The first value of H that is stored permanently.
+  std::uint32_t first_stored_value() const {
+    return columns == ColumnStorage::kAll ? 0 : eliminated_values();
+  }
+  /// The numbers of values of H and of entries of the gradient that belong to columns that all chunks share.
+  std::uint32_t shared_values() const { return structure.nonzero_values() - eliminated_values(); }
   std::uint32_t shared_scalars() const { return scalars() - structure.offset[eliminated_blocks]; }
   /// The number of scalars that may change.
   std::uint32_t free_scalars() const { return scalars() - static_cast<std::uint32_t>(fixed_scalars.size()); }

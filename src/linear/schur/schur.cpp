@@ -120,7 +120,7 @@ void Schur::set_targets(PacedStop& pace) {
 
 /// The bounds of `count` parts of the eliminated columns with about the same number of values.
 std::vector<std::uint32_t> Schur::bounds_of_equal_parts(std::uint32_t count) const {
-  const std::uint64_t total = structure_->value_start[structure_->column_start[eliminated_]];
+  const std::uint64_t total = first_kept_value();
   std::vector<std::uint32_t> bounds{0};
   for (std::uint32_t e = 1; e < eliminated_; ++e) {
     if (structure_->value_start[structure_->column_start[e]] * std::uint64_t{count} >= total * bounds.size())
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> Schur::bounds_of_equal_parts(std::uint32_t count) con
 
 void Schur::make_slices(std::span<const std::uint32_t> bounds, PacedStop& pace) {
   const BlockStructure& structure = *structure_;
-  const std::uint32_t values = structure.value_start[structure.column_start[eliminated_]];
+  const std::uint32_t values = first_kept_value();
   const std::size_t copied = std::max<std::size_t>(reduced_values_.size() + reduced_.scalars(), 1);
   std::uint32_t count = std::min(kMostSlices, values / kValuesPerSlice);
   count = static_cast<std::uint32_t>(
@@ -183,15 +183,16 @@ void Schur::for_each_slice(detail::FunctionRef<void(Slice&)> f) {
 
 FactorResult Schur::eliminate(std::span<const double> values, const Damping& damping, const StopToken& stop,
                               const double* r, double* reduced_r) {
-  begin(values, damping, r);
+  begin(damping, r);
   for_each_slice([&](Slice& slice) {
-    eliminate_columns(static_cast<int>(&slice - slices_.data()), slice.first, slice.last, stop);
+    const double* const first =
+        values.data() + structure_->value_start[structure_->column_start[slice.first]];
+    eliminate_columns(static_cast<int>(&slice - slices_.data()), slice.first, slice.last, first, stop);
   });
-  return finish(reduced_r);
+  return finish(values, reduced_r);
 }
 
-void Schur::begin(std::span<const double> values, const Damping& damping, const double* r) {
-  values_ = values;
+void Schur::begin(const Damping& damping, const double* r) {
   damping_ = damping;
   r_ = r;
 }
@@ -204,38 +205,43 @@ void Schur::clear(Slice& slice) {
   slice.result = {};
 }
 
-void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last, const StopToken& stop) {
+void Schur::eliminate_columns(int index, std::uint32_t first, std::uint32_t last, const double* values,
+                              const StopToken& stop) {
   Slice& slice = slices_[static_cast<std::size_t>(index)];
   if (first == slice.first) clear(slice);
   PacedStop pace(stop);
   for (std::uint32_t e = first; e < last && slice.result.status == LinearStatus::kOk; ++e) {
     double* const l = factors_.data() + factor_start_[e];
     const std::uint32_t blocks = structure_->column_start[e + 1] - structure_->column_start[e] - 1;
+    const std::uint32_t* const start = structure_->value_start.data() + structure_->column_start[e];
+    const double *const v = values, *const w = v + (start[1] - start[0]);
+    values += start[1 + blocks] - start[0];
     if (pace.is_raised_after(4 + (reduced_values_.empty() ? 0 : std::int64_t{blocks} * blocks))) {
       slice.result = {LinearStatus::kStopped};
       return;
     }
-    slice.result = factorize_block(e, l);
+    slice.result = factorize_block(e, v, l);
     if (slice.result.status != LinearStatus::kOk) return;
-    if (r_ != nullptr) reduce_column(e, r_, slice);
+    if (r_ != nullptr) reduce_column(e, w, r_, slice);
     if (reduced_values_.empty()) continue;
-    halve_column(e, l, slice);
+    halve_column(e, w, l, slice);
     subtract_products(e, slice.next_target, slice);
     slice.next_target += blocks * (blocks + 1) / 2;
   }
 }
 
-FactorResult Schur::finish(double* reduced_r) {
+FactorResult Schur::finish(std::span<const double> values, double* reduced_r) {
+  values_ = values;
   for (const Slice& slice : slices_) {
     if (slice.result.status != LinearStatus::kOk) return slice.result;
   }
-  if (!reduced_values_.empty()) add_copies();
+  if (!reduced_values_.empty()) add_copies(values.last(structure_->nonzero_values() - first_kept_value()));
   if (r_ != nullptr) add_reduced_copies(r_, reduced_r);
   return {};
 }
 
-/// Adds the copies of S, and U.
-void Schur::add_copies() {
+/// Adds the copies of S, and U, whose values are `values`.
+void Schur::add_copies(std::span<const double> values) {
   const std::size_t size = reduced_values_.size();
   const int threads = size * slices_.size() < kValuesPerSlice ? 1 : threads_;
   detail::parallel_tasks(threads, [&](int thread) {
@@ -250,8 +256,9 @@ void Schur::add_copies() {
   const std::uint32_t first = structure_->column_start[eliminated_];
   for (std::uint32_t k = first; k < structure_->nonzero_blocks(); ++k) {
     double* const to = reduced_values_.data() + kept_target_[k - first];
-    const std::uint32_t start = structure_->value_start[k];
-    for (std::uint32_t i = 0; i < structure_->value_start[k + 1] - start; ++i) to[i] += values_[start + i];
+    const std::uint32_t count = structure_->value_start[k + 1] - structure_->value_start[k];
+    for (std::uint32_t i = 0; i < count; ++i) to[i] += values[i];
+    values = values.subspan(count);
   }
 }
 
@@ -263,17 +270,16 @@ void Schur::add_reduced_copies(const double* r, double* reduced_r) const {
   }
 }
 
-FactorResult Schur::factorize_block(std::uint32_t block, double* l) const {
+FactorResult Schur::factorize_block(std::uint32_t block, const double* v, double* l) const {
   const int n = static_cast<int>(structure_->dim(block));
-  std::copy_n(values_.data() + structure_->value_start[structure_->column_start[block]], n * n, l);
+  std::copy_n(v, n * n, l);
   for (int i = 0; i < n; ++i)
     l[i + i * n] += damping_(structure_->offset[block] + static_cast<std::uint32_t>(i));
   const int good = with_small_size(n, [&](auto size) { return small_cholesky(l, size); });
-  return good < n ? failure(block, static_cast<std::uint32_t>(good)) : FactorResult{};
+  return good < n ? failure(block, v, static_cast<std::uint32_t>(good)) : FactorResult{};
 }
 
-FactorResult Schur::failure(std::uint32_t block, std::uint32_t pivot) const {
-  const double* v = values_.data() + structure_->value_start[structure_->column_start[block]];
+FactorResult Schur::failure(std::uint32_t block, const double* v, std::uint32_t pivot) const {
   const std::uint32_t n = structure_->dim(block), first = structure_->offset[block];
   bool finite = std::all_of(v, v + n * n, [](double x) { return std::isfinite(x); });
   for (std::uint32_t i = 0; i < n; ++i) finite = finite && std::isfinite(damping_(first + i));
@@ -290,17 +296,15 @@ Damping Schur::reduced_damping(const Damping& damping) const {
 }
 
 /// Computes W L⁻ᵀ of a column in slice.half_column, and sets slice.half_rows.
-void Schur::halve_column(std::uint32_t column, const double* l, Slice& slice) const {
+void Schur::halve_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
-  const std::uint32_t begin = structure_->column_start[column] + 1,
-                      end = structure_->column_start[column + 1];
   double* half = slice.half_column.data();
-  for (std::uint32_t k = begin; k < end; ++k) {
-    const int rows = static_cast<int>(structure_->dim(structure_->row[k]));
-    elimination_kernels(rows, n).half_block(rows, n, l, values_.data() + structure_->value_start[k], half);
+  int* half_rows = slice.half_rows.data();
+  for_each_joined(column, w, [&](std::uint32_t, const double* block, int rows) {
+    elimination_kernels(rows, n).half_block(rows, n, l, block, half);
     half += rows * n;
-    slice.half_rows[k - begin] = rows;
-  }
+    *half_rows++ = rows;
+  });
 }
 
 /// Subtracts the products of all pairs of blocks of a column from the slice's copy of S. `target` are their
@@ -320,13 +324,13 @@ void Schur::subtract_products(std::uint32_t column, const std::uint32_t* target,
 }
 
 /// Subtracts W V⁻¹ r of one column from the slice's copy of reduced_r.
-void Schur::reduce_column(std::uint32_t column, const double* r, Slice& slice) const {
+void Schur::reduce_column(std::uint32_t column, const double* w, const double* r, Slice& slice) const {
   const int n = static_cast<int>(structure_->dim(column));
   double* const small = slice.small.data();
   std::copy_n(r + structure_->offset[column], n, small);
   solve_eliminated(column, small);
-  for_each_joined(column, [&](std::uint32_t row, const double* w, int rows) {
-    elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small,
+  for_each_joined(column, w, [&](std::uint32_t row, const double* block, int rows) {
+    elimination_kernels(rows, n).subtract_block_multiple(rows, n, block, small,
                                                          slice.reduced_r + reduced_.offset[row]);
   });
 }
@@ -334,7 +338,7 @@ void Schur::reduce_column(std::uint32_t column, const double* r, Slice& slice) c
 void Schur::reduce(const double* r, double* reduced_r) {
   for_each_slice([&](Slice& slice) {
     std::fill_n(slice.reduced_r, reduced_.scalars(), 0.0);
-    for (std::uint32_t e = slice.first; e < slice.last; ++e) reduce_column(e, r, slice);
+    for (std::uint32_t e = slice.first; e < slice.last; ++e) reduce_column(e, blocks_of_w(e), r, slice);
   });
   add_reduced_copies(r, reduced_r);
 }
@@ -398,7 +402,7 @@ void Schur::block_diagonal(double* out) {
   for (std::uint32_t e = 0; e < eliminated_; ++e) {
     const int n = static_cast<int>(structure_->dim(e));
     Slice& slice = slices_.front();
-    halve_column(e, factors_.data() + factor_start_[e], slice);
+    halve_column(e, blocks_of_w(e), factors_.data() + factor_start_[e], slice);
     const double* half = slice.half_column.data();
     for_each_joined(e, [&](std::uint32_t row, const double*, int rows) {
       elimination_kernels(rows, n).subtract_block_products(rows, n, half,

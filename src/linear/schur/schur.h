@@ -50,10 +50,14 @@ class Schur {
   /// The same in steps, while H, the damping and r are being computed. First, call begin(). Then, call
   /// eliminate_columns() for all columns of each slice, in order, as soon as the columns [first, last) of H
   /// and their part of the damping and of r are complete. Different threads may do this for different slices.
-  /// When H and r are complete, call finish().
-  void begin(std::span<const double> values, const Damping& damping, const double* r);
-  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const StopToken& stop);
-  FactorResult finish(double* reduced_r);
+  /// `values` begins with the first value of these columns. When H and r are complete, call finish() with the
+  /// values of H. If the eliminated columns are not stored, pass the values of the kept columns; functions
+  /// that read eliminated columns must then not be called: reduce(), back_substitute(), for_each_joined(),
+  /// multiply() and block_diagonal().
+  void begin(const Damping& damping, const double* r);
+  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const double* values,
+                         const StopToken& stop);
+  FactorResult finish(std::span<const double> values, double* reduced_r);
   int slices() const { return static_cast<int>(slices_.size()); }
   /// The part of a damping that belongs to the kept blocks.
   Damping reduced_damping(const Damping& damping) const;
@@ -69,13 +73,7 @@ class Schur {
   /// column of the block `eliminated`.
   template <class F>
   void for_each_joined(std::uint32_t eliminated, F&& f) const {
-    const auto [begin, end] =
-        std::pair(structure_->column_start[eliminated] + 1, structure_->column_start[eliminated + 1]);
-    for (std::uint32_t k = begin; k < end; ++k) {
-      const std::uint32_t row = structure_->row[k];
-      f(row - eliminated_, values_.data() + structure_->value_start[k],
-        static_cast<int>(structure_->dim(row)));
-    }
+    for_each_joined(eliminated, blocks_of_w(eliminated), f);
   }
 
   /// The values of S without the λD of the kept blocks. Empty unless `explicit_values` was true.
@@ -97,25 +95,44 @@ class Schur {
     std::vector<double> small;        // a vector of the size of an eliminated block
   };
 
+  /// The same. `w` is the first value of the blocks of W in the column.
+  template <class F>
+  void for_each_joined(std::uint32_t eliminated, const double* w, F&& f) const {
+    const std::uint32_t begin = structure_->column_start[eliminated] + 1,
+                        end = structure_->column_start[eliminated + 1];
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t row = structure_->row[k];
+      f(row - eliminated_, w, static_cast<int>(structure_->dim(row)));
+      w += structure_->value_start[k + 1] - structure_->value_start[k];
+    }
+  }
+  std::uint32_t first_kept_value() const {
+    return structure_->value_start[structure_->column_start[eliminated_]];
+  }
+  /// The stored values of the blocks of W in a column.
+  const double* blocks_of_w(std::uint32_t column) const {
+    return values_.data() + structure_->value_start[structure_->column_start[column] + 1];
+  }
+
   void set_targets(PacedStop& pace);
   void make_slices(std::span<const std::uint32_t> bounds, PacedStop& pace);
   std::vector<std::uint32_t> bounds_of_equal_parts(std::uint32_t count) const;
-  FactorResult factorize_block(std::uint32_t block, double* l) const;
-  FactorResult failure(std::uint32_t block, std::uint32_t pivot) const;
+  FactorResult factorize_block(std::uint32_t block, const double* v, double* l) const;
+  FactorResult failure(std::uint32_t block, const double* v, std::uint32_t pivot) const;
   void for_each_slice(detail::FunctionRef<void(Slice&)> f);
   void clear(Slice& slice);
-  void halve_column(std::uint32_t column, const double* l, Slice& slice) const;
+  void halve_column(std::uint32_t column, const double* w, const double* l, Slice& slice) const;
   void subtract_products(std::uint32_t column, const std::uint32_t* target, Slice& slice) const;
-  void reduce_column(std::uint32_t column, const double* r, Slice& slice) const;
+  void reduce_column(std::uint32_t column, const double* w, const double* r, Slice& slice) const;
   void add_reduced_copies(const double* r, double* reduced_r) const;
-  void add_copies();
+  void add_copies(std::span<const double> values);
   void kept_multiply(const double* x, double* y) const;
 
   const BlockStructure* structure_;
   std::uint32_t eliminated_;
   BlockStructure reduced_;
   int threads_;
-  std::span<const double> values_;
+  std::span<const double> values_;  // of H; without the eliminated columns if they are not stored
   Damping damping_;
   const double* r_ = nullptr;
   std::vector<std::uint32_t> factor_start_;  // the index in factors_ for each eliminated block

@@ -65,19 +65,19 @@ FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& da
   }
   const FactorResult result = schur_->eliminate(system.values(), damping, control.stop,
                                                 control.right_hand_side, reduced_vectors_.data());
-  return result.status == LinearStatus::kOk ? factorize_reduced(system, damping, control) : result;
+  return result.status == LinearStatus::kOk ? factorize_reduced(system.values(), damping, control) : result;
 }
 
-FactorResult SchurSolver::finish(const BlockSystem& system, const Damping& damping,
+FactorResult SchurSolver::finish(std::span<const double> values, const Damping& damping,
                                  const SolveControl& control) {
   factorized_ = false;
   reduced_for_ = nullptr;
-  const FactorResult result = schur_->finish(reduced_vectors_.data());
-  return result.status == LinearStatus::kOk ? factorize_reduced(system, damping, control) : result;
+  const FactorResult result = schur_->finish(values, reduced_vectors_.data());
+  return result.status == LinearStatus::kOk ? factorize_reduced(values, damping, control) : result;
 }
 
-/// Factorizes the Schur complement.
-FactorResult SchurSolver::factorize_reduced(const BlockSystem& system, const Damping& damping,
+/// Factorizes the Schur complement. `values` are those of H, or of its kept columns.
+FactorResult SchurSolver::factorize_reduced(std::span<const double> values, const Damping& damping,
                                             const SolveControl& control) {
   SolveControl inner_control = control;
   inner_control.right_hand_side = nullptr;
@@ -86,7 +86,9 @@ FactorResult SchurSolver::factorize_reduced(const BlockSystem& system, const Dam
   if (factorized_) reduced_for_ = control.right_hand_side;
   move_to_full_numbering(result.failed_block, result.failed_scalar);
   if (result.status != LinearStatus::kNotFinite) return result;
-  const std::uint32_t cause = find_not_finite(*structure_, system.values().data(), damping);
+  const bool has_all = values.size() == structure_->nonzero_values();
+  const std::uint32_t cause =
+      find_not_finite(*structure_, values.data(), damping, has_all ? 0 : schur_->eliminated_blocks());
   return cause == BlockStructure::kAbsent ? result : FactorResult{result.status, cause};
 }
 
@@ -114,11 +116,25 @@ SolveResult SchurSolver::solve_batch(const double* b, int columns, double* x, co
   reduced_for_ = nullptr;  // because the solution replaces the right-hand side
   for (std::size_t c = is_reduced ? 1 : 0; c < static_cast<std::size_t>(columns); ++c)
     schur_->reduce(b + c * size, reduced + c * kept);
-  SolveResult result = inner_->solve(reduced, columns, reduced, control);
-  move_to_full_numbering(result.failed_block, result.failed_scalar);
+  const SolveResult result = solve_reduced(columns, control);
   if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged) return result;
   for (std::size_t c = 0; c < static_cast<std::size_t>(columns); ++c)
     schur_->back_substitute(b + c * size, reduced + c * kept, x + c * size);
+  return result;
+}
+
+/// Replaces the right-hand sides of the reduced system by their solutions.
+SolveResult SchurSolver::solve_reduced(int columns, const SolveControl& control) {
+  SolveResult result = inner_->solve(reduced_vectors_.data(), columns, reduced_vectors_.data(), control);
+  move_to_full_numbering(result.failed_block, result.failed_scalar);
+  return result;
+}
+
+SolveResult SchurSolver::solve_kept(double* x, const SolveControl& control) {
+  reduced_for_ = nullptr;
+  const SolveResult result = solve_reduced(1, control);
+  std::copy_n(reduced_vectors_.data(), schur_->reduced_structure().scalars(),
+              x + schur_->eliminated_scalars());
   return result;
 }
 

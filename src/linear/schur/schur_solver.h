@@ -34,13 +34,19 @@ class SchurSolver final : public LinearSolver {
   int slices() const { return eliminates() && !reduced_->values().empty() ? schur_->slices() : 0; }
   /// factorize() in steps: see Schur::begin(). control.right_hand_side must not be null. Every slice begins
   /// and ends at AnalyzeHints::elimination_bounds: slice s of n begins at bound ⌊b s / n⌋ of b + 1 bounds.
-  void begin(const BlockSystem& system, const Damping& damping, const SolveControl& control) {
-    schur_->begin(system.values(), damping, control.right_hand_side);
+  void begin(const Damping& damping, const SolveControl& control) {
+    schur_->begin(damping, control.right_hand_side);
   }
-  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const StopToken& stop) {
-    schur_->eliminate_columns(slice, first, last, stop);
+  void eliminate_columns(int slice, std::uint32_t first, std::uint32_t last, const double* values,
+                         const StopToken& stop) {
+    schur_->eliminate_columns(slice, first, last, values, stop);
   }
-  FactorResult finish(const BlockSystem& system, const Damping& damping, const SolveControl& control);
+  FactorResult finish(std::span<const double> values, const Damping& damping, const SolveControl& control);
+  /// Computes the part of x that belongs to kept blocks, for the right-hand side of finish(). The caller
+  /// computes the other part with solve_eliminated(). For systems whose eliminated columns are not stored.
+  SolveResult solve_kept(double* x, const SolveControl& control);
+  /// x ← (V + λD)⁻¹ x for one eliminated block.
+  void solve_eliminated(std::uint32_t block, double* x) const { schur_->solve_eliminated(block, x); }
 
   SolveResult solve(const double* b, int columns, double* x, const SolveControl& control = {}) override;
   /// Works for all blocks of H, if the inner solver can compute blocks of the inverse of the Schur
@@ -56,8 +62,9 @@ class SchurSolver final : public LinearSolver {
  private:
   bool eliminates() const { return schur_ != nullptr; }
   SolveResult solve_batch(const double* b, int columns, double* x, const SolveControl& control);
-  FactorResult factorize_reduced(const BlockSystem& system, const Damping& damping,
+  FactorResult factorize_reduced(std::span<const double> values, const Damping& damping,
                                  const SolveControl& control);
+  SolveResult solve_reduced(int columns, const SolveControl& control);
   void move_to_full_numbering(std::uint32_t& block, std::uint32_t& scalar) const;
 
   std::shared_ptr<LinearSolver> inner_;

@@ -167,12 +167,13 @@ TEST(Schur, EliminatesColumnByColumnWithTheSameBits) {
   ASSERT_GT(whole.slices(), 2);
   const std::size_t parts = bounds.size() - 1, slices = static_cast<std::size_t>(stepwise.slices());
   for (int round = 0; round < 2; ++round) {
-    stepwise.begin(problem.linearizer.values(), problem.damping, r.data());
+    stepwise.begin(problem.damping, r.data());
     for (std::size_t s = slices; s-- > 0;) {  // slices may come in any order
       for (std::uint32_t e = bounds[parts * s / slices]; e < bounds[parts * (s + 1) / slices]; ++e)
-        stepwise.eliminate_columns(static_cast<int>(s), e, e + 1, {});
+        stepwise.eliminate_columns(static_cast<int>(s), e, e + 1,
+                                   problem.linearizer.values().data() + problem.plan.first_value(e), {});
     }
-    ASSERT_EQ(stepwise.finish(actual.data()).status, LinearStatus::kOk);
+    ASSERT_EQ(stepwise.finish(problem.linearizer.values(), actual.data()).status, LinearStatus::kOk);
     EXPECT_THAT(stepwise.reduced_values(), testing::ElementsAreArray(whole.reduced_values()));
     EXPECT_EQ(actual, expected);
   }

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// If the columns of eliminated vertices are recomputed instead of stored, all results are the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <numeric>
+#include <random>
+
+#include "boxplus/robust/huber.h"
+#include "boxplus/types/ba.h"
+#include "kernels/kernel_table.h"
+#include "linearize/dense_reference.h"
+
+namespace boxplus {
+namespace {
+
+using Camera = Product<SE3, BalCamera>;
+
+/// Measures a point relative to the midpoint of two cameras.
+struct Midpoint {
+  Vector3 measurement;
+  template <class S>
+  Vector<S, 3> error(const Product<BasicSE3<S>, BasicCamera<BalCamera::Model, S>>& a,
+                     const Vector<S, 3>& point,
+                     const Product<BasicSE3<S>, BasicCamera<BalCamera::Model, S>>& b) const {
+    return point - S(0.5) * (a.template get<0>().translation() + b.template get<0>().translation()) -
+           measurement;
+  }
+};
+
+struct PointPrior {
+  Vector3 measurement;
+  template <class S>
+  Vector<S, 3> error(const Vector<S, 3>& point) const {
+    return point - measurement;
+  }
+};
+
+struct FocalLengthPrior {
+  template <class S>
+  Vector<S, 1> error(const Product<BasicSE3<S>, BasicCamera<BalCamera::Model, S>>& camera) const {
+    return Vector<S, 1>((camera.template get<1>().parameters[0] - S(500)) / S(10));
+  }
+};
+
+/// Cameras and eliminated points, with reprojection errors that are linearized in lanes, edges with three
+/// vertices, unary edges, Ω of all kinds, robust kernels, disabled edges, a fixed camera and a fixed point.
+Graph varied_bundle(int points, bool with_midpoints = true) {
+  Graph graph;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto noise = [&] { return Vector3(uniform(random), uniform(random), uniform(random)); };
+  std::vector<VertexHandle<Camera>> cameras;
+  for (int k = 0; k < 7; ++k) {
+    const SE3 pose =
+        SE3::from_minimal((Vector<double, 6>() << k, noise().head<2>(), 0.05 * noise()).finished());
+    cameras.push_back(graph.add_vertex(Camera(pose, BalCamera(500 + k, -0.1, 0.03))));
+    graph.add_edge(FocalLengthPrior{}, 1.0, cameras.back());
+  }
+  graph.fix(cameras[2]);
+  const Eigen::Matrix2d full = (Eigen::Matrix2d() << 2, 0.5, 0.5, 1).finished();
+  const Eigen::Matrix3d full3 = Eigen::Matrix3d::Identity() + Eigen::Matrix3d::Constant(0.1);
+  for (std::size_t p = 0; p < static_cast<std::size_t>(points); ++p) {
+    const Vector3 at = Vector3(3, 0, -9) + 2 * noise();
+    const auto point = graph.add_vertex(at);
+    graph.set_eliminated(point, true);
+    if (p % 9 == 4) graph.fix(point);
+    for (std::size_t k = 0; k < 5; ++k) {
+      const VertexHandle<Camera> camera = cameras[(p + k) % cameras.size()];
+      const Vector2 pixel = 100 * noise().head<2>();
+      const Information information =
+          (p + k) % 3 == 0 ? Information(full) : Information(0.5 + uniform(random) / 4);
+      const auto edge = graph.add_edge(Reprojection<BalCamera>(pixel), information, camera, point);
+      if ((p + k) % 5 == 0) graph.set_kernel(edge, Huber(40));
+      if ((p + k) % 11 == 0) graph.set_enabled(edge, false);
+    }
+    if (with_midpoints && p % 2 == 0)
+      graph.add_edge(Midpoint{noise()}, full3, cameras[p % 5], point, cameras[p % 5 + 2]);
+    if (p % 7 == 0) graph.add_edge(PointPrior{at + noise()}, 2.0, point);
+  }
+  return graph;
+}
+
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+class RecomputedColumns : public testing::TestWithParam<int> {
+ protected:
+  RecomputedColumns()
+      : graph(varied_bundle(700)),
+        stored(make_plan(graph, {.threads = GetParam()})),
+        recomputed(make_plan(graph, {.threads = GetParam(), .columns = ColumnStorage::kBatch})) {}
+
+  Eigen::VectorXd a_vector() const { return Eigen::VectorXd::LinSpaced(stored.scalars(), -1, 2); }
+
+  /// Compares subtract_coupling() with a product of H.
+  void expect_product_of_coupling() const {
+    Linearizer all(graph, stored), batch(graph, recomputed);
+    all.linearize({});
+    const Eigen::MatrixXd hessian = dense_matrix(stored.structure, all.values());
+    const Eigen::Index eliminated = stored.structure.offset[stored.eliminated_blocks],
+                       kept = hessian.rows() - eliminated;
+    Eigen::VectorXd expected = a_vector(), actual = expected;
+    expected.head(eliminated) -= hessian.bottomLeftCorner(kept, eliminated).transpose() * expected.tail(kept);
+    std::atomic<std::uint32_t> columns = 0;
+    const int groups = static_cast<int>(recomputed.chunks.size());
+    batch.subtract_coupling({}, groups, actual.data(), [&](const Linearizer::Batch& b) {
+      EXPECT_EQ(b.values, nullptr);
+      columns += b.last - b.first;
+    });
+    EXPECT_EQ(columns, recomputed.eliminated_blocks);
+    EXPECT_LE((actual - expected).norm(), 1e-12 * expected.norm());
+  }
+
+  Graph graph;
+  Plan stored, recomputed;
+};
+
+TEST_P(RecomputedColumns, NeedMemoryForOneBatchPerChunk) {
+  ASSERT_EQ(stored.columns, ColumnStorage::kAll);
+  ASSERT_EQ(recomputed.columns, ColumnStorage::kBatch);
+  ASSERT_GT(recomputed.chunks.size(), 1u);
+  EXPECT_EQ(recomputed.structure, stored.structure);
+  const Linearizer linearizer(graph, recomputed);
+  EXPECT_EQ(linearizer.values().size(), recomputed.shared_values());
+  std::size_t window = 0;
+  for (const Chunk& chunk : recomputed.chunks) window += chunk.window.size;
+  EXPECT_LT(window, recomputed.eliminated_values() * 3 / 4);
+}
+
+TEST_P(RecomputedColumns, AreReportedWithTheBitsThatWouldBeStored) {
+  Linearizer all(graph, stored), batch(graph, recomputed);
+  all.linearize({});
+  std::vector<int> differences(recomputed.chunks.size(), 0);
+  std::vector<std::uint32_t> columns(differences.size(), 0);
+  batch.linearize({}, static_cast<int>(differences.size()), [&](const Linearizer::Batch& b) {
+    const std::span<const double> expected = all.values().subspan(
+        stored.first_value(b.first), stored.first_value(b.last) - stored.first_value(b.first));
+    const auto group = static_cast<std::size_t>(b.group);
+    differences[group] += !same_bits({b.values, expected.size()}, expected);
+    columns[group] += b.last - b.first;
+  });
+  EXPECT_EQ(std::count(differences.begin(), differences.end(), 0), std::ssize(differences));
+  EXPECT_EQ(std::accumulate(columns.begin(), columns.end(), 0u), stored.eliminated_blocks);
+  EXPECT_TRUE(same_bits(batch.values(), all.values().last(stored.shared_values())));
+  EXPECT_TRUE(same_bits(batch.gradient(), all.gradient()));
+}
+
+TEST_P(RecomputedColumns, GiveTheProductOfTheCouplingWithAVectorByEveryKernel) {
+  const dense::KernelTable& before = dense::kernels();
+  for (const dense::KernelTable* table : dense::usable_kernels()) {
+    dense::use_kernels(*table);
+    expect_product_of_coupling();
+  }
+  dense::use_kernels(before);
+}
+
+TEST_P(RecomputedColumns, GiveTheCurvatureAlongAVector) {
+  Linearizer all(graph, stored), batch(graph, recomputed);
+  all.linearize({});
+  const Eigen::VectorXd d = a_vector();
+  const double expected = d.dot(dense_matrix(stored.structure, all.values()) * d);
+  EXPECT_NEAR(batch.curvature({}, d.data()), expected, 1e-12 * expected);
+}
+
+TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
+  const Plan plan = make_plan(graph, {.threads = 1, .columns = ColumnStorage::kBatch});
+  Linearizer one(graph, plan), several(graph, recomputed);
+  const int groups = static_cast<int>(plan.chunks.size());
+  Eigen::VectorXd x = a_vector(), y = x;
+  one.subtract_coupling({}, groups, x.data(), [](const Linearizer::Batch&) {});
+  several.subtract_coupling({}, groups, y.data(), [](const Linearizer::Batch&) {});
+  EXPECT_EQ(x, y);
+  EXPECT_EQ(one.curvature({}, x.data()), several.curvature({}, x.data()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3));
+
+TEST(ColumnStorage, IsAllWithFixedDirectionsAndWithoutElimination) {
+  Graph graph = varied_bundle(20);
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kBatch);
+  const VertexRef camera = graph.all_vertices().front();
+  graph.fix_directions(camera, {1});
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kAll);
+  graph = varied_bundle(20);
+  for (const VertexRef& vertex : graph.all_vertices()) graph.set_eliminated(vertex, false);
+  EXPECT_EQ(make_plan(graph, {.columns = ColumnStorage::kBatch}).columns, ColumnStorage::kAll);
+}
+
+TEST(ColumnStorage, IsOneBatchIfTheColumnsExceedTheCacheAndTheirJacobiansAreCheap) {
+  const auto choice = [](int points, bool with_midpoints) {
+    return make_plan(varied_bundle(points, with_midpoints), {.columns = ColumnStorage::kAutomatic}).columns;
+  };
+  EXPECT_EQ(choice(100, false), ColumnStorage::kAll);
+  EXPECT_EQ(choice(5000, false), ColumnStorage::kBatch);
+  EXPECT_EQ(choice(5000, true), ColumnStorage::kAll);  // Midpoint is differentiated automatically
+}
+
+}  // namespace
+}  // namespace boxplus
