@@ -95,7 +95,7 @@ RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> w
 RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
   double largest_step = 0;
-  Significance significance(options_.noise_tolerance, degrees_of_freedom_);
+  Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
   for (int iteration = 0;; ++iteration) {
     if (stop_.raised()) return {Report::Status::kNotConverged, reason_of(stop_), chi2, iteration};
     if (iteration >= most)

@@ -16,12 +16,13 @@ namespace boxplus {
 /// If Ω is right, a decrease of chi2 by 1 corresponds to estimates that move by one standard deviation in one
 /// direction. If Ω is right only up to an unknown factor, the same movement decreases chi2 by the estimated
 /// variance s² = chi2 / degrees of freedom. So a decrease is insignificant if it is below
-/// Options::noise_tolerance · s².
+/// Options::noise_tolerance · s². In the same measure, n estimates differ from the true values by about n s².
+/// So if there are more than 100,000 unknowns, the limit grows in proportion to their number.
 class Significance {
  public:
   /// `tolerance` is Options::noise_tolerance.
-  Significance(double tolerance, double degrees_of_freedom)
-      : tolerance_(tolerance / std::max(1.0, degrees_of_freedom)) {}
+  Significance(double tolerance, double degrees_of_freedom, double unknowns)
+      : tolerance_(tolerance * std::max(1.0, unknowns / kManyUnknowns) / std::max(1.0, degrees_of_freedom)) {}
 
   /// Records an iteration. Returns true if the actual and the predicted decreases of the last two iterations
   /// are insignificant, or if the sum of these decreases over the last ten iterations is insignificant.
@@ -42,6 +43,7 @@ class Significance {
  private:
   /// Decreases above these fractions of chi2 are always significant.
   static constexpr double kMostOfOne = 2e-7, kMostOfTen = 5e-6;
+  static constexpr double kManyUnknowns = 1e5;
 
   double tolerance_;                // the largest insignificant decrease, as a fraction of chi2
   std::array<double, 10> gains_{};  // the decreases in the last iterations, with the latest one first

@@ -123,7 +123,8 @@ TEST_P(EarlyElimination, CountsTheTimesOfBothPhases) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Columns, EarlyElimination,
-                         testing::Values(ColumnStorage::kAll, ColumnStorage::kBatch), [](const auto& columns) {
+                         testing::Values(ColumnStorage::kAll, ColumnStorage::kBatch),
+                         [](const auto& columns) {
                            return columns.param == ColumnStorage::kAll ? "stored" : "recomputed";
                          });
 

@@ -85,7 +85,8 @@ struct Options {
   /// The criterion is met if, in each of two consecutive iterations, the actual and the predicted decrease
   /// are at most this fraction of the noise variance, and at most 2e-7 of chi2. It is also met if, over ten
   /// consecutive iterations together, these decreases are at most ten times this fraction of the noise
-  /// variance, and at most 5e-6 of chi2. 0 disables the criterion.
+  /// variance, and at most 5e-6 of chi2. With n > 100,000 unknowns, the fraction is multiplied by n /
+  /// 100,000. 0 disables the criterion.
   double noise_tolerance = 2e-2;
   /// Stops when no entry of the step exceeds this fraction of the largest step entry of the run.
   double step_tolerance = 1e-12;
