@@ -5,207 +5,220 @@
 
 #include <cmath>
 #include <memory>
-#include <unordered_map>
 
 #include "boxplus/base/error.h"
-#include "boxplus/graph/make_room.h"
 #include "testing/bundle_scene.h"
+#include "testing/random_numbers.h"
+#include "testing/survey.h"
 
 namespace boxplus {
 namespace {
 
-using Camera = BundleSimulation::Camera;
+using PosedCamera = Product<SE3, BalCamera>;
+using Observed = Reprojection<BalCamera>;
 
-/// The pixels of an image have at most these distances from its center.
-constexpr double kHalfWidth = 1000, kHalfHeight = 750;
-/// A camera does not see a point on a wall that it sees at a smaller angle than acos of this value.
-constexpr double kLeastCosine = 0.1;
-/// Two cameras see a point from directions that differ by at least this angle, as in programs that
-/// triangulate points. Otherwise, its distance would be almost unknown.
-constexpr double kLeastParallax = 3 * kPi / 180;
-constexpr double kNearest = 1;  // the smallest distance from which a camera sees a point
-
-BalCamera draw_lens(RandomNumbers& random) {
-  const double focal_length = random.uniform(980, 1020), k1 = random.uniform(-0.025, -0.015);
-  return BalCamera(focal_length, k1, 0.002);
+/// Each purpose has its own generator, so that another amount of noise does not change the world.
+enum class Purpose : std::uint64_t { kPlaces, kIntrinsics, kPoints, kPixels, kStart, kOutliers };
+RandomNumbers random_for(Purpose purpose, std::uint64_t seed) {
+  constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15u;  // spreads consecutive numbers over all bits
+  return RandomNumbers(seed ^ (static_cast<std::uint64_t>(purpose) * kGolden));
 }
 
-/// Finds the cameras near a place.
-class CameraFinder {
- public:
-  explicit CameraFinder(const std::vector<SE3>& cameras) {
-    for (std::uint32_t k = 0; k < cameras.size(); ++k) {
-      const Vector3 place = cameras[k].translation();
-      cells_[key(cell(place[0]), cell(place[1]))].push_back(k);
-    }
-  }
-
-  /// Calls f for all cameras within BundleScene::kRange, and for some others, in a fixed order.
-  template <class F>
-  void for_each_near(const Vector3& place, F&& f) const {
-    for (std::int64_t x = -1; x <= 1; ++x) {
-      for (std::int64_t y = -1; y <= 1; ++y) {
-        const auto found = cells_.find(key(cell(place[0]) + x, cell(place[1]) + y));
-        if (found == cells_.end()) continue;
-        for (const std::uint32_t camera : found->second) f(camera);
-      }
-    }
-  }
-
- private:
-  static std::int64_t cell(double coordinate) {
-    return static_cast<std::int64_t>(std::floor(coordinate / BundleScene::kRange));
-  }
-  static std::uint64_t key(std::int64_t x, std::int64_t y) {
-    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xFFFFFFFFu);
-  }
-
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
-};
-
-class BundleSimulator {
- public:
-  BundleSimulator(BundleWorld world, const BundleOptions& options)
-      : options_(options),
-        random_(options.seed),
-        scene_(make_bundle_scene(world, options)),
-        finder_(scene_->cameras) {}
-
-  BundleSimulation simulate() {
-    add_cameras();
-    for (int k = 0; k < options_.points; ++k) add_point();
-    return std::move(result_);
-  }
-
- private:
-  struct View {
-    std::uint32_t camera;
-    Vector2 pixel;
-  };
-
-  void add_cameras() {
-    for (const SE3& pose : scene_->cameras) {
-      const Camera& truth = result_.true_cameras.emplace_back(pose, draw_lens(random_));
-      Vector<double, 9> shift;
-      shift << noise<3>(0.1), noise<3>(kHalfRotation), noise<1>(5), 0, 0;
-      result_.cameras.push_back(result_.graph.add_vertex(Manifold<Camera>::oplus(truth, shift.data())));
-    }
-    result_.true_points.reserve(static_cast<std::size_t>(options_.points));
-    result_.points.reserve(static_cast<std::size_t>(options_.points));
-  }
-
-  /// Adds a point that at least two cameras see from directions that determine its distance.
-  void add_point() {
-    constexpr int kMostTries = 100'000;
-    SurfacePoint point;
-    int tries = 0;
-    do {
-      if (++tries > kMostTries)
-        throw InvalidArgument(
-            "simulate_bundle: expected cameras that see common places, got cameras that are too far apart; "
-            "increase track_length");
-      point = scene_->draw(random_);
-      find_views(point);
-    } while (!has_parallax(point.place));
-    const auto vertex = result_.graph.add_vertex(Vector3(point.place + noise<3>(0.1)));
-    result_.graph.set_eliminated(vertex, true);
-    result_.points.push_back(vertex);
-    result_.true_points.push_back(point.place);
-    for (const View& view : views_) add_observation(view, vertex);
-  }
-
-  void find_views(const SurfacePoint& point) {
-    views_.clear();
-    finder_.for_each_near(point.place, [&](std::uint32_t camera) {
-      const Vector3 to_camera = scene_->cameras[camera].translation() - point.place;
-      const double distance = to_camera.norm();
-      if (distance > BundleScene::kRange || distance < kNearest) return;
-      if (to_camera.dot(point.normal) < kLeastCosine * distance) return;
-      const Vector3 local = scene_->cameras[camera].inverse_times(point.place);
-      if (local[2] > -kNearest) return;  // behind the camera, or too close
-      const Vector2 pixel = result_.true_cameras[camera].get<1>().project(local);
-      if (std::abs(pixel[0]) > kHalfWidth || std::abs(pixel[1]) > kHalfHeight) return;
-      views_.push_back({camera, pixel});
-    });
-  }
-
-  /// Whether two of the cameras that see the place see it from directions at kLeastParallax or more.
-  bool has_parallax(const Vector3& place) const {
-    const auto direction = [&](const View& view) {
-      return (scene_->cameras[view.camera].translation() - place).normalized();
-    };
-    static const double most = std::cos(kLeastParallax);
-    for (std::size_t a = 1; a < views_.size(); ++a) {
-      if (direction(views_[a]).dot(direction(views_[0])) <= most) return true;
-    }
-    return false;
-  }
-
-  void add_observation(const View& view, VertexHandle<Vector3> point) {
-    const bool wrong = random_.uniform() < options_.outliers;
-    const Vector2 near = view.pixel + noise<2>(1);
-    const double x = random_.uniform(-kHalfWidth, kHalfWidth), y = random_.uniform(-kHalfHeight, kHalfHeight);
-    const Vector2 pixel = wrong ? Vector2(x, y) : near;
-    detail::make_room(result_.edges);
-    result_.edges.push_back(
-        result_.graph.add_edge(Reprojection<BalCamera>(pixel), result_.cameras[view.camera], point));
-    result_.kinds.push_back(wrong ? EdgeKind::kOutlier : EdgeKind::kRecognition);
-  }
-
-  template <int N>
-  Vector<double, N> noise(double deviation) {
-    Vector<double, N> result;
-    for (double& value : result) value = options_.noise * deviation * random_.normal();
-    return result;
-  }
-
-  /// The ⊞ of SE3 takes half of a rotation vector, for small rotations: 0.3°.
-  static constexpr double kHalfRotation = 0.3 * kPi / 180 / 2;
-
-  const BundleOptions& options_;
-  RandomNumbers random_;
-  std::unique_ptr<BundleScene> scene_;
-  CameraFinder finder_;
-  BundleSimulation result_;
-  std::vector<View> views_;  // of one point
-};
-
 void check(const BundleOptions& options) {
-  const auto require = [](bool holds, const char* expected, double got) {
-    if (!holds) throw InvalidArgument(fmt::format("simulate_bundle: expected {}, got {}", expected, got));
+  const auto require = [](bool holds, const char* expected, auto value) {
+    if (!holds) throw InvalidArgument(fmt::format("simulate_bundle: expected {}, got {}", expected, value));
   };
   require(options.cameras >= 2, "at least 2 cameras", options.cameras);
   require(options.points >= 1, "at least 1 point", options.points);
-  require(options.track_length >= 2 && options.track_length <= 1000, "a track length from 2 to 1000",
+  require(options.track_length >= 2 && std::isfinite(options.track_length), "a track length ≥ 2",
           options.track_length);
-  require(options.track_length <= options.cameras, "a track length of at most the number of cameras",
-          options.track_length);
-  require(options.noise >= 0 && std::isfinite(options.noise), "a noise factor ≥ 0", options.noise);
+  for (const double noise :
+       {options.noise, options.pose_noise, options.point_noise, options.intrinsics_noise})
+    require(noise >= 0 && std::isfinite(noise), "noise ≥ 0", noise);
   require(options.outliers >= 0 && options.outliers <= 1, "a fraction of outliers in [0, 1]",
           options.outliers);
 }
 
+std::unique_ptr<BundleScene> make_scene(BundleShape shape) {
+  if (shape == BundleShape::kRing) return make_ring_scene();
+  return make_town_scene(shape == BundleShape::kCity);
+}
+
+std::vector<BalCamera> draw_intrinsics(const BundleOptions& options) {
+  RandomNumbers random = random_for(Purpose::kIntrinsics, options.seed);
+  const int count = options.intrinsics == BundleIntrinsics::kShared ? 1 : options.cameras;
+  std::vector<BalCamera> all;
+  all.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) {
+    const double f = random.uniform(580, 620), k1 = random.uniform(-0.06, -0.04);
+    all.emplace_back(f, k1, random.uniform(0.005, 0.01));
+  }
+  return all;
+}
+
+/// Places the cameras such that points have about options.track_length observations. Returns the mean number
+/// of observations of a sample.
+double place_cameras(BundleScene& scene, std::span<const BalCamera> intrinsics,
+                     const BundleOptions& options) {
+  constexpr int kSample = 3000, kSteps = 12;
+  const auto mean_length_for = [&](double overlap) {
+    scene.place(options.cameras, overlap, random_for(Purpose::kPlaces, options.seed));
+    return Survey(scene, intrinsics).mean_length(kSample, random_for(Purpose::kPoints, options.seed));
+  };
+  double low = 0, high = 1;
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = (low + high) / 2;
+    (mean_length_for(middle) < options.track_length ? low : high) = middle;
+  }
+  return mean_length_for((low + high) / 2);
+}
+
+/// Adds cameras and points with noisy estimates, and noisy observations.
+class BundleBuilder {
+ public:
+  BundleBuilder(const BundleOptions& options, BundleSimulation& result)
+      : options_(options),
+        result_(result),
+        pixel_random_(random_for(Purpose::kPixels, options.seed)),
+        start_random_(random_for(Purpose::kStart, options.seed)),
+        outlier_random_(random_for(Purpose::kOutliers, options.seed)) {}
+
+  void add_cameras() {
+    const bool is_joint = options_.intrinsics == BundleIntrinsics::kWithPose;
+    std::size_t k = 0;
+    for (const SE3& pose : result_.true_poses) {
+      const SE3 start = noisy(pose);
+      if (is_joint) {
+        cameras_.push_back(result_.graph.add_vertex(PosedCamera(start, noisy(result_.true_intrinsics[k++]))));
+      } else {
+        poses_.push_back(result_.graph.add_vertex(start));
+      }
+    }
+    if (is_joint) return;
+    for (const BalCamera& camera : result_.true_intrinsics)
+      intrinsics_.push_back(result_.graph.add_vertex(noisy(camera)));
+  }
+
+  void add_track(const Track& track) {
+    const auto point = result_.graph.add_vertex(noisy(track.point));
+    result_.graph.set_eliminated(point, true);
+    result_.true_points.push_back(track.point);
+    for (const Observation& observation : track.observations) {
+      const EdgeRef edge = add_edge(static_cast<std::size_t>(observation.camera), point,
+                                    Observed(measured(observation.pixel)));
+      if (result_.is_outlier.size() == 1) result_.graph.reserve_edges(edge, expected_edges_);
+    }
+  }
+
+  void expect_edges(std::size_t count) { expected_edges_ = count; }
+
+ private:
+  EdgeRef add_edge(std::size_t camera, VertexHandle<Vector3> point, const Observed& observed) {
+    if (!cameras_.empty()) return result_.graph.add_edge(observed, cameras_[camera], point);
+    const std::size_t own = intrinsics_.size() == 1 ? 0 : camera;
+    return result_.graph.add_edge(observed, poses_[camera], point, intrinsics_[own]);
+  }
+
+  /// The measured pixel. Records whether it is an outlier.
+  Vector2 measured(const Vector2& pixel) {
+    const Vector2 noise = options_.noise * normal<2>(pixel_random_);
+    const bool is_outlier = outlier_random_.uniform() < options_.outliers;
+    result_.is_outlier.push_back(is_outlier);
+    return is_outlier ? wrong_pixel(pixel) : Vector2(pixel + noise);
+  }
+
+  Vector2 wrong_pixel(const Vector2& pixel) {
+    constexpr double kMinError = 20;
+    while (true) {
+      const double x = outlier_random_.uniform(-BundleImage::kHalfWidth, BundleImage::kHalfWidth);
+      const double y = outlier_random_.uniform(-BundleImage::kHalfHeight, BundleImage::kHalfHeight);
+      if ((Vector2(x, y) - pixel).norm() > kMinError) return {x, y};
+    }
+  }
+
+  SE3 noisy(const SE3& pose) {
+    constexpr double kTranslation = 0.1, kRotation = 0.5 * kPi / 180;
+    const Vector3 translation = options_.pose_noise * kTranslation * normal<3>(start_random_);
+    const Vector3 rotation = options_.pose_noise * kRotation * normal<3>(start_random_);
+    return pose * SE3(translation, SO3::from_rotation_vector(rotation));
+  }
+  BalCamera noisy(const BalCamera& camera) {
+    const Vector3 deviations(0.01 * camera.parameters[0], 0.01, 0.001);
+    return BalCamera(camera.parameters +
+                     options_.intrinsics_noise * deviations.cwiseProduct(normal<3>(start_random_)));
+  }
+  Vector3 noisy(const Vector3& point) {
+    constexpr double kDeviation = 0.1;
+    return point + options_.point_noise * kDeviation * normal<3>(start_random_);
+  }
+
+  template <int N>
+  static Vector<double, N> normal(RandomNumbers& random) {
+    Vector<double, N> values;
+    for (double& value : values) value = random.normal();
+    return values;
+  }
+
+  const BundleOptions& options_;
+  BundleSimulation& result_;
+  RandomNumbers pixel_random_, start_random_, outlier_random_;
+  std::size_t expected_edges_ = 0;
+  std::vector<VertexHandle<PosedCamera>> cameras_;
+  std::vector<VertexHandle<SE3>> poses_;
+  std::vector<VertexHandle<BalCamera>> intrinsics_;
+};
+
 }  // namespace
 
-std::string_view to_string(BundleWorld world) {
-  switch (world) {
-    case BundleWorld::kRing:
-      return "ba-ring";
-    case BundleWorld::kStreet:
-      return "ba-street";
+std::string_view to_string(BundleShape shape) {
+  switch (shape) {
+    case BundleShape::kRing:
+      return "ring";
+    case BundleShape::kStreet:
+      return "street";
     default:
-      return "ba-city";
+      return "city";
   }
 }
 
-void BundleSimulation::set_to_truth() {
-  for (std::size_t k = 0; k < cameras.size(); ++k) graph.set_estimate(cameras[k], true_cameras[k]);
-  for (std::size_t k = 0; k < points.size(); ++k) graph.set_estimate(points[k], true_points[k]);
+void BundleSimulation::set_to_truth(Graph& any) const {
+  const bool is_joint = intrinsics == BundleIntrinsics::kWithPose;
+  Id id = 0;
+  for (std::size_t k = 0; k < true_poses.size(); ++k, ++id) {
+    if (is_joint) {
+      any.set_estimate(any.vertex<PosedCamera>(id), PosedCamera(true_poses[k], true_intrinsics[k]));
+    } else {
+      any.set_estimate(any.vertex<SE3>(id), true_poses[k]);
+    }
+  }
+  if (!is_joint) {
+    for (const BalCamera& camera : true_intrinsics) any.set_estimate(any.vertex<BalCamera>(id++), camera);
+  }
+  for (const Vector3& point : true_points) any.set_estimate(any.vertex<Vector3>(id++), point);
 }
 
-BundleSimulation simulate_bundle(BundleWorld world, const BundleOptions& options) {
+BundleSimulation simulate_bundle(BundleShape shape, const BundleOptions& options) {
   check(options);
-  return BundleSimulator(world, options).simulate();
+  BundleSimulation result;
+  result.intrinsics = options.intrinsics;
+  result.true_intrinsics = draw_intrinsics(options);
+  const std::unique_ptr<BundleScene> scene = make_scene(shape);
+  const double mean_length = place_cameras(*scene, result.true_intrinsics, options);
+  result.true_poses = scene->poses();
+
+  BundleBuilder builder(options, result);
+  builder.add_cameras();
+  constexpr double kMargin = 1.05;  // of the sample
+  builder.expect_edges(static_cast<std::size_t>(kMargin * mean_length * options.points));
+  const Survey survey(*scene, result.true_intrinsics);
+  RandomNumbers random = random_for(Purpose::kPoints, options.seed);
+  Track track;
+  result.true_points.reserve(static_cast<std::size_t>(options.points));
+  for (std::int64_t k = 0; k < options.points; ++k) {
+    survey.find(static_cast<int>(k * options.cameras / options.points), random, track);
+    builder.add_track(track);
+  }
+  return result;
 }
 
 }  // namespace boxplus

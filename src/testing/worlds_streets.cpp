@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
 
+#include "testing/plane_cells.h"
 #include "testing/simulator.h"
 #include "testing/street_network.h"
 #include "testing/worlds.h"
@@ -81,37 +80,6 @@ class PlaceMemory {
   std::vector<int> visited_;               // the last pose at each crossing
 };
 
-/// Landmarks in square cells as wide as the sensor's range.
-class LandmarkCells {
- public:
-  explicit LandmarkCells(double range) : range_(range) {}
-
-  void add(const Vector2& point, int landmark) {
-    cells_[key(cell(point[0]), cell(point[1]))].push_back(landmark);
-  }
-
-  /// Calls visit(landmark) for all landmarks in the cell of a position and its eight neighbors.
-  template <class Visit>
-  void around(const Vector2& point, Visit&& visit) const {
-    for (std::int64_t y = cell(point[1]) - 1; y <= cell(point[1]) + 1; ++y) {
-      for (std::int64_t x = cell(point[0]) - 1; x <= cell(point[0]) + 1; ++x) {
-        const auto found = cells_.find(key(x, y));
-        if (found == cells_.end()) continue;
-        for (int landmark : found->second) visit(landmark);
-      }
-    }
-  }
-
- private:
-  std::int64_t cell(double coordinate) const {
-    return static_cast<std::int64_t>(std::floor(coordinate / range_));
-  }
-  static std::int64_t key(std::int64_t x, std::int64_t y) { return y * (std::int64_t{1} << 32) + x; }
-
-  double range_;
-  std::unordered_map<std::int64_t, std::vector<int>> cells_;
-};
-
 /// Calls `found(point)` for the lampposts and the front corners of the houses along a street.
 template <class Found>
 void furnish(const StreetNetwork& network, const Street& street, RandomNumbers& random, Found&& found) {
@@ -151,14 +119,14 @@ Simulation simulate_city(const SimulationOptions& options) {
   constexpr double kRange = 12, kHalfView = 70 * kPi / 180, kDeviation = 0.1;
   Simulator<SE2> simulator(options, {0.05, 0.01});
   const StreetNetwork network(options.poses, kBlock, simulator.random);
-  LandmarkCells cells(kRange);
+  PlaneCells cells(kRange);
   for (const Street& street : network.streets()) {
     furnish(network, street, simulator.random,
             [&](const Vector2& point) { cells.add(point, simulator.add_landmark(point)); });
   }
   drive(simulator, network, options.poses, [&](const Leg&, int) {
     const SE2& pose = simulator.truth(simulator.size() - 1);
-    cells.around(pose.translation(), [&](int landmark) {
+    cells.around(pose.translation(), kRange, [&](int landmark) {
       const Vector2 seen = pose.inverse_times(simulator.landmark(landmark));
       if (seen.norm() < kRange && std::abs(std::atan2(seen[1], seen[0])) < kHalfView) {
         simulator.observe(landmark, kDeviation);

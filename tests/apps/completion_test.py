@@ -41,6 +41,7 @@ class CompletionTest(CommandCase):
         self.assertEqual(completions("boxplus", "optimize", "--threads", ""), [])
         self.assertEqual(completions("boxplus", "completion", ""), ["bash", "zsh", "fish"])
         self.assertEqual(completions("boxplus", "simulate", "sph"), ["sphere"])
+        self.assertEqual(completions("boxplus", "simulate", "ba", "--shape", ""), ["ring", "street", "city"])
 
     def test_the_script_leaves_the_completion_of_file_names_to_bash(self):
         self.assertEqual(completions("boxplus", "optimize", ""), [])

@@ -6,15 +6,17 @@
 #include <algorithm>
 
 #include "boxplus/base/error.h"
+#include "boxplus/io/file_format.h"
 #include "boxplus/manifold/quaternion.h"
 #include "files/graph_input.h"
 
 namespace boxplus::app {
 namespace {
 
-/// Returns true if the text is a TUM file. Lines of TUM files begin with times; lines of graph files begin
-/// with tags.
+/// Returns true if the text is a TUM file. Lines of TUM files begin with times. Lines of graph files begin
+/// with tags, or a format other than .g2o recognizes the text.
 bool is_tum(std::string_view text) {
+  if (default_formats().recognize(text) != &default_formats().all().front()) return false;
   while (!text.empty()) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos) return false;
