@@ -318,6 +318,7 @@ std::vector<VertexRef> Graph::all_parameters() const {
 
 std::vector<EdgeRef> Graph::all_edges() const {
   std::vector<EdgeRef> result;
+  result.reserve(edge_count());
   for (std::uint32_t p = 0; p < edge_pools_.size(); ++p) {
     for (std::uint32_t edge = 0; edge < edge_pools_[p]->slots(); ++edge) {
       if (edge_pools_[p]->alive(edge)) result.push_back({p, edge, edge_pools_[p]->generation(edge)});

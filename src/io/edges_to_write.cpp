@@ -4,6 +4,7 @@
 namespace boxplus {
 
 std::vector<EdgeRef> edges_to_write(const GraphFileView& file) {
+  if (file.edges.empty()) return file.graph.all_edges();
   std::vector<EdgeRef> edges(file.edges.begin(), file.edges.end());
   std::vector<std::vector<bool>> listed;
   for (const auto& pool : file.graph.edge_pools()) listed.emplace_back(pool->slots());

@@ -6,6 +6,7 @@
 
 #include "boxplus/base/error.h"
 #include "boxplus/manifold/angle.h"
+#include "testing/random_selection.h"
 
 namespace boxplus {
 namespace {
@@ -58,9 +59,9 @@ bool Survey::try_to_find(int finder, RandomNumbers& random, Track& track) const 
   if (!pixel) return false;
   track.point = point->position;
   track.observations = {{finder, *pixel}};
-  const double chance = scene_.chance();
+  RandomSelection selection(scene_.chance(), random);
   cells_.around(point->search_center, point->search_radius, [&](int camera) {
-    if (camera == finder || (chance < 1 && random.uniform() >= chance)) return;
+    if (camera == finder || !selection.takes_next()) return;
     if (const auto seen = pixel_of(camera, *point)) track.observations.push_back({camera, *seen});
   });
   std::sort(track.observations.begin(), track.observations.end(),

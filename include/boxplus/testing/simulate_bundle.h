@@ -3,10 +3,10 @@
 // demonstrations.
 //
 // The same options give the same problem with every compiler, because the random number generator is part of
-// the library. Cameras are of BAL's model (types/ba/camera_models.h), and their images have 1000 × 750
-// pixels. A camera observes a point if the point is in its image, no surface hides it, and the camera sees it
-// from a similar direction and distance as other cameras. So the shape of the world determines which cameras
-// share points.
+// the library. On another computer, values may differ by rounding errors. Cameras are of BAL's model
+// (types/ba/camera_models.h), and their images have 1000 × 750 pixels. A camera observes a point if the point
+// is in its image, no surface hides it, and the camera sees it from a similar direction and distance as other
+// cameras. So the shape of the world determines which cameras share points.
 #pragma once
 
 #include <array>
