@@ -99,11 +99,11 @@ TEST(SimulateBundle, EachNoiseOfTheStartMovesOnlyItsOwnEstimates) {
   BundleOptions poses = exact, intrinsics = exact, points = exact;
   poses.pose_noise = intrinsics.intrinsics_noise = points.point_noise = 1;
   using ::testing::AllOf, ::testing::DoubleNear, ::testing::ElementsAre, ::testing::Gt, ::testing::Lt;
-  const auto kNone = DoubleNear(0, 1e-12);
-  EXPECT_THAT(largest_errors(exact), ElementsAre(kNone, kNone, kNone));
-  EXPECT_THAT(largest_errors(poses), ElementsAre(AllOf(Gt(0.15), Lt(0.6)), kNone, kNone));
-  EXPECT_THAT(largest_errors(intrinsics), ElementsAre(kNone, AllOf(Gt(6), Lt(35)), kNone));
-  EXPECT_THAT(largest_errors(points), ElementsAre(kNone, kNone, AllOf(Gt(0.3), Lt(0.7))));
+  const auto none = DoubleNear(0, 1e-12);
+  EXPECT_THAT(largest_errors(exact), ElementsAre(none, none, none));
+  EXPECT_THAT(largest_errors(poses), ElementsAre(AllOf(Gt(0.15), Lt(0.6)), none, none));
+  EXPECT_THAT(largest_errors(intrinsics), ElementsAre(none, AllOf(Gt(6), Lt(35)), none));
+  EXPECT_THAT(largest_errors(points), ElementsAre(none, none, AllOf(Gt(0.3), Lt(0.7))));
 }
 
 TEST(SimulateBundle, TheOptimumExplainsTheNoise) {
