@@ -70,9 +70,10 @@ struct BundleSimulation {
   void set_to_truth(Graph& any) const;
 };
 
-/// Takes time and memory in proportion to the number of observations: for 10 million, about 8 seconds and 1.1
-/// times the memory of the graph. Throws InvalidArgument for fewer than 2 cameras, no points, a track length
-/// below 2, negative noise, a fraction of outliers outside [0, 1], and if no two cameras see common points.
+/// Takes time and memory in proportion to the number of observations: for 10 million, about 10 seconds
+/// and 1.1 times the memory of the graph. Throws InvalidArgument for fewer than 2 cameras, no points, a track
+/// length below 2, negative noise, a fraction of outliers outside [0, 1], and if no two cameras see common
+/// points.
 BundleSimulation simulate_bundle(BundleShape shape, const BundleOptions& options = {});
 
 }  // namespace boxplus
