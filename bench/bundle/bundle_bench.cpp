@@ -3,8 +3,7 @@
 // bench/RESULTS.md.
 //
 //     bundle_bench FOLDER          compares on the BAL files of FOLDER/bal
-//     bundle_bench one FILE        optimizes FILE once by boxplus, for a measurement of memory
-//     bundle_bench ceres FILE      the same by Ceres with DENSE_SCHUR
+//     bundle_bench ceres FILE      optimizes FILE once by Ceres with DENSE_SCHUR, to measure its memory
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,10 +12,14 @@
 #include <exception>
 #include <filesystem>
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "boxplus/boxplus.h"
+#include "bundle/bundle_forms.h"
 #include "bundle/ceres_bundle.h"
 #include "datasets/interleave.h"
 #include "datasets/open_blas.h"
@@ -152,13 +155,79 @@ void compare_all(const std::filesystem::path& folder) {
              geometric_mean(autodiff), geometric_mean(any), geometric_mean(two_threads));
 }
 
-void run_once(const std::string& solver, const std::string& path) {
-  if (solver == "ceres") {
-    const BundleRun run = CeresBundle(read_bundle_problem(path), false).run(Solver::kDenseSchur, 1, 0);
-    return print_whole_run(run.seconds, 2 * run.cost);
+/// Compares the forms in which a program can state a problem. All forms need the same number of iterations.
+void compare_forms(const std::filesystem::path& folder) {
+  fmt::print(
+      "\n### Forms\n\n"
+      "ns per observation for one iteration, with one thread; the mean of the first five iterations.\n"
+      "The last column is the time divided by that of the first row. For all forms, vertices and edges\n"
+      "are added by a program.\n");
+  for (const BundleFile& file : kFiles) {
+    const std::filesystem::path path = folder / "bal" / file.name;
+    if (!std::filesystem::exists(path)) continue;
+    const BundleProblem problem = read_bundle_problem(path);
+    std::vector<Graph> graphs;
+    for (const BundleForm form : kBundleForms) graphs.push_back(make_bundle_graph(problem, form));
+    std::vector<Contestant> contestants;
+    for (Graph& graph : graphs) {
+      contestants.emplace_back([&] {
+        graph.push();
+        const Report report = optimize(
+            graph, {.start = Start::kCurrent, .max_iterations = 5, .noise_tolerance = 0, .threads = 1});
+        graph.pop();
+        const Report::Timings& time = report.time;
+        const double seconds = time.linearize_s + time.factorize_s + time.solve_s + time.evaluate_s;
+        return Figures{1e9 * seconds / (report.iterations * static_cast<double>(report.edges))};
+      });
+    }
+    const std::vector<Figures> medians = interleaved_medians(contestants, {.least = 7, .most = 15});
+    fmt::print("\n| {} | ns | × |\n|---|--:|--:|\n", file.name);
+    for (std::size_t k = 0; k < medians.size(); ++k)
+      fmt::print("| {} | {:.0f} | {:.2f} |\n", describe(kBundleForms[k]), medians[k][0],
+                 medians[k][0] / medians[0][0]);
   }
-  GraphFile file = read_graph(path);
-  const BundleRun run = run_ours(file.graph, 1, 0);
+}
+
+void compare_memory(const std::string& programs, const std::filesystem::path& folder) {
+  fmt::print(
+      "\n### Memory\n\n"
+      "The peak memory of a process that reads the file, optimizes with one thread and ends; boxplus also\n"
+      "writes the result. Ceres uses DENSE_SCHUR and autodiff.\n\n"
+      "| file | boxplus MiB | Ceres MiB | × |\n|---|--:|--:|--:|\n");
+  for (const BundleFile& file : kFiles) {
+    const std::string path = folder / "bal" / file.name;
+    if (!std::filesystem::exists(path)) continue;
+    const double ours = run_process({programs + "/whole_boxplus", path, "/dev/null"}).peak_mib;
+    const double ceres = run_process({programs + "/bundle_bench", "ceres", path}).peak_mib;
+    fmt::print("| {} | {:.1f} | {:.1f} | {:.2f} |\n", file.name, ours, ceres, ceres / ours);
+  }
+}
+
+void show_growth(const std::string& programs) {
+  fmt::print(
+      "\n### Growth\n\n"
+      "Simulated streets with 5 observations per point, from their initial estimates until the run ends by\n"
+      "itself, with one thread. The memory includes the simulation.\n\n"
+      "| cameras | points | observations | plan s | s per iteration | ns per observation | iterations |"
+      " converged | chi2 per degree of freedom | peak MiB |\n|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+  for (const auto& [cameras, points] :
+       {std::pair(20, 6000), {60, 60'000}, {600, 600'000}, {2000, 2'000'000}}) {
+    const std::string line =
+        output_of({programs + "/simulated_bundle", std::to_string(cameras), std::to_string(points)});
+    std::istringstream in(line);
+    double observations = 0, plan_s = 0, iteration_s = 0, chi2 = 0, peak_mib = 0;
+    int iterations = 0;
+    std::string converged;
+    if (!(in >> observations >> plan_s >> iteration_s >> iterations >> chi2 >> converged >> peak_mib))
+      throw std::runtime_error("simulated_bundle: cannot read '" + line + "'");
+    fmt::print("| {} | {} | {:.0f} | {:.2f} | {:.3f} | {:.0f} | {} | {} | {:.3f} | {:.0f} |\n", cameras,
+               points, observations, plan_s, iteration_s, 1e9 * iteration_s / observations, iterations,
+               converged, chi2, peak_mib);
+  }
+}
+
+void run_ceres_once(const std::string& path) {
+  const BundleRun run = CeresBundle(read_bundle_problem(path), false).run(Solver::kDenseSchur, 1, 0);
   print_whole_run(run.seconds, 2 * run.cost);
 }
 
@@ -167,8 +236,8 @@ void run_once(const std::string& solver, const std::string& path) {
 
 int main(int count, char** words) try {
   using namespace boxplus::bench;
-  if (count == 3) {
-    run_once(words[1], words[2]);
+  if (count == 3 && std::string(words[1]) == "ceres") {
+    run_ceres_once(words[2]);
     return 0;
   }
   if (count != 2) {
@@ -176,7 +245,12 @@ int main(int count, char** words) try {
     return 2;
   }
   require_open_blas_with_one_thread();
-  compare_all(words[1]);
+  const std::filesystem::path folder = words[1];
+  const std::string programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  compare_all(folder);
+  compare_forms(folder);
+  compare_memory(programs, folder);
+  show_growth(programs);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bundle_bench: {}\n", error.what());

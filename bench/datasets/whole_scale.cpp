@@ -3,29 +3,15 @@
 // All of this uses one thread. Then prints the numbers of ScaleFigures.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <exception>
 
 #include "boxplus/io/graph_file.h"
 #include "boxplus/optimize/optimizer.h"
+#include "datasets/median_iteration.h"
 #include "datasets/whole_run.h"
 #include "optimize/stopwatch.h"
 
 using namespace boxplus;
-
-namespace {
-
-/// Returns the median time of an iteration. The first iteration is not counted.
-double median_iteration(const Report& report) {
-  std::vector<double> seconds;
-  for (std::size_t k = 1; k < report.records.size(); ++k)
-    seconds.push_back(report.records[k].time_s - report.records[k - 1].time_s);
-  if (seconds.empty()) throw InvalidArgument("expected at least two iterations");
-  std::sort(seconds.begin(), seconds.end());
-  return seconds[seconds.size() / 2];
-}
-
-}  // namespace
 
 int main(int count, char** words) try {
   const Stopwatch clock;
@@ -39,7 +25,7 @@ int main(int count, char** words) try {
   write_graph(words[2], file);
   const double write_s = write_clock.seconds();
   fmt::print("{} {} {} {} {} {} {} {} {} {} {} {}\n", report.vertices, report.edges, load_s,
-             report.time.plan_s, write_s, clock.seconds(), median_iteration(report), bench::peak_mib(),
+             report.time.plan_s, write_s, clock.seconds(), bench::median_iteration(report), bench::peak_mib(),
              report.linear.factor_seconds, report.linear.pcg_seconds,
              static_cast<double>(report.linear.refused_factor_bytes) * 1e-9, report.linear_solver);
   return 0;

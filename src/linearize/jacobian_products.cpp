@@ -147,8 +147,9 @@ void JacobianProducts::subtract_coupling(const PlacedTile& edges, VectorLayout l
   weights_.compute(edges.pool, edges.edges, tile);
   const dense::SubtractCoupling kernel = dense::kernels().subtract_coupling_for(
       tile.rows, edges.dims.data(), static_cast<int>(edges.dims.size()));
-  if (tile.in_lanes && kernel != nullptr) {
-    return kernel({tile.count, tile.jacobian, weights_.kind(), weights_.omegas(), weights_.weights(),
+  const double* const jacobian = kernel != nullptr ? jacobian_in_lanes(tile) : nullptr;
+  if (jacobian != nullptr) {
+    return kernel({tile.count, jacobian, weights_.kind(), weights_.omegas(), weights_.weights(),
                    edges.targets.data(), layout.first_kept, layout.copy, x});
   }
   for_each_group(edges, [&](const auto& group) {
@@ -157,6 +158,16 @@ void JacobianProducts::subtract_coupling(const PlacedTile& edges, VectorLayout l
     group.weigh(weights_, product_.data(), weighted_.data());
     group.subtract_from_eliminated(weighted_.data(), layout, y_.data(), x);
   });
+}
+
+/// The Jacobians of the tile in lanes. Returns null if there is no memory for the lanes of so few edges.
+const double* JacobianProducts::jacobian_in_lanes(const detail::EdgeTile& tile) {
+  if (tile.in_lanes) return tile.jacobian;
+  const int groups = (tile.count + detail::EdgeTile::kLanes - 1) / detail::EdgeTile::kLanes;
+  const int values = tile.rows * tile.cols;
+  if (x_.size() < static_cast<std::size_t>(groups * detail::EdgeTile::kLanes * values)) return nullptr;
+  dense::kernels().to_lanes(tile.jacobian, values, tile.count, x_.data());
+  return x_.data();
 }
 
 double JacobianProducts::curvature(const PlacedTile& edges, VectorLayout layout, const double* d) {

@@ -39,8 +39,10 @@ class JacobianProducts {
   double curvature(const PlacedTile& edges, VectorLayout layout, const double* d);
 
  private:
+  const double* jacobian_in_lanes(const detail::EdgeTile& tile);
+
   TileWeights weights_;
-  std::vector<double> x_, y_, product_, weighted_;  // of a few edges in lanes
+  std::vector<double> x_, y_, product_, weighted_;  // of a few edges in lanes; x_ also of all Jacobians
 };
 
 }  // namespace boxplus

@@ -55,7 +55,8 @@ AnalyzeHints BatchSystem::hints() const {
 }
 
 void BatchSystem::resize_vectors() {
-  for (auto* vector : {&diagonal_, &right_hand_side_, &product_, &damping_}) vector->resize(plan_->scalars());
+  for (auto* vector : {&diagonal_, &right_hand_side_, &damping_}) vector->resize(plan_->scalars());
+  if (stores_all_columns()) product_.resize(plan_->scalars());
 }
 
 bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32_t> vertices,

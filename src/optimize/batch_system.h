@@ -100,7 +100,8 @@ class BatchSystem final : public System {
   Linearizer linearizer_;
   AssembledSystem assembled_;
   SchurSolver solver_;
-  std::vector<double> diagonal_, right_hand_side_, product_, damping_;
+  std::vector<double> diagonal_, right_hand_side_, damping_;
+  std::vector<double> product_;  // of curvature(), if all columns are stored
   std::vector<std::uint32_t> elimination_bounds_;
   std::vector<double> elimination_s_;       // per slice
   std::optional<StepDamping> expected_;     // of the solve() after the next linearize()

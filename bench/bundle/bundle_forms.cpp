@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bundle/bundle_forms.h"
+
+#include <vector>
+
+#include "boxplus/manifold/product.h"
+#include "boxplus/manifold/se3.h"
+#include "boxplus/types/ba.h"
+
+namespace boxplus::bench {
+namespace {
+
+/// A camera as a user would write it: T_camera_world, and f, k1, k2.
+using UserCamera = Product<SE3, Vector3>;
+
+struct UserReprojection {
+  double u, v;
+  template <class S>
+  Vector<S, 2> error(const Product<BasicSE3<S>, Vector<S, 3>>& camera, const Vector<S, 3>& point) const {
+    const Vector<S, 3> y = camera.template get<0>() * point, k = camera.template get<1>();
+    const S px = -y[0] / y[2], py = -y[1] / y[2];
+    const S r2 = px * px + py * py;
+    const S scale = k[0] * (S(1) + r2 * (k[1] + r2 * k[2]));
+    return {scale * px - S(u), scale * py - S(v)};
+  }
+};
+
+struct UserReprojectionWithJacobians : UserReprojection {
+  template <class A, class B>
+  void jacobians(const UserCamera& camera, const Vector3& point, A& J_camera, B& J_point) const {
+    const SE3& T = camera.get<0>();
+    const Vector3& k = camera.get<1>();
+    const Vector3 y = T * point;
+    const double px = -y[0] / y[2], py = -y[1] / y[2], r2 = px * px + py * py;
+    const double distortion = 1 + r2 * (k[1] + r2 * k[2]), slope = 2 * (k[1] + 2 * r2 * k[2]);
+    Matrix<double, 2, 2> J_plane;
+    J_plane << distortion + slope * px * px, slope * px * py, slope * px * py, distortion + slope * py * py;
+    Matrix<double, 2, 3> plane;
+    plane << -1 / y[2], 0, -px / y[2], 0, -1 / y[2], -py / y[2];
+    const Matrix<double, 2, 3> J_world = k[0] * J_plane * plane * T.rotation();
+    J_point = J_world;
+    J_camera.template leftCols<3>() = J_world;
+    J_camera.template middleCols<3>(3) = -2 * J_world * detail::cross_matrix(point[0], point[1], point[2]);
+    J_camera.template rightCols<3>() << distortion * px, k[0] * r2 * px, k[0] * r2 * r2 * px, distortion * py,
+        k[0] * r2 * py, k[0] * r2 * r2 * py;
+  }
+};
+
+SE3 camera_from_world(const std::array<double, 9>& c) {
+  return {Vector3(c[3], c[4], c[5]), SO3::from_rotation_vector(Vector3(c[0], c[1], c[2]))};
+}
+
+/// Adds the observations. edge(camera, point, observation) adds one of them.
+template <class AddEdge>
+void add_observations(const BundleProblem& problem, Graph& graph, AddEdge&& edge) {
+  std::vector<VertexHandle<Vector3>> points;
+  for (const auto& [x, y, z] : problem.points) {
+    points.push_back(graph.add_vertex(Vector3(x, y, z)));
+    graph.set_eliminated(points.back(), true);
+  }
+  for (const BundleProblem::Observation& o : problem.observations) edge(o.camera, points[o.point], o);
+}
+
+Graph with_one_vertex_per_camera(const BundleProblem& problem) {
+  Graph graph;
+  std::vector<VertexHandle<Product<SE3, BalCamera>>> cameras;
+  for (const auto& c : problem.cameras) {
+    cameras.push_back(graph.add_vertex(
+        Product<SE3, BalCamera>(camera_from_world(c).inverse(), BalCamera(c[6], c[7], c[8]))));
+  }
+  add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
+    graph.add_edge(Reprojection<BalCamera>(Vector2(o.x, o.y)), cameras[camera], point);
+  });
+  return graph;
+}
+
+Graph with_vertices_of_intrinsics(const BundleProblem& problem, bool are_shared) {
+  Graph graph;
+  std::vector<VertexHandle<SE3>> poses;
+  std::vector<VertexHandle<BalCamera>> intrinsics;
+  for (const auto& c : problem.cameras) {
+    poses.push_back(graph.add_vertex(camera_from_world(c).inverse()));
+    if (intrinsics.empty() || !are_shared)
+      intrinsics.push_back(graph.add_vertex(BalCamera(c[6], c[7], c[8])));
+  }
+  add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
+    graph.add_edge(Reprojection<BalCamera>(Vector2(o.x, o.y)), poses[camera], point,
+                   intrinsics[are_shared ? 0 : camera]);
+  });
+  return graph;
+}
+
+template <class Edge>
+Graph with_custom_edges(const BundleProblem& problem) {
+  Graph graph;
+  std::vector<VertexHandle<UserCamera>> cameras;
+  for (const auto& c : problem.cameras)
+    cameras.push_back(graph.add_vertex(UserCamera(camera_from_world(c), Vector3(c[6], c[7], c[8]))));
+  add_observations(problem, graph, [&](std::size_t camera, const auto& point, const auto& o) {
+    graph.add_edge(Edge{o.x, o.y}, cameras[camera], point);
+  });
+  return graph;
+}
+
+}  // namespace
+
+std::string_view describe(BundleForm form) {
+  switch (form) {
+    case BundleForm::kCamera:
+      return "one vertex per camera";
+    case BundleForm::kSeparateIntrinsics:
+      return "intrinsics of each camera as a vertex";
+    case BundleForm::kSharedIntrinsics:
+      return "shared intrinsics as a vertex";
+    case BundleForm::kCustomEdge:
+      return "a user's edge with automatic derivatives";
+    case BundleForm::kCustomJacobians:
+      return "a user's edge with its own Jacobians";
+  }
+  return "";
+}
+
+Graph make_bundle_graph(const BundleProblem& problem, BundleForm form) {
+  switch (form) {
+    case BundleForm::kCustomEdge:
+      return with_custom_edges<UserReprojection>(problem);
+    case BundleForm::kCustomJacobians:
+      return with_custom_edges<UserReprojectionWithJacobians>(problem);
+    case BundleForm::kCamera:
+      return with_one_vertex_per_camera(problem);
+    default:
+      return with_vertices_of_intrinsics(problem, form == BundleForm::kSharedIntrinsics);
+  }
+}
+
+}  // namespace boxplus::bench

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The forms in which a program can state the same problem of bundle adjustment.
+#pragma once
+
+#include <string_view>
+
+#include "boxplus/graph/graph.h"
+#include "bundle/bundle_problem.h"
+
+namespace boxplus::bench {
+
+enum class BundleForm {
+  kCamera,              ///< one vertex per camera, and Reprojection<BalCamera>
+  kSeparateIntrinsics,  ///< a vertex for the pose and one for the intrinsics of each camera
+  kSharedIntrinsics,    ///< one vertex for the intrinsics of all cameras
+  kCustomEdge,          ///< one vertex per camera, and a user's error function with automatic derivatives
+  kCustomJacobians      ///< the same with the user's own Jacobians
+};
+inline constexpr BundleForm kBundleForms[] = {BundleForm::kCamera, BundleForm::kSeparateIntrinsics,
+                                              BundleForm::kSharedIntrinsics, BundleForm::kCustomEdge,
+                                              BundleForm::kCustomJacobians};
+std::string_view describe(BundleForm form);
+
+/// The graph of a problem. Its points are marked to be eliminated.
+Graph make_bundle_graph(const BundleProblem& problem, BundleForm form);
+
+}  // namespace boxplus::bench
