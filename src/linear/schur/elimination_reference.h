@@ -9,10 +9,4 @@ namespace boxplus {
 /// Kernels for blocks of any size. Each instruction set has faster kernels for common sizes.
 extern const dense::EliminationKernels kEliminationReference;
 
-/// The fastest kernels for blocks W of rows × dim values.
-inline const dense::EliminationKernels& elimination_kernels(int rows, int dim) {
-  const dense::EliminationKernels* kernels = dense::kernels().elimination_kernels_for(rows, dim);
-  return kernels != nullptr ? *kernels : kEliminationReference;
-}
-
 }  // namespace boxplus

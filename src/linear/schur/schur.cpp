@@ -7,7 +7,6 @@
 
 #include "base/paced_stop.h"
 #include "boxplus/base/parallel.h"
-#include "linear/schur/elimination_reference.h"
 #include "linear/schur/small_cholesky.h"
 
 namespace boxplus {
@@ -301,7 +300,7 @@ void Schur::halve_column(std::uint32_t column, const double* w, const double* l,
   double* half = slice.half_column.data();
   int* half_rows = slice.half_rows.data();
   for_each_joined(column, w, [&](std::uint32_t, const double* block, int rows) {
-    elimination_kernels(rows, n).half_block(rows, n, l, block, half);
+    kernels_(rows, n).half_block(rows, n, l, block, half);
     half += rows * n;
     *half_rows++ = rows;
   });
@@ -315,7 +314,7 @@ void Schur::subtract_products(std::uint32_t column, const std::uint32_t* target,
   const double* half = slice.half_column.data();
   for (std::uint32_t a = 0; a < blocks; ++a) {
     const int rows = slice.half_rows[a];
-    elimination_kernels(rows, n).subtract_block_products(
+    kernels_(rows, n).subtract_block_products(
         rows, n, half,
         {slice.half_column.data(), slice.half_rows.data(), static_cast<int>(a + 1), target, slice.values});
     half += rows * n;
@@ -330,8 +329,7 @@ void Schur::reduce_column(std::uint32_t column, const double* w, const double* r
   std::copy_n(r + structure_->offset[column], n, small);
   solve_eliminated(column, small);
   for_each_joined(column, w, [&](std::uint32_t row, const double* block, int rows) {
-    elimination_kernels(rows, n).subtract_block_multiple(rows, n, block, small,
-                                                         slice.reduced_r + reduced_.offset[row]);
+    kernels_(rows, n).subtract_block_multiple(rows, n, block, small, slice.reduced_r + reduced_.offset[row]);
   });
 }
 
@@ -350,8 +348,7 @@ void Schur::back_substitute(const double* r, const double* reduced_x, double* x)
       double* out = x + structure_->offset[e];
       std::copy_n(r + structure_->offset[e], n, out);
       for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
-        elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w,
-                                                                  reduced_x + reduced_.offset[row], out);
+        kernels_(rows, n).subtract_transposed_multiple(rows, n, w, reduced_x + reduced_.offset[row], out);
       });
       solve_eliminated(e, out);
     }
@@ -383,12 +380,12 @@ void Schur::multiply(const double* x, double* y) {
     const int n = static_cast<int>(structure_->dim(e));
     std::fill_n(small, n, 0.0);
     for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
-      elimination_kernels(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
+      kernels_(rows, n).subtract_transposed_multiple(rows, n, w, x + reduced_.offset[row], small);
     });
     solve_eliminated(e, small);
     for (int i = 0; i < n; ++i) small[i] = -small[i];
     for_each_joined(e, [&](std::uint32_t row, const double* w, int rows) {
-      elimination_kernels(rows, n).subtract_block_multiple(rows, n, w, small, y + reduced_.offset[row]);
+      kernels_(rows, n).subtract_block_multiple(rows, n, w, small, y + reduced_.offset[row]);
     });
   }
 }
@@ -405,8 +402,7 @@ void Schur::block_diagonal(double* out) {
     halve_column(e, blocks_of_w(e), factors_.data() + factor_start_[e], slice);
     const double* half = slice.half_column.data();
     for_each_joined(e, [&](std::uint32_t row, const double*, int rows) {
-      elimination_kernels(rows, n).subtract_block_products(rows, n, half,
-                                                           {half, &rows, 1, &diagonal_start_[row], out});
+      kernels_(rows, n).subtract_block_products(rows, n, half, {half, &rows, 1, &diagonal_start_[row], out});
       half += rows * n;
     });
   }

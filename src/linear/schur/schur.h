@@ -10,6 +10,7 @@
 #include "boxplus/base/function_ref.h"
 #include "boxplus/linear/block_system.h"
 #include "boxplus/linear/linear_solver.h"
+#include "linear/schur/elimination_kernel_choice.h"
 
 namespace boxplus {
 
@@ -132,6 +133,7 @@ class Schur {
   std::uint32_t eliminated_;
   BlockStructure reduced_;
   int threads_;
+  EliminationKernelChoice kernels_;
   std::span<const double> values_;  // of H; without the eliminated columns if they are not stored
   Damping damping_;
   const double* r_ = nullptr;
