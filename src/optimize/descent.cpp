@@ -5,21 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "optimize/edge_counts.h"
 #include "optimize/significance.h"
 
 namespace boxplus {
 namespace {
-
-double count_degrees_of_freedom(const Graph& graph, const Plan& plan) {
-  double rows = 0;
-  for (const EdgeList& list : plan.edges) {
-    const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
-    for (const std::uint32_t edge : list.edges) {
-      if (pool.enabled(edge)) rows += pool.shape(edge).rows;
-    }
-  }
-  return rows - plan.free_scalars();
-}
 
 /// The result of a run that ends with an iteration that took no step.
 RunResult ended(IterationOutcome outcome, const StopToken& stop, double chi2, int iterations) {
@@ -77,7 +67,8 @@ Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const 
       stop_(stop),
       clock_(clock),
       records_(records),
-      degrees_of_freedom_(count_degrees_of_freedom(graph, system.plan())) {}
+      degrees_of_freedom_(static_cast<double>(count_edges(graph, system.plan()).rows) -
+                          system.plan().free_scalars()) {}
 
 RunResult Descent::run(double chi2) {
   return run_while([](const IterationRecord&) { return true; }, chi2);

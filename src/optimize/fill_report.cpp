@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "optimize/edge_counts.h"
 #include "optimize/non_finite.h"
 #include "optimize/planned_system.h"
 #include "optimize/weight_span.h"
@@ -31,6 +32,13 @@ void reset(Report& report) {
   report.jacobians = std::move(jacobians);
   report.gauge = std::move(gauge);
   report.message = std::move(message);
+}
+
+/// The rows minus the scalars that are not gauge freedom. Needs the final gauge.
+std::int64_t degrees_of_freedom(const Report& report) {
+  std::int64_t determined = std::int64_t{report.scalars} - report.gauge.held_directions;
+  for (const detail::GaugeFreedom& freedom : report.gauge.free) determined -= freedom.directions;
+  return static_cast<std::int64_t>(report.rows) - determined;
 }
 
 /// Whether this result may be wrong because some edges have such large weights that other edges have no
@@ -83,6 +91,10 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
   report.scalars = plan.free_scalars();
   report.eliminated = plan.eliminated_blocks;
   report.edges = plan.edge_count;
+  const EdgeCounts counts = count_edges(graph, plan);
+  report.rows = counts.rows;
+  report.disabled_edges = counts.disabled;
+  report.robust_edges = counts.robust;
   report.linear = system.linear_solver().statistics();
   report.workers = std::max(system.linearizer().workers(), report.linear.workers);
   for (const GaugeVertex& gauge : plan.held) report.gauge.held.push_back(gauge.id);
@@ -91,8 +103,6 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
     const detail::EdgePool& pool = *graph.edge_pools()[list.pool];
     report.jacobians.push_back({pool.type_name(), options.numeric_jacobians ? detail::JacobianSource::kNumeric
                                                                             : pool.jacobian_source()});
-    report.disabled_edges += static_cast<std::uint32_t>(std::count_if(
-        list.edges.begin(), list.edges.end(), [&](std::uint32_t edge) { return !pool.enabled(edge); }));
   }
 }
 
@@ -108,6 +118,7 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.linear = system.linear_solver().statistics();
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
+  report.degrees_of_freedom = degrees_of_freedom(report);
   const double chi2 = system.chi2();
   report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   report.message.assign(to_string(result.reason));

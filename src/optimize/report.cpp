@@ -117,6 +117,21 @@ void add_jacobians(Text& text, const std::vector<Report::EdgeJacobians>& jacobia
   add(text, "\n");
 }
 
+/// "chi2 per degree of freedom is 1.43 (18 degrees)"
+void add_fit(Text& text, const Report& report) {
+  if (report.rows == 0) return;
+  const std::int64_t degrees = report.degrees_of_freedom;
+  add(text, "  {:<16}", "fit");
+  if (degrees > 0) {
+    add(text, "chi2 per degree of freedom is {:.4g} ({} degree{})\n",
+        without_sign_of_nan(report.chi2_per_degree()), degrees, degrees == 1 ? "" : "s");
+  } else if (degrees == 0) {
+    add(text, "no degrees of freedom: as many rows as unknowns\n");
+  } else {
+    add(text, "no degrees of freedom: {} fewer rows than unknowns\n", -degrees);
+  }
+}
+
 void add_gauge(Text& text, const Report::GaugeReport& gauge) {
   if (!gauge.held.empty()) {
     add(text, "  {:<16}", "gauge");
@@ -136,6 +151,8 @@ void add_gauge(Text& text, const Report::GaugeReport& gauge) {
 void add_notes(Text& text, const Report& report) {
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
+  if (const std::string_view remark = report.chi2_remark(); !remark.empty())
+    add(text, "  {:<16}{}\n", "note", remark);
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
   if (report.regularized_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
@@ -145,14 +162,34 @@ void add_notes(Text& text, const Report& report) {
 
 }  // namespace
 
+double Report::chi2_per_degree() const {
+  return degrees_of_freedom > 0 ? chi2_final / static_cast<double>(degrees_of_freedom)
+                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string_view Report::chi2_remark() const {
+  // With fewer degrees, ratios beyond these limits are not rare even if every Ω is right.
+  constexpr std::int64_t kFewestDegrees = 10;
+  constexpr double kMost = 4, kLeast = 0.25;
+  if (!converged() || degrees_of_freedom < kFewestDegrees) return {};
+  const double ratio = chi2_per_degree();
+  if (ratio > kMost)
+    return "chi2 per degree of freedom is above 4: Ω is too large, there are outliers, or this is a local "
+           "minimum";
+  if (ratio < kLeast && robust_edges == 0)
+    return "chi2 per degree of freedom is below 1/4: Ω is too small for errors as small as these";
+  return {};
+}
+
 std::string to_string(const Report& report) {
   Text text;
   add(text, "{}: chi2 {:.9g} → {:.9g} in {} iteration{}, {:.4f} s\n", to_string(report.status),
       without_sign_of_nan(report.chi2_initial), without_sign_of_nan(report.chi2_final), report.iterations,
       report.iterations == 1 ? "" : "s", report.time.total_s);
   add(text, "  {:<16}{}\n", "because", report.message);
-  add(text, "  {:<16}{} vertices ({} unknowns), {} edges\n", "problem", report.vertices, report.scalars,
-      report.edges);
+  add(text, "  {:<16}{} vertices ({} unknowns), {} edges ({} rows)\n", "problem", report.vertices,
+      report.scalars, report.edges, report.rows);
+  add_fit(text, report);
   if (report.eliminated > 0) add(text, "  {:<16}{} vertices\n", "eliminated", report.eliminated);
   add(text, "  {:<16}{}, {}, {} of {} thread{}\n", "method", report.algorithm, solver_text(report),
       report.workers, report.threads, report.threads == 1 ? "" : "s");

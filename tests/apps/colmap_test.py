@@ -88,7 +88,7 @@ class ColmapTest(CommandCase):
         done = run("info", self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("Reprojection<SIMPLE_RADIAL>", done.stdout)
-        self.assertIn("unknowns      56 ", done.stdout)  # 3 poses, 12 points, f and k
+        self.assertIn("unknowns      50 ", done.stdout)  # 2 poses (1 pose is held), 12 points, f and k
 
     def test_models_can_be_compared(self):
         out = self.path / "out"

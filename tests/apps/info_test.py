@@ -34,12 +34,12 @@ def facts_of(text, *arguments):
 class InfoTest(CommandCase):
     def test_counts_vertices_and_edges_by_type(self):
         facts = facts_of(GRAPH)
-        self.assertEqual([facts[key] for key in ("vertices", "parameters", "edges", "unknowns", "rows")], [7, 0, 5, 16, 14])
+        self.assertEqual([facts[key] for key in ("vertices", "parameters", "edges", "unknowns", "rows")], [7, 0, 5, 11, 14])
         self.assertEqual(facts["edge_roles"],
                          {"odometry": 3, "loop_closures": 1, "observations": 1, "priors": 0, "others": 0})
         self.assertEqual(facts["extent"], [6, 6])
         poses, points = facts["vertex_types"]
-        self.assertEqual((poses["tag"], poses["count"], poses["fixed"], poses["unknowns"]), ("VERTEX_SE2", 5, 1, 12))
+        self.assertEqual((poses["tag"], poses["count"], poses["fixed"], poses["unknowns"]), ("VERTEX_SE2", 5, 1, 9))
         self.assertEqual((poses["degree_min"], poses["degree_mean"], poses["degree_max"]), (1, 1.8, 3))
         self.assertEqual((points["role"], points["degree_min"]), ("landmark", 0))
 
@@ -76,6 +76,13 @@ class InfoTest(CommandCase):
         graph = self.written("graph.g2o", GRAPH)
         report = json.loads(run("optimize", graph, "--json", "-").stdout)
         self.assertEqual(report["gauge"]["held"], [0])
+
+    def test_counts_the_same_unknowns_and_rows_as_optimize(self):
+        graph = self.written("graph.g2o", GRAPH)
+        report = json.loads(run("optimize", graph, "--json", "-").stdout)
+        facts = facts_of(GRAPH)
+        self.assertEqual((facts["unknowns"], facts["rows"]), (report["scalars"], report["rows"]))
+        self.assertEqual(sum(kind["unknowns"] for kind in facts["vertex_types"]), facts["unknowns"])
 
     def test_no_vertex_is_held_in_a_component_with_a_prior(self):
         prior = f"EDGE_PRIOR_SE2 0 0 0 0 {UNIT}\n"

@@ -45,6 +45,26 @@ class OptimizeTest(CommandCase):
         again = self.report_of(self.path / "out.g2o")
         self.assertAlmostEqual(again["chi2_initial"] / report["chi2_final"], 1, places=12)
 
+    def test_the_report_counts_rows_and_degrees_of_freedom(self):
+        report = self.report_of(TOWN)
+        self.assertEqual([report[key] for key in ("rows", "scalars", "degrees_of_freedom")], [375, 357, 18])
+        self.assertAlmostEqual(report["chi2_per_degree"], report["chi2_final"] / 18)
+        self.assertIsNone(report["chi2_remark"])
+        text = run("optimize", TOWN).stdout
+        self.assertIn("125 edges (375 rows)", text)
+        self.assertIn("chi2 per degree of freedom is 1.429 (18 degrees)", text)
+
+    def test_remarks_if_the_information_cannot_be_right(self):
+        graph = self.simulated("manhattan", 200)
+        self.assertIsNone(self.report_of(graph)["chi2_remark"])
+        lines = [line.split() for line in graph.read_text(encoding="utf-8").splitlines()]
+        for factor, words in ((1e6, "Ω is too large"), (1e-6, "Ω is too small")):
+            scaled = [" ".join([*words[:6], *(str(factor * float(w)) for w in words[6:])])
+                      if words[0] == "EDGE_SE2" else " ".join(words) for words in lines]
+            wrong = self.written("wrong.g2o", "\n".join(scaled) + "\n")
+            self.assertIn(words, self.report_of(wrong)["chi2_remark"])
+            self.assertIn(words, run("optimize", wrong).stdout)
+
     def test_reads_the_graph_from_stdin_and_writes_only_the_graph_to_stdout(self):
         text = TOWN.read_text(encoding="utf-8")
         done = run("optimize", "-", "-o", "-", stdin=text)

@@ -38,6 +38,102 @@ TEST(Report, ShowsThePredictedMemoryAndTimeOfAFactorThatWasNotComputed) {
   EXPECT_THAT(text_for(3'140'000'000'000'000), HasSubstr("take 3140 TB and"));
 }
 
+/// A report of a run that converged.
+Report converged_report(double chi2, std::int64_t degrees_of_freedom) {
+  Report report;
+  report.status = Report::Status::kConverged;
+  report.chi2_final = chi2;
+  report.rows = 100;
+  report.degrees_of_freedom = degrees_of_freedom;
+  return report;
+}
+
+TEST(Report, RemarksThatChi2DoesNotFitItsDegreesOfFreedom) {
+  EXPECT_THAT(to_string(converged_report(4.1e6, 10)), HasSubstr("is above 4: Ω is too large"));
+  EXPECT_THAT(to_string(converged_report(2.4, 10)), HasSubstr("is below 1/4: Ω is too small"));
+  EXPECT_EQ(converged_report(40, 10).chi2_remark(), "");
+  EXPECT_EQ(converged_report(2.5, 10).chi2_remark(), "");
+}
+
+TEST(Report, DoesNotRemarkOnChi2WithFewerThanTenDegreesOfFreedom) {
+  for (const std::int64_t degrees : {-1, 0, 1, 9}) {
+    EXPECT_EQ(converged_report(1e9, degrees).chi2_remark(), "");
+    EXPECT_EQ(converged_report(0, degrees).chi2_remark(), "");
+  }
+  EXPECT_TRUE(std::isnan(converged_report(1, 0).chi2_per_degree()));
+  EXPECT_TRUE(std::isnan(converged_report(1, -1).chi2_per_degree()));
+}
+
+TEST(Report, DoesNotRemarkOnChi2IfTheRunDidNotConverge) {
+  Report report = converged_report(1e9, 100);
+  report.status = Report::Status::kNotConverged;
+  EXPECT_EQ(report.chi2_remark(), "");
+}
+
+TEST(Report, DoesNotRemarkOnALowChi2IfEdgesHaveRobustKernels) {
+  Report report = converged_report(1, 100);
+  report.robust_edges = 1;
+  EXPECT_EQ(report.chi2_remark(), "");
+  report.chi2_final = 401;
+  EXPECT_NE(report.chi2_remark(), "");
+}
+
+TEST(Report, PrintsRowsAndDegreesOfFreedom) {
+  const auto text_for = [](std::int64_t degrees) { return to_string(converged_report(150, degrees)); };
+  EXPECT_THAT(text_for(100), HasSubstr("edges (100 rows)\n"));
+  EXPECT_THAT(text_for(100), HasSubstr("fit             chi2 per degree of freedom is 1.5 (100 degrees)\n"));
+  EXPECT_THAT(text_for(1), HasSubstr("is 150 (1 degree)\n"));
+  EXPECT_THAT(text_for(0), HasSubstr("no degrees of freedom: as many rows as unknowns\n"));
+  EXPECT_THAT(text_for(-2), HasSubstr("no degrees of freedom: 2 fewer rows than unknowns\n"));
+}
+
+TEST(DegreesOfFreedom, AreTheSameForEveryTreatmentOfTheGauge) {
+  for (const GaugePolicy gauge : {GaugePolicy::kFixFirst, GaugePolicy::kDamp}) {
+    Graph graph;
+    add_noisy_circle(graph, 20);
+    const Report report = optimize(graph, {.gauge = gauge});
+    EXPECT_EQ(report.rows, 60u);
+    EXPECT_EQ(report.scalars, gauge == GaugePolicy::kDamp ? 60u : 57u);
+    EXPECT_EQ(report.degrees_of_freedom, 60 - 57);
+    EXPECT_DOUBLE_EQ(report.chi2_per_degree(), report.chi2_final / 3);
+  }
+}
+
+TEST(DegreesOfFreedom, DoNotCountFixedVerticesFixedDirectionsAndDisabledEdges) {
+  Graph graph;
+  const auto poses = add_noisy_circle(graph, 20);
+  graph.fix(poses[0]);
+  graph.fix_directions(poses[5], {1, 2});
+  graph.set_enabled(graph.all_edges()[7], false);
+  const Report report = optimize(graph);
+  EXPECT_EQ(report.rows, 57u);
+  EXPECT_EQ(report.scalars, 55u);
+  EXPECT_EQ(report.degrees_of_freedom, 57 - 55);
+}
+
+TEST(DegreesOfFreedom, CountAFreeScaleAsUndetermined) {
+  Graph graph;
+  std::vector<VertexHandle<Vector2>> points;
+  for (int k = 0; k < 4; ++k) points.push_back(graph.add_vertex(Vector2(k * k, k)));
+  const auto direction = [](const auto& a, const auto& b) {
+    using std::atan2;
+    return atan2(b[1] - a[1], b[0] - a[0]);
+  };
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const double measured = direction(graph.estimate(points[j]), graph.estimate(points[k]));
+      graph.add_edge([=](const auto& a, const auto& b) { return direction(a, b) - measured; }, points[j],
+                     points[k]);
+    }
+  }
+  const Report report = optimize(graph);
+  ASSERT_EQ(report.gauge.held.size(), 1u) << report;
+  ASSERT_EQ(report.gauge.free.size(), 1u) << report;
+  EXPECT_EQ(report.rows, 6u);
+  EXPECT_EQ(report.scalars, 6u);
+  EXPECT_EQ(report.degrees_of_freedom, 6 - 5);  // four points, up to position and scale
+}
+
 TEST(Report, IsPrintedAsATable) {
   Graph graph;
   add_noisy_circle(graph, 20);

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "boxplus/linearize/plan.h"
-
 namespace boxplus::app {
 namespace {
 
@@ -43,7 +41,7 @@ std::vector<Id> ids_of(const Graph& graph, EdgeRef edge) {
 
 }  // namespace
 
-void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFacts& facts) {
+void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role_of_edge, GraphFacts& facts) {
   const std::vector<EdgeRef> edges = graph.all_edges();
   Sets sets(graph);
   for (const EdgeRef& edge : edges) {
@@ -64,7 +62,6 @@ void find_components(const Graph& graph, const EdgeRoles& role_of_edge, GraphFac
     ++component.edges;
     component.priors += role_of_edge(edge) == EdgeRole::kPrior;
   }
-  const Plan plan = make_plan(graph, {});
   for (const GaugeVertex& held : plan.held) components[sets.find(held.id)].held.push_back(held.id);
   for (const detail::GaugeFreedom& freedom : plan.freedoms)
     components[sets.find(freedom.id)].free = to_string(freedom);

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "boxplus/io/registry.h"
+#include "boxplus/linearize/plan.h"
 #include "info/components.h"
 
 namespace boxplus::app {
@@ -49,15 +50,10 @@ void add_vertex(const Graph& graph, VertexRef vertex, std::size_t degree, Vertex
   type.degrees.max = std::max(type.degrees.max, degree);
   type.degrees.mean += static_cast<double>(degree);  // the sum; find_vertex_types() divides it by the count
   ++type.count;
-  if (graph.is_fixed(vertex)) {
-    ++type.fixed;
-  } else {
-    type.unknowns +=
-        static_cast<std::size_t>(graph.tangent_dim(vertex)) - graph.fixed_directions(vertex).size();
-  }
+  type.fixed += graph.is_fixed(vertex);
 }
 
-void find_vertex_types(const Graph& graph, GraphFacts& facts) {
+void find_vertex_types(const Graph& graph, const Plan& plan, GraphFacts& facts) {
   const std::map<VertexRef, std::size_t> degrees = count_degrees(graph);
   std::map<std::pair<bool, std::string>, VertexTypeFacts> types;
   const auto add_all = [&](const std::vector<VertexRef>& vertices, bool parameters) {
@@ -70,6 +66,11 @@ void find_vertex_types(const Graph& graph, GraphFacts& facts) {
   };
   add_all(graph.all_vertices(), false);
   add_all(graph.all_parameters(), true);
+  for (const VertexRef& vertex : plan.block_vertex) {
+    const bool parameter = graph.vertex_pools()[vertex.pool]->parameter(vertex.slot);
+    types[{parameter, tag_or_type(graph, vertex)}].unknowns +=
+        static_cast<std::size_t>(graph.tangent_dim(vertex)) - graph.fixed_directions(vertex).size();
+  }
   for (auto& [key, type] : types) {
     std::tie(type.parameter, type.tag) = key;
     type.degrees.mean /= static_cast<double>(type.count);
@@ -126,7 +127,8 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   facts.parameters = graph.parameter_count();
   facts.edges = graph.edge_count();
   facts.chi2 = graph.chi2();
-  find_vertex_types(graph, facts);
+  const Plan plan = make_plan(graph, {});
+  find_vertex_types(graph, plan, facts);
   find_extent(graph, facts);
   const EdgeRoles role(graph);
   std::vector<EdgeFacts> edges;
@@ -137,7 +139,7 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   }
   find_edge_types(graph, edges, facts);
   find_worst(std::move(edges), worst, facts);
-  find_components(graph, role, facts);
+  find_components(graph, plan, role, facts);
   return facts;
 }
 

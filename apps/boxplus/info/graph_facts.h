@@ -21,8 +21,10 @@ struct VertexTypeFacts {
   std::string tag;  ///< the tag in the file, or the name of the type if it has no tag
   VertexRole role = VertexRole::kOther;
   bool parameter = false;
-  std::size_t count = 0, fixed = 0, unknowns = 0;
-  Degrees degrees;  ///< the number of edges per vertex
+  std::size_t count = 0, fixed = 0;
+  std::size_t unknowns = 0;  ///< counted as by Report::scalars: without held vertices, and without vertices
+                             ///< that have no edges
+  Degrees degrees;           ///< the number of edges per vertex
 };
 
 struct EdgeFacts {

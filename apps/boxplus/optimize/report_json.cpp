@@ -26,6 +26,11 @@ Json unless_zero(std::uint64_t value) {
   return value == 0 ? Json(nullptr) : Json(value);
 }
 
+/// Returns null for an empty text, which means "absent".
+Json unless_empty(std::string_view text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
 Json start_json(const Report::StartReport& start) {
   return {{"requested", to_string(start.requested)},
           {"used", to_string(start.used)},
@@ -115,6 +120,10 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"edges", report.edges},
                      {"skipped_lines", facts.skipped_lines},
                      {"scalars", report.scalars},
+                     {"rows", report.rows},
+                     {"degrees_of_freedom", report.degrees_of_freedom},
+                     {"chi2_per_degree", unless_nan(report.chi2_per_degree())},
+                     {"chi2_remark", unless_empty(report.chi2_remark())},
                      {"jacobians", jacobians_json(report.jacobians)},
                      {"regularized_steps", report.regularized_steps},
                      {"time_s", time_json(report.time, facts)},

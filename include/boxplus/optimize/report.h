@@ -87,7 +87,20 @@ struct [[nodiscard]] Report {
   std::vector<IterationRecord> records;  ///< records of the run that was kept
 
   std::string_view algorithm, linear_solver;
-  std::uint32_t vertices = 0, edges = 0, scalars = 0, eliminated = 0, disabled_edges = 0;
+  /// The vertices that move: those of active edges, without fixed vertices and without the vertices
+  /// gauge.held. Of these, `eliminated` are eliminated by the Schur complement.
+  std::uint32_t vertices = 0, eliminated = 0;
+  /// The active edges. Of these, `disabled_edges` are disabled; `robust_edges` are enabled and have a robust
+  /// kernel.
+  std::uint32_t edges = 0, disabled_edges = 0, robust_edges = 0;
+  /// The unknowns: the tangent directions of the vertices that move, without fixed directions
+  /// (Graph::fix_directions()).
+  std::uint32_t scalars = 0;
+  std::uint64_t rows = 0;  ///< the rows of the errors of the enabled active edges
+  /// The rows minus the unknowns that the edges determine. These are the scalars without the directions of
+  /// gauge freedom, which are counted by gauge.free and gauge.held_directions. Negative if there are fewer
+  /// rows than unknowns.
+  std::int64_t degrees_of_freedom = 0;
   std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;
   int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
@@ -98,6 +111,19 @@ struct [[nodiscard]] Report {
   Timings time;
 
   bool converged() const { return status == Status::kConverged; }
+
+  /// chi2_final / degrees_of_freedom; NaN unless degrees_of_freedom > 0. If the Ω of every edge is the
+  /// inverse covariance of its error, and no edge has a robust kernel, this ratio is 1 with a standard
+  /// deviation of √(2 / degrees_of_freedom). If all Ω are too large by a factor, the ratio is this factor.
+  ///
+  /// A robust kernel reduces the chi2 of its edge, but the edge counts with all its rows, even if its weight
+  /// is 0. So with robust kernels, a ratio far above 1 has the same meaning, but a ratio below 1 says nothing
+  /// about Ω.
+  double chi2_per_degree() const;
+  /// A sentence if chi2_per_degree() shows that the Ω and the errors do not fit together, and otherwise an
+  /// empty text. There is a sentence if the run converged with at least ten degrees of freedom, and the ratio
+  /// is above 4 or (unless edges have robust kernels) below 1/4.
+  std::string_view chi2_remark() const;
 };
 
 std::string_view to_string(Report::Status status);
