@@ -52,6 +52,43 @@ TEST(Icp, TheFrameOfANormalHasTheSameAxesAsInG2o) {
   EXPECT_EQ(pair.R1, expected);
 }
 
+TEST(Icp, AUnitNormalInAnyDirectionHasAnOrthogonalFrame) {
+  for (const g2o::Vector3& axis : {g2o::Vector3(1, 0, 0), g2o::Vector3(0, 1, 0), g2o::Vector3(0, 0, 1)}) {
+    for (const double tilt : {0., 1e-12, 1e-9, 1e-6, 1e-3, 1e-2}) {
+      for (const double sign : {1., -1.}) {
+        g2o::EdgeGICP pair;
+        pair.normal0 = pair.normal1 = sign * (axis + tilt * g2o::Vector3(0.5, -0.25, 1)).normalized();
+        SCOPED_TRACE(pair.normal0.transpose());
+        pair.makeRot0();
+        EXPECT_LT((pair.R0 * pair.R0.transpose() - g2o::Matrix3::Identity()).norm(), 1e-12);
+        EXPECT_NEAR(pair.R0.determinant(), -1, 1e-12);
+        const g2o::Matrix3 along = pair.normal0 * pair.normal0.transpose();
+        const g2o::Matrix3 across = g2o::Matrix3::Identity() - along;
+        EXPECT_LT((pair.prec1(0.01) - along - 0.01 * across).norm(), 1e-12);
+        EXPECT_LT((pair.cov1(0.01) - 0.01 * along - across).norm(), 1e-12);
+      }
+    }
+  }
+}
+
+TEST(Icp, PlanesThatAreLevelInACameraFrameAreAlignedWithEachOther) {
+  g2o::SparseOptimizer optimizer;
+  std::istringstream in(
+      "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 0 0 0 0 0 0 1\n"
+      "EDGE_V_V_GICP 0 1 1 2 3 0 1 0 2 4 6 0 1 0\n");
+  ASSERT_TRUE(optimizer.load(in));
+  auto* e = static_cast<g2o::Edge_V_V_GICP*>(*optimizer.edges().begin());
+  EXPECT_LT((e->information() - g2o::Matrix3(g2o::Vector3(0.01, 1, 0.01).asDiagonal())).norm(), 1e-15)
+      << "Ω of the file";
+  g2o::EdgeGICP pair = e->measurement();
+  e->cov0 = pair.cov0(0.01);
+  e->cov1 = pair.cov1(0.01);
+  e->pl_pl = true;
+  e->computeError();
+  EXPECT_LT((e->information() - g2o::Matrix3(g2o::Vector3(0.5, 50, 0.5).asDiagonal())).norm(), 1e-12);
+  EXPECT_NEAR(e->chi2(), 0.5 * 1 + 50 * 4 + 0.5 * 9, 1e-10);
+}
+
 TEST(Icp, AZeroNormalGivesAFiniteInformationMatrix) {
   g2o::EdgeGICP pair;
   pair.normal0.setZero();

@@ -15,13 +15,22 @@ namespace {
 
 using Native = boxplus::PointObservation3;
 
-/// The matrix with the rows n × y, y and n. Here, y is the normalized component of e_y that is orthogonal to
-/// the normal n. If n is parallel to e_y, y is zero.
+/// The axis whose component orthogonal to `normal` is row 1 of its frame: e_y, or e_x if the normal is
+/// (nearly) parallel to e_y. Nearly: within 1e-3 rad, so that the component of e_y keeps 13 correct digits.
+Vector3 axis_across(const Vector3& normal) {
+  constexpr double kMinSine = 1e-3;
+  const bool is_parallel = normal.cross(Vector3::UnitY()).norm() < kMinSine * normal.norm();
+  return is_parallel ? Vector3::UnitX() : Vector3::UnitY();
+}
+
+/// The matrix with the rows n × a, a and n. Here, a is the normalized component of axis_across(n) that is
+/// orthogonal to the normal n.
 Matrix3 frame_of_normal(const Vector3& normal) {
-  const Vector3 y = (Vector3::UnitY() - normal.y() * normal).normalized();
+  const Vector3 axis = axis_across(normal);
+  const Vector3 a = (axis - axis.dot(normal) * normal).normalized();
   Matrix3 R;
-  R.row(0) = normal.cross(y);
-  R.row(1) = y;
+  R.row(0) = normal.cross(a);
+  R.row(1) = a;
   R.row(2) = normal;
   return R;
 }

@@ -19,9 +19,9 @@ class G2O_TYPES_ICP_API EdgeGICP {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
   EdgeGICP();
 
-  /// Update R0 and R1 from the normals. The rows of R are n × y, y and n, which form a left-handed frame. n
-  /// is the normal, and y is the unit vector that is orthogonal to n and closest to the y-axis. As in g2o, n
-  /// is not normalized, and y is zero if n is parallel to the y-axis.
+  /// Update R0 and R1 from the normals. The rows of R are n × a, a and n, which form a left-handed frame. n
+  /// is the normal, and a is the unit vector that is orthogonal to n and closest to the y-axis, or to the
+  /// x-axis if n is parallel to the y-axis (within 1e-3 rad). As in g2o, n is not normalized.
   void makeRot0();
   void makeRot1();
 
