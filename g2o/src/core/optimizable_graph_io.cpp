@@ -13,6 +13,7 @@
 
 #include "core/line_stream.h"
 #include "core/shortest_numbers.h"
+#include "core/unknown_tags.h"
 #include "g2o/core/factory.h"
 #include "g2o/core/optimizable_graph.h"
 #include "g2o/stuff/logger.h"
@@ -44,7 +45,7 @@ class Loader {
       number_ = number;
       read_line(line, false);
     }
-    report_unknown_tags();
+    unknown_.report();
     if (complaints_ > kShownComplaints)
       G2O_ERROR("{} more lines cannot be read", complaints_ - kShownComplaints);
     return complaints_ == 0;
@@ -69,8 +70,7 @@ class Loader {
     std::unique_ptr<HyperGraph::HyperGraphElement> element(known ? Factory::instance()->construct(tag)
                                                                  : nullptr);
     if (element == nullptr) {
-      Unknown& unknown = unknown_[tag];
-      if (unknown.count++ == 0) unknown.first_line = number_;
+      unknown_.add(tag, number_);
       return;
     }
     switch (element->elementType()) {
@@ -85,30 +85,6 @@ class Loader {
       default:
         complain("expected the tag of a parameter, vertex, edge or data, got {}", tag);
     }
-  }
-
-  /// Reports the first few unknown tags, and only counts the other unknown tags, because a file in another
-  /// format has very many of them.
-  void report_unknown_tags() const {
-    constexpr size_t kShown = 5;
-    std::vector<std::pair<std::string, Unknown>> tags(unknown_.begin(), unknown_.end());
-    std::sort(tags.begin(), tags.end(),
-              [](const auto& a, const auto& b) { return a.second.first_line < b.second.first_line; });
-    int others = 0;
-    for (size_t i = 0; i < tags.size(); ++i) {
-      const auto& [tag, unknown] = tags[i];
-      if (i >= kShown) {
-        others += unknown.count;
-      } else if (unknown.count == 1) {
-        G2O_WARN("line {}: skipped this line with the unknown tag {}", unknown.first_line,
-                 boxplus::quoted(tag));
-      } else {
-        G2O_WARN("line {}: skipped this line and {} more lines with the unknown tag {}", unknown.first_line,
-                 unknown.count - 1, boxplus::quoted(tag));
-      }
-    }
-    if (others > 0)
-      G2O_WARN("skipped {} more lines with {} other unknown tags", others, tags.size() - kShown);
   }
 
   /// Whether the read() of an element accepts the fields. Some types end their read() with `return
@@ -265,10 +241,7 @@ class Loader {
   OptimizableGraph& graph_;
   const std::map<std::string, std::string>& renames_;
   std::vector<std::pair<int, std::string>> pending_;
-  struct Unknown {
-    int first_line = 0, count = 0;
-  };
-  std::map<std::string, Unknown> unknown_;
+  internal::UnknownTags unknown_;
   HyperGraph::DataContainer* last_ = nullptr;
   HyperGraph::Data* last_data_ = nullptr;
   int number_ = 0;

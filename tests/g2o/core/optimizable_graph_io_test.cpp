@@ -193,17 +193,6 @@ TEST(Files, AMessageNamesTheTypeOfAnElementThatCannotBeWritten) {
   EXPECT_THAT(messages, testing::ElementsAre("save: write() of VERTEX_UNWRITTEN returned false"));
 }
 
-TEST(Files, MessagesQuoteAndCountUnknownTags) {
-  using testing::ElementsAre;
-  EXPECT_THAT(messages_of("A 1\nB\x7f 1\nA 2\nA 3\n", true),
-              ElementsAre("line 1: skipped this line and 2 more lines with the unknown tag 'A'",
-                          "line 2: skipped this line with the unknown tag 'B\\x7f'"));
-  EXPECT_THAT(messages_of("A\nB\nC\nD\nE\nF\nG\nF\n", true),
-              ElementsAre(testing::HasSubstr("'A'"), testing::HasSubstr("'B'"), testing::HasSubstr("'C'"),
-                          testing::HasSubstr("'D'"), testing::HasSubstr("'E'"),
-                          "skipped 3 more lines with 2 other unknown tags"));
-}
-
 TEST(Files, AnEdgeWithAZeroInformationMatrixHasNoWeight) {
   const std::string text = "VERTEX_SE2 0 0 0 0\nFIX 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 2 0 0 0 0 0 0 0 0\n";
   g2o::SparseOptimizer optimizer;

@@ -58,7 +58,7 @@ is "the edge needs parameter 5" err.txt
 broken "EDGE_SE2_XY: information" "EDGE_SE2_XY 0 7 1 0 1 2 1"
 broken "FIX: there is no vertex 99" "FIX 99"
 (cat square.g2o; echo "NONSENSE 1 2 3") > unknown.g2o
-expect 0 "line 12: skipped this line with the unknown tag 'NONSENSE'" unknown.g2o
+expect 0 "line 12: unknown tag 'NONSENSE', 1 line is skipped" unknown.g2o
 is "final chi2 = 0.00189884" err.txt
 (echo "PARAMS_SE3OFFSET 5 0 0 0 0 0 0 1"; cat square.g2o; echo "EDGE_SE2_POINTXY_OFFSET 0 7 5 1 0 1 0 1") > parameter.g2o
 expect 2 "parameter 5 does not have the type" parameter.g2o

@@ -392,7 +392,8 @@ struct G2O_CORE_API OptimizableGraph : public HyperGraph {
   virtual void setFixed(HyperGraph::VertexSet& vset, bool fixed);
 
   /// Reads a .g2o file with the types of the Factory. Returns false if the file cannot be opened or if a line
-  /// cannot be read. Logs an error for each line that cannot be read, and still reads the other lines.
+  /// cannot be read. Logs an error for each line that cannot be read, and still reads the other lines. Skips
+  /// lines whose tag is unknown, and logs one error for each unknown tag, which names the library of the tag.
   virtual bool load(std::istream& is);
   bool load(const char* filename);
   bool load(const std::string& filename) { return load(filename.c_str()); }
