@@ -126,7 +126,9 @@ class SparseOptimizer::OptimizeScope {
 
 int SparseOptimizer::optimize(int iterations, bool online) {
   if (_ivMap.empty()) {
-    G2O_WARN("optimize: no vertices to optimize; was initializeOptimization() called?");
+    G2O_ERROR(
+        "optimize: no vertices to optimize; was initializeOptimization() called? (Call it again after "
+        "removing a vertex.)");
     return -1;
   }
   if (_algorithm == nullptr) {

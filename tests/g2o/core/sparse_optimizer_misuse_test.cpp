@@ -343,4 +343,28 @@ TEST_F(Misuse, LinesThatCannotBeReadAreReportedAndAllOtherLinesAreRead) {
   }
 }
 
+/// Calls change() with an initialized optimizer, then optimize(). Ends the process with exit code 0 if
+/// optimize() returns −1.
+template <class Change>
+void optimize_after(Change change) {
+  g2o::SparseOptimizer optimizer;
+  add_square(optimizer);
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
+  optimizer.initializeOptimization();
+  change(optimizer);
+  _exit(optimizer.optimize(1) == -1 ? 0 : 1);
+}
+
+TEST(WithoutASink, StderrSaysThatThereIsNoInitialization) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";  // in a new process, which has set no sink
+  const auto expect_error = [](auto change) {
+    EXPECT_EXIT(optimize_after(change), testing::ExitedWithCode(0),
+                "g2o: optimize: no vertices to optimize; was initializeOptimization\\(\\) called");
+  };
+  const auto forget = [](g2o::SparseOptimizer& optimizer) { optimizer.initializeOptimization(7); };
+  expect_error(forget);  // no edge has level 7
+  expect_error([](g2o::SparseOptimizer& optimizer) { optimizer.removeVertex(optimizer.vertex(3)); });
+  expect_error([](g2o::SparseOptimizer& optimizer) { optimizer.clear(); });
+}
+
 }  // namespace
