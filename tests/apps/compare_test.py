@@ -4,6 +4,7 @@
 
 import json
 import math
+import shutil
 
 from command_case import CommandCase, main, run
 
@@ -123,6 +124,83 @@ class CompareTest(CommandCase):
         errors = [json.loads(run("compare", path, truth, "--json", "-").stdout)["ate_m"]["rmse"] for path in (robust, late)]
         self.assertLess(errors[0], 0.3)
         self.assertGreater(errors[1], 20)
+
+    def simulated_bundle(self):
+        """A simulated BAL problem, and the COLMAP model that boxplus makes from it."""
+        problem, model = self.path / "exact.bal", self.path / "model"
+        noise = [word for kind in ("noise", "pose-noise", "point-noise", "intrinsics-noise") for word in (f"--{kind}", 0)]
+        run("simulate", "ba", "--shape", "ring", "--cameras", 30, "--points", 300, *noise, "-o", problem)
+        self.assertEqual(run("convert", problem, model, "--format", "colmap-text").returncode, 0)
+        return problem, model
+
+    def change_images(self, model, change):
+        """Passes the images to change(), each as the words of its first line and its second line. Writes the list that change()
+        returns, or else the changed list."""
+        file = model / "images.txt"
+        lines = [line for line in file.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+        images = [[lines[i].split(), lines[i + 1]] for i in range(0, len(lines), 2)]
+        images = change(images) or images
+        file.write_text("".join(" ".join(first) + "\n" + second + "\n" for first, second in images), encoding="utf-8")
+
+    def assert_exact(self, result, truth, matched_by):
+        done = run("compare", result, truth, "--json", "-")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        facts = json.loads(done.stdout)
+        self.assertEqual((facts["matched"], facts["matched_by"]), (30, matched_by))
+        for errors in (facts["ate_m"], facts["rpe"]["translation_m"], facts["rpe"]["rotation_rad"]):
+            self.assertLess(errors["max"], 1e-12)
+
+    def test_a_bal_problem_and_its_colmap_model_have_the_same_poses(self):
+        problem, model = self.simulated_bundle()
+        self.assert_exact(model, problem, "name")
+        self.assert_exact(problem, model, "name")
+        self.assert_exact(problem, problem, "position")
+        self.change_images(model, lambda images: images[::-1])
+        self.assert_exact(model, problem, "name")
+
+        def rename(images):
+            for i, (first, _) in enumerate(images):
+                first[9] = f"photo{(7 * i) % 30}.jpg"
+        self.change_images(model, lambda images: images[::-1])
+        self.change_images(model, rename)
+        self.assert_exact(model, problem, "position")
+        self.assertIn("30 of 30 true poses by position", run("compare", problem, model).stdout)
+
+    def test_a_bal_problem_whose_cameras_may_be_other_ones_is_refused(self):
+        problem, model = self.simulated_bundle()
+
+        def rename(images):
+            for first, _ in images:
+                first[9] += ".jpg"
+            return images[1:] + images[:1]
+        self.change_images(model, rename)
+        self.assert_refused(run("compare", model, problem), "are matched by position: expected camera 0 and image 2 to show equally many points")
+        fewer = self.path / "fewer.bal"
+        run("simulate", "ba", "--shape", "ring", "--cameras", 29, "--points", 300, "-o", fewer)
+        for other in (problem, model):
+            self.assert_refused(run("compare", fewer, other), "no names, only positions: expected as many poses in the other file, got ")
+
+    def test_the_images_of_colmap_models_are_matched_by_name(self):
+        _, model = self.simulated_bundle()
+        other = self.path / "other"
+        shutil.copytree(model, other)
+
+        def renumber(images):
+            for i, (first, _) in enumerate(images):
+                first[0] = str((7 * i) % 30 + 1)
+        # Without tracks, which would name the old numbers.
+        (other / "points3D.txt").write_text(
+            "".join(" ".join(line.split()[:8]) + "\n" for line in (model / "points3D.txt").read_text(encoding="utf-8").splitlines()
+                    if not line.startswith("#")), encoding="utf-8")
+        self.change_images(other, renumber)
+        facts = json.loads(run("compare", other, model, "--json", "-").stdout)
+        self.assertEqual((facts["matched"], facts["matched_by"]), (30, "name"))
+        self.assertLess(facts["ate_m"]["max"], 1e-12)
+
+        def repeat(images):
+            images[4][0][9] = images[2][0][9]
+        self.change_images(model, repeat)
+        self.assert_refused(run("compare", model, model), "expected different names in each COLMAP model, but images 3 and 5 are both named '2'")
 
     def test_without_json_the_values_are_printed_in_a_table(self):
         done = run("compare", "-", self.written("truth", graph(PLACES)), stdin=graph(PLACES, scale=0.5))

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pairs the poses of a result with the poses of the true trajectory, and finds the motion that aligns the
-// result with the truth.
+// Finds the motion that aligns a result with the true trajectory.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "compare/trajectory.h"
+#include "compare/matching.h"
 
 namespace boxplus::app {
-
-/// A pose of the result, and the true pose with the same id or at the same time.
-struct PosePair {
-  TrajectoryPose result, truth;
-};
-
-/// Pairs poses with equal ids. If both trajectories have times instead of ids, pairs a pose of the result
-/// with a pose of the truth if each is the nearest in time to the other, and if they are at most
-/// `most_seconds` apart. The pairs are in the order of the truth. Takes O(n) time. Throws InvalidArgument if
-/// one trajectory has times and the other has ids, or if one lies in the plane and the other in space.
-std::vector<PosePair> matched(const Trajectory& result, const Trajectory& truth, double most_seconds);
 
 enum class AlignmentKind : std::uint8_t { kRigid, kFirst, kNone };
 

@@ -17,9 +17,12 @@ namespace boxplus::app {
 namespace {
 
 constexpr const char* kFooter =
-    "The poses of two graphs are matched by id. The poses of two TUM files (lines of the form\n"
-    "\"time x y z qx qy qz qw\") are matched by time: two poses match if each is the nearest in time to\n"
-    "the other one and they are at most --max-difference apart. Landmarks are ignored.\n"
+    "The poses of two graphs are matched by id. The images of two COLMAP models are matched by name. The\n"
+    "cameras of two BAL problems, or of a BAL problem and a COLMAP model, are matched by position, which\n"
+    "needs equally many of them, or by name if the images are named 0, 1, ..., like the cameras.\n"
+    "The poses of two TUM files (lines of the form \"time x y z qx qy qz qw\") are matched by time: two\n"
+    "poses match if each is the nearest in time to the other one and they are at most --max-difference\n"
+    "apart. Landmarks are ignored.\n"
     "ATE, the absolute trajectory error, is the distance of each position from the true position, after\n"
     "the whole result has been aligned with the truth. RPE, the relative pose error, is the error of\n"
     "the motion from one pose to a later pose.\n"
@@ -44,11 +47,10 @@ struct CompareArguments {
 Comparison compare(const CompareArguments& arguments) {
   const Trajectory result = read_trajectory(arguments.result, arguments.reading);
   const Trajectory truth = read_trajectory(arguments.truth, arguments.reading);
-  const std::vector<PosePair> pairs = matched(result, truth, arguments.most_seconds);
+  const auto [pairs, matched_by] = matched(result, truth, arguments.most_seconds);
   if (pairs.empty()) {
     throw FileError(fmt::format("{}: expected poses that match {} by {}, found none",
-                                input_name(arguments.result), input_name(arguments.truth),
-                                truth.is_timed ? "time" : "id"));
+                                input_name(arguments.result), input_name(arguments.truth), matched_by));
   }
   Comparison comparison;
   comparison.result = input_name(arguments.result);
@@ -56,6 +58,7 @@ Comparison compare(const CompareArguments& arguments) {
   comparison.result_poses = result.poses.size();
   comparison.truth_poses = truth.poses.size();
   comparison.matched = pairs.size();
+  comparison.matched_by = matched_by;
   comparison.kind = arguments.alignment;
   comparison.alignment = align(pairs, truth.dimension, arguments.alignment, arguments.scale);
   comparison.span = arguments.span;

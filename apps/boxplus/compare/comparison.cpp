@@ -66,11 +66,11 @@ std::string comparison_text(const Comparison& comparison) {
   table.add(row("RPE [m]", comparison.relative.translation, 1));
   table.add(row("RPE [deg]", comparison.relative.rotation, kDegree));
   return fmt::format(
-      "{} against {}: {} of {} poses match {} of {} true poses\n\n{}\n"
+      "{} against {}: {} of {} poses match {} of {} true poses by {}\n\n{}\n"
       "ATE: errors of positions {}. RPE: errors of motions {}.\n",
       escaped(comparison.result), escaped(comparison.truth), comparison.matched, comparison.result_poses,
-      comparison.matched, comparison.truth_poses, table.text(), how_aligned(comparison),
-      how_far_apart(comparison.span));
+      comparison.matched, comparison.truth_poses, comparison.matched_by, table.text(),
+      how_aligned(comparison), how_far_apart(comparison.span));
 }
 
 std::string comparison_json(const Comparison& comparison) {
@@ -82,6 +82,7 @@ std::string comparison_json(const Comparison& comparison) {
                   {"result_poses", comparison.result_poses},
                   {"truth_poses", comparison.truth_poses},
                   {"matched", comparison.matched},
+                  {"matched_by", comparison.matched_by},
                   {"alignment", alignment},
                   {"ate_m", json_of(comparison.absolute)},
                   {"rpe",

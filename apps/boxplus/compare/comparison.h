@@ -11,6 +11,7 @@ namespace boxplus::app {
 struct Comparison {
   std::string result, truth;  ///< the names of the files
   std::size_t result_poses = 0, truth_poses = 0, matched = 0;
+  std::string matched_by;  ///< PosePairs::matched_by
   AlignmentKind kind = AlignmentKind::kRigid;
   Alignment alignment;
   RelativeSpan span;

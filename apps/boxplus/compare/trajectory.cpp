@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "boxplus/base/error.h"
 #include "boxplus/io/file_format.h"
+#include "boxplus/io/sparse_model.h"
 #include "boxplus/manifold/quaternion.h"
 #include "files/graph_input.h"
 
@@ -41,7 +43,7 @@ TrajectoryPose pose_of(const detail::Frame& frame, Id id) {
 }
 
 Trajectory poses_of(const Graph& graph, const std::string& name) {
-  Trajectory trajectory{.is_timed = false, .dimension = 0};
+  Trajectory trajectory{.dimension = 0};
   for (const VertexRef& vertex : graph.all_vertices()) {
     detail::Frame frame;
     if (!graph.vertex_pools()[vertex.pool]->get_frame(vertex.slot, frame) || !frame.has_rotation) continue;
@@ -60,8 +62,26 @@ void require_bounded(const Trajectory& trajectory, const std::string& name) {
     if (pose.position.cwiseAbs().maxCoeff() < kFarthest && pose.rotation.allFinite()) continue;
     throw FileError(
         fmt::format("{}: expected poses within {:g} m of the origin; the pose of {} {} is farther away", name,
-                    kFarthest, trajectory.is_timed ? "line" : "vertex", pose.id));
+                    kFarthest, trajectory.is_timed() ? "line" : "vertex", pose.id));
   }
+}
+
+/// Adds what a BAL problem or a COLMAP model says about the identity of its poses.
+void identify(std::vector<TrajectoryPose>& poses, const GraphFile& file) {
+  std::unordered_map<Id, TrajectoryPose*> pose_of;
+  for (TrajectoryPose& pose : poses) pose_of[pose.id] = &pose;
+  if (file.model) {
+    for (std::size_t i = 0; i < file.model->images.size(); ++i) {
+      const SparseModel::Image& image = file.model->images[i];
+      TrajectoryPose& pose = *pose_of.at(image.id);
+      pose.name = image.name;
+      pose.position_in_file = i;
+    }
+  } else {
+    for (std::size_t i = 0; i < poses.size(); ++i) poses[i].position_in_file = i;
+  }
+  for (const EdgeRef& edge : file.edges)
+    ++pose_of.at(file.graph.id(file.graph.vertices(edge).front()))->observations;
 }
 
 }  // namespace
@@ -77,7 +97,12 @@ Trajectory read_trajectory(const std::string& path, const ReadOptions& reading) 
   print_notes(file, path);
   if (file.vertices_created)
     throw FileError(name + ": expected poses, got a file with edges only; optimize it first");
-  return trajectory_of(file.graph, name);
+  Trajectory trajectory = trajectory_of(file.graph, name);
+  if (file.model || file.format == "BAL") {
+    trajectory.source = file.model ? TrajectorySource::kColmap : TrajectorySource::kBal;
+    identify(trajectory.poses, file);
+  }
+  return trajectory;
 }
 
 Trajectory trajectory_of(const Graph& graph, const std::string& name) {

@@ -15,16 +15,26 @@ namespace boxplus::app {
 
 /// A pose T_world_body. In the plane, z is 0 and the rotation is about z.
 struct TrajectoryPose {
-  double time = 0;  ///< the time in seconds; 0 if the pose is from a graph
-  Id id = 0;        ///< the id of the vertex; if the pose is from a TUM file, the line number
+  double time = 0;        ///< the time in seconds; 0 if the pose is from a graph
+  Id id = 0;              ///< the id of the vertex; if the pose is from a TUM file, the line number
+  std::string name = {};  ///< of a COLMAP image
+  /// Of a COLMAP image or a BAL camera: its position in the file (from 0), and the number of 3-D points that
+  /// it shows.
+  std::size_t position_in_file = 0, observations = 0;
   Matrix<double, 3, 3> rotation = Matrix<double, 3, 3>::Identity();
   Vector3 position = Vector3::Zero();  ///< the position in meters
 };
 
+/// The kind of a file, which decides what identifies a pose: an id in graphs, the position in the file in BAL
+/// problems, a name in COLMAP models, and a time in TUM files.
+enum class TrajectorySource : std::uint8_t { kGraph, kBal, kColmap, kTum };
+
 struct Trajectory {
-  bool is_timed = false;                   ///< true for a TUM file: its poses have times instead of ids
+  TrajectorySource source = TrajectorySource::kGraph;
   int dimension = 3;                       ///< the dimension of the world: 2 or 3
   std::vector<TrajectoryPose> poses = {};  ///< sorted by time or by id; no two have equal times or ids
+
+  bool is_timed() const { return source == TrajectorySource::kTum; }
 };
 
 /// Reads the poses of a graph (without its landmarks) or of a TUM file, whose lines have the form "time x y z

@@ -63,7 +63,7 @@ void sort_by_time(std::vector<TrajectoryPose>& poses, const std::string& name) {
 }  // namespace
 
 Trajectory parse_tum(std::string_view text, const std::string& name) {
-  Trajectory trajectory{.is_timed = true, .dimension = 3};
+  Trajectory trajectory{.source = TrajectorySource::kTum};
   std::int64_t line_number = 0;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

@@ -3,6 +3,7 @@
 
 #include "boxplus/base/error.h"
 #include "compare/alignment.h"
+#include "compare/matching.h"
 #include "files/graph_input.h"
 
 namespace boxplus::app {
@@ -10,11 +11,11 @@ namespace boxplus::app {
 TruePlaces true_places(const Graph& graph, const std::string& name, const std::string& truth,
                        const ReadOptions& reading) {
   const Trajectory places = read_trajectory(truth, reading);
-  if (places.is_timed) {
+  if (places.is_timed()) {
     throw FileError(input_name(truth) +
                     ": expected a graph (poses with ids), got a TUM file (poses with timestamps)");
   }
-  const std::vector<PosePair> pairs = matched(places, trajectory_of(graph, name), 0);
+  const std::vector<PosePair> pairs = matched(places, trajectory_of(graph, name), 0).pairs;
   if (pairs.empty())
     throw FileError(input_name(truth) + ": expected poses with the same ids as in " + name + ", found none");
   const Alignment onto_graph = align(pairs, places.dimension, AlignmentKind::kRigid, false);
