@@ -104,7 +104,7 @@ void Linearizer::linearize(const LinearizeOptions& options, int groups, AfterBat
   if (stopped_) return;
   add_copies();
   for (const Chunk& chunk : plan_->chunks)
-    leave_out_fixed(chunk.fixed, {values_.get(), plan_->structure.nonzero_values()}, gradient_);
+    leave_out_fixed(chunk.fixed, {values_.get(), values().size()}, gradient_);
 }
 
 /// The memory for the values of a batch whose first column is `first_column`.

@@ -2,9 +2,13 @@
 #include "optimize/batch_system.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "boxplus/base/error.h"
 #include "linearize/extend_plan.h"
 #include "optimize/stopwatch.h"
 #include "optimize/vector_math.h"
@@ -55,7 +59,8 @@ AnalyzeHints BatchSystem::hints() const {
 }
 
 void BatchSystem::resize_vectors() {
-  for (auto* vector : {&diagonal_, &right_hand_side_, &damping_}) vector->resize(plan_->scalars());
+  for (auto* vector : {&gradient_, &diagonal_, &right_hand_side_, &damping_})
+    vector->resize(plan_->scalars());
   if (stores_all_columns()) product_.resize(plan_->scalars());
 }
 
@@ -65,6 +70,7 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
   if (!*extensible_) return false;
   const auto growth = extend_plan(*graph_, request, vertices, edges, *plan_);
   if (!growth) return false;
+  order_.forget();
   linearizer_.extend();
   assembled_ = AssembledSystem(plan_->structure, linearizer_.values());
   resize_vectors();
@@ -76,9 +82,9 @@ bool BatchSystem::extend(const PlanRequest& request, std::span<const std::uint32
 void BatchSystem::configure(const Options& options, Report::Timings& timings, const StopToken& stop) {
   linearize_options_ = {options.numeric_jacobians, options.triggs_correction};
   control_ = {.relative_tolerance = options.linear_tolerance, .stop = stop};
-  lost_scalars_.clear();
-  holds_ = true;
-  gauge_damping_ = last_chi2_ = last_floor_ = 0;
+  order_.forget();
+  learned_.clear();
+  last_chi2_ = 0;
   expected_.reset();
   linearizer_.set_stop(stop);
   timings_ = &timings;
@@ -86,10 +92,16 @@ void BatchSystem::configure(const Options& options, Report::Timings& timings, co
 
 double BatchSystem::chi2() {
   const TimeAdder adder(timings_->evaluate_s);
-  return last_chi2_ = linearizer_.chi2();
+  last_chi2_ = linearizer_.chi2();
+  stopped_ = linearizer_.stopped();
+  return last_chi2_;
 }
 
 bool BatchSystem::linearize() {
+  order_.expect_no_trial("System::linearize");
+  order_.forget();  // until this function ends without an exception
+  treatment_ = initial_ = learned_;
+  model_chi2_ = last_chi2_;
   const std::optional<StepDamping> expected = std::exchange(expected_, std::nullopt);
   elimination_.reset();
   if (expected && may_eliminate_early()) {
@@ -98,13 +110,14 @@ bool BatchSystem::linearize() {
     const TimeAdder adder(timings_->linearize_s);
     linearize_only();
   }
-  if (linearizer_.stopped()) return false;
-  last_floor_ = diagonal_floor();
-  return all_finite(linearizer_.gradient()) && all_finite(diagonal_);
+  order_.linearized();
+  stopped_ = linearizer_.stopped();
+  is_complete_ = !stopped_;
+  return is_complete_ && all_finite(gradient_) && all_finite(diagonal_);
 }
 
-/// Sets the diagonal of H and the right-hand side for the blocks [first, last), whose columns begin with
-/// `values`.
+/// Sets the gradient, the diagonal of H and the right-hand side for the blocks [first, last), whose columns
+/// begin with `values`.
 void BatchSystem::collect(std::uint32_t first, std::uint32_t last, const double* values) {
   const BlockStructure& structure = plan_->structure;
   const double* gradient = linearizer_.gradient().data();
@@ -112,6 +125,7 @@ void BatchSystem::collect(std::uint32_t first, std::uint32_t last, const double*
     const std::uint32_t dim = structure.dim(block), offset = structure.offset[block];
     for (std::uint32_t i = 0; i < dim; ++i) {
       diagonal_[offset + i] = values[i * (dim + 1)];
+      gradient_[offset + i] = gradient[offset + i];
       right_hand_side_[offset + i] = -gradient[offset + i];
     }
     values += plan_->first_value(block + 1) - plan_->first_value(block);
@@ -122,13 +136,16 @@ void BatchSystem::collect(std::uint32_t first, std::uint32_t last, const double*
 void BatchSystem::linearize_only() {
   if (stores_all_columns()) {
     linearizer_.linearize(linearize_options_);
-    if (!linearizer_.stopped()) collect(0, plan_->structure.blocks(), linearizer_.values().data());
-    return;
+    if (linearizer_.stopped()) return;
+    collect(0, plan_->structure.blocks(), linearizer_.values().data());
+  } else {
+    linearizer_.linearize(linearize_options_, solver_.slices(), [&](const Linearizer::Batch& batch) {
+      collect(batch.first, batch.last, batch.values);
+    });
+    if (linearizer_.stopped()) return;
+    collect_kept();
   }
-  linearizer_.linearize(linearize_options_, solver_.slices(), [&](const Linearizer::Batch& batch) {
-    collect(batch.first, batch.last, batch.values);
-  });
-  if (!linearizer_.stopped()) collect_kept();
+  floor_ = diagonal_floor();
 }
 
 void BatchSystem::collect_kept() {
@@ -145,26 +162,39 @@ bool BatchSystem::may_eliminate_early() const {
   const auto is_kept = [&](std::uint32_t scalar) { return scalar >= first_kept; };
   return solver_.slices() > 0 && plan_->fixed_scalars.empty() &&
          std::all_of(plan_->held_scalars.begin(), plan_->held_scalars.end(), is_kept) &&
-         std::all_of(lost_scalars_.begin(), lost_scalars_.end(), is_kept);
+         std::all_of(treatment_.lost_scalars.begin(), treatment_.lost_scalars.end(), is_kept);
 }
 
-/// Linearizes all edges, and eliminates each batch of vertices.
+/// Linearizes all edges, and eliminates each batch of vertices. The floor of the diagonal is known only at
+/// the end. Until then, assumes that it is the floor of the previous linearization. If the floor turns out to
+/// be another one, and the eliminated columns depend on it, the elimination is not used.
 void BatchSystem::linearize_and_eliminate(const StepDamping& damping) {
   const std::vector<std::uint32_t>& offset = plan_->structure.offset;
   const bool uniform = is_uniform(damping);
   const Damping full = uniform ? Damping{damping.lambda, nullptr} : Damping{1.0, damping_.data()};
-  const auto fill = [&](std::uint32_t first, std::uint32_t last) {
-    if (!uniform) fill_damping(damping, last_floor_, offset[first], offset[last]);
-  };
+  const double assumed = floor_;
   eliminate_batches(full, [&](const Linearizer::Batch& batch) {
     collect(batch.first, batch.last, batch.values);
-    fill(batch.first, batch.last);
+    if (!uniform) fill_damping(damping, assumed, offset[batch.first], offset[batch.last]);
   });
   if (linearizer_.stopped()) return;
   collect_kept();
-  fill(plan_->eliminated_blocks, plan_->structure.blocks());
-  if (!uniform) hold_scalars(damping, last_floor_);
+  floor_ = diagonal_floor();
+  if (!uniform) {
+    if (depends_on_floor(damping, assumed, floor_)) return;
+    fill_damping(damping, floor_, offset[plan_->eliminated_blocks], plan_->scalars());
+    hold_scalars(damping, floor_);
+  }
   elimination_ = {damping, full};
+}
+
+/// Whether the matrix that is added to the eliminated columns differs between the floors a and b.
+bool BatchSystem::depends_on_floor(const StepDamping& damping, double a, double b) const {
+  const bool scales = damping.scale == Options::DampingScale::kDiagonal && damping.lambda != 0;
+  if (a == b || (!scales && gauge_fraction() == 0)) return false;
+  const std::uint32_t eliminated = plan_->structure.offset[plan_->eliminated_blocks];
+  return std::any_of(diagonal_.begin(), diagonal_.begin() + eliminated,
+                     [&](double entry) { return entry < std::max(a, b); });
 }
 
 /// Linearizes all edges. Eliminates each batch of vertices as soon as its edges have been linearized, so that
@@ -187,32 +217,34 @@ void BatchSystem::eliminate_batches(const Damping& damping, Linearizer::AfterBat
 }
 
 double BatchSystem::curvature(std::span<const double> d) {
+  order_.expect_linearization("System::curvature");
+  expect_size(d, "System::curvature");
+  if (!is_complete_) return std::numeric_limits<double>::quiet_NaN();
   const TimeAdder adder(timings_->solve_s);
   if (!stores_all_columns()) return linearizer_.curvature(linearize_options_, d.data());
   assembled_.multiply(d.data(), product_.data());
   return dot(d, product_);
 }
 
+/// The lower limit of the entries of the diagonal that scales the damping. It is rounded down to a power of
+/// 8, so that it seldom differs from the limit of the previous linearization.
 double BatchSystem::diagonal_floor() const {
-  return std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
-}
-
-/// Whether the plan's held scalars are held. If λ > 0, they are not, because λD already removes the gauge
-/// freedom.
-bool BatchSystem::holds_scalars(const StepDamping& damping) const {
-  return holds_ && damping.lambda == 0 && !plan_->held_scalars.empty();
+  constexpr double kBits = 3;
+  const double floor = std::max(kDiagonalFloor * max_abs(diagonal_), 1e-300);
+  return std::isfinite(floor) ? std::exp2(kBits * std::floor(std::ilogb(floor) / kBits)) : floor;
 }
 
 /// The fraction of itself that is added to each diagonal entry to remove the gauge freedom.
 double BatchSystem::gauge_fraction() const {
   const bool is_free = !plan_->freedoms.empty() || !plan_->loose_blocks.empty();
-  return is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : gauge_damping_;
+  return is_free && gauge_ == GaugePolicy::kDamp ? kGaugeDamping : treatment_.damping;
 }
 
 /// Whether the matrix to add to H is λI.
 bool BatchSystem::is_uniform(const StepDamping& damping) const {
   const bool identity = damping.scale == Options::DampingScale::kIdentity || damping.lambda == 0;
-  return identity && gauge_fraction() == 0 && !holds_scalars(damping) && lost_scalars_.empty();
+  return identity && gauge_fraction() == 0 && treatment_.lost_scalars.empty() &&
+         !treatment_.holds_scalars_of(*plan_, damping.lambda);
 }
 
 /// Computes the scalars [first, last) of the diagonal matrix to add to H: λD, plus the damping of the gauge.
@@ -228,45 +260,55 @@ void BatchSystem::fill_damping(const StepDamping& damping, double floor, std::ui
 
 /// Adds the diagonal entry of H for each held scalar.
 void BatchSystem::hold_scalars(const StepDamping& damping, double floor) {
-  const auto hold = [&](std::uint32_t i) { damping_[i] += std::max(diagonal_[i], floor); };
-  if (holds_scalars(damping)) std::for_each(plan_->held_scalars.begin(), plan_->held_scalars.end(), hold);
-  std::for_each(lost_scalars_.begin(), lost_scalars_.end(), hold);
+  treatment_.for_each_held(*plan_, damping.lambda,
+                           [&](std::uint32_t i) { damping_[i] += std::max(diagonal_[i], floor); });
 }
 
 /// The diagonal matrix to add to H.
 Damping BatchSystem::full_damping(const StepDamping& damping) {
   if (is_uniform(damping)) return {damping.lambda, nullptr};
-  const double floor = diagonal_floor();
-  fill_damping(damping, floor, 0, plan_->scalars());
-  hold_scalars(damping, floor);
+  fill_damping(damping, floor_, 0, plan_->scalars());
+  hold_scalars(damping, floor_);
   return {1.0, damping_.data()};
 }
 
+/// Every solve() after a linearization begins with the same treatment of the gauge freedom, so that its
+/// result depends on no earlier solve(). The next linearization begins with what was learned.
 StepResult BatchSystem::solve(const StepDamping& damping, std::span<double> step) {
+  order_.expect_linearization("System::solve");
+  expect_size(step, "System::solve");
+  if (!is_complete_) return {LinearStatus::kStopped};
+  treatment_ = initial_;
+  const StepResult result = solve_without_gauge(damping, step);
+  if (treatment_ != initial_) learned_ = treatment_;
+  return result;
+}
+
+/// Solves, and finds out how to remove the gauge freedom.
+StepResult BatchSystem::solve_without_gauge(const StepDamping& damping, std::span<double> step) {
   StepResult result = solve_once(damping, step);
+  std::vector<std::uint32_t>& lost = treatment_.lost_scalars;
   if (result.status == LinearStatus::kOk && !held_are_gauge(damping, step)) {
-    lost_scalars_.clear();
-    holds_ = false;
+    lost.clear();
+    treatment_.holds = false;
     result = solve_once(damping, step);
   }
-  const std::vector<std::uint32_t>::size_type before = lost_scalars_.size();
-  while (result.status == LinearStatus::kNotPositiveDefinite && hold_lost_pivot())
+  const std::size_t before = lost.size();
+  const bool may_hold = gauge_ == GaugePolicy::kFixFirst;
+  while (result.status == LinearStatus::kNotPositiveDefinite && may_hold &&
+         treatment_.hold_lost_pivot(*plan_, failed_block_, failed_scalar_))
     result = solve_once(damping, step);
   if (result.status == LinearStatus::kNotPositiveDefinite) {
-    lost_scalars_.resize(before);
+    lost.resize(before);
     const bool holds_too_little = gauge_ == GaugePolicy::kFixFirst && !plan_->freedoms.empty();
     const bool damps_too_little = gauge_ == GaugePolicy::kDamp && has_other_types();
-    if ((holds_too_little || damps_too_little) && gauge_damping_ == 0) {
-      gauge_damping_ = kGaugeDamping;
+    if ((holds_too_little || damps_too_little) && treatment_.damping == 0) {
+      treatment_.damping = kGaugeDamping;
       result = solve_once(damping, step);
     }
   }
-  if (result.status == LinearStatus::kOk) {
-    for (const std::uint32_t i : lost_scalars_) step[i] = 0;
-    if (holds_ && damping.lambda == 0) {
-      for (const std::uint32_t i : plan_->held_scalars) step[i] = 0;
-    }
-  }
+  if (result.status == LinearStatus::kOk)
+    treatment_.for_each_held(*plan_, damping.lambda, [&](std::uint32_t i) { step[i] = 0; });
   return result;
 }
 
@@ -276,28 +318,6 @@ StepResult BatchSystem::solve_once(const StepDamping& damping, std::span<double>
   return result;
 }
 
-/// If the pivot that vanished belongs to a direction of a loose block, holds this direction, so that the step
-/// is zero along it. If the pivot belongs to another block, because the solver does not eliminate the loose
-/// blocks last, holds the next direction of a loose block. Returns false if no direction is left. Holding a
-/// gauge direction e is correct: the solution of (H + c e eᵀ) δ = −g is the Gauss-Newton step with eᵀδ = 0.
-bool BatchSystem::hold_lost_pivot() {
-  if (gauge_ != GaugePolicy::kFixFirst) return false;
-  const auto hold = [&](std::uint32_t scalar) {
-    const bool is_new = std::find(lost_scalars_.begin(), lost_scalars_.end(), scalar) == lost_scalars_.end();
-    if (is_new) lost_scalars_.push_back(scalar);
-    return is_new;
-  };
-  const auto& loose = plan_->loose_blocks;
-  const bool is_loose = std::find(loose.begin(), loose.end(), failed_block_) != loose.end();
-  if (is_loose && failed_scalar_ != BlockStructure::kAbsent) return hold(failed_scalar_);
-  for (const std::uint32_t block : loose) {
-    for (std::uint32_t i = plan_->structure.offset[block]; i < plan_->structure.offset[block + 1]; ++i) {
-      if (hold(i)) return true;
-    }
-  }
-  return false;
-}
-
 /// Whether the held directions are still gauge freedom. The gradient vanishes along every free direction. So
 /// if the step along held directions is larger than a rounding error, the edges measure these directions now.
 /// This happens if the plan was made when poses coincided or were on a line, because more directions are free
@@ -305,12 +325,9 @@ bool BatchSystem::hold_lost_pivot() {
 bool BatchSystem::held_are_gauge(const StepDamping& damping, std::span<const double> step) const {
   constexpr double kOfDecrease = 1e-9, kOfChi2 = 1e-11, kExact = 1e-20;
   double along = 0;  // the decrease of chi2 along held directions
-  const auto add = [&](std::uint32_t i) { along += diagonal_[i] * step[i] * step[i]; };
-  for (const std::uint32_t i : lost_scalars_) add(i);
-  if (holds_ && damping.lambda == 0) {
-    for (const std::uint32_t i : plan_->held_scalars) add(i);
-  }
-  return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * last_chi2_) + kExact;
+  treatment_.for_each_held(*plan_, damping.lambda,
+                           [&](std::uint32_t i) { along += diagonal_[i] * step[i] * step[i]; });
+  return along <= std::max(kOfDecrease * dot(right_hand_side_, step), kOfChi2 * model_chi2_) + kExact;
 }
 
 /// Whether any moving vertex is neither a pose nor a point. The plan contains all gauge freedom of poses and
@@ -387,16 +404,41 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
 }
 
 double BatchSystem::try_step(std::span<const double> step) {
+  order_.expect_linearization("System::try_step");
+  expect_size(step, "System::try_step");
   before_step_.take(*graph_, *plan_);
+  order_.moved();
   try {
     for (const VertexList& list : plan_->vertices) {
       graph_->vertex_pools()[list.pool]->oplus(list.slots, list.offsets, step.data());
     }
     return chi2();
   } catch (...) {
-    reject();
+    take_back_step();
     throw;
   }
+}
+
+void BatchSystem::accept() {
+  order_.expect_trial("System::accept");
+  order_.accepted();
+}
+
+void BatchSystem::reject() {
+  order_.expect_trial("System::reject");
+  take_back_step();
+}
+
+void BatchSystem::take_back_step() {
+  before_step_.put_back(*graph_, *plan_);
+  last_chi2_ = model_chi2_;
+  order_.rejected();
+}
+
+void BatchSystem::expect_size(std::span<const double> vector, const char* function) const {
+  if (vector.size() == plan_->scalars()) return;
+  throw InvalidArgument(std::string(function) + ": expected a vector of " + std::to_string(plan_->scalars()) +
+                        " entries, got " + std::to_string(vector.size()));
 }
 
 }  // namespace boxplus

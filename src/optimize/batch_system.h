@@ -12,7 +12,9 @@
 #include "boxplus/optimize/report.h"
 #include "boxplus/optimize/system.h"
 #include "linear/schur/schur_solver.h"
+#include "optimize/call_order.h"
 #include "optimize/estimates.h"
+#include "optimize/gauge_treatment.h"
 
 namespace boxplus {
 
@@ -36,14 +38,16 @@ class BatchSystem final : public System {
   double chi2() override;
   void expect(const StepDamping& damping) override { expected_ = damping; }
   bool linearize() override;
-  std::span<const double> gradient() const override { return linearizer_.gradient(); }
+  std::span<const double> gradient() const override { return gradient_; }
   std::span<const double> diagonal() const override { return diagonal_; }
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   double try_step(std::span<const double> step) override;
-  void accept() override {}
-  void reject() override { before_step_.put_back(*graph_, *plan_); }
-  bool stopped() const override { return linearizer_.stopped(); }
+  void accept() override;
+  void reject() override;
+  bool stopped() const override { return stopped_; }
+  /// Throws InvalidArgument if an algorithm ended without accept() or reject() after its last try_step().
+  void expect_no_trial() const { order_.expect_no_trial("Algorithm::iterate"); }
 
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
@@ -55,9 +59,9 @@ class BatchSystem final : public System {
   /// estimates to find out.
   bool is_free();
   /// Returns false after a step has shown that edges measure a motion that the plan considers free.
-  bool gauge_is_free() const { return holds_; }
+  bool gauge_is_free() const { return learned_.holds; }
   /// The number of directions that are held because their pivots vanished (Plan::loose_blocks).
-  int held_directions() const { return static_cast<int>(lost_scalars_.size()); }
+  int held_directions() const { return static_cast<int>(learned_.lost_scalars.size()); }
   /// The vertex whose block was not positive definite in the last failed solve().
   VertexRef failed_vertex() const { return plan_->block_vertex[failed_block_]; }
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
@@ -75,22 +79,24 @@ class BatchSystem final : public System {
   bool stores_all_columns() const { return plan_->columns == ColumnStorage::kAll; }
   bool may_eliminate_early() const;
   void linearize_and_eliminate(const StepDamping& damping);
+  bool depends_on_floor(const StepDamping& damping, double a, double b) const;
   void eliminate_batches(const Damping& damping, Linearizer::AfterBatch before);
   bool is_uniform(const StepDamping& damping) const;
   double gauge_fraction() const;
-  bool holds_scalars(const StepDamping& damping) const;
   void fill_damping(const StepDamping& damping, double floor, std::uint32_t first, std::uint32_t last);
   void hold_scalars(const StepDamping& damping, double floor);
   double diagonal_floor() const;
   Damping full_damping(const StepDamping& damping);
+  StepResult solve_without_gauge(const StepDamping& damping, std::span<double> step);
   StepResult solve_once(const StepDamping& damping, std::span<double> step);
   bool has_other_types() const;
-  bool hold_lost_pivot();
   bool held_are_gauge(const StepDamping& damping, std::span<const double> step) const;
   StepResult factorize_and_solve(const StepDamping& damping, std::span<double> step);
   FactorResult factorize(const StepDamping& damping);
   SolveResult solve_factorized(std::span<double> step);
   void note_failure(std::uint32_t block, std::uint32_t scalar);
+  void expect_size(std::span<const double> vector, const char* function) const;
+  void take_back_step();
   AnalyzeHints hints() const;
   void resize_vectors();
 
@@ -100,19 +106,23 @@ class BatchSystem final : public System {
   Linearizer linearizer_;
   AssembledSystem assembled_;
   SchurSolver solver_;
-  std::vector<double> diagonal_, right_hand_side_, damping_;
+  CallOrder order_;
+  std::vector<double> gradient_, diagonal_, right_hand_side_, damping_;
   std::vector<double> product_;  // of curvature(), if all columns are stored
   std::vector<std::uint32_t> elimination_bounds_;
   std::vector<double> elimination_s_;       // per slice
   std::optional<StepDamping> expected_;     // of the solve() after the next linearize()
   std::optional<Elimination> elimination_;  // of the current H
-  double last_floor_ = 0;                   // diagonal_floor() of the last linearization
+  double floor_ = 0;                        // diagonal_floor() of the last linearization
   std::uint32_t failed_block_ = 0, failed_scalar_ = BlockStructure::kAbsent;
   GaugePolicy gauge_ = GaugePolicy::kFixFirst;
-  std::vector<std::uint32_t> lost_scalars_;
-  bool holds_ = true;         // whether the plan's held_scalars are held
-  double gauge_damping_ = 0;  // the fraction of itself that is added to each diagonal entry
-  double last_chi2_ = 0;
+  GaugeTreatment learned_;    // in this run, for the next linearization
+  GaugeTreatment initial_;    // of each solve() after the last linearization
+  GaugeTreatment treatment_;  // of the current solve()
+  double last_chi2_ = 0;      // of the last chi2()
+  double model_chi2_ = 0;     // at the estimates of the last linearization
+  bool stopped_ = false;      // of stopped()
+  bool is_complete_ = false;  // whether the last linearization was not stopped
   LinearizeOptions linearize_options_;
   SolveControl control_;
   int threads_ = 1;

@@ -24,8 +24,17 @@ struct [[nodiscard]] StepResult {
 
 /// The cost F and its quadratic model around the current estimates: F(x ⊞ δ) ≈ F + 2 gᵀδ + δᵀHδ.
 ///
-/// An iteration calls linearize(), and then solve() and try_step() any number of times. It ends each
-/// try_step() by a call of accept() or reject(). Spans stay valid until the next linearize().
+/// An iteration calls linearize(), which makes the model, and then solve(), curvature() and try_step() any
+/// number of times, in any order. It ends each try_step() by a call of accept() or reject(); until then, it
+/// may call only chi2(), gradient() and diagonal(). After accept(), the model belongs to earlier estimates.
+/// Then call linearize() before the next solve(), curvature() or try_step(). If the order of the calls is
+/// wrong, or a vector has the wrong size, the functions throw InvalidArgument and change nothing.
+///
+/// The results of solve() and curvature() depend only on the model and on the arguments. If they are called
+/// again, also after a rejected step, they have the same bits. (There is one exception: if the linear solver
+/// falls back from float to double, later steps are more accurate than earlier ones.) Only try_step() and
+/// reject() may change estimates between linearize() and accept(), because solve() and curvature() may
+/// compute Jacobians again. Spans stay valid until the next linearize().
 class System {
  public:
   virtual ~System() = default;
@@ -34,16 +43,16 @@ class System {
   /// Announces the damping of the first solve() after the next linearize(). This saves time if the system can
   /// begin to solve while it linearizes. The results are the same.
   virtual void expect(const StepDamping& /*damping*/) {}
-  /// Computes g and H. Returns false if they are not finite.
+  /// Computes g and H. Returns false if they are not finite. Then solve() returns kNotFinite.
   virtual bool linearize() = 0;
   /// Whether Options::stop or time_limit_s stopped the last call of linearize(), try_step() or chi2(). If
-  /// stopped, linearize() returns false, and try_step() and chi2() return NaN. After a stopped try_step(),
-  /// call reject().
+  /// stopped, linearize() returns false, and then solve() returns kStopped; try_step() and chi2() return NaN.
+  /// After a stopped try_step(), call reject().
   virtual bool stopped() const { return false; }
   virtual std::span<const double> gradient() const = 0;
   /// The diagonal of H, which scales trust regions and damping.
   virtual std::span<const double> diagonal() const = 0;
-  /// Returns dᵀHd.
+  /// Returns dᵀHd, or NaN if it is stopped.
   virtual double curvature(std::span<const double> d) = 0;
   /// Solves (H + λD) step = −g. `step` has as many entries as the gradient.
   virtual StepResult solve(const StepDamping& damping, std::span<double> step) = 0;

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What boxplus/optimize/system.h promises to algorithms, for every storage of columns.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "boxplus/optimize/algorithm.h"
+#include "boxplus/optimize/optimizer.h"
+#include "optimize/bundle_system.h"
+#include "optimize/vector_math.h"
+
+namespace boxplus {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class SystemContract : public BundleSystem {
+ protected:
+  static std::vector<double> sum(std::span<const double> a, double factor, std::span<const double> b) {
+    std::vector<double> result(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + factor * b[i];
+    return result;
+  }
+  /// aᵀHb.
+  double product(std::span<const double> a, std::span<const double> b) {
+    return (system.curvature(sum(a, 1, b)) - system.curvature(sum(a, -1, b))) / 4;
+  }
+  /// Expects that a call is refused, and that its message contains `expected`.
+  template <class F>
+  void expect_refusal(F&& call, const char* expected) {
+    EXPECT_THAT(call, ThrowsMessage<InvalidArgument>(HasSubstr(expected)));
+  }
+  /// Expects that all functions that need a linearization are refused.
+  void expect_that_linearization_is_missing() {
+    std::vector<double> step = any_step();
+    expect_refusal([&] { (void)system.solve(kDamped, step); }, "System::solve: expected linearize()");
+    expect_refusal([&] { system.curvature(step); }, "System::curvature: expected linearize()");
+    expect_refusal([&] { system.try_step(step); }, "System::try_step: expected linearize()");
+    EXPECT_EQ(step, any_step());
+  }
+};
+
+TEST(AutomaticColumns, AreNotStoredForTheBundleOfTheseTests) {
+  Graph graph = large_bundle();
+  const BatchSystem system(graph, {.columns = ColumnStorage::kAutomatic},
+                           make_linear_solver(LinearSolverKind::kBlockCholesky), SchurMode::kAutomatic);
+  EXPECT_EQ(system.plan().columns, ColumnStorage::kBatch);
+  EXPECT_GE(system.plan().chunks.size(), 3u);
+}
+
+TEST_P(SystemContract, ModelsTheCostToSecondOrder) {
+  const double chi2 = system.chi2();
+  ASSERT_TRUE(system.linearize());
+  const std::vector<double> step = solve(kDamped);
+  const double slope = 2 * dot(system.gradient(), step), bend = system.curvature(step);
+  EXPECT_EQ(system.diagonal().size(), step.size());
+  double last = 0;
+  for (const double length : {1e-3, 1e-4}) {
+    const double actual = system.try_step(sum(zeros(), length, step)) - chi2;
+    system.reject();
+    const double error = std::abs(actual - (length * slope + length * length * bend));
+    EXPECT_LT(error, 0.1 * length * length * bend);
+    if (last > 0) {
+      EXPECT_LT(error, last / 50) << "the error shrinks with the square of the length";
+    }
+    last = error;
+  }
+}
+
+TEST_P(SystemContract, ReturnsTheDiagonalOfH) {
+  ASSERT_TRUE(system.linearize());
+  const std::size_t scalars = system.gradient().size();
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1001}, scalars - 3, scalars - 200}) {
+    std::vector<double> unit = zeros();
+    unit[i] = 1;
+    EXPECT_NEAR(system.curvature(unit), system.diagonal()[i], 1e-12 * system.diagonal()[i]);
+  }
+}
+
+TEST_P(SystemContract, SolvesTheDampedSystem) {
+  ASSERT_TRUE(system.linearize());
+  for (const StepDamping& damping : {kDamped, kByIdentity}) {
+    const std::vector<double> step = solve(damping), direction = any_step(1);
+    double damped = 0, size = 0;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+      const double scale = damping.scale == Options::DampingScale::kIdentity ? 1 : system.diagonal()[i];
+      damped += damping.lambda * scale * step[i] * direction[i];
+      size += std::abs(system.gradient()[i] * direction[i]);
+    }
+    EXPECT_NEAR(product(direction, step) + damped, -dot(system.gradient(), direction), 1e-9 * size);
+  }
+}
+
+TEST_P(SystemContract, SatisfiesTheSystemAlongAStepThatIsExact) {
+  ASSERT_TRUE(system.linearize());
+  std::vector<double> step = zeros();
+  const StepResult solved = system.solve(kByIdentity, step);
+  ASSERT_TRUE(solved.exact);
+  const double slope = -dot(system.gradient(), step);
+  EXPECT_NEAR(system.curvature(step) + kByIdentity.lambda * dot(step, step), slope, 1e-10 * slope);
+}
+
+TEST_P(SystemContract, ComputesTheSameBitsInEveryOrderOfItsCalls) {
+  const double chi2 = system.chi2();
+  ASSERT_TRUE(system.linearize());
+  const std::vector<StepDamping> dampings{kDamped, kUndamped, kByIdentity};
+  std::vector<std::vector<double>> steps;
+  std::vector<double> curvatures;
+  for (const StepDamping& damping : dampings) {
+    steps.push_back(solve(damping));
+    curvatures.push_back(system.curvature(steps.back()));
+  }
+  for (const std::size_t k : {1u, 1u, 0u, 2u, 0u, 1u, 2u, 2u}) {
+    const double moved = system.try_step(k == 2 ? any_step(0.1) : steps[k]);
+    EXPECT_NE(moved, chi2);
+    EXPECT_EQ(system.chi2(), moved);
+    system.reject();
+    EXPECT_EQ(solve(dampings[k]), steps[k]);
+    EXPECT_EQ(system.curvature(steps[k]), curvatures[k]);
+    EXPECT_EQ(system.chi2(), chi2);
+  }
+}
+
+TEST_P(SystemContract, ComputesTheSameAsOneThreadThatStoresAllColumns) {
+  Graph other = graph;
+  Report::Timings other_timings;
+  BatchSystem same_columns = make_system(other, columns(), 1),
+              all_columns = make_system(other, ColumnStorage::kAll, 1);
+  ASSERT_TRUE(system.linearize());
+  for (BatchSystem* reference : {&same_columns, &all_columns}) {
+    reference->configure({}, other_timings);
+    ASSERT_TRUE(reference->linearize());
+    EXPECT_EQ(copy(system.gradient()), copy(reference->gradient()));
+    EXPECT_EQ(copy(system.diagonal()), copy(reference->diagonal()));
+  }
+  for (const StepDamping& damping : {kDamped, kUndamped, kByIdentity}) {
+    const std::vector<double> step = solve(damping);
+    std::vector<double> same = zeros(), expected = zeros();
+    (void)same_columns.solve(damping, same);
+    (void)all_columns.solve(damping, expected);
+    EXPECT_EQ(step, same);
+    EXPECT_EQ(system.curvature(step), same_columns.curvature(step));
+    const std::vector<double> difference = sum(step, -1, expected);
+    EXPECT_LE(dot(difference, difference), 1e-16 * dot(expected, expected));
+  }
+}
+
+TEST_P(SystemContract, DemandsALinearizationBeforeAStep) {
+  const double chi2 = system.chi2();
+  expect_that_linearization_is_missing();
+  ASSERT_TRUE(system.linearize());
+  system.try_step(solve(kDamped));
+  system.accept();
+  const double accepted = system.chi2();
+  EXPECT_LT(accepted, chi2);
+  expect_that_linearization_is_missing();
+  EXPECT_EQ(system.chi2(), accepted) << "a refused call changes nothing";
+  system.configure({}, timings);
+  expect_that_linearization_is_missing();
+}
+
+TEST_P(SystemContract, LinearizesAgainAfterAccept) {
+  ASSERT_TRUE(system.linearize());
+  system.try_step(solve(kDamped));
+  system.accept();
+  ASSERT_TRUE(system.linearize());
+  Graph moved = graph;
+  Report::Timings fresh_timings;
+  BatchSystem fresh = make_system(moved, columns(), threads());
+  fresh.configure({}, fresh_timings);
+  ASSERT_TRUE(fresh.linearize());
+  std::vector<double> expected = zeros();
+  ASSERT_EQ(fresh.solve(kDamped, expected).status, LinearStatus::kOk);
+  EXPECT_EQ(copy(system.gradient()), copy(fresh.gradient()));
+  EXPECT_EQ(solve(kDamped), expected);
+  EXPECT_EQ(system.curvature(expected), fresh.curvature(expected));
+}
+
+TEST_P(SystemContract, DemandsThatATriedStepIsAcceptedOrRejected) {
+  const char* const expected = "expected accept() or reject() after try_step()";
+  ASSERT_TRUE(system.linearize());
+  const std::vector<double> step = solve(kDamped);
+  const double moved = system.try_step(step);
+  std::vector<double> other = step;
+  expect_refusal([&] { system.linearize(); }, expected);
+  expect_refusal([&] { (void)system.solve(kDamped, other); }, expected);
+  expect_refusal([&] { system.curvature(step); }, expected);
+  expect_refusal([&] { system.try_step(step); }, expected);
+  EXPECT_EQ(system.chi2(), moved);
+  system.reject();
+  EXPECT_EQ(solve(kDamped), step);
+}
+
+TEST_P(SystemContract, AcceptsAndRejectsOnlyTriedSteps) {
+  const char* const expected = "expected an earlier try_step()";
+  const auto expect_no_trial = [&] {
+    expect_refusal([&] { system.accept(); }, expected);
+    expect_refusal([&] { system.reject(); }, expected);
+  };
+  const double chi2 = system.chi2();
+  expect_no_trial();
+  ASSERT_TRUE(system.linearize());
+  expect_no_trial();
+  system.try_step(any_step());
+  system.reject();
+  expect_no_trial();
+  EXPECT_EQ(system.chi2(), chi2);
+  const double moved = system.try_step(any_step());
+  system.accept();
+  expect_no_trial();
+  EXPECT_EQ(system.chi2(), moved);
+}
+
+TEST_P(SystemContract, RefusesVectorsOfAnotherSize) {
+  ASSERT_TRUE(system.linearize());
+  const double chi2 = system.chi2();
+  const std::string expected =
+      "expected a vector of " + std::to_string(zeros().size()) + " entries, got " + std::to_string(7);
+  std::vector<double> wrong(7);
+  expect_refusal([&] { (void)system.solve(kDamped, wrong); }, expected.c_str());
+  expect_refusal([&] { system.curvature(wrong); }, expected.c_str());
+  expect_refusal([&] { system.try_step(wrong); }, expected.c_str());
+  EXPECT_EQ(system.chi2(), chi2);
+}
+
+TEST_P(SystemContract, KeepsSpansUntilTheNextLinearization) {
+  ASSERT_TRUE(system.linearize());
+  const std::span<const double> gradient = system.gradient(), diagonal = system.diagonal();
+  const std::vector<double> old_gradient = copy(gradient), old_diagonal = copy(diagonal);
+  const auto expect_the_same = [&] {
+    EXPECT_EQ(copy(gradient), old_gradient);
+    EXPECT_EQ(copy(diagonal), old_diagonal);
+  };
+  system.try_step(solve(kDamped));
+  expect_the_same();
+  system.reject();
+  solve(kUndamped);
+  expect_the_same();
+  stop = true;
+  std::vector<double> step = zeros();
+  EXPECT_EQ(system.solve(kDamped, step).status, LinearStatus::kStopped);
+  expect_the_same();
+  stop = false;
+  system.try_step(solve(kDamped));
+  system.accept();
+  expect_the_same();
+}
+
+TEST_P(SystemContract, FindsTheSameStepWhetherOrNotItsDampingIsExpected) {
+  ASSERT_TRUE(system.linearize());
+  const std::vector<double> damped = solve(kDamped), undamped = solve(kUndamped);
+  for (const StepDamping& announced : {kDamped, kUndamped, kByIdentity}) {
+    system.expect(announced);
+    ASSERT_TRUE(system.linearize());
+    EXPECT_EQ(solve(kDamped), damped);
+    EXPECT_EQ(solve(kUndamped), undamped);
+  }
+}
+
+/// The damping of a point that is hardly measured depends on the largest entry of the diagonal.
+TEST_P(SystemContract, FindsTheStepOfAPointThatIsHardlyMeasuredWhetherOrNotItsDampingIsExpected) {
+  const std::vector<EdgeRef> edges = graph.all_edges();
+  const VertexRef point = graph.vertices(edges[0])[1];
+  std::vector<EdgeRef> weak, strong;
+  for (const EdgeRef& edge : edges) (graph.vertices(edge)[1] == point ? weak : strong).push_back(edge);
+  for (const EdgeRef& edge : weak) graph.set_information(edge, Information(1e-24));
+  for (const double information : {1.0, 1e8, 1.0, 1e-8}) {
+    for (const EdgeRef& edge : strong) graph.set_information(edge, Information(information));
+    system.expect(kDamped);
+    ASSERT_TRUE(system.linearize());
+    const std::vector<double> expected = solve(kDamped);
+    ASSERT_TRUE(system.linearize());
+    EXPECT_EQ(solve(kDamped), expected) << information;
+  }
+}
+
+TEST_P(SystemContract, ReturnsNoResultIfItIsStopped) {
+  const double chi2 = system.chi2();
+  EXPECT_FALSE(system.stopped());
+  ASSERT_TRUE(system.linearize());
+  const std::vector<double> step = solve(kDamped);
+  std::vector<double> other = zeros();
+  stop = true;
+  EXPECT_EQ(system.solve(kDamped, other).status, LinearStatus::kStopped);
+  EXPECT_FALSE(system.stopped()) << "of the last linearize(), try_step() or chi2()";
+  EXPECT_TRUE(std::isnan(system.try_step(step)));
+  EXPECT_TRUE(system.stopped());
+  system.reject();
+  EXPECT_TRUE(std::isnan(system.chi2()));
+  stop = false;
+  EXPECT_EQ(system.chi2(), chi2);
+  EXPECT_FALSE(system.stopped());
+  EXPECT_EQ(solve(kDamped), step) << "the model is still that of the last linearize()";
+}
+
+TEST_P(SystemContract, HasNoModelAfterAStoppedLinearization) {
+  for (const bool announced : {false, true}) {
+    stop = true;
+    if (announced) system.expect(kDamped);
+    EXPECT_FALSE(system.linearize());
+    EXPECT_TRUE(system.stopped());
+    stop = false;
+    std::vector<double> step = zeros();
+    EXPECT_EQ(system.solve(kDamped, step).status, LinearStatus::kStopped);
+    EXPECT_TRUE(std::isnan(system.curvature(any_step())));
+  }
+  EXPECT_TRUE(system.linearize());
+  solve(kDamped);
+}
+
+TEST_P(SystemContract, ReportsAModelThatIsNotFinite) {
+  const VertexRef point = graph.vertices(graph.all_edges()[0])[1];
+  const VertexHandle<Vector3> handle = graph.typed<Vector3>(point);
+  const Vector3 good = graph.estimate(handle);
+  graph.set_estimate(handle, Vector3(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+  std::vector<double> step = zeros();
+  EXPECT_FALSE(system.linearize());
+  EXPECT_FALSE(system.stopped());
+  EXPECT_EQ(system.solve(kDamped, step).status, LinearStatus::kNotFinite);
+  graph.set_estimate(handle, good);
+  EXPECT_TRUE(system.linearize());
+  solve(kDamped);
+}
+
+/// Linearizes, takes a step, and then breaks the contract.
+class CarelessAlgorithm final : public Algorithm {
+ public:
+  enum class Mistake : std::uint8_t { kSolvesAfterAccept, kForgetsToAccept };
+
+  explicit CarelessAlgorithm(Mistake mistake) : mistake_(mistake) {}
+  std::string_view name() const override { return "careless"; }
+  void reset(const Options&, std::size_t scalars) override { step_.assign(scalars, 0); }
+  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
+    const StepDamping damping{1e-3, Options::DampingScale::kDiagonal};
+    if (!system.linearize() || system.solve(damping, step_).status != LinearStatus::kOk)
+      return IterationOutcome::kNotFinite;
+    record.gradient_max = max_abs(system.gradient());
+    record.chi2 = system.try_step(step_);
+    record.chi2_decrease = chi2 - record.chi2;
+    if (mistake_ == Mistake::kForgetsToAccept) return IterationOutcome::kAccepted;
+    system.accept();
+    (void)system.solve(damping, step_);
+    return IterationOutcome::kAccepted;
+  }
+
+ private:
+  Mistake mistake_;
+  std::vector<double> step_;
+};
+
+TEST(CarelessAlgorithms, AreRefusedWhateverIsStored) {
+  using enum CarelessAlgorithm::Mistake;
+  for (const bool triggs_correction : {true, false}) {  // with it, all columns are stored
+    for (const int iterations : {1, 10}) {
+      const Options options{.max_iterations = iterations, .triggs_correction = triggs_correction};
+      Graph graph = large_bundle();
+      CarelessAlgorithm solves(kSolvesAfterAccept), forgets(kForgetsToAccept);
+      EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(solves); },
+                  ThrowsMessage<InvalidArgument>(HasSubstr("System::solve: expected linearize()")));
+      EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(forgets); },
+                  ThrowsMessage<InvalidArgument>(HasSubstr("expected accept() or reject()")));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bundle, SystemContract, every_storage(), name_of_storage);
+
+}  // namespace
+}  // namespace boxplus
