@@ -3,10 +3,18 @@
 """Tests that every sub-command that reads graphs works with COLMAP's sparse models, and that all of them can be drawn."""
 
 import json
+import os
+import pathlib
 import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import unittest
 import xml.etree.ElementTree as xml
 
-from command_case import CommandCase, main, run
+from command_case import BOXPLUS, CommandCase, main, run
 
 CENTERS = [(0, 0), (1, 0), (0, 1)]
 POINTS = [(x, y, 8 + x * y) for x in (-2, -1, 1, 2) for y in (-1, 0, 1)]
@@ -146,6 +154,85 @@ class ColmapTest(CommandCase):
         graph = self.written("graph.g2o", "VERTEX_SE2 0 0 0 0\n")
         self.assert_refused(run("convert", graph, str(self.path / "out") + "/"), "got vertex 0 of type SE2")
         self.assertFalse((self.path / "out").exists())
+
+    def written_models(self):
+        """A folder with a binary model, and the contents of its files and of the files of an optimized model."""
+        folder, optimized = self.path / "folder", self.path / "optimized"
+        run("convert", self.folder, folder, "--format", "colmap")
+        run("optimize", folder, "-o", optimized)
+        return folder, self.contents(folder), self.contents(optimized)
+
+    def contents(self, folder):
+        return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+    def restore(self, folder, files):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, content in files.items():
+            (folder / name).write_bytes(content)
+
+    def test_a_model_is_not_changed_if_the_disk_is_full(self):
+        folder, old, new = self.written_models()
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
+        self.assertLess(len(new["cameras.bin"]), len(new["points3D.bin"]))
+        for name in ("cameras.bin", "points3D.bin"):
+            most = len(new[name]) - 1
+            done = subprocess.run([BOXPLUS, "optimize", folder, "-q", "-o", folder], capture_output=True, encoding="utf-8", check=False,
+                                  preexec_fn=limit, restore_signals=False)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("cannot be written: File too large", done.stderr)
+            self.assertEqual(self.contents(folder), old)
+
+    def test_files_of_a_model_that_are_no_regular_files_are_refused_before_anything_is_written(self):
+        model, _, _ = self.written_models()
+        for name, kind in (("images.bin", "a folder"), ("points3D.bin", "a pipe"), ("points3D.bin", "a special file")):
+            for command in (("optimize", "-o"), ("convert",)):
+                out = self.path / "out"
+                out.mkdir()
+                (out / "cameras.bin").write_text("old", encoding="utf-8")
+                if kind == "a folder":
+                    (out / name).mkdir()
+                elif kind == "a pipe":
+                    os.mkfifo(out / name)
+                else:
+                    (out / name).symlink_to("/dev/null")
+                self.assert_refused(run(command[0], model, *command[1:], out), f"{name}: cannot be written: expected a regular file or none, got {kind}")
+                self.assertEqual((out / "cameras.bin").read_text(encoding="utf-8"), "old")
+                shutil.rmtree(out)
+
+    @unittest.skipIf(len(sys.argv) < 5, "needs the path of faulty_rename")
+    def test_a_model_is_as_before_if_a_file_cannot_be_renamed(self):
+        folder, old, _ = self.written_models()
+        for files in (old, {}, {"images.bin": old["images.bin"]}):
+            for number in (1, 2, 3):
+                self.restore(folder, files)
+                done = run("convert", self.folder, folder, "--format", "colmap", environment={"LD_PRELOAD": sys.argv[4], "FAIL_AT_RENAME": str(number)})
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("cannot be written: Input/output error", done.stderr)
+                self.assertEqual(self.contents(folder), files)
+
+    @unittest.skipIf(len(sys.argv) < 5, "needs the path of faulty_rename")
+    def test_a_mixture_of_two_models_is_refused_and_either_one_can_be_restored(self):
+        folder, old, new = self.written_models()
+        for number in (1, 2, 3):
+            for wanted in (new, old):
+                self.restore(folder, old)
+                done = run("optimize", folder, "-q", "-o", folder, environment={"LD_PRELOAD": sys.argv[4], "DIE_AT_RENAME": str(number)})
+                self.assertEqual(done.returncode, -signal.SIGKILL)
+                for words in (["info", folder], ["optimize", folder]):
+                    self.assert_refused(run(*words), "folder: expected files that were written together, but writing them was interrupted",
+                                        "boxplus_unfinished.txt")
+                parts = (folder / "boxplus_unfinished.txt").read_text(encoding="utf-8").split("To get the old files")
+                for line in parts[0 if wanted is new else 1].splitlines():
+                    if " -> " in line:
+                        source, target = line.split(" -> ")
+                        if pathlib.Path(source.strip()).exists():
+                            os.replace(source.strip(), target)
+                self.assertEqual({name: content for name, content in self.contents(folder).items() if name in new}, wanted)
+                # Writing it again also completes it.
+                self.assertEqual(run("convert", self.folder, folder, "--format", "colmap").returncode, 0)
+                self.assertEqual(run("info", folder).returncode, 0)
 
 if __name__ == "__main__":
     main()

@@ -85,8 +85,9 @@ GraphFile parse_graph(std::string_view text, const std::string& name, const Read
 /// Writes a file. A .g2o file lists parameters by id, then vertices by id, each followed by its FIX line,
 /// then edges in the order of the file, then edges that were added later, by type. Every number is the
 /// shortest text from which the same double is read. The file is replaced atomically. A folder is
-/// created if necessary. Throws FileError if the file cannot be written, and InvalidArgument if the format
-/// cannot represent the graph (a .g2o file: if an element has no tag), is unknown or read-only.
+/// created if necessary, and its files are replaced together: if this fails, all old files are put back.
+/// Throws FileError if the file cannot be written, and InvalidArgument if the format cannot represent the
+/// graph (a .g2o file: if an element has no tag), is unknown or read-only.
 void write_graph(const std::string& path, const GraphFile& file, const WriteOptions& options = {});
 void write_graph(const std::string& path, const Graph& graph, const WriteOptions& options = {});
 /// The text that write_graph() would write to a file without an extension. Throws InvalidArgument if the

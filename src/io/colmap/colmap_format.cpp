@@ -13,7 +13,7 @@
 #include "io/colmap/graph_model.h"
 #include "io/colmap/model_output.h"
 #include "io/colmap/model_reader.h"
-#include "io/text_file.h"
+#include "io/file_set.h"
 
 namespace boxplus {
 namespace {
@@ -49,9 +49,12 @@ std::unique_ptr<ModelInput> open(const std::string& folder, ModelFile file, bool
 }
 
 GraphFile read(const std::string& folder, bool is_text) {
-  const auto cameras = open(folder, ModelFile::kCameras, is_text),
-             images = open(folder, ModelFile::kImages, is_text),
-             points = open(folder, ModelFile::kPoints, is_text);
+  std::unique_ptr<ModelInput> cameras, images, points;
+  open_together(folder, [&] {
+    cameras = open(folder, ModelFile::kCameras, is_text);
+    images = open(folder, ModelFile::kImages, is_text);
+    points = open(folder, ModelFile::kPoints, is_text);
+  });
   GraphFile file = graph_of(read_model(*cameras, *images, *points));
   for (std::string& text : unusual_parts(*file.model)) file.notes.push_back({0, std::move(text)});
   if (!rig_files(folder).empty())
@@ -73,18 +76,25 @@ void check_folder(const std::string& folder, bool is_text) {
 }
 
 /// The first folder of the path that exists.
-std::filesystem::path existing_folder(const std::string& folder) {
+std::string existing_folder(const std::string& folder) {
   std::error_code none;
   std::filesystem::path path = std::filesystem::absolute(folder, none);
   while (!std::filesystem::exists(path, none) && path.has_parent_path() && path != path.parent_path())
     path = path.parent_path();
-  return path;
+  return path.string();
 }
 
 void check(const SparseModel& model, const std::string& folder, bool is_text) {
   require_names(model, is_text);
   check_folder(folder, is_text);
-  require_writable((existing_folder(folder) / "cameras.bin").string());
+  std::error_code none;
+  if (!std::filesystem::exists(folder, none))
+    return require_writable(path_of(existing_folder(folder), kNames.front(), is_text));
+  for (const char* name : kNames) {
+    const std::string path = path_of(folder, name, is_text);
+    require_regular(path);
+    require_writable(path);
+  }
 }
 
 void write(const GraphFileView& file, const std::string& folder, bool is_text) {
@@ -94,11 +104,13 @@ void write(const GraphFileView& file, const std::string& folder, bool is_text) {
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(fmt::format("{}: cannot be created: {}", folder, error.message()));
   constexpr std::array kWriters{write_cameras, write_images, write_points};
+  std::vector<NewFile> files;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    replace_file(path_of(folder, kNames[i], is_text), [&](TextSink sink) {
-      kWriters[i](model, is_text ? *text_output(sink) : *binary_output(sink));
-    });
+    files.push_back({path_of(folder, kNames[i], is_text), [&, i](TextSink sink) {
+                       kWriters[i](model, is_text ? *text_output(sink) : *binary_output(sink));
+                     }});
   }
+  replace_together(folder, files);
 }
 
 FileFormat format(const char* name, bool is_text) {
