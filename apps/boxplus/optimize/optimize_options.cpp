@@ -68,10 +68,10 @@ void add_method_options(CLI::App& command, OptimizeArguments& arguments) {
   Options& options = arguments.options;
   add_choice(
       command, "--start", options.start, start_choices(),
-      "The initial estimates; automatic: keep the estimates of the file if the first step reduces chi2 as "
-      "the "
-      "linear model predicts, and otherwise use either these estimates or the chordal guess, whichever is "
-      "better")
+      "The initial estimates; automatic: keep the estimates of the file if there is no --kernel and the "
+      "first "
+      "step reduces chi2 as the linear model predicts, and otherwise use either these estimates or the "
+      "chordal guess, whichever is better")
       ->group("Method");
   add_choice(command, "--algorithm", options.algorithm, algorithm_choices(), "The optimization algorithm")
       ->group("Method");

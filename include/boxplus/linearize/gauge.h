@@ -16,7 +16,7 @@ enum class GaugePolicy : std::uint8_t {
   /// gauge freedom (a scale, a heading), hold single directions, unless the algorithm damps H anyway.
   kFixFirst,
   kDamp,  ///< multiply each diagonal entry of H by 1 + 1e-10
-  kError  ///< stop with Report::Status::kGaugeFreedom
+  kError  ///< stop with Report::Reason::kGaugeFreedom
 };
 
 }  // namespace boxplus
