@@ -11,6 +11,7 @@
 #include "optimize/edge_counts.h"
 #include "optimize/non_finite.h"
 #include "optimize/planned_system.h"
+#include "optimize/rejection.h"
 #include "optimize/weight_span.h"
 
 namespace boxplus {
@@ -21,13 +22,16 @@ void reset(Report& report) {
   std::vector<IterationRecord> records = std::move(report.records);
   std::vector<Report::EdgeJacobians> jacobians = std::move(report.jacobians);
   Report::GaugeReport gauge = std::move(report.gauge);
+  std::vector<Id> cut_off = std::move(report.rejection.cut_off);
   std::string message = std::move(report.message);
   report = Report();
   records.clear();
   jacobians.clear();
   gauge.held.clear();
   gauge.free.clear();
+  cut_off.clear();
   message.clear();
+  report.rejection.cut_off = std::move(cut_off);
   report.records = std::move(records);
   report.jacobians = std::move(jacobians);
   report.gauge = std::move(gauge);
@@ -56,12 +60,14 @@ std::string vertex_text(const Graph& graph, VertexRef vertex) {
 
 /// Appends the vertex or the edge that caused the run to end.
 void add_culprit(std::string& message, Report::Reason reason, const Graph& graph, BatchSystem& system,
-                 const std::optional<SwampingEdge>& swamping) {
+                 const std::optional<SwampingEdge>& swamping, const Report::RejectionReport& rejection) {
   if (reason == Report::Reason::kNotPositiveDefinite) {
     message += ": the Hessian is singular or indefinite at " + vertex_text(graph, system.failed_vertex()) +
                "; nothing measures it in some direction";
   } else if (reason == Report::Reason::kNotFinite) {
     message += ": " + describe_non_finite(graph, system);
+  } else if (reason == Report::Reason::kRejectedEdges) {
+    message += ": " + rejection_text(rejection);
   } else if (swamping) {
     message += ": " + edge_text(graph, swamping->edge) +
                " has so large an Ω that other edges have no effect at vertex " +
@@ -107,11 +113,18 @@ void describe_problem(Report& report, const Graph& graph, const BatchSystem& sys
 }
 
 void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunResult result) {
+  const double chi2 = system.chi2();
+  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
+  if (report.robust_edges > 0 && !system.stopped())
+    find_rejection(report.rejection, graph, system.plan(), system.linearizer().workers());
   std::optional<SwampingEdge> swamping;
   if (may_be_swamped(result)) swamping = find_swamping_edge(graph, system.plan());
   if (swamping) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kWeightSpan;
+  } else if (result.status == Report::Status::kConverged && rejects_too_much(report.rejection)) {
+    result.status = Report::Status::kNotConverged;
+    result.reason = Report::Reason::kRejectedEdges;
   }
   report.status = result.status;
   report.reason = result.reason;
@@ -119,10 +132,8 @@ void finish_report(Report& report, const Graph& graph, BatchSystem& system, RunR
   report.gauge.held_directions = system.held_directions();
   if (!system.gauge_is_free()) report.gauge.free.clear();
   report.degrees_of_freedom = degrees_of_freedom(report);
-  const double chi2 = system.chi2();
-  report.chi2_final = system.stopped() ? result.chi2 : chi2;  // if stopped, chi2() has no result
   report.message.assign(to_string(result.reason));
-  add_culprit(report.message, result.reason, graph, system, swamping);
+  add_culprit(report.message, result.reason, graph, system, swamping, report.rejection);
   if (std::isnan(report.chi2_initial) && is_interruption(result.reason))
     report.message += " before chi2 was evaluated";
 }

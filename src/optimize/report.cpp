@@ -148,7 +148,15 @@ void add_gauge(Text& text, const Report::GaugeReport& gauge) {
         gauge.held_directions == 1 ? "" : "s");
 }
 
+void add_kernels(Text& text, const Report& report) {
+  if (!report.rejection.is_known) return;
+  add(text, "  {:<16}rejected {} of {} edges (weight below {:g}); {} edge{} a kernel\n", "kernels",
+      report.rejection.edges, report.edges, Report::kRejectedWeight, report.robust_edges,
+      report.robust_edges == 1 ? " has" : "s have");
+}
+
 void add_notes(Text& text, const Report& report) {
+  add_kernels(text, report);
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
   if (const std::string_view remark = report.chi2_remark(); !remark.empty())
@@ -243,6 +251,8 @@ std::string_view to_string(Report::Reason reason) {
       return "no step that lowers chi2 was found";
     case Report::Reason::kNotPositiveDefinite:
       return "the linear system cannot be solved";
+    case Report::Reason::kRejectedEdges:
+      return "robust kernels reject edges that the result needs";
     case Report::Reason::kWeightSpan:
       return "the weights span more digits than double precision has";
     case Report::Reason::kNotFinite:

@@ -172,6 +172,25 @@ class OptimizeTest(CommandCase):
         self.assertIn("Cauchy kernel of width 2.795 (3 rows) on 125 of 125 edges",
                       run("optimize", TOWN, "--kernel", "Cauchy").stdout)
 
+    def test_a_kernel_that_rejects_most_of_its_edges_is_no_success(self):
+        graph = self.path / "streets.g2o"
+        run("simulate", "streets", "--poses", 2000, "--outliers", "0.2", "-o", graph)
+        kernel = ("--kernel", "Tukey", "--kernel-on", "loop-closures")
+        report = self.report_of(graph, *kernel, code=1)
+        self.assertEqual((report["rejection"]["rejected"], report["rejection"]["redescending"]), (7576, 7576))
+        done = run("optimize", graph, *kernel)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("rejected 7576 of 9575 edges", done.stdout)
+        self.assertIn("robust kernels reject edges that the result needs: 7576 of the 7576 edges", done.stderr)
+        self.assertIn("try another start, a larger width", done.stderr)
+        info = run("info", graph, *kernel)
+        self.assertEqual((info.returncode, info.stderr), (0, ""))
+        self.assertIn("it rejects 7576 of 9575 edges (weight below 0.001)", info.stdout)
+        report = self.report_of(TOWN, "--kernel", "Cauchy")
+        self.assertEqual(report["rejection"], {"robust_edges": 125, "rejected": 0, "redescending": 125,
+                                               "rejected_by_redescending": 0, "cut_off": []})
+        self.assertIsNone(self.report_of(TOWN)["rejection"])
+
     def test_kernels_can_be_limited_to_loop_closures(self):
         self.assertIsNone(self.report_of(TOWN)["kernel"])
         report = self.report_of(TOWN, "--kernel", "Huber", "--kernel-width", 2)

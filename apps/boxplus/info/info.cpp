@@ -13,25 +13,36 @@
 #include "files/outputs.h"
 #include "info/edge_lines.h"
 #include "info/info_text.h"
+#include "optimize/optimize_options.h"
+#include "optimize/optimize_run.h"
 
 namespace boxplus::app {
 namespace {
 
-struct InfoArguments {
+struct InfoArguments : KernelArguments {
   std::string input, json;
   std::size_t worst = 5;
   ReadOptions reading;
 };
+
+/// Sets the kernel on its edges, and counts the edges that it rejects.
+void try_kernel(Graph& graph, const KernelArguments& arguments, GraphFacts& facts) {
+  facts.kernel = robustify(graph, arguments);
+  for (const EdgeRef& edge : graph.all_edges()) {
+    if (graph.kernel(edge) != nullptr) facts.rejected += graph.weight(edge) < Report::kRejectedWeight;
+  }
+}
 
 int describe_file(const InfoArguments& arguments) {
   const std::vector<Output> outputs{{"--json", arguments.json}};
   refuse_to_replace(outputs.front(), {arguments.input});
   check_outputs(outputs);
   const std::string text = read_text(arguments.input);
-  const GraphFile file = parse_input(text, arguments.input, arguments.reading);
+  GraphFile file = parse_input(text, arguments.input, arguments.reading);
   print_notes(file, arguments.input);
   const std::string name = input_name(arguments.input);
-  const GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);
+  GraphFacts facts = find_facts(file, find_edge_lines(text, file, arguments.reading), arguments.worst);
+  try_kernel(file.graph, arguments, facts);
   if (!arguments.json.empty()) write_output(arguments.json, facts_json(facts, file, name));
   if (!takes_stdout(outputs)) fmt::print("{}", facts_text(facts, name));
   return kSuccess;
@@ -55,11 +66,16 @@ void add_info(CLI::App& app, Action& action) {
       ->check(file_name())
       ->type_name("FILE")
       ->group("Output");
+  add_robust_options(*command, *arguments);
   add_reading_options(*command, arguments->reading);
   command->footer(
       "Examples:\n"
       "  boxplus info graph.g2o\n"
-      "  boxplus info graph.g2o --json - | jq .chi2");
+      "  boxplus info graph.g2o --json - | jq .chi2\n"
+      "  boxplus info graph.g2o --kernel Tukey --kernel-on loop-closures\n"
+      "\n"
+      "With --kernel, it counts the edges that the kernel rejects at the estimates of the file. chi2 is\n"
+      "computed without the kernel.");
   command->callback([&action, arguments] { action = [arguments] { return describe_file(*arguments); }; });
 }
 

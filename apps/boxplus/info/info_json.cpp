@@ -76,6 +76,11 @@ Json roles_json(const GraphFacts& facts) {
           {"others", count(EdgeRole::kOther)}};
 }
 
+Json kernel_json(const GraphFacts& facts) {
+  if (facts.kernel.name.empty()) return nullptr;
+  return {{"name", facts.kernel.name}, {"edges", facts.kernel.edges}, {"rejected", facts.rejected}};
+}
+
 Json extent_json(const GraphFacts& facts) {
   Json result = Json::array();
   for (int axis = 0; axis < facts.dimension; ++axis)
@@ -104,6 +109,7 @@ std::string facts_json(const GraphFacts& facts, const GraphFile& file, const std
                      {"unknowns", facts.unknowns},
                      {"rows", facts.rows},
                      {"chi2", facts.chi2},
+                     {"kernel", kernel_json(facts)},
                      {"extent", extent_json(facts)},
                      {"edge_roles", roles_json(facts)},
                      {"vertex_types", vertex_types_json(facts)},

@@ -8,6 +8,7 @@
 
 #include "command_line/message.h"
 #include "command_line/table.h"
+#include "optimize/optimize_report.h"
 
 namespace boxplus::app {
 namespace {
@@ -85,7 +86,14 @@ std::string summary_text(const GraphFacts& facts) {
   text += fact("edges", edges_text(facts));
   text += fact("unknowns", fmt::format("{}  against {} rows of error", facts.unknowns, facts.rows));
   if (facts.dimension > 0) text += fact("extent", extent_text(facts));
-  return text + fact("chi2", chi2_text(facts));
+  text += fact("chi2", chi2_text(facts));
+  if (!facts.kernel.name.empty()) {
+    text +=
+        fact("kernel", fmt::format("{}; at these estimates, it rejects {} of {} edges (weight below {:g})",
+                                   kernel_text(facts.kernel, facts.edges), facts.rejected, facts.edges,
+                                   Report::kRejectedWeight));
+  }
+  return text;
 }
 
 std::string vertex_types_text(const GraphFacts& facts) {

@@ -30,6 +30,10 @@ std::string widths_text(const KernelFacts& kernel) {
 
 }  // namespace
 
+std::string kernel_text(const KernelFacts& kernel, std::size_t edges) {
+  return fmt::format("{} kernel{} on {} of {} edges", kernel.name, widths_text(kernel), kernel.edges, edges);
+}
+
 std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
   return {graph_output("--output", arguments.output, arguments.input), {"--json", arguments.json}};
 }
@@ -37,8 +41,7 @@ std::vector<Output> outputs_of(const OptimizeArguments& arguments) {
 void print_report(const Report& report, const RunFacts& facts, const OptimizeArguments& arguments) {
   std::string text = to_string(report);
   if (!facts.kernel.name.empty()) {
-    text += fmt::format("\n{} kernel{} on {} of {} edges; chi2 is computed with the kernel.\n",
-                        facts.kernel.name, widths_text(facts.kernel), facts.kernel.edges, facts.edges);
+    text += fmt::format("\n{}; chi2 is computed with the kernel.\n", kernel_text(facts.kernel, facts.edges));
   }
   if (facts.skipped_lines > 0)
     text += fmt::format("\n{} line{} of the file {} skipped.\n", facts.skipped_lines,

@@ -2,6 +2,7 @@
 // The final messages of `boxplus optimize`.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "boxplus/optimize/report.h"
@@ -10,6 +11,9 @@
 #include "optimize/report_json.h"
 
 namespace boxplus::app {
+
+/// Returns "Huber kernel of width 2 on 6 of 125 edges". `edges` is the number of all edges.
+std::string kernel_text(const KernelFacts& kernel, std::size_t edges);
 
 std::vector<Output> outputs_of(const OptimizeArguments& arguments);
 

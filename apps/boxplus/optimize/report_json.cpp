@@ -62,6 +62,16 @@ Json kernel_json(const KernelFacts& kernel) {
   return {{"name", kernel.name}, {"width_by_rows", widths}, {"edges", kernel.edges}};
 }
 
+Json rejection_json(const Report& report) {
+  const Report::RejectionReport& rejection = report.rejection;
+  if (!rejection.is_known) return nullptr;
+  return {{"robust_edges", report.robust_edges},
+          {"rejected", rejection.edges},
+          {"redescending", rejection.redescending},
+          {"rejected_by_redescending", rejection.by_redescending},
+          {"cut_off", rejection.cut_off}};
+}
+
 Json jacobians_json(const std::vector<Report::EdgeJacobians>& jacobians) {
   Json result = Json::array();
   for (const Report::EdgeJacobians& edge : jacobians) {
@@ -106,6 +116,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"start", start_json(report.start)},
                      {"gauge", gauge_json(report.gauge)},
                      {"kernel", kernel_json(facts.kernel)},
+                     {"rejection", rejection_json(report)},
                      {"algorithm", report.algorithm},
                      {"linear_solver", report.linear_solver},
                      {"precision", to_string(report.linear.precision)},

@@ -36,6 +36,7 @@ struct [[nodiscard]] Report {
     kNoStepFound,          ///< every damped step raised chi2
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
+    kRejectedEdges,        ///< robust kernels reject edges that the result needs (see RejectionReport)
     kWeightSpan,           ///< an Ω is so large that rounding in H loses other edges; see `message`
     kGaugeFreedom          ///< the gauge of a component is free, and the policy is GaugePolicy::kError
   };
@@ -62,6 +63,27 @@ struct [[nodiscard]] Report {
     int held_directions = 0;
   };
 
+  /// An edge is rejected if its robust kernel gives it a weight (Graph::weight()) below this.
+  static constexpr double kRejectedWeight = 1e-3;
+
+  /// The enabled active edges that their robust kernels reject at the final estimates. A kernel is
+  /// redescending if the influence of an edge (its weight times its error) falls to zero for large errors
+  /// (robust/redescending.h). A minimum of F that such a kernel makes may be worthless: for example, F is at
+  /// a minimum if the kernel rejects all edges.
+  ///
+  /// So a run that would have converged ends with Reason::kRejectedEdges instead if redescending kernels
+  /// reject more than half of their edges, or if `cut_off` is not empty.
+  struct RejectionReport {
+    /// False if a time limit or Options::stop ended the run. The edges are then not evaluated.
+    bool is_known = false;
+    std::uint32_t edges = 0;            ///< rejected edges
+    std::uint32_t redescending = 0;     ///< edges with redescending kernels, rejected or not
+    std::uint32_t by_redescending = 0;  ///< rejected edges with redescending kernels
+    /// The vertex with the lowest id of each part of the graph that hangs on edges that redescending kernels
+    /// reject: without these edges, the part would be free, or disconnected from all fixed vertices.
+    std::vector<Id> cut_off;
+  };
+
   /// The source of the Jacobians of one edge type.
   struct EdgeJacobians {
     std::string_view edge_type;
@@ -84,6 +106,7 @@ struct [[nodiscard]] Report {
   int iterations = 0;     ///< total number in all runs of this call
   StartReport start;
   GaugeReport gauge;
+  RejectionReport rejection;
   std::vector<IterationRecord> records;  ///< records of the run that was kept
 
   std::string_view algorithm, linear_solver;
