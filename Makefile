@@ -52,9 +52,9 @@ asan: ## runs the tests under AddressSanitizer
 ubsan: ## runs the tests under UndefinedBehaviorSanitizer
 tsan: ## runs the tests under ThreadSanitizer
 
-sanitize: setup ## builds everything with clang++, ASan and UBSan, and runs the core suites
+sanitize: setup ## builds the library and the core suites with clang++, ASan and UBSan, and runs them
 	@cmake --preset sanitize
-	@cmake --build --preset sanitize --parallel $(JOBS)
+	@cmake --build --preset sanitize --parallel $(JOBS) --target core_suites
 	@ctest --preset sanitize-core --parallel $(JOBS)
 
 tidy: setup ## builds with clang++ and runs clang-tidy over every source
@@ -81,6 +81,7 @@ ci: ## everything that a change must pass
 	@.ci/run
 
 ci-full: ci ## and all suites under each sanitizer, and clang-tidy over every source
+	@cmake --build --preset sanitize --parallel $(JOBS)
 	@ctest --preset sanitize --parallel $(JOBS)
 	@$(MAKE) tsan tidy
 

@@ -36,5 +36,9 @@ compiled=$(grep -o '"file": "[^"]*"' "$build/compile_commands.json" | cut -d'"' 
 checked=$(changed_files | awk '!seen[$0]++' | while read -r file; do source_of "$file"; done | awk '!seen[$0]++' | sed "s:^:$PWD/:" |
   grep -Fxf <(echo "$compiled") | head -"${TIDY_SOURCES:-16}" || true)
 [[ -n $checked ]] || { echo "clang-tidy: no code changed since ${since:0:7}"; exit 0; }
+# The compile commands name precompiled headers, also those of programs that `make sanitize` does not build.
+headers=$(grep -Ff <(sed 's:.*:"file"\: "&":' <<<"$checked") -B1 "$build/compile_commands.json" |
+  grep -o '[^ ]*/cmake_pch[.]hxx[.]pch' | sort -u | sed "s:^$PWD/$build/::" || true)
+[[ -z $headers ]] || xargs ninja -C "$build" <<<"$headers" >/dev/null
 xargs --max-args=1 --max-procs="$(nproc)" clang-tidy -p "$build" --quiet <<<"$checked" 2> >(grep -v 'warnings\? generated' >&2)
 echo "clang-tidy: no findings in $(wc -l <<<"$checked") sources that changed since ${since:0:7}"

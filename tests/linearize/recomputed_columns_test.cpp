@@ -177,7 +177,8 @@ TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one.curvature({}, x.data()), several.curvature({}, x.data()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3),
+                         testing::PrintToStringParamName());
 
 TEST(ColumnStorage, IsAllWithFixedDirectionsAndWithoutElimination) {
   Graph graph = varied_bundle(20);

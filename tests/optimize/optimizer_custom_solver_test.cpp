@@ -142,7 +142,8 @@ TEST_P(InexactCustomSolver, ReceivesTheToleranceInFactorizeAndInSolve) {
   EXPECT_EQ(solver->solve_tolerance, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(Algorithms, InexactCustomSolver, ::testing::ValuesIn(every_algorithm()));
+INSTANTIATE_TEST_SUITE_P(Algorithms, InexactCustomSolver, ::testing::ValuesIn(every_algorithm()),
+                         [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
 }  // namespace boxplus

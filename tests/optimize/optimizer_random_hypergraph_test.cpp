@@ -11,6 +11,7 @@
 #include "boxplus/optimize/optimizer.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "optimize/dense_problem.h"
+#include "optimize/table_entries.h"
 #include "sanitized.h"
 
 namespace boxplus {
@@ -265,7 +266,8 @@ TEST_P(RandomHypergraph, EndsAtTheOptimumOfAnIndependentDenseSolver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, RandomHypergraph,
-                         testing::Values(AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt));
+                         testing::Values(AlgorithmKind::kDogleg, AlgorithmKind::kLevenbergMarquardt),
+                         [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
 }  // namespace boxplus

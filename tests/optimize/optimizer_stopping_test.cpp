@@ -231,7 +231,8 @@ TEST_P(EveryAlgorithm, RestoresTheEstimatesIfAnErrorFunctionThrows) {
   EXPECT_EQ(graph.estimate(poses[5]).vector(), before.vector());
 }
 
-INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm, testing::ValuesIn(every_algorithm()));
+INSTANTIATE_TEST_SUITE_P(Optimize, EveryAlgorithm, testing::ValuesIn(every_algorithm()),
+                         [](const auto& test) { return test_name(test.param); });
 
 /// The error x − z with a Jacobian of the wrong sign.
 struct WrongJacobian {

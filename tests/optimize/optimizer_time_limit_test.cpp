@@ -103,7 +103,11 @@ TEST_P(EveryStart, StopsAtAnyReadingOfTheClockWithACorrectReport) {
 
 INSTANTIATE_TEST_SUITE_P(TimeLimit, EveryStart,
                          ::testing::Combine(::testing::ValuesIn(every_start()),
-                                            ::testing::ValuesIn(every_algorithm())));
+                                            ::testing::ValuesIn(every_algorithm())),
+                         [](const auto& test) {
+                           const auto& [start, algorithm] = test.param;
+                           return test_name(start) + "_" + test_name(algorithm);
+                         });
 
 TEST(TimeLimit, OfZeroStopsBeforeAnyWork) {
   Graph graph = noisy_circle();

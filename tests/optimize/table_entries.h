@@ -2,6 +2,9 @@
 // Lists the entries of the library's tables, so that tests of all entries also run on a new entry.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
+#include <string>
 #include <vector>
 
 #include "boxplus/optimize/algorithm_table.h"
@@ -32,6 +35,15 @@ inline std::vector<detail::StartEntry> every_guess() {
     if (entry.guess != nullptr) guesses.push_back(entry);
   }
   return guesses;
+}
+
+/// The name of an algorithm or a start as a part of the name of a test.
+template <typename Kind>
+std::string test_name(Kind kind) {
+  std::string name(to_string(kind));
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
 }
 
 }  // namespace boxplus

@@ -5,6 +5,7 @@
 
 #include <random>
 #include <set>
+#include <string>
 
 #include "linear/block_cholesky/block_cholesky.h"
 #include "linear/test_system.h"
@@ -120,7 +121,8 @@ TEST_P(ExtendedFactorOfEitherPrecision, SolvesLikeANewFactor) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Precisions, ExtendedFactorOfEitherPrecision,
-                         ::testing::Values(Precision::kDouble, Precision::kMixed));
+                         ::testing::Values(Precision::kDouble, Precision::kMixed),
+                         [](const auto& test) { return std::string(to_string(test.param)); });
 
 TEST(ExtendedFactor, HasTheSameBitsForAnyNumberOfThreads) {
   std::vector<std::vector<double>> solutions;
