@@ -1,5 +1,5 @@
 # Finds CHOLMOD of SuiteSparse, and defines the target CHOLMOD::CHOLMOD. Only bench/ and the plug-in
-# solver_cholmod of the g2o API link CHOLMOD, because its modules are under the GPL or the LGPL.
+# solver_suitesparse_cholmod of the g2o API link CHOLMOD, because its modules are under the GPL or the LGPL.
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY)

@@ -1,5 +1,5 @@
 # Finds CXSparse of SuiteSparse (CSparse for all scalar types), and defines the target CXSparse::CXSparse.
-# Only the plug-in solver_csparse of the g2o API links CXSparse, because it is under the LGPL.
+# Only the plug-in solver_suitesparse_csparse of the g2o API links CXSparse, because it is under the LGPL.
 find_path(CXSPARSE_INCLUDE_DIR cs.h PATH_SUFFIXES suitesparse)
 find_library(CXSPARSE_LIBRARY cxsparse)
 mark_as_advanced(CXSPARSE_INCLUDE_DIR CXSPARSE_LIBRARY)

@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(g2o_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/g2o)
 get_property(G2O_LIBRARY_NAMES GLOBAL PROPERTY G2O_LIBRARY_NAMES)
-get_property(G2O_FOREIGN_NAMES GLOBAL PROPERTY G2O_FOREIGN_NAMES)
+get_property(G2O_SUITESPARSE_NAMES GLOBAL PROPERTY G2O_SUITESPARSE_NAMES)
 set(G2O_IS_SHARED_BUILD ${BUILD_SHARED_LIBS})
 
 # g2oTargets.cmake has the shared libraries. A static build also installs the static libraries, with
@@ -28,5 +28,8 @@ configure_package_config_file(cmake/g2oConfig.cmake.in g2oConfig.cmake INSTALL_D
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake VERSION 1.0.0
                                  COMPATIBILITY AnyNewerVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/g2oConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/g2oConfigVersion.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake ${PROJECT_SOURCE_DIR}/cmake/FindCXSparse.cmake
         DESTINATION ${g2o_package_dir})
+if(G2O_SUITESPARSE_NAMES)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCHOLMOD.cmake ${PROJECT_SOURCE_DIR}/cmake/FindCXSparse.cmake
+          DESTINATION ${g2o_package_dir})
+endif()

@@ -17,9 +17,9 @@ OptimizationAlgorithmFactory*& factory_slot() {
   return slot;
 }
 
-/// Removes "_cholmod" or "_csparse" from the end of the name of an algorithm: returns "lm_var" for
-/// "lm_var_cholmod". Returns an empty string for all other names.
-std::string without_foreign_library(const std::string& tag) {
+/// Returns the algorithm of the library solver_eigen that does the same: "lm_var" for "lm_var_cholmod" and
+/// "lm_var_csparse". Returns an empty string for all other names.
+std::string without_library(const std::string& tag) {
   for (const char* library : {"_cholmod", "_csparse"}) {
     const std::string suffix = library;
     if (tag.size() > suffix.size() && tag.compare(tag.size() - suffix.size(), suffix.size(), suffix) == 0)
@@ -76,7 +76,7 @@ OptimizationAlgorithm* OptimizationAlgorithmFactory::construct(
     const std::string& tag, OptimizationAlgorithmProperty& solverProperty) const {
   auto found = findSolver(tag);
   if (found == _creator.end()) {
-    found = findSolver(without_foreign_library(tag));
+    found = findSolver(without_library(tag));
     if (found != _creator.end())
       G2O_WARN("{} is replaced by {}, because no library that provides it is linked or loaded", tag,
                (*found)->property().name);

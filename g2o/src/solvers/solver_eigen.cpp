@@ -4,7 +4,7 @@
 
 // These symbols let programs with G2O_USE_OPTIMIZATION_LIBRARY(cholmod) or
 // G2O_USE_OPTIMIZATION_LIBRARY(csparse) link without the libraries solver_cholmod and solver_csparse. The
-// factory then uses the algorithms of this library instead.
+// factory then uses the algorithms of this library, which have the same linear solver.
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_cholmod(void) {}
 extern "C" __attribute__((weak)) void G2O_OAF_EXPORT g2o_optimization_library_csparse(void) {}
 

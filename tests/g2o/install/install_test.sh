@@ -19,7 +19,7 @@ configure() { # SOURCE BUILD OPTIONS...
   "$cmake" -S "$1" -B "$2" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_COMPILER_LAUNCHER="$launcher" "${@:3}" >/dev/null
 }
 library=$(dirname "$(find "$work/moved" -name libg2o_core.so)")
-for name in stuff core types_data incremental csparse_extension; do
+for name in stuff core types_data incremental csparse_extension solver_cholmod solver_csparse; do
   [[ -e "$library/libg2o_$name.so" ]] || { echo "libg2o_$name.so is not installed" >&2; exit 1; }
 done
 
@@ -38,8 +38,9 @@ for static in "${variants[@]}"; do
   "$cmake" --build "$ways"
   "$ways/icp" >/dev/null
   "$ways/stuff_alone" >/dev/null
-  "$ways/algorithms" lm_var
-  if [[ -x "$ways/algorithms_cholmod" ]]; then "$ways/algorithms_cholmod" lm_var_cholmod; fi
+  "$ways/algorithms" lm_var_cholmod
+  "$ways/algorithms_cholmod" lm_var_cholmod
+  "$ways/algorithms_eigen" lm_var
 done
 
 # Build and run a C++14 client without CMake. It must link with every order of the libraries.
@@ -53,6 +54,20 @@ for libraries in "-lg2o_core -lg2o_stuff -lg2o_types_slam3d" "-lg2o_types_slam3d
     { cat "$work/err.txt" >&2; exit 1; }
   "$work/plain" >/dev/null 2>"$work/err.txt"
   grep -q "g2o: .*parameter" "$work/err.txt" || { echo "expected a message about the refused edge on stderr" >&2; exit 1; }
+done
+
+# A client without CMake that names the algorithms and libraries of CHOLMOD and CSparse runs on the engine.
+compile -std=c++17 -DEIGEN_MAX_ALIGN_BYTES=16 "$here/ways/algorithms.cpp" -L "$library" -lg2o_core -lg2o_stuff \
+  -lg2o_types_slam2d -lg2o_solver_cholmod -lg2o_solver_csparse -Wl,-rpath,"$library" -o "$work/algorithms"
+"$work/algorithms" lm_var_cholmod
+
+# No installed library needs CHOLMOD or CSparse, except for the opt-in libraries that are named after them.
+for file in "$library"/lib*.so; do
+  [[ $file == *suitesparse* ]] && continue
+  if objdump -p "$file" | grep -E "NEEDED.*(cholmod|cxsparse)"; then
+    echo "$file needs libraries under the GPL or the LGPL" >&2
+    exit 1
+  fi
 done
 
 # A client whose flags change the alignment of Eigen's types must not link. The name of the missing symbol must contain

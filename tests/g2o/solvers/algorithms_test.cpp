@@ -2,6 +2,8 @@
 // Tests of the algorithms that the factory constructs, on small graphs.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <sstream>
 
@@ -14,11 +16,13 @@ G2O_USE_OPTIMIZATION_LIBRARY(dense)
 G2O_USE_OPTIMIZATION_LIBRARY(pcg)
 G2O_USE_OPTIMIZATION_LIBRARY(structure_only)
 G2O_USE_OPTIMIZATION_LIBRARY(slam2d_linear)
-#ifdef G2O_TEST_CHOLMOD
 G2O_USE_OPTIMIZATION_LIBRARY(cholmod)
-#endif
-#ifdef G2O_TEST_CSPARSE
 G2O_USE_OPTIMIZATION_LIBRARY(csparse)
+#ifdef G2O_TEST_SUITESPARSE_CHOLMOD
+G2O_USE_OPTIMIZATION_LIBRARY(suitesparse_cholmod)
+#endif
+#ifdef G2O_TEST_SUITESPARSE_CSPARSE
+G2O_USE_OPTIMIZATION_LIBRARY(suitesparse_csparse)
 #endif
 
 namespace {
@@ -79,11 +83,13 @@ TEST(Algorithms, TheFactoryListsAllAlgorithmsOfTheLinkedLibraries) {
   }
   for (const char* suffix : {
            "",
-#ifdef G2O_TEST_CHOLMOD
            "_cholmod",
-#endif
-#ifdef G2O_TEST_CSPARSE
            "_csparse",
+#ifdef G2O_TEST_SUITESPARSE_CHOLMOD
+           "_suitesparse_cholmod",
+#endif
+#ifdef G2O_TEST_SUITESPARSE_CSPARSE
+           "_suitesparse_csparse",
 #endif
        }) {
     const auto names = names_with(suffix);
@@ -99,10 +105,20 @@ TEST(Algorithms, TheFactoryReturnsNullForAnUnknownName) {
   EXPECT_EQ(construct("lm_nonsense"), nullptr);
 }
 
-/// Algorithms with a linear solver of another library. The parameter is the suffix of their names.
-class ForeignSolver : public testing::TestWithParam<const char*> {};
+/// Algorithms whose names have this suffix. Those of SuiteSparse are opt-in.
+class NamedSolver : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    const std::string suffix = GetParam();
+    std::string option = "G2O_USE" + suffix;
+    std::transform(option.begin(), option.end(), option.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    if (construct("gn_var" + suffix) == nullptr)
+      GTEST_SKIP() << "the algorithms *" << suffix << " are not built, because " << option << " is OFF";
+  }
+};
 
-TEST_P(ForeignSolver, FindsTheSameMinimumAsTheSolverOfTheEngine) {
+TEST_P(NamedSolver, FindsTheSameMinimumAsTheSolverOfTheEngine) {
   const std::string suffix = GetParam();
   for (const std::string& name : {"gn_var" + suffix, "lm_var" + suffix, "dl_var" + suffix}) {
     SCOPED_TRACE(name);
@@ -114,7 +130,7 @@ TEST_P(ForeignSolver, FindsTheSameMinimumAsTheSolverOfTheEngine) {
   EXPECT_NEAR(final_chi2("gn_fix3_2" + suffix, true), expected, 1e-9 * expected);
 }
 
-TEST_P(ForeignSolver, SolvesAPositiveDefiniteSystemAndRefusesAnIndefiniteOne) {
+TEST_P(NamedSolver, SolvesAPositiveDefiniteSystemAndRefusesAnIndefiniteOne) {
   using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
   auto algorithm = construct(std::string("gn_var") + GetParam());
   auto& solver = static_cast<g2o::OptimizationAlgorithmWithHessian&>(*algorithm).solver();
@@ -146,13 +162,20 @@ TEST_P(ForeignSolver, SolvesAPositiveDefiniteSystemAndRefusesAnIndefiniteOne) {
   EXPECT_FALSE(linear.solve(A, x.data(), b.data()));
 }
 
-#ifdef G2O_TEST_CHOLMOD
-INSTANTIATE_TEST_SUITE_P(Cholmod, ForeignSolver, testing::Values("_cholmod"));
-#endif
-#ifdef G2O_TEST_CSPARSE
-INSTANTIATE_TEST_SUITE_P(CSparse, ForeignSolver, testing::Values("_csparse"));
-#endif
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ForeignSolver);
+INSTANTIATE_TEST_SUITE_P(Engine, NamedSolver, testing::Values("_cholmod", "_csparse"),
+                         [](const auto& test) { return std::string(test.param).substr(1); });
+INSTANTIATE_TEST_SUITE_P(OptIn, NamedSolver, testing::Values("_suitesparse_cholmod", "_suitesparse_csparse"),
+                         [](const auto& test) { return std::string(test.param).substr(1); });
+
+TEST(Algorithms, NamedAfterCholmodAndCSparseHaveTheSolverOfTheEngine) {
+  const auto kind_of = [](const char* name) {
+    const auto algorithm = construct(name);
+    auto& solver = static_cast<g2o::OptimizationAlgorithmWithHessian&>(*algorithm).solver();
+    return static_cast<g2o::BlockSolverX&>(solver).linearSolver().engine().solver;
+  };
+  EXPECT_EQ(kind_of("lm_var_cholmod"), g2o::internal::EngineSolver::kCholesky);
+  EXPECT_EQ(kind_of("lm_var_csparse"), g2o::internal::EngineSolver::kCholesky);
+}
 
 TEST(LinearStart, FindsTheMinimumFromArbitraryEstimates) {
   double expected = 0;

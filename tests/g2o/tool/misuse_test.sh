@@ -79,7 +79,7 @@ lines 6 out.txt  # five vertices and a FIX line
 # systems that cannot be solved
 sed -E 's/ 10 0 0 10 0 40$/ 0 0 0 0 0 0/; s/ 20 0 20$/ 0 0 0/' square.g2o > weightless.g2o
 (cat poses.g2o; printf 'VERTEX_XY 7 0.4 0.4\nEDGE_BEARING_SE2_XY 0 7 0.5 1\n') > singular.g2o
-for solver in gn_var gn_dense gn_pcg gn_var_cholmod gn_var_csparse; do
+for solver in gn_var gn_dense gn_pcg gn_var_cholmod gn_var_csparse gn_var_suitesparse_cholmod gn_var_suitesparse_csparse; do
   if ! "$tool" -listSolvers 2>&1 | grep -q "^$solver "; then continue; fi  # the build does not have this solver
   for graph in weightless.g2o singular.g2o; do
     expect 0 "positive definite" -solver $solver -o unsolved.g2o $graph

@@ -21,15 +21,26 @@ END
 
 names=$("$tool" -listSolvers 2>&1 | awk '!/^#/ && !/^g2o:/ { print $1 }')
 count=$(wc -w <<< "$names")
-# There are 46 algorithms if both CHOLMOD and CSparse are available, and 9 fewer for each of them that is missing.
-((count == 46 || count == 37 || count == 28)) || complain "expected 46, 37 or 28 algorithms, got $count:" <(echo "$names")
+# There are 46 algorithms, and 9 more for each opt-in plug-in of SuiteSparse that is built.
+expected_count=46
+for plugin in suitesparse_cholmod suitesparse_csparse; do
+  if grep -qx "lm_var_$plugin" <<< "$names"; then
+    expected_count=$((expected_count + 9))
+  else
+    echo "skipped: the algorithms *_$plugin, because G2O_USE_${plugin^^} is OFF"
+  fi
+done
+((count == expected_count)) || complain "expected $expected_count algorithms, got $count:" <(echo "$names")
+if ldd "$tool" | grep -E "cholmod|cxsparse"; then
+  complain "expected that the tool links neither CHOLMOD nor CSparse; ldd:" <(ldd "$tool")
+fi
 
 # same_end GRAPH SUITABLE: checks that all algorithms whose names match the pattern SUITABLE reach the same final chi2
 # (except structure_only: it only has to decrease chi2), and that the tool exits with 3 for all other algorithms.
 same_end() {
   local graph="$1" suitable="$2" expected="" found=0
   for name in $names; do
-    if [[ ! $name =~ ^($suitable)(_cholmod|_csparse)?$ ]]; then
+    if [[ ! $name =~ ^($suitable)((_suitesparse)?(_cholmod|_csparse))?$ ]]; then
       expect 3 "does not support" -solver $name "$graph"
       continue
     fi
@@ -43,7 +54,7 @@ same_end() {
     expected=${expected:-$(final)}
     holds "($expected - $(final)) ^ 2 <= 1e-10 * $expected ^ 2"
   done
-  ((found >= 14)) || complain "$graph: expected at least 14 suitable algorithms, got $found of:" <(echo "$names")
+  ((found >= 20)) || complain "$graph: expected at least 20 suitable algorithms, got $found of:" <(echo "$names")
 }
 any="(gn|lm|dl)_var|(gn|lm)_(dense|pcg)"
 sizes() { echo "(gn|lm)_(fix|dense|pcg)$1"; }
@@ -65,5 +76,7 @@ best() {
     holds "$(final) <= $chi2 * 1.0001"
   done
 }
-best posegraph2d/csail.g2o 38.9563 gn_var gn_fix3_2 dl_var 2dlinear gn_var_cholmod gn_fix3_2_csparse
-best posegraph3d/smallGrid3D.g2o 458.154 gn_var lm_var dl_var lm_fix6_3 gn_pcg lm_dense lm_var_cholmod gn_fix6_3_csparse
+best posegraph2d/csail.g2o 38.9563 gn_var gn_fix3_2 dl_var 2dlinear gn_var_cholmod gn_fix3_2_csparse \
+  gn_var_suitesparse_cholmod gn_fix3_2_suitesparse_csparse
+best posegraph3d/smallGrid3D.g2o 458.154 gn_var lm_var dl_var lm_fix6_3 gn_pcg lm_dense lm_var_cholmod gn_fix6_3_csparse \
+  lm_var_suitesparse_cholmod gn_fix6_3_suitesparse_csparse

@@ -11,8 +11,7 @@
 namespace g2o {
 
 /// The same solver as LinearSolverEigen, under the name that clients of CHOLMOD use. It does not need CHOLMOD
-/// or any other third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) run
-/// CHOLMOD itself.
+/// or any other third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) use it.
 template <typename MatrixType>
 class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
  public:

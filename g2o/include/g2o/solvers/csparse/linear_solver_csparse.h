@@ -10,8 +10,7 @@
 namespace g2o {
 
 /// The same solver as LinearSolverEigen, under the name that clients of CSparse use. It does not need CSparse
-/// or any other third-party library. The algorithms of the library solver_csparse (gn_var_csparse, …) run
-/// CSparse itself.
+/// or any other third-party library. The algorithms of the library solver_csparse (gn_var_csparse, …) use it.
 template <typename MatrixType>
 class LinearSolverCSparse : public LinearSolverEigen<MatrixType> {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/cholmod/cholmod_factor.h"
+#include "solvers/suitesparse/cholmod_factor.h"
 
 namespace g2o {
 namespace internal {

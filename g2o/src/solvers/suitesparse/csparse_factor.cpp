@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "solvers/csparse/csparse_factor.h"
+#include "solvers/suitesparse/csparse_factor.h"
 
 namespace g2o {
 namespace internal {

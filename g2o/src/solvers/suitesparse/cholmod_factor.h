@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "solvers/sparse_factor.h"
+#include "solvers/suitesparse/sparse_factor.h"
 
 namespace g2o {
 namespace internal {
