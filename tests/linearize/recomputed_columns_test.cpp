@@ -178,7 +178,7 @@ TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, RecomputedColumns, testing::Values(1, 2, 3),
-                         testing::PrintToStringParamName());
+                         ::testing::PrintToStringParamName());
 
 TEST(ColumnStorage, IsAllWithFixedDirectionsAndWithoutElimination) {
   Graph graph = varied_bundle(20);

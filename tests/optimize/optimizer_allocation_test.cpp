@@ -44,7 +44,7 @@ TEST_P(SecondRun, AllocatesNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Threads, SecondRun, ::testing::Values(1, 2), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Threads, SecondRun, ::testing::Values(1, 2), ::testing::PrintToStringParamName());
 
 /// A circle of poses. The error function of one edge can raise the stop flag.
 struct StoppableCircle {

@@ -25,7 +25,8 @@ constexpr Way kWays[] = {{SchurMode::kExplicit, LinearSolverKind::kBlockCholesky
                          {SchurMode::kAutomatic, LinearSolverKind::kAutomatic}};
 
 class Elimination : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Cameras, Elimination, testing::Values(2, 5, 16),
+                         ::testing::PrintToStringParamName());
 
 TEST_P(Elimination, EndsAtTheSameChi2AsWithoutElimination) {
   Bundle plain = make_bundle(GetParam(), 200, false);

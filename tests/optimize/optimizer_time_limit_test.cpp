@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(TimeLimit, EveryStart,
                          ::testing::Combine(::testing::ValuesIn(every_start()),
                                             ::testing::ValuesIn(every_algorithm())),
                          [](const auto& test) {
-                           const auto& [start, algorithm] = test.param;
-                           return test_name(start) + "_" + test_name(algorithm);
+                           return test_name(std::get<0>(test.param)) + "_" +
+                                  test_name(std::get<1>(test.param));
                          });
 
 TEST(TimeLimit, OfZeroStopsBeforeAnyWork) {

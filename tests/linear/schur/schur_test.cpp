@@ -103,7 +103,7 @@ void check_elimination(Problem& problem, bool explicit_values) {
 
 class SchurOfBundle : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Cameras, SchurOfBundle, testing::Values(2, 3, 5, 16),
-                         testing::PrintToStringParamName());
+                         ::testing::PrintToStringParamName());
 
 TEST_P(SchurOfBundle, EqualsTheDenseComplementWithoutDamping) {
   Problem problem(make_bundle(GetParam(), 200, true), 0, false);
