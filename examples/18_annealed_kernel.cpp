@@ -48,7 +48,9 @@ double with_fixed_kernel(const RobustKernel* kernel) {
   for (const EdgeRef& edge : closures_of(world)) {
     if (kernel) world.graph.set_kernel(edge, kernel->clone());
   }
-  return optimize(world.graph).converged() ? error_of(world) : 1e9;
+  const Report report = optimize(world.graph);
+  const bool ended = report.converged() || report.reason == Report::Reason::kRejectedEdges;
+  return ended ? error_of(world) : 1e9;
 }
 
 double annealed() {
