@@ -90,62 +90,62 @@ bool same_bits(std::span<const double> a, std::span<const double> b) {
 class RecomputedColumns : public testing::TestWithParam<int> {
  protected:
   RecomputedColumns()
-      : graph(varied_bundle(700)),
-        stored(make_plan(graph, {.threads = GetParam()})),
-        recomputed(make_plan(graph, {.threads = GetParam(), .columns = ColumnStorage::kBatch})) {}
+      : graph_(varied_bundle(700)),
+        stored_(make_plan(graph_, {.threads = GetParam()})),
+        recomputed_(make_plan(graph_, {.threads = GetParam(), .columns = ColumnStorage::kBatch})) {}
 
-  Eigen::VectorXd a_vector() const { return Eigen::VectorXd::LinSpaced(stored.scalars(), -1, 2); }
+  Eigen::VectorXd a_vector() const { return Eigen::VectorXd::LinSpaced(stored_.scalars(), -1, 2); }
 
   /// Compares subtract_coupling() with a product of H.
   void expect_product_of_coupling() const {
-    Linearizer all(graph, stored), batch(graph, recomputed);
+    Linearizer all(graph_, stored_), batch(graph_, recomputed_);
     all.linearize({});
-    const Eigen::MatrixXd hessian = dense_matrix(stored.structure, all.values());
-    const Eigen::Index eliminated = stored.structure.offset[stored.eliminated_blocks],
+    const Eigen::MatrixXd hessian = dense_matrix(stored_.structure, all.values());
+    const Eigen::Index eliminated = stored_.structure.offset[stored_.eliminated_blocks],
                        kept = hessian.rows() - eliminated;
     Eigen::VectorXd expected = a_vector(), actual = expected;
     expected.head(eliminated) -= hessian.bottomLeftCorner(kept, eliminated).transpose() * expected.tail(kept);
     std::atomic<std::uint32_t> columns = 0;
-    const int groups = static_cast<int>(recomputed.chunks.size());
+    const int groups = static_cast<int>(recomputed_.chunks.size());
     batch.subtract_coupling({}, groups, actual.data(), [&](const Linearizer::Batch& b) {
       EXPECT_EQ(b.values, nullptr);
       columns += b.last - b.first;
     });
-    EXPECT_EQ(columns, recomputed.eliminated_blocks);
+    EXPECT_EQ(columns, recomputed_.eliminated_blocks);
     EXPECT_LE((actual - expected).norm(), 1e-12 * expected.norm());
   }
 
-  Graph graph;
-  Plan stored, recomputed;
+  Graph graph_;
+  Plan stored_, recomputed_;
 };
 
 TEST_P(RecomputedColumns, NeedMemoryForOneBatchPerChunk) {
-  ASSERT_EQ(stored.columns, ColumnStorage::kAll);
-  ASSERT_EQ(recomputed.columns, ColumnStorage::kBatch);
-  ASSERT_GT(recomputed.chunks.size(), 1u);
-  EXPECT_EQ(recomputed.structure, stored.structure);
-  const Linearizer linearizer(graph, recomputed);
-  EXPECT_EQ(linearizer.values().size(), recomputed.shared_values());
+  ASSERT_EQ(stored_.columns, ColumnStorage::kAll);
+  ASSERT_EQ(recomputed_.columns, ColumnStorage::kBatch);
+  ASSERT_GT(recomputed_.chunks.size(), 1u);
+  EXPECT_EQ(recomputed_.structure, stored_.structure);
+  const Linearizer linearizer(graph_, recomputed_);
+  EXPECT_EQ(linearizer.values().size(), recomputed_.shared_values());
   std::size_t window = 0;
-  for (const Chunk& chunk : recomputed.chunks) window += chunk.window.size;
-  EXPECT_LT(window, recomputed.eliminated_values() * 3 / 4);
+  for (const Chunk& chunk : recomputed_.chunks) window += chunk.window.size;
+  EXPECT_LT(window, recomputed_.eliminated_values() * 3 / 4);
 }
 
 TEST_P(RecomputedColumns, AreReportedWithTheBitsThatWouldBeStored) {
-  Linearizer all(graph, stored), batch(graph, recomputed);
+  Linearizer all(graph_, stored_), batch(graph_, recomputed_);
   all.linearize({});
-  std::vector<int> differences(recomputed.chunks.size(), 0);
+  std::vector<int> differences(recomputed_.chunks.size(), 0);
   std::vector<std::uint32_t> columns(differences.size(), 0);
   batch.linearize({}, static_cast<int>(differences.size()), [&](const Linearizer::Batch& b) {
     const std::span<const double> expected = all.values().subspan(
-        stored.first_value(b.first), stored.first_value(b.last) - stored.first_value(b.first));
+        stored_.first_value(b.first), stored_.first_value(b.last) - stored_.first_value(b.first));
     const auto group = static_cast<std::size_t>(b.group);
     differences[group] += !same_bits({b.values, expected.size()}, expected);
     columns[group] += b.last - b.first;
   });
   EXPECT_EQ(std::count(differences.begin(), differences.end(), 0), std::ssize(differences));
-  EXPECT_EQ(std::accumulate(columns.begin(), columns.end(), 0u), stored.eliminated_blocks);
-  EXPECT_TRUE(same_bits(batch.values(), all.values().last(stored.shared_values())));
+  EXPECT_EQ(std::accumulate(columns.begin(), columns.end(), 0u), stored_.eliminated_blocks);
+  EXPECT_TRUE(same_bits(batch.values(), all.values().last(stored_.shared_values())));
   EXPECT_TRUE(same_bits(batch.gradient(), all.gradient()));
 }
 
@@ -159,16 +159,16 @@ TEST_P(RecomputedColumns, GiveTheProductOfTheCouplingWithAVectorByEveryKernel) {
 }
 
 TEST_P(RecomputedColumns, GiveTheCurvatureAlongAVector) {
-  Linearizer all(graph, stored), batch(graph, recomputed);
+  Linearizer all(graph_, stored_), batch(graph_, recomputed_);
   all.linearize({});
   const Eigen::VectorXd d = a_vector();
-  const double expected = d.dot(dense_matrix(stored.structure, all.values()) * d);
+  const double expected = d.dot(dense_matrix(stored_.structure, all.values()) * d);
   EXPECT_NEAR(batch.curvature({}, d.data()), expected, 1e-12 * expected);
 }
 
 TEST_P(RecomputedColumns, GiveTheSameBitsForAnyNumberOfThreads) {
-  const Plan plan = make_plan(graph, {.threads = 1, .columns = ColumnStorage::kBatch});
-  Linearizer one(graph, plan), several(graph, recomputed);
+  const Plan plan = make_plan(graph_, {.threads = 1, .columns = ColumnStorage::kBatch});
+  Linearizer one(graph_, plan), several(graph_, recomputed_);
   const int groups = static_cast<int>(plan.chunks.size());
   Eigen::VectorXd x = a_vector(), y = x;
   one.subtract_coupling({}, groups, x.data(), [](const Linearizer::Batch&) {});
