@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the page knows: the server's newest state, with the rows and log lines that came in parts. The page never invents
+// any of it.
+import type { ConnectionState } from "./protocol/connection";
+import type { IterationRow, LogLine, RunMessage, StateMessage } from "./protocol/messages";
+
+/** Older lines of the log leave the page. */
+const MOST_LOG_LINES = 5000;
+
+export interface Run {
+  number: number;
+  rows: IterationRow[];
+  status: string;
+  headline: string;
+  summary: string;
+}
+
+export class Model {
+  connection: ConnectionState = { connected: false, problem: "" };
+  state: StateMessage | null = null;
+  version = "";
+  run: Run | null = null;
+  log: LogLine[] = [];
+  /** The number of the first line in `log`. */
+  log_first = 0;
+
+  private readonly observers: (() => void)[] = [];
+
+  /** Calls the observer after each change. */
+  observe(observer: () => void): void {
+    this.observers.push(observer);
+  }
+
+  setConnection(connection: ConnectionState): void {
+    this.connection = connection;
+    this.notify();
+  }
+
+  apply(state: StateMessage): void {
+    this.state = state;
+    if (state.version !== undefined) this.version = state.version;
+    this.run = state.run && mergedRun(this.run, state.run);
+    this.appendLog(state.log.first, state.log.lines);
+    this.notify();
+  }
+
+  get isBusy(): boolean {
+    return this.state?.busy ?? false;
+  }
+
+  private appendLog(first: number, lines: LogLine[]): void {
+    const kept = first - this.log_first;
+    if (kept < 0 || kept > this.log.length) {
+      this.log = [];
+      this.log_first = first;
+    } else {
+      this.log.length = kept;
+    }
+    for (const line of lines) this.log.push(line);
+    if (this.log.length > MOST_LOG_LINES) {
+      const surplus = this.log.length - MOST_LOG_LINES;
+      this.log.splice(0, surplus);
+      this.log_first += surplus;
+    }
+  }
+
+  private notify(): void {
+    for (const observer of this.observers) observer();
+  }
+}
+
+function mergedRun(known: Run | null, message: RunMessage): Run {
+  const kept = known?.number === message.number ? known.rows.slice(0, message.first_row) : [];
+  const { number, status, headline, summary } = message;
+  return { number, status, headline, summary, rows: kept.concat(message.rows) };
+}
+
+/** chi2 before the first row and after each row; NaN if it is not finite. */
+export function chi2Sequence(run: Run, chi2_initial: number | null): number[] {
+  const first = run.rows[0];
+  const before = first ? (first.chi2 ?? NaN) + (first.chi2_decrease ?? NaN) : (chi2_initial ?? NaN);
+  return [before, ...run.rows.map((row) => row.chi2 ?? NaN)];
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plot of chi2 by iteration. Its scale is logarithmic if chi2 falls by a large factor.
+import uPlot from "uplot";
+import { general } from "../format";
+import { chi2Sequence, type Model } from "../model";
+import { currentTheme, onThemeChange } from "../theme";
+import { byId, create } from "./dom";
+
+/** The factor from the least to the largest chi2 above which the scale is logarithmic. */
+const LARGE_FACTOR = 10;
+
+export class Chart {
+  private readonly place = byId("chart");
+  private readonly nothing = create("p", { className: "nothing" }, "chi2 of each iteration appears here");
+  private plot: uPlot | null = null;
+  private is_logarithmic = false;
+  private shown_rows: unknown = null;
+
+  constructor(private readonly model: Model) {
+    this.place.append(this.nothing);
+    model.observe(() => this.update());
+    onThemeChange(() => this.rebuild());
+    new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.place);
+  }
+
+  private update(): void {
+    const { run } = this.model;
+    if ((run?.rows ?? null) === this.shown_rows) return;
+    this.shown_rows = run?.rows ?? null;
+    const { values } = this.data();
+    const is_logarithmic = values.every((value) => value > 0) && Math.max(...values) > LARGE_FACTOR * Math.min(...values);
+    if (!this.plot || is_logarithmic !== this.is_logarithmic || values.length === 0) {
+      this.is_logarithmic = is_logarithmic;
+      this.rebuild();
+    } else {
+      this.plot.setData(this.table());
+    }
+  }
+
+  private rebuild(): void {
+    this.plot?.destroy();
+    this.plot = null;
+    const is_empty = this.data().values.length === 0;
+    this.nothing.hidden = !is_empty;
+    if (!is_empty) this.plot = new uPlot(this.options(), this.table(), this.place);
+  }
+
+  private data() {
+    const { run, state } = this.model;
+    const sequence = run && run.rows.length > 0 ? chi2Sequence(run, state?.chi2_initial ?? null) : [];
+    return { sequence, values: sequence.filter(Number.isFinite) };
+  }
+
+  private table(): uPlot.AlignedData {
+    const { sequence } = this.data();
+    return [sequence.map((_, i) => i), sequence.map((value) => (Number.isFinite(value) ? value : null))];
+  }
+
+  private size() {
+    return { width: this.place.clientWidth - 10, height: this.place.clientHeight };
+  }
+
+  private options(): uPlot.Options {
+    const theme = currentTheme();
+    const font = "11px system-ui, sans-serif";
+    const axis = { stroke: theme.plot_text, font, grid: { stroke: theme.plot_grid, width: 1 }, ticks: { show: false } };
+    return {
+      ...this.size(),
+      legend: { show: false },
+      cursor: { y: false, drag: { x: false, y: false } },
+      padding: [10, 10, 0, 0],
+      scales: {
+        x: { time: false, range: (_, least, most) => [least, Math.max(most, least + 1)] },
+        y: this.is_logarithmic ? { distr: 3 } : { range: (_, least, most) => linearRange(least, most) },
+      },
+      axes: [
+        { ...axis, size: 24, gap: 2, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] },
+        { ...axis, size: 58, gap: 4, values: (_, splits) => splits.map((value) => (value === null ? "" : general(value, 4))) },
+      ],
+      series: [
+        {},
+        { stroke: theme.plot_line, width: 1.5, points: { show: this.data().sequence.length < 60, size: 5, fill: theme.plot_line } },
+      ],
+    };
+  }
+}
+
+function linearRange(least: number, most: number): [number, number] {
+  const margin = 0.06 * (most - least) || 0.05 * Math.abs(most) || 1;
+  return [least - margin, most + margin];
+}

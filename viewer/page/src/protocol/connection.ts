@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The connection to the server: reads the stream, tries again once per second after it broke, and sends commands.
+import { decode } from "./decode";
+import { MessageReader } from "./framing";
+import type { Command, Message } from "./messages";
+
+const RETRY_MS = 1000;
+/** The server sends a heartbeat at least once per second, so after this time the connection is lost. */
+const SILENCE_MS = 6000;
+
+export type ConnectionState = { connected: boolean; problem: string };
+
+export interface Listener {
+  onMessage(message: Message): void;
+  onConnection(state: ConnectionState): void;
+}
+
+export class Connection {
+  private token = new URLSearchParams(location.search).get("token") ?? "";
+  private readonly has_url_token = this.token !== "";
+
+  constructor(private readonly listener: Listener) {}
+
+  /** Reads streams as long as the page lives. */
+  async run(): Promise<never> {
+    for (;;) {
+      let problem = "The connection to boxplus is lost. Trying again each second…";
+      try {
+        await this.readStream();
+      } catch (error) {
+        if (error instanceof Refusal) problem = error.message;
+        else if (!isNetworkError(error)) console.warn(error);
+      }
+      this.listener.onConnection({ connected: false, problem });
+      await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
+    }
+  }
+
+  /** Throws an Error with the server's words if the server refuses the command. */
+  async send(command: Command): Promise<void> {
+    const response = await fetch("/command", {
+      method: "POST",
+      headers: { "Content-Type": "application/json", "X-Boxplus-Token": this.token },
+      body: JSON.stringify(command),
+    });
+    if (response.ok) return;
+    const answer: unknown = await response.json().catch(() => null);
+    const text = (answer as { error?: unknown } | null)?.error;
+    throw new Error(typeof text === "string" ? text : `the server refused the command (status ${response.status})`);
+  }
+
+  private async readStream(): Promise<void> {
+    const abort = new AbortController();
+    let alarm = setTimeout(() => abort.abort(), SILENCE_MS);
+    try {
+      const response = await fetch(this.has_url_token ? `/stream?token=${encodeURIComponent(this.token)}` : "/stream", {
+        cache: "no-store",
+        signal: abort.signal,
+      });
+      if (!response.ok || !response.body) throw new Refusal(response.status);
+      const bytes = response.body.getReader();
+      const reader = new MessageReader();
+      for (;;) {
+        const { done, value } = await bytes.read();
+        if (done) return;
+        clearTimeout(alarm);
+        alarm = setTimeout(() => abort.abort(), SILENCE_MS);
+        for (const raw of reader.push(value)) this.receive(decode(raw));
+      }
+    } finally {
+      clearTimeout(alarm);
+      abort.abort();
+    }
+  }
+
+  private receive(message: Message | null): void {
+    if (!message) return;
+    if (message.kind === "state" && message.state.token !== undefined) {
+      this.token = message.state.token;
+      this.listener.onConnection({ connected: true, problem: "" });
+    }
+    this.listener.onMessage(message);
+  }
+}
+
+class Refusal extends Error {
+  constructor(status: number) {
+    super(
+      status === 503
+        ? "boxplus serves too many pages already. Close one; this page tries again each second."
+        : status === 403
+          ? "boxplus refuses this page. Open the address that boxplus printed."
+          : `boxplus refuses the stream (status ${status}). Trying again each second…`,
+    );
+  }
+}
+
+function isNetworkError(error: unknown): boolean {
+  return error instanceof TypeError || (error instanceof DOMException && error.name === "AbortError");
+}

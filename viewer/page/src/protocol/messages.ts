@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The messages of the server, as viewer/PROTOCOL.md describes them. The names are those of the JSON.
+
+/** What the server sends for a number that is not finite is null. */
+export type MaybeNumber = number | null;
+
+export interface FileSummary {
+  name: string;
+  format: string;
+  vertices: number;
+  edges: number;
+  dimension: number;
+}
+
+export interface IterationRow {
+  iteration: number;
+  chi2: MaybeNumber;
+  chi2_decrease: MaybeNumber;
+  step_max: MaybeNumber;
+  lambda: MaybeNumber;
+  radius: MaybeNumber;
+  tries: number;
+  time_s: MaybeNumber;
+}
+
+/** A run. `rows` replace all rows from `first_row`; a new `number` begins a new table. */
+export interface RunMessage {
+  number: number;
+  first_row: number;
+  rows: IterationRow[];
+  status: string;
+  headline: string;
+  summary: string;
+}
+
+export interface LogLine {
+  level: string;
+  text: string;
+}
+
+export interface StateMessage {
+  /** Only in the first state of a stream, like `version`. */
+  token?: string;
+  version?: string;
+  busy: boolean;
+  activity: string;
+  file: FileSummary | null;
+  error?: string | null;
+  chi2: MaybeNumber;
+  chi2_initial: MaybeNumber;
+  can_step: boolean;
+  run: RunMessage | null;
+  log: { first: number; lines: LogLine[] };
+}
+
+export type VertexShape = "pose" | "camera" | "camera back" | "point";
+export type EdgeRole = "odometry" | "loop closure" | "observation" | "other";
+
+/** The vertices `first` to `first + count - 1` have one type. */
+export interface VertexGroup {
+  name: string;
+  shape: VertexShape;
+  first: number;
+  count: number;
+}
+
+/** The lines `first` to `first + count - 1` have one type and one role. */
+export interface EdgeGroup {
+  name: string;
+  role: EdgeRole;
+  first: number;
+  count: number;
+}
+
+export interface Structure {
+  structure: number;
+  dimension: number;
+  is_bundle: boolean;
+  /** The rotation, row-major, to a world whose z axis points up. */
+  leveling: number[];
+  vertices: VertexGroup[];
+  edges: EdgeGroup[];
+  /** The number of lines that are not sent. */
+  left_out: number;
+  /** Two vertex numbers for each line. */
+  lines: Uint32Array;
+  /** 1 if the vertex is fixed. */
+  fixed: Uint8Array;
+  /** The number of observations of each point, beginning with the first vertex that is a point. */
+  track_lengths: Uint32Array | null;
+}
+
+export interface Frame {
+  structure: number;
+  sequence: number;
+  iteration: number;
+  chi2: MaybeNumber;
+  center: [number, number, number];
+  /** x, y, z of each vertex relative to `center`; NaN if the vertex is not drawn. */
+  positions: Float32Array;
+  /** x, y, z, w of each pose and camera. */
+  orientations: Float32Array;
+  /** The reprojection error of each point, if the server knows it. */
+  errors: Float32Array | null;
+}
+
+export type Message =
+  | { kind: "state"; state: StateMessage }
+  | { kind: "structure"; structure: Structure }
+  | { kind: "frame"; frame: Frame };
+
+export type Command =
+  | { type: "optimize"; iterations?: number }
+  | { type: "step" }
+  | { type: "stop" }
+  | { type: "reset" };

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The edges of one type and role: one set of lines between the vertices.
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineSegments } from "three";
+import type { EdgeGroup, EdgeRole, Structure } from "../protocol/messages";
+import type { Theme } from "../theme";
+import { lineMaterial } from "./materials";
+import type { Vertices } from "./vertices";
+
+/** How opaque an edge is if the slider is at 1. */
+const OPACITY: Record<EdgeRole, number> = { odometry: 1, "loop closure": 0.75, observation: 0.35, other: 0.75 };
+
+export class Edges {
+  readonly object: LineSegments<BufferGeometry, ReturnType<typeof lineMaterial>>;
+  private readonly index: BufferAttribute;
+  /** Vertices of each line. The first n lines are a part that is spread over all of them. */
+  private readonly lines: Uint32Array;
+  private drawable = 0;
+
+  constructor(readonly group: EdgeGroup, structure: Structure, vertices: Vertices) {
+    this.lines = spread(structure.lines.subarray(2 * group.first, 2 * (group.first + group.count)));
+    const geometry = new BufferGeometry();
+    this.index = new BufferAttribute(new Uint32Array(this.lines.length), 1).setUsage(DynamicDrawUsage);
+    geometry.setAttribute("position", vertices.positions);
+    geometry.setIndex(this.index);
+    this.object = new LineSegments(geometry, lineMaterial());
+    this.object.frustumCulled = false;
+    this.object.renderOrder = group.role === "observation" ? -1 : 0;
+  }
+
+  updateVisible({ visible }: Vertices): void {
+    const index = this.index.array as Uint32Array;
+    let size = 0;
+    for (let i = 0; i < this.lines.length; i += 2) {
+      const a = this.lines[i]!, b = this.lines[i + 1]!;
+      if (!visible[a] || !visible[b]) continue;
+      index[size++] = a;
+      index[size++] = b;
+    }
+    this.index.needsUpdate = true;
+    this.drawable = size / 2;
+  }
+
+  /** The number of lines that are drawn if all of them are. */
+  get drawableLines(): number {
+    return this.object.visible ? this.drawable : 0;
+  }
+
+  /** Draws only a part (0 to 1) of the lines. */
+  drawPart(part: number): void {
+    this.object.geometry.setDrawRange(0, 2 * Math.ceil(this.drawable * part));
+  }
+
+  setOpacity(opacity: number): void {
+    this.object.material.uniforms["opacity"]!.value = opacity * OPACITY[this.group.role];
+  }
+
+  setTheme(theme: Theme): void {
+    const colors = {
+      odometry: theme.odometry,
+      "loop closure": theme.loop_closure,
+      observation: theme.observation,
+      other: theme.other,
+    };
+    this.object.material.uniforms["color"]!.value.copy(colors[this.group.role]);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}
+
+/** Returns the lines in the order 0, s, 2s, … modulo their number, with s near the golden section of it. */
+function spread(lines: Uint32Array): Uint32Array {
+  const count = lines.length / 2;
+  let step = Math.max(1, Math.round(0.618034 * count));
+  while (greatestCommonDivisor(step, count) > 1) ++step;
+  const ordered = new Uint32Array(lines.length);
+  for (let i = 0, from = 0; i < count; ++i, from = (from + step) % count) {
+    ordered[2 * i] = lines[2 * from]!;
+    ordered[2 * i + 1] = lines[2 * from + 1]!;
+  }
+  return ordered;
+}
+
+function greatestCommonDivisor(a: number, b: number): number {
+  return b === 0 ? a : greatestCommonDivisor(b, a % b);
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All objects of one structure. A frame changes where they are, options and theme change how they look.
+import { Group, Matrix3, Matrix4, Vector3 } from "three";
+import type { Frame, Structure, VertexGroup } from "../protocol/messages";
+import type { Theme } from "../theme";
+import type { DisplayOptions } from "./display_options";
+import { Edges } from "./edges";
+import { PointCloud } from "./points";
+import { PointFilter } from "./point_filter";
+import { Poses } from "./poses";
+import type { ShapeName } from "./shapes";
+import { isPoint } from "./statistics";
+import { Vertices } from "./vertices";
+
+const FIXED_PIXELS = 11;
+/** Sizes relative to the typical distance between poses. */
+const POSE_SIZE = 0.45, CAMERA_SIZE = 0.9;
+
+export class GraphScene {
+  readonly root = new Group();
+  readonly rotation: Matrix3;
+  readonly filter: PointFilter;
+  private readonly vertices: Vertices;
+  /** The members of `structure.vertices`, in the same order. */
+  private readonly groups: (Poses | PointCloud)[];
+  private readonly edges: Edges[];
+  private readonly fixed: PointCloud;
+  private center: Vector3 | null = null;
+  private poses_as_axes = false;
+
+  constructor(readonly structure: Structure) {
+    this.rotation = new Matrix3().fromArray(structure.leveling).transpose();
+    this.root.matrixAutoUpdate = false;
+    this.vertices = new Vertices(structure);
+    this.filter = new PointFilter(structure);
+    this.groups = structure.vertices.map((group) => this.createGroup(group));
+    this.edges = structure.edges.map((group) => new Edges(group, structure, this.vertices));
+    this.fixed = new PointCloud(indicesOf(structure.fixed), this.vertices, true);
+    this.fixed.setSize(FIXED_PIXELS);
+    this.root.add(...[...this.groups, ...this.edges, this.fixed].map((part) => part.object));
+  }
+
+  update(frame: Frame): void {
+    this.placeRoot(new Vector3(...frame.center));
+    const changed = this.vertices.update(frame);
+    for (const group of this.groups) {
+      if (group instanceof Poses) group.update(frame, this.vertices);
+    }
+    if (frame.errors) this.filter.errors = frame.errors;
+    if (changed) this.updateVisible();
+  }
+
+  applyFilter(options: DisplayOptions): void {
+    this.vertices.filter(this.filter.first, this.filter.apply(options.limits));
+    this.updateVisible();
+  }
+
+  /** `spacing` is the typical distance between poses. */
+  applyOptions(options: DisplayOptions, spacing: number): void {
+    if (options.poses_as_axes !== this.poses_as_axes) this.changeShapes(options.poses_as_axes);
+    this.structure.vertices.forEach((group, i) => {
+      const part = this.groups[i]!;
+      part.object.visible = !options.hidden_vertices.has(i);
+      if (isPoint(group)) part.setSize(options.point_size);
+      else if (group.shape === "pose") part.setSize(POSE_SIZE * options.pose_scale * spacing);
+      else part.setSize(CAMERA_SIZE * options.camera_scale * spacing);
+    });
+    this.edges.forEach((edges, i) => {
+      edges.object.visible = !options.hidden_edges.has(i) && options.edge_opacity > 0;
+      edges.setOpacity(options.edge_opacity);
+    });
+  }
+
+  setTheme(theme: Theme): void {
+    for (const group of this.groups) {
+      if (group instanceof Poses) group.setTheme(theme);
+      else group.setColor(theme.landmark);
+    }
+    for (const edges of this.edges) edges.setTheme(theme);
+    this.fixed.setColor(theme.fixed);
+  }
+
+  /** Draws about `most` of the visible lines, spread over all of them. */
+  limitLines(most: number): void {
+    const total = this.edges.reduce((sum, edges) => sum + edges.drawableLines, 0);
+    for (const edges of this.edges) edges.drawPart(Math.min(1, most / Math.max(1, total)));
+  }
+
+  dispose(): void {
+    for (const part of [...this.groups, ...this.edges, this.fixed]) part.dispose();
+  }
+
+  private createGroup(group: VertexGroup): Poses | PointCloud {
+    if (!isPoint(group)) return new Poses(group, this.structure, this.shapeOf(group, false));
+    return new PointCloud(Uint32Array.from({ length: group.count }, (_, i) => group.first + i), this.vertices);
+  }
+
+  private changeShapes(as_axes: boolean): void {
+    this.poses_as_axes = as_axes;
+    for (const group of this.groups) {
+      if (!(group instanceof Poses)) continue;
+      this.root.remove(group.setShape(this.shapeOf(group.group, as_axes)));
+      this.root.add(group.object);
+    }
+  }
+
+  private shapeOf(group: VertexGroup, as_axes: boolean): ShapeName {
+    if (group.shape === "camera" || group.shape === "camera back") return group.shape;
+    if (as_axes) return "axes";
+    return this.structure.dimension === 2 ? "triangle" : "wedge";
+  }
+
+  private updateVisible(): void {
+    for (const part of [...this.groups, ...this.edges, this.fixed]) part.updateVisible(this.vertices);
+  }
+
+  /** Positions are relative to the center of their frame, the scene to that of the first frame. */
+  private placeRoot(center: Vector3): void {
+    this.center ??= center;
+    const offset = center.clone().sub(this.center).applyMatrix3(this.rotation);
+    this.root.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
+    this.root.matrixWorldNeedsUpdate = true;
+  }
+}
+
+function indicesOf(flags: Uint8Array): Uint32Array {
+  const indices: number[] = [];
+  flags.forEach((flag, i) => flag && indices.push(i));
+  return Uint32Array.from(indices);
+}

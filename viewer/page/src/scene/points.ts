@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vertices that are drawn as one cloud: the points of one type, or the rings around fixed vertices.
+import { BufferAttribute, BufferGeometry, type Color, DynamicDrawUsage, Points } from "three";
+import { pointMaterial } from "./materials";
+import type { Vertices } from "./vertices";
+
+export class PointCloud {
+  readonly object: Points<BufferGeometry, ReturnType<typeof pointMaterial>>;
+  private readonly index: BufferAttribute;
+
+  /** `members` are the numbers of the vertices. */
+  constructor(private readonly members: Uint32Array, vertices: Vertices, is_ring = false) {
+    const geometry = new BufferGeometry();
+    this.index = new BufferAttribute(new Uint32Array(members.length), 1).setUsage(DynamicDrawUsage);
+    geometry.setAttribute("position", vertices.positions);
+    geometry.setIndex(this.index);
+    this.object = new Points(geometry, pointMaterial(is_ring));
+    this.object.frustumCulled = false;
+    this.object.renderOrder = is_ring ? 3 : 1;
+  }
+
+  updateVisible(vertices: Vertices): void {
+    const index = this.index.array as Uint32Array;
+    let size = 0;
+    for (const vertex of this.members) {
+      if (vertices.visible[vertex]) index[size++] = vertex;
+    }
+    this.index.needsUpdate = true;
+    this.object.geometry.setDrawRange(0, size);
+  }
+
+  setSize(pixels: number): void {
+    this.object.material.uniforms["size"]!.value = pixels;
+  }
+
+  setColor(color: Color): void {
+    this.object.material.uniforms["color"]!.value.copy(color);
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}

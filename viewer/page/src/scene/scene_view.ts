@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The picture of the graph: draws when something changed, and only then.
+import { LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
+import type { Frame, Structure } from "../protocol/messages";
+import { currentTheme, onThemeChange } from "../theme";
+import { CameraRig } from "./camera_rig";
+import { type DisplayOptions, defaultOptions } from "./display_options";
+import { GraphScene } from "./graph_scene";
+import { LineBudget } from "./line_budget";
+import { shared } from "./materials";
+import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
+
+/** How much of its color the farthest part of a graph in 3-D loses. */
+const FADE = 0.6;
+/** The view follows the graph if it grows by more than the margin, or shrinks by more than the rest. */
+const MARGIN = 0.04, SHRINKAGE = 0.3;
+const LARGEST_SPACING = 0.15;
+
+export class SceneView {
+  /** Called after another graph, or its first frame, came. */
+  on_structure: (graph: GraphScene) => void = () => {};
+  /** The number of pictures that were drawn, and the newest frame in them. */
+  pictures = 0;
+  sequence = -1;
+  private readonly renderer: WebGLRenderer;
+  private readonly world = new Scene();
+  private readonly rig: CameraRig;
+  private readonly budget = new LineBudget();
+  private options = defaultOptions();
+  private graph: GraphScene | null = null;
+  private frame: Frame | null = null;
+  private pending: Frame | null = null;
+  private fitted: Extent | null = null;
+  private spacing = 0;
+  /** True until the user moves the camera: the view then follows the graph. */
+  private follows = true;
+  private rest_timer = 0;
+  private request = 0;
+
+  /** Throws if the browser has no WebGL 2. */
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.rig = new CameraRig(canvas, () => this.moved());
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    canvas.addEventListener("webglcontextrestored", () => this.requestPicture());
+    onThemeChange(() => this.applyTheme());
+    this.resize();
+    this.applyTheme();
+  }
+
+  setStructure(structure: Structure): void {
+    if (this.graph) {
+      this.world.remove(this.graph.root);
+      this.graph.dispose();
+    }
+    this.graph = new GraphScene(structure);
+    this.graph.setTheme(currentTheme());
+    this.world.add(this.graph.root);
+    this.frame = this.pending = this.fitted = null;
+    this.spacing = 0;
+    this.requestPicture();
+  }
+
+  /** Shows the frame in the next picture, instead of one that still waits. */
+  setFrame(frame: Frame): void {
+    if (frame.structure !== this.graph?.structure.structure) return;
+    this.pending = frame;
+    this.requestPicture();
+  }
+
+  setOptions(options: DisplayOptions): void {
+    const filters = this.options.limits;
+    const { least_track_length, most_error } = options.limits;
+    const same_filter = filters.least_track_length === least_track_length && filters.most_error === most_error;
+    this.options = { ...options, limits: { ...options.limits } };
+    if (!same_filter) this.graph?.applyFilter(this.options);
+    this.graph?.applyOptions(this.options, this.spacing);
+    this.requestPicture();
+  }
+
+  /** Shows the whole graph, and follows it from now on. */
+  fit(): void {
+    this.follows = true;
+    this.fitted = null;
+    this.followGraph();
+    this.requestPicture();
+  }
+
+  /** Draws at once, and returns the bytes (RGBA) of the picture. */
+  pixels(): Uint8Array {
+    this.draw();
+    const gl = this.renderer.getContext();
+    const bytes = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return bytes;
+  }
+
+  private requestPicture(): void {
+    if (this.request === 0) this.request = requestAnimationFrame((time) => this.animate(time));
+  }
+
+  private animate(time: number): void {
+    this.request = 0;
+    this.budget.tick(time, this.rest_timer !== 0);
+    this.draw();
+  }
+
+  private draw(): void {
+    if (this.pending) this.show(this.pending);
+    this.setFading();
+    this.graph?.limitLines(this.rest_timer !== 0 ? this.budget.lines : Infinity);
+    this.renderer.render(this.world, this.rig.camera);
+    if (this.frame) {
+      ++this.pictures;
+      this.sequence = this.frame.sequence;
+    }
+  }
+
+  private show(frame: Frame): void {
+    const graph = this.graph!;
+    const is_first = this.frame === null;
+    const brings_errors = frame.errors !== null && this.options.limits.most_error < Infinity;
+    this.frame = frame;
+    this.pending = null;
+    graph.update(frame);
+    if (is_first || brings_errors) graph.applyFilter(this.options);
+    if (is_first) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
+    if (this.follows) this.followGraph();
+    this.updateSpacing(graph, frame);
+    if (is_first || frame.errors) this.on_structure(graph);
+  }
+
+  private followGraph(): void {
+    if (!this.graph || !this.frame) return;
+    const extent = robustExtent(this.graph.structure, this.frame, this.graph.rotation);
+    if (!extent || (this.fitted && isSimilar(extent, this.fitted))) return;
+    this.fitted = extent;
+    this.rig.fit(extent);
+  }
+
+  private updateSpacing(graph: GraphScene, frame: Frame): void {
+    const size = this.fitted ? this.fitted.box.getSize(new Vector3()).length() : 1;
+    const spacing = Math.min(typicalSpacing(graph.structure, frame) || 0.02 * size, LARGEST_SPACING * size);
+    // Small changes would only make the poses flicker.
+    if (this.spacing > 0 && Math.abs(Math.log(spacing / this.spacing)) < Math.log(1.3)) return;
+    this.spacing = spacing;
+    graph.applyOptions(this.options, spacing);
+  }
+
+  /** From above the horizon; behind the cameras if they look the same way. */
+  private firstDirection(graph: GraphScene, frame: Frame): Vector3 {
+    if (graph.structure.dimension === 2) return new Vector3(0, 0, -1);
+    const look = meanViewDirection(graph.structure, frame, graph.rotation).setZ(0);
+    const horizontal = look.length() > 1e-9 ? look.normalize() : new Vector3(-0.5, 0.85, 0).normalize();
+    return horizontal.setZ(-0.5).normalize();
+  }
+
+  private setFading(): void {
+    const radius = this.fitted ? 0.5 * this.fitted.box.getSize(new Vector3()).length() : 1;
+    const distance = this.rig.distance;
+    shared.fade.value = this.graph?.structure.dimension === 2 ? 0 : FADE;
+    shared.fade_near.value = Math.max(0, distance - 0.6 * radius);
+    shared.fade_far.value = distance + 1.2 * radius;
+    shared.pixel_ratio.value = this.renderer.getPixelRatio();
+  }
+
+  private moved(): void {
+    this.follows = false;
+    if (this.fitted) this.rig.setDepthRange(0.5 * this.fitted.box.getSize(new Vector3()).length());
+    clearTimeout(this.rest_timer);
+    this.rest_timer = window.setTimeout(() => {
+      this.rest_timer = 0;
+      this.requestPicture();
+    }, 180);
+    this.requestPicture();
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight);
+    this.rig.resize(clientWidth, clientHeight);
+    if (this.follows && this.fitted) this.rig.fit(this.fitted);
+    this.requestPicture();
+  }
+
+  private applyTheme(): void {
+    const theme = currentTheme();
+    this.renderer.setClearColor(theme.background);
+    shared.background.value.copy(theme.background);
+    this.graph?.setTheme(theme);
+    this.requestPicture();
+  }
+}
+
+function isSimilar(extent: Extent, fitted: Extent): boolean {
+  const size = extent.box.getSize(new Vector3()).length(), fitted_size = fitted.box.getSize(new Vector3()).length();
+  const tolerated = fitted.box.clone().expandByScalar(MARGIN * fitted_size);
+  return tolerated.containsBox(extent.box) && size > (1 - SHRINKAGE) * fitted_size;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The positions of all vertices, which points and edges share, and which of the vertices are drawn.
+import { BufferAttribute, DynamicDrawUsage } from "three";
+import type { Frame, Structure } from "../protocol/messages";
+
+export class Vertices {
+  readonly count: number;
+  readonly positions: BufferAttribute;
+  /** 1 if the vertex has a position and no filter hides it. */
+  readonly visible: Uint8Array;
+  private readonly placed: Uint8Array;
+  private readonly unfiltered: Uint8Array;
+
+  constructor(structure: Structure) {
+    this.count = structure.fixed.length;
+    this.positions = new BufferAttribute(new Float32Array(3 * this.count), 3).setUsage(DynamicDrawUsage);
+    this.visible = new Uint8Array(this.count);
+    this.placed = new Uint8Array(this.count);
+    this.unfiltered = new Uint8Array(this.count).fill(1);
+  }
+
+  /** Returns true if `visible` changed. */
+  update(frame: Frame): boolean {
+    const from = frame.positions;
+    const to = this.positions.array as Float32Array;
+    let changed = false;
+    to.set(from);
+    for (let vertex = 0; vertex < this.count; ++vertex) {
+      const placed = Number.isNaN(from[3 * vertex]) ? 0 : 1;
+      // Graphics cards need not know NaN.
+      if (!placed) to.fill(0, 3 * vertex, 3 * vertex + 3);
+      if (placed !== this.placed[vertex]) {
+        this.placed[vertex] = placed;
+        changed = true;
+      }
+    }
+    this.positions.needsUpdate = true;
+    if (changed) this.combine();
+    return changed;
+  }
+
+  /** `mask` has a number for each vertex from `first` on: 1 if the filter lets it pass. */
+  filter(first: number, mask: Uint8Array): void {
+    this.unfiltered.set(mask, first);
+    this.combine();
+  }
+
+  private combine(): void {
+    for (let vertex = 0; vertex < this.count; ++vertex) {
+      this.visible[vertex] = this.placed[vertex]! & this.unfiltered[vertex]!;
+    }
+  }
+}
