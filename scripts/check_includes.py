@@ -38,7 +38,7 @@ MAY_INCLUDE = {folder: set(below.split()) | {folder} for folder, below in ALLOWE
 MAY_INCLUDE["boxplus.h"] = LIBRARY  # the umbrella header
 # Programs may include all folders. Examples, which users copy, and fuzz targets must not include private
 # headers.
-PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests")
+PROGRAMS = ("apps", "bench", "examples", "fuzz", "g2o", "tests", "viewer")
 PUBLIC_ONLY = ("examples", "fuzz")
 for folder in PROGRAMS:
     MAY_INCLUDE[folder] = set(ALLOWED) | {"boxplus.h"}

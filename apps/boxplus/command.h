@@ -24,6 +24,7 @@ void add_info(CLI::App& app, Action& action);
 void add_convert(CLI::App& app, Action& action);
 void add_simulate(CLI::App& app, Action& action);
 void add_plot(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_completion(CLI::App& app, Action& action);
 /// Must be called last, because `help` lists the other sub-commands.

@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   add_convert(app, action);
   add_simulate(app, action);
   add_plot(app, action);
+  add_view(app, action);
   add_compare(app, action);
   add_completion(app, action);
   add_help(app, action);

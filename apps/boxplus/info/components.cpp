@@ -41,7 +41,8 @@ std::vector<Id> ids_of(const Graph& graph, EdgeRef edge) {
 
 }  // namespace
 
-void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role_of_edge, GraphFacts& facts) {
+void find_components(const Graph& graph, const Plan& plan, const viewer::EdgeRoles& role_of_edge,
+                     GraphFacts& facts) {
   const std::vector<EdgeRef> edges = graph.all_edges();
   Sets sets(graph);
   for (const EdgeRef& edge : edges) {
@@ -60,7 +61,7 @@ void find_components(const Graph& graph, const Plan& plan, const EdgeRoles& role
     if (ids.empty()) continue;
     ComponentFacts& component = components[sets.find(ids.front())];
     ++component.edges;
-    component.priors += role_of_edge(edge) == EdgeRole::kPrior;
+    component.priors += role_of_edge(edge) == viewer::EdgeRole::kPrior;
   }
   for (const GaugeVertex& held : plan.held) components[sets.find(held.id)].held.push_back(held.id);
   for (const detail::GaugeFreedom& freedom : plan.freedoms)

@@ -59,7 +59,7 @@ void find_vertex_types(const Graph& graph, const Plan& plan, GraphFacts& facts) 
   const auto add_all = [&](const std::vector<VertexRef>& vertices, bool parameters) {
     for (const VertexRef& vertex : vertices) {
       VertexTypeFacts& type = types[{parameters, tag_or_type(graph, vertex)}];
-      type.role = role_of(graph, vertex);
+      type.role = viewer::role_of(graph, vertex);
       const auto degree = degrees.find(vertex);
       add_vertex(graph, vertex, degree == degrees.end() ? 0 : degree->second, type);
     }
@@ -130,7 +130,7 @@ GraphFacts find_facts(const GraphFile& file, const std::vector<std::int64_t>& ed
   const Plan plan = make_plan(graph, {});
   find_vertex_types(graph, plan, facts);
   find_extent(graph, facts);
-  const EdgeRoles role(graph);
+  const viewer::EdgeRoles role(graph);
   std::vector<EdgeFacts> edges;
   for (std::size_t k = 0; k < file.edges.size(); ++k) {
     edges.push_back(facts_of(graph, file.edges[k]));

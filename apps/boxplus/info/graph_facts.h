@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "boxplus/io/graph_file.h"
-#include "optimize/edge_roles.h"
 #include "optimize/report_json.h"
+#include "viewer/scene/edge_roles.h"
 
 namespace boxplus::app {
 
@@ -20,7 +20,7 @@ struct Degrees {
 
 struct VertexTypeFacts {
   std::string tag;  ///< the tag in the file, or the name of the type if it has no tag
-  VertexRole role = VertexRole::kOther;
+  viewer::VertexRole role = viewer::VertexRole::kOther;
   bool parameter = false;
   std::size_t count = 0, fixed = 0;
   std::size_t unknowns = 0;  ///< counted as by Report::scalars: without held vertices, and without vertices
@@ -57,10 +57,10 @@ struct ComponentFacts {
 struct GraphFacts {
   std::vector<VertexTypeFacts> vertex_types;
   std::vector<EdgeTypeFacts> edge_types;
-  std::array<std::size_t, kEdgeRoles> roles{};  ///< the number of edges with each EdgeRole
-  std::vector<ComponentFacts> components;       ///< the components with edges, the largest first
-  std::vector<Id> isolated;                     ///< the ids of the vertices without edges
-  std::vector<EdgeFacts> worst;                 ///< the edges with the largest chi2, the worst one first
+  std::array<std::size_t, viewer::kEdgeRoles> roles{};  ///< the number of edges with each viewer::EdgeRole
+  std::vector<ComponentFacts> components;               ///< the components with edges, the largest first
+  std::vector<Id> isolated;                             ///< the ids of the vertices without edges
+  std::vector<EdgeFacts> worst;  ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   double chi2 = 0;
   KernelFacts kernel;        ///< the kernel of the command line; chi2 and `worst` are computed without it

@@ -8,11 +8,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(VertexRole role) {
+const char* name_of(viewer::VertexRole role) {
   switch (role) {
-    case VertexRole::kPose:
+    case viewer::VertexRole::kPose:
       return "pose";
-    case VertexRole::kLandmark:
+    case viewer::VertexRole::kLandmark:
       return "landmark";
     default:
       return "other";
@@ -68,12 +68,12 @@ Json components_json(const GraphFacts& facts) {
 }
 
 Json roles_json(const GraphFacts& facts) {
-  const auto count = [&](EdgeRole role) { return facts.roles[static_cast<std::size_t>(role)]; };
-  return {{"odometry", count(EdgeRole::kOdometry)},
-          {"loop_closures", count(EdgeRole::kLoopClosure)},
-          {"observations", count(EdgeRole::kObservation)},
-          {"priors", count(EdgeRole::kPrior)},
-          {"others", count(EdgeRole::kOther)}};
+  const auto count = [&](viewer::EdgeRole role) { return facts.roles[static_cast<std::size_t>(role)]; };
+  return {{"odometry", count(viewer::EdgeRole::kOdometry)},
+          {"loop_closures", count(viewer::EdgeRole::kLoopClosure)},
+          {"observations", count(viewer::EdgeRole::kObservation)},
+          {"priors", count(viewer::EdgeRole::kPrior)},
+          {"others", count(viewer::EdgeRole::kOther)}};
 }
 
 Json kernel_json(const GraphFacts& facts) {

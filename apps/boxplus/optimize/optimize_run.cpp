@@ -8,8 +8,8 @@
 #include "boxplus/robust/default_width.h"
 #include "boxplus/robust/make_robust_kernel.h"
 #include "command_line/message.h"
-#include "optimize/edge_roles.h"
 #include "optimize/interrupt.h"
+#include "viewer/scene/edge_roles.h"
 
 namespace boxplus::app {
 namespace {
@@ -49,9 +49,9 @@ KernelFacts robustify(Graph& graph, const KernelArguments& arguments) {
   facts.name = arguments.kernel;
   facts.width = arguments.kernel_width;
   std::map<int, std::shared_ptr<const RobustKernel>> kernels;  // the key is the number of rows of the edge
-  const EdgeRoles role(graph);
+  const viewer::EdgeRoles role(graph);
   for (const EdgeRef& edge : graph.all_edges()) {
-    if (arguments.kernel_scope == KernelScope::kAll || role(edge) == EdgeRole::kLoopClosure) {
+    if (arguments.kernel_scope == KernelScope::kAll || role(edge) == viewer::EdgeRole::kLoopClosure) {
       const int rows = graph.edge_pools()[edge.pool]->shape(edge.slot).rows;
       std::shared_ptr<const RobustKernel>& kernel = kernels[rows];
       if (!kernel) kernel = make_kernel(arguments, rows);

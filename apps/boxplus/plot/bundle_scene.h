@@ -3,19 +3,11 @@
 // its cameras.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "plot/scene.h"
 
 namespace boxplus::app {
-
-/// Returns true if all edges are reprojection errors, and there is at least one.
-bool is_bundle(const Graph& graph);
-
-/// Returns the rotation of the world after which the cameras on average look along y, and their tops point to
-/// z.
-std::array<double, 9> leveling(const Graph& graph);
 
 /// Makes the scene of a graph of bundle adjustment. It encloses most points, so that a few distant points do
 /// not make everything else tiny. Points outside are left out and counted.

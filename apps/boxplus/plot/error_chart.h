@@ -26,7 +26,7 @@ struct ErrorChart {
   std::size_t infinite = 0;  ///< the number of errors that are not finite, and not in the chart
 };
 
-/// Returns the chart of a graph of bundle adjustment (is_bundle()). An image is the first vertex of a
+/// Returns the chart of a graph of bundle adjustment (viewer::is_bundle()). An image is the first vertex of a
 /// reprojection error. If there are many images, consecutive images share a box.
 ErrorChart make_error_chart(const Graph& graph, std::string title);
 

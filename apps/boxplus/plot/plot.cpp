@@ -17,6 +17,7 @@
 #include "plot/error_chart.h"
 #include "plot/plot_options.h"
 #include "plot/truth.h"
+#include "viewer/scene/bundle_view.h"
 
 namespace boxplus::app {
 namespace {
@@ -68,8 +69,8 @@ std::vector<Input> read_inputs(const PlotArguments& arguments) {
 }
 
 Scene scene_of(const Input& input, const View& view, const TruePlaces& truth) {
-  Scene scene = is_bundle(input.graph) ? make_bundle_scene(input.graph, input.title, view)
-                                       : make_scene(input.graph, input.title, view, truth);
+  Scene scene = viewer::is_bundle(input.graph) ? make_bundle_scene(input.graph, input.title, view)
+                                               : make_scene(input.graph, input.title, view, truth);
   if (scene.poses + scene.landmark_count == 0)
     throw FileError(input.name + ": expected poses or points to draw, found none with a finite position");
   if (scene.hidden > 0) {
@@ -91,10 +92,10 @@ std::string picture_of_graphs(const std::vector<Input>& inputs, const PlotArgume
                               PictureFormat format) {
   const Input& last = inputs.back();
   View view = arguments.view;
-  if (is_bundle(last.graph)) view.leveling = leveling(last.graph);
+  if (viewer::is_bundle(last.graph)) view.leveling = viewer::leveling(last.graph);
   TruePlaces truth;
   if (!arguments.truth.empty()) {
-    if (is_bundle(last.graph))
+    if (viewer::is_bundle(last.graph))
       throw InvalidArgument("--truth: expected a graph with a trajectory, got one of bundle adjustment");
     truth = true_places(last.graph, last.name, arguments.truth, arguments.reading);
   }
@@ -108,7 +109,7 @@ std::string picture_of_errors(const std::vector<Input>& inputs, const PlotArgume
                               PictureFormat format) {
   std::vector<ErrorChart> charts;
   for (const Input& input : inputs) {
-    if (!is_bundle(input.graph)) {
+    if (!viewer::is_bundle(input.graph)) {
       throw FileError(input.name +
                       ": expected a graph of bundle adjustment (all edges are reprojection errors) for "
                       "--reprojection-errors, got another one");

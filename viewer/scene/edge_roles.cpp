@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "optimize/edge_roles.h"
+#include "viewer/scene/edge_roles.h"
 
 #include <algorithm>
 
-namespace boxplus::app {
+namespace boxplus::viewer {
 
 VertexRole role_of(const Graph& graph, VertexRef vertex) {
   detail::Frame frame;
@@ -51,4 +51,4 @@ EdgeRole EdgeRoles::operator()(EdgeRef edge) const {
   return *last - *first < ranks.size() ? EdgeRole::kOdometry : EdgeRole::kLoopClosure;
 }
 
-}  // namespace boxplus::app
+}  // namespace boxplus::viewer

@@ -8,7 +8,7 @@
 
 #include "boxplus/graph/graph.h"
 
-namespace boxplus::app {
+namespace boxplus::viewer {
 
 enum class VertexRole : std::uint8_t { kPose, kLandmark, kOther };
 VertexRole role_of(const Graph& graph, VertexRef vertex);
@@ -37,4 +37,4 @@ class EdgeRoles {
   std::unordered_map<Id, std::size_t> rank_;  ///< the position of each pose in the list sorted by id
 };
 
-}  // namespace boxplus::app
+}  // namespace boxplus::viewer

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/scene/positions.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace boxplus::viewer {
+namespace {
+
+using Quaternion = std::array<float, 4>;
+
+Quaternion orientation(const detail::Frame& frame) {
+  if (frame.dimension == 2) {
+    const double half = std::atan2(frame.rotation[2], frame.rotation[0]) / 2;
+    return {0, 0, static_cast<float>(std::sin(half)), static_cast<float>(std::cos(half))};
+  }
+  const Eigen::Matrix3d rotation =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(frame.rotation.data());
+  const Eigen::Quaternionf q = Eigen::Quaterniond(rotation).cast<float>();
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+
+}  // namespace
+
+Positions read_positions(const Graph& graph, const Structure& structure) {
+  constexpr double kFarthest = 1e30;  // products of lengths must fit into a float
+  constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
+  Positions positions;
+  positions.points.reserve(3 * std::size_t{structure.count});
+  positions.orientations.reserve(4 * std::size_t{structure.oriented});
+  for (const VertexGroup& group : structure.vertices) {
+    const detail::VertexPool& pool = *graph.vertex_pools()[group.pool];
+    for (const std::uint32_t slot : group.slots) {
+      detail::Frame frame;
+      pool.get_frame(slot, frame);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool exists = axis < static_cast<std::size_t>(frame.dimension);
+        const double offset = exists ? frame.translation[axis] - structure.center[axis] : 0;
+        positions.points.push_back(std::abs(offset) < kFarthest ? static_cast<float>(offset) : kNowhere);
+      }
+      if (group.shape == Shape::kPoint) continue;
+      const Quaternion q = orientation(frame);
+      positions.orientations.insert(positions.orientations.end(), q.begin(), q.end());
+    }
+  }
+  return positions;
+}
+
+std::vector<float> read_point_errors(const Graph& graph, const Structure& structure) {
+  struct Sum {
+    double chi2 = 0, count = 0;
+  };
+  std::vector<std::vector<Sum>> sums;  // by pool and slot
+  for (const auto& pool : graph.vertex_pools()) sums.emplace_back(pool->slots());
+  for (const EdgeRef& edge : graph.all_edges()) {
+    const double chi2 = graph.chi2(edge);
+    for (const VertexRef& vertex : graph.vertices(edge)) {
+      Sum& sum = sums[vertex.pool][vertex.slot];
+      sum.chi2 += chi2;
+      ++sum.count;
+    }
+  }
+  std::vector<float> errors;
+  for (const VertexGroup& group : structure.vertices) {
+    if (group.shape != Shape::kPoint) continue;
+    for (const std::uint32_t slot : group.slots) {
+      const Sum& sum = sums[group.pool][slot];
+      errors.push_back(static_cast<float>(std::sqrt(sum.chi2 / std::max(1.0, sum.count))));
+    }
+  }
+  return errors;
+}
+
+}  // namespace boxplus::viewer

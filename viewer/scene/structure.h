@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What there is to draw of a graph: the types of its vertices and edges, and the vertices of each edge.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boxplus/graph/graph.h"
+#include "viewer/scene/edge_roles.h"
+
+namespace boxplus::viewer {
+
+enum class Shape : std::uint8_t {
+  kPose,
+  kCamera,      ///< a camera that looks along z of its frame
+  kCameraBack,  ///< a camera that looks along −z of its frame
+  kPoint
+};
+
+/// The drawn vertices of one pool. Their numbers are first, first + 1, …, in the order of `slots`.
+struct VertexGroup {
+  std::string name;
+  Shape shape;
+  std::uint32_t pool, first;
+  std::vector<std::uint32_t> slots;
+};
+
+/// The lines of the edges of one type and role: pairs first, first + 1, … of Structure::lines.
+struct LineGroup {
+  std::string name;
+  EdgeRole role;
+  std::uint32_t first, count;
+};
+
+struct Structure {
+  std::uint64_t revision = 0;  ///< Graph::revision() of the graph
+  int dimension = 2;           ///< 3 if any vertex is in space
+  bool is_bundle = false;
+  std::array<double, 9> leveling{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  /// Poses and cameras, then points. A type that is neither a pose nor a point is not drawn.
+  std::vector<VertexGroup> vertices;
+  std::vector<LineGroup> line_groups;
+  /// The numbers of the two vertices of each line. An edge with n drawn vertices has n − 1 lines, all from
+  /// the first of them.
+  std::vector<std::uint32_t> lines;
+  std::uint64_t left_out = 0;       ///< lines beyond kMostLines
+  std::vector<std::uint8_t> fixed;  ///< per vertex
+  /// In bundle adjustment, the number of observations of each point; the first belongs to vertex `oriented`.
+  std::vector<std::uint32_t> track_lengths;
+  std::uint32_t count = 0, oriented = 0;  ///< all drawn vertices; poses and cameras among them
+  std::array<double, 3> center{};         ///< near the middle of the vertices when the structure was made
+
+  static constexpr std::uint32_t kMostLines = 4'000'000;
+};
+
+/// O(n log n) in the vertices, O(n) in the edges.
+Structure make_structure(const Graph& graph);
+
+}  // namespace boxplus::viewer

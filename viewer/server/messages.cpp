@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/server/messages.h"
+
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+
+namespace boxplus::viewer {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "messages are little-endian");
+
+using Json = nlohmann::json;
+
+template <class T>
+constexpr const char* kTypeName = nullptr;
+template <>
+constexpr const char* kTypeName<float> = "f32";
+template <>
+constexpr const char* kTypeName<std::uint32_t> = "u32";
+template <>
+constexpr const char* kTypeName<std::uint8_t> = "u8";
+
+void append(std::string& text, std::uint32_t number) {
+  std::array<char, sizeof number> bytes;
+  std::memcpy(bytes.data(), &number, sizeof number);
+  text.append(bytes.data(), bytes.size());
+}
+
+void pad(std::string& text, char filler) {
+  constexpr std::size_t kAlignment = 4;
+  text.resize((text.size() + kAlignment - 1) / kAlignment * kAlignment, filler);
+}
+
+/// Collects arrays for one message.
+class ArrayMessage {
+ public:
+  explicit ArrayMessage(Json header) : header_(std::move(header)) { header_["arrays"] = Json::object(); }
+
+  template <class T>
+  void add(const char* name, const std::vector<T>& numbers) {
+    header_["arrays"][name] = {{"type", kTypeName<T>}, {"offset", size_}, {"count", numbers.size()}};
+    const auto bytes = std::as_bytes(std::span(numbers));
+    arrays_.push_back({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    size_ += (bytes.size() + 3) / 4 * 4;
+  }
+
+  Message make(MessageKind kind) {
+    std::string header = header_.dump();
+    pad(header, ' ');
+    auto text = std::make_shared<std::string>();
+    text->reserve(3 * sizeof(std::uint32_t) + header.size() + size_);
+    append(*text, static_cast<std::uint32_t>(sizeof(std::uint32_t) + header.size() + size_));
+    append(*text, static_cast<std::uint32_t>(kind));
+    append(*text, static_cast<std::uint32_t>(header.size()));
+    *text += header;
+    for (const std::string_view array : arrays_) {
+      text->append(array);
+      pad(*text, '\0');
+    }
+    return text;
+  }
+
+ private:
+  Json header_;
+  std::vector<std::string_view> arrays_;
+  std::size_t size_ = 0;
+};
+
+const char* name_of(Shape shape) {
+  switch (shape) {
+    case Shape::kPose:
+      return "pose";
+    case Shape::kCamera:
+      return "camera";
+    case Shape::kCameraBack:
+      return "camera back";
+    default:
+      return "point";
+  }
+}
+
+}  // namespace
+
+Message make_message(MessageKind kind, std::string_view payload) {
+  auto text = std::make_shared<std::string>();
+  append(*text, static_cast<std::uint32_t>(payload.size()));
+  append(*text, static_cast<std::uint32_t>(kind));
+  text->append(payload);
+  return text;
+}
+
+Message structure_message(const Structure& structure, std::uint64_t number) {
+  Json vertices = Json::array(), edges = Json::array();
+  for (const VertexGroup& group : structure.vertices)
+    vertices.push_back({{"name", group.name},
+                        {"shape", name_of(group.shape)},
+                        {"first", group.first},
+                        {"count", group.slots.size()}});
+  for (const LineGroup& group : structure.line_groups)
+    edges.push_back({{"name", group.name},
+                     {"role", name_of(group.role, 1)},
+                     {"first", group.first},
+                     {"count", group.count}});
+  ArrayMessage message({{"structure", number},
+                        {"dimension", structure.dimension},
+                        {"is_bundle", structure.is_bundle},
+                        {"leveling", structure.leveling},
+                        {"vertices", vertices},
+                        {"edges", edges},
+                        {"left_out", structure.left_out}});
+  message.add("edges", structure.lines);
+  message.add("fixed", structure.fixed);
+  if (structure.is_bundle) message.add("track_lengths", structure.track_lengths);
+  return message.make(MessageKind::kStructure);
+}
+
+Message frame_message(const FrameFacts& facts, const Structure& structure, const Positions& positions,
+                      const std::vector<float>& errors) {
+  ArrayMessage message({{"structure", facts.structure},
+                        {"sequence", facts.sequence},
+                        {"iteration", facts.iteration},
+                        {"chi2", facts.chi2},
+                        {"center", structure.center}});
+  message.add("positions", positions.points);
+  message.add("orientations", positions.orientations);
+  if (!errors.empty()) message.add("errors", errors);
+  return message.make(MessageKind::kFrame);
+}
+
+}  // namespace boxplus::viewer

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/server/server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+#include <sys/socket.h>
+
+#include <atomic>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "boxplus/base/error.h"
+#include "viewer/server/commands.h"
+#include "viewer/server/guard.h"
+#include "viewer/server/page.h"
+
+namespace boxplus::viewer {
+namespace {
+
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+constexpr int kMostStreams = 16, kThreads = kMostStreams + 16;
+constexpr std::size_t kLongestBody = 64 * 1024;
+/// A client that sends or takes nothing for so long loses its connection, so that it does not keep a thread.
+constexpr auto kPatience = 2s;
+/// Between two groups of messages to a page; 30 frames per second.
+constexpr auto kPause = 33ms;
+
+/// Two servers must not share a port, as they would with SO_REUSEPORT.
+void allow_restart(socket_t socket) {
+  const int yes = 1;
+  setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+/// The stream of one page.
+class PageStream {
+ public:
+  PageStream(Workspace& workspace, const std::string& token, std::atomic<int>& open)
+      : reader_(workspace, Json{{"token", token}, {"version", BOXPLUS_VERSION}}.dump()), open_(open) {}
+  ~PageStream() { --open_; }
+  PageStream(const PageStream&) = delete;
+  PageStream& operator=(const PageStream&) = delete;
+
+  /// Waits for messages and sends them. Returns false if the page is gone.
+  bool send_next(httplib::DataSink& sink) {
+    if (reader_.has_ended()) {
+      sink.done();
+      return true;
+    }
+    std::vector<Message> messages = reader_.wait(1s);
+    if (messages.empty()) messages.push_back(make_message(MessageKind::kHeartbeat, {}));
+    for (const Message& message : messages) {
+      if (!sink.write(message->data(), message->size())) return false;
+    }
+    std::this_thread::sleep_for(kPause);
+    return true;
+  }
+
+ private:
+  Workspace::Reader reader_;
+  std::atomic<int>& open_;
+};
+
+void answer(httplib::Response& response, int status, const Json& json) {
+  response.status = status;
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace), "application/json");
+}
+
+}  // namespace
+
+class Server::Implementation {
+ public:
+  Implementation(Workspace& workspace, const ServerOptions& options)
+      : workspace_(workspace), guard_(options.host, bind(options), make_token()) {
+    http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    http_.set_payload_max_length(kLongestBody);
+    http_.set_read_timeout(kPatience);
+    http_.set_write_timeout(kPatience);
+    http_.set_keep_alive_timeout(kPatience.count());
+    http_.set_tcp_nodelay(true);
+    http_.set_default_headers({{"Cache-Control", "no-store"},
+                               {"X-Content-Type-Options", "nosniff"},
+                               {"X-Frame-Options", "DENY"},
+                               {"Cross-Origin-Resource-Policy", "same-origin"},
+                               {"Referrer-Policy", "no-referrer"}});
+    http_.set_pre_routing_handler(
+        [this](const auto& request, auto& response) { return admit(request, response); });
+    http_.set_exception_handler(
+        [](const auto&, auto& response, std::exception_ptr error) { fail(response, std::move(error)); });
+    http_.Get("/", [](const auto&, auto& response) { send_page(response); });
+    http_.Get("/favicon.ico", [](const auto&, auto& response) {
+      response.set_content(std::string(icon_svg()), "image/svg+xml");
+    });
+    http_.Get("/stream", [this](const auto&, auto& response) { send_stream(response); });
+    http_.Post("/command", [this](const httplib::Request& request, httplib::Response& response) {
+      carry_out(request.body, workspace_);
+      answer(response, 200, {{"ok", true}});
+    });
+    thread_ = std::thread([this] { http_.listen_after_bind(); });
+    while (!http_.is_running()) std::this_thread::sleep_for(1ms);
+  }
+
+  ~Implementation() {
+    workspace_.end();  // ends the streams
+    http_.stop();
+    thread_.join();
+  }
+
+  std::string url() const { return guard_.url(); }
+
+ private:
+  int bind(const ServerOptions& options) {
+    http_.set_socket_options(allow_restart);
+    const int wanted = options.port == 0 ? ServerOptions::kUsualPort : options.port;
+    if (http_.bind_to_port(options.host, wanted)) return wanted;
+    if (options.port == 0) {
+      if (const int port = http_.bind_to_any_port(options.host); port > 0) return port;
+    }
+    throw Error(fmt::format("cannot listen at {}:{}: the address is unknown, or the port is taken",
+                            options.host, wanted));
+  }
+
+  httplib::Server::HandlerResponse admit(const httplib::Request& request, httplib::Response& response) {
+    const std::string host = request.get_header_value("Host"), origin = request.get_header_value("Origin"),
+                      type = request.get_header_value("Content-Type"),
+                      header_token = request.get_header_value("X-Boxplus-Token"),
+                      query_token = request.get_param_value("token");
+    const std::optional<Refusal> refusal =
+        guard_.check({request.method, request.path, host, origin, type, header_token, query_token});
+    if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+    answer(response, refusal->status, {{"error", refusal->text}});
+    return httplib::Server::HandlerResponse::Handled;
+  }
+
+  static void fail(httplib::Response& response, std::exception_ptr error) {
+    try {
+      std::rethrow_exception(std::move(error));
+    } catch (const InvalidArgument& refused) {
+      answer(response, 400, {{"error", refused.what()}});
+    } catch (...) {
+      answer(response, 500, {{"error", "the server failed"}});
+    }
+  }
+
+  static void send_page(httplib::Response& response) {
+    const std::string_view page = page_html_gz();
+    response.set_header("Content-Encoding", "gzip");
+    // A content provider with a length is sent as it is, not compressed again.
+    response.set_content_provider(page.size(), "text/html; charset=utf-8",
+                                  [page](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                    return sink.write(page.data() + offset, length);
+                                  });
+  }
+
+  void send_stream(httplib::Response& response) {
+    if (++streams_ > kMostStreams) {
+      --streams_;
+      answer(response, 503, {{"error", fmt::format("{} pages are open already", kMostStreams)}});
+      return;
+    }
+    auto stream = std::make_shared<PageStream>(workspace_, guard_.token(), streams_);
+    response.set_chunked_content_provider(
+        "application/octet-stream",
+        [stream](std::size_t, httplib::DataSink& sink) { return stream->send_next(sink); });
+  }
+
+  Workspace& workspace_;
+  httplib::Server http_;
+  Guard guard_;
+  std::atomic<int> streams_ = 0;
+  std::thread thread_;
+};
+
+Server::Server(Workspace& workspace, const ServerOptions& options)
+    : implementation_(std::make_unique<Implementation>(workspace, options)) {}
+
+Server::~Server() = default;
+
+std::string Server::url() const {
+  return implementation_->url();
+}
+
+}  // namespace boxplus::viewer
