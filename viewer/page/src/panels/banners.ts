@@ -19,7 +19,7 @@ export class Banners {
   private update(): void {
     const { connection, state } = this.model;
     setTextOrHide(byId("connection-error"), connection.connected ? "" : connection.problem);
-    setTextOrHide(byId("file-error"), state?.error ?? "");
+    setTextOrHide(byId("file-error"), state?.error ? `The file could not be read.\n${state.error}` : "");
     setTextOrHide(byId("empty"), state && !state.file && !state.error && !state.busy ? "No file is open." : "");
   }
 }

@@ -63,6 +63,7 @@ export class Chart {
   private options(): uPlot.Options {
     const theme = currentTheme();
     const font = "11px system-ui, sans-serif";
+    const labeled: uPlot.Axis.Filter = (plot, splits) => (this.is_logarithmic ? roundValues(plot, splits) : splits);
     const axis = { stroke: theme.plot_text, font, grid: { stroke: theme.plot_grid, width: 1 }, ticks: { show: false } };
     return {
       ...this.size(),
@@ -75,7 +76,14 @@ export class Chart {
       },
       axes: [
         { ...axis, size: 24, gap: 2, incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000] },
-        { ...axis, size: 58, gap: 4, values: (_, splits) => splits.map((value) => (value === null ? "" : general(value, 4))) },
+        {
+          ...axis,
+          size: 58,
+          gap: 4,
+          filter: labeled,
+          grid: { ...axis.grid, filter: labeled },
+          values: (_, splits) => splits.map((value) => (value === null ? "" : general(value, 4))),
+        },
       ],
       series: [
         {},
@@ -88,4 +96,16 @@ export class Chart {
 function linearRange(least: number, most: number): [number, number] {
   const margin = 0.06 * (most - least) || 0.05 * Math.abs(most) || 1;
   return [least - margin, most + margin];
+}
+
+/** Of the values of a logarithmic axis, the powers of 10; also 2 and 5 times them if the axis is short. */
+function roundValues(plot: uPlot, splits: number[]): (number | null)[] {
+  const { min, max } = plot.scales["y"]!;
+  const decades = Math.log10(max! / min!);
+  const digits = decades <= 3 ? [1, 2, 5] : [1];
+  const every = Math.ceil(decades / 6);
+  return splits.map((value) => {
+    const exponent = Math.floor(Math.log10(value) + 1e-9);
+    return digits.includes(Math.round(value / 10 ** exponent)) && exponent % every === 0 ? value : null;
+  });
 }

@@ -44,10 +44,14 @@ export class TopBar {
       return { status, tone: connection.problem ? "bad" : "", text: connection.problem ? "not connected" : status };
     }
     if (!state) return { status: "connecting", tone: "", text: "connecting" };
-    if (state.busy) return { status: "busy", tone: "busy", text: state.activity };
+    if (state.busy) return { status: "busy", tone: "busy", text: activity(state.activity, run?.rows.length ?? 0) };
     if (state.error) return { status: "error", tone: "bad", text: "file not read" };
     if (!run) return { status: "ready", tone: "", text: "ready" };
     const tones: Record<string, string> = { converged: "good", failed: "bad" };
     return { status: run.status, tone: tones[run.status] ?? "", text: run.status };
   }
+}
+
+function activity(name: string, iterations: number): string {
+  return name === "optimizing" && iterations > 0 ? `${name}, iteration ${iterations}` : name;
 }

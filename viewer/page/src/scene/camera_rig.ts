@@ -15,9 +15,13 @@ export class CameraRig {
   private aspect = 1;
   private is_flat = false;
   private is_fitting = false;
+  /** True while a button or a finger that moves the camera is down. */
+  isHeld = false;
 
-  /** `on_move` is called whenever the user moved the camera. */
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly on_move: () => void) {
+  /** `on_move` is called whenever the user moved the camera, `on_release` when a button or finger is up again. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement, private readonly on_move: () => void, private readonly on_release: () => void,
+  ) {
     canvas.addEventListener("keydown", (event) => this.zoomByKey(event));
   }
 
@@ -25,7 +29,7 @@ export class CameraRig {
   reset(is_flat: boolean, direction: Vector3): void {
     this.controls?.dispose();
     this.is_flat = is_flat;
-    this.camera = is_flat ? new OrthographicCamera() : new PerspectiveCamera(FIELD_OF_VIEW);
+    this.camera = is_flat ? new OrthographicCamera() : new PerspectiveCamera(FIELD_OF_VIEW, this.aspect);
     this.camera.up.set(0, is_flat ? 1 : 0, is_flat ? 0 : 1);
     this.camera.position.copy(direction).negate();
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -40,6 +44,11 @@ export class CameraRig {
     }
     this.controls.keyPanSpeed = 30;
     this.controls.listenToKeyEvents(this.canvas);
+    this.controls.addEventListener("start", () => (this.isHeld = true));
+    this.controls.addEventListener("end", () => {
+      this.isHeld = false;
+      this.on_release();
+    });
     this.controls.addEventListener("change", () => {
       if (!this.is_fitting) this.on_move();
     });

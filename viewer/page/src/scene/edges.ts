@@ -4,10 +4,13 @@ import { BufferAttribute, BufferGeometry, DynamicDrawUsage, LineSegments } from 
 import type { EdgeGroup, EdgeRole, Structure } from "../protocol/messages";
 import type { Theme } from "../theme";
 import { lineMaterial } from "./materials";
+import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
 
 /** How opaque an edge is if the slider is at 1. */
 const OPACITY: Record<EdgeRole, number> = { odometry: 1, "loop closure": 0.75, observation: 0.35, other: 0.75 };
+/** Observations are fainter if there are more of them than this, but not fainter than the least. */
+const FEW_OBSERVATIONS = 1000, LEAST_OPACITY = 0.06;
 
 export class Edges {
   readonly object: LineSegments<BufferGeometry, ReturnType<typeof lineMaterial>>;
@@ -40,8 +43,8 @@ export class Edges {
     this.drawable = size / 2;
   }
 
-  /** The number of lines that are drawn if all of them are. */
-  get drawableLines(): number {
+  /** The number of lines that are drawn if the budget allows it. */
+  get drawableCount(): number {
     return this.object.visible ? this.drawable : 0;
   }
 
@@ -51,7 +54,7 @@ export class Edges {
   }
 
   setOpacity(opacity: number): void {
-    this.object.material.uniforms["opacity"]!.value = opacity * OPACITY[this.group.role];
+    this.object.material.uniforms["opacity"]!.value = opacity * this.fullOpacity();
   }
 
   setTheme(theme: Theme): void {
@@ -68,21 +71,19 @@ export class Edges {
     this.object.geometry.dispose();
     this.object.material.dispose();
   }
-}
 
-/** Returns the lines in the order 0, s, 2s, … modulo their number, with s near the golden section of it. */
-function spread(lines: Uint32Array): Uint32Array {
-  const count = lines.length / 2;
-  let step = Math.max(1, Math.round(0.618034 * count));
-  while (greatestCommonDivisor(step, count) > 1) ++step;
-  const ordered = new Uint32Array(lines.length);
-  for (let i = 0, from = 0; i < count; ++i, from = (from + step) % count) {
-    ordered[2 * i] = lines[2 * from]!;
-    ordered[2 * i + 1] = lines[2 * from + 1]!;
+  private fullOpacity(): number {
+    const full = OPACITY[this.group.role];
+    if (this.group.role !== "observation") return full;
+    return full * Math.min(1, Math.max(LEAST_OPACITY / full, Math.sqrt(FEW_OBSERVATIONS / this.group.count)));
   }
-  return ordered;
 }
 
-function greatestCommonDivisor(a: number, b: number): number {
-  return b === 0 ? a : greatestCommonDivisor(b, a % b);
+function spread(lines: Uint32Array): Uint32Array {
+  const ordered = new Uint32Array(lines.length);
+  spreadOrder(lines.length / 2).forEach((from, to) => {
+    ordered[2 * to] = lines[2 * from]!;
+    ordered[2 * to + 1] = lines[2 * from + 1]!;
+  });
+  return ordered;
 }

@@ -3,6 +3,7 @@
 import { Group, Matrix3, Matrix4, Vector3 } from "three";
 import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 import type { Theme } from "../theme";
+import type { Budget } from "./budget";
 import type { DisplayOptions } from "./display_options";
 import { Edges } from "./edges";
 import { PointCloud } from "./points";
@@ -37,7 +38,10 @@ export class GraphScene {
     this.edges = structure.edges.map((group) => new Edges(group, structure, this.vertices));
     this.fixed = new PointCloud(indicesOf(structure.fixed), this.vertices, true);
     this.fixed.setSize(FIXED_PIXELS);
-    this.root.add(...[...this.groups, ...this.edges, this.fixed].map((part) => part.object));
+    for (const part of this.parts()) {
+      if (structure.dimension === 2) layInPlane(part);
+      this.root.add(part.object);
+    }
   }
 
   update(frame: Frame): void {
@@ -80,14 +84,20 @@ export class GraphScene {
     this.fixed.setColor(theme.fixed);
   }
 
-  /** Draws about `most` of the visible lines, spread over all of them. */
-  limitLines(most: number): void {
-    const total = this.edges.reduce((sum, edges) => sum + edges.drawableLines, 0);
-    for (const edges of this.edges) edges.drawPart(Math.min(1, most / Math.max(1, total)));
+  /** Draws about as much of what is visible as the budget allows, spread over all of it. */
+  limit(budget: Budget): void {
+    limitParts(this.edges, budget.lines);
+    limitParts(this.groups.filter((group) => group instanceof Poses), budget.poses);
+    limitParts(this.groups.filter((group) => group instanceof PointCloud), budget.points);
+    this.fixed.drawPart(1);
   }
 
   dispose(): void {
-    for (const part of [...this.groups, ...this.edges, this.fixed]) part.dispose();
+    for (const part of this.parts()) part.dispose();
+  }
+
+  private parts(): (Poses | PointCloud | Edges)[] {
+    return [...this.groups, ...this.edges, this.fixed];
   }
 
   private createGroup(group: VertexGroup): Poses | PointCloud {
@@ -111,7 +121,7 @@ export class GraphScene {
   }
 
   private updateVisible(): void {
-    for (const part of [...this.groups, ...this.edges, this.fixed]) part.updateVisible(this.vertices);
+    for (const part of this.parts()) part.updateVisible(this.vertices);
   }
 
   /** Positions are relative to the center of their frame, the scene to that of the first frame. */
@@ -121,6 +131,17 @@ export class GraphScene {
     this.root.matrix.copy(new Matrix4().setFromMatrix3(this.rotation).setPosition(offset));
     this.root.matrixWorldNeedsUpdate = true;
   }
+}
+
+function limitParts(parts: { drawableCount: number; drawPart(part: number): void }[], most: number): void {
+  const total = parts.reduce((sum, part) => sum + part.drawableCount, 0);
+  for (const part of parts) part.drawPart(total > most ? most / total : 1);
+}
+
+/** All parts of a plane are equally deep, so only their order decides which one is on top. */
+function layInPlane(part: Poses | PointCloud | Edges): void {
+  part.object.material.transparent = true;
+  part.object.material.depthTest = false;
 }
 
 function indicesOf(flags: Uint8Array): Uint32Array {

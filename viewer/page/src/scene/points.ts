@@ -2,14 +2,18 @@
 // Vertices that are drawn as one cloud: the points of one type, or the rings around fixed vertices.
 import { BufferAttribute, BufferGeometry, type Color, DynamicDrawUsage, Points } from "three";
 import { pointMaterial } from "./materials";
+import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
 
 export class PointCloud {
   readonly object: Points<BufferGeometry, ReturnType<typeof pointMaterial>>;
   private readonly index: BufferAttribute;
+  private readonly members: Uint32Array;
+  private drawable = 0;
 
   /** `members` are the numbers of the vertices. */
-  constructor(private readonly members: Uint32Array, vertices: Vertices, is_ring = false) {
+  constructor(members: Uint32Array, vertices: Vertices, is_ring = false) {
+    this.members = spreadOrder(members.length).map((i) => members[i]!);
     const geometry = new BufferGeometry();
     this.index = new BufferAttribute(new Uint32Array(members.length), 1).setUsage(DynamicDrawUsage);
     geometry.setAttribute("position", vertices.positions);
@@ -21,12 +25,21 @@ export class PointCloud {
 
   updateVisible(vertices: Vertices): void {
     const index = this.index.array as Uint32Array;
-    let size = 0;
+    this.drawable = 0;
     for (const vertex of this.members) {
-      if (vertices.visible[vertex]) index[size++] = vertex;
+      if (vertices.visible[vertex]) index[this.drawable++] = vertex;
     }
     this.index.needsUpdate = true;
-    this.object.geometry.setDrawRange(0, size);
+  }
+
+  /** The number of points that are drawn if the budget allows it. */
+  get drawableCount(): number {
+    return this.object.visible ? this.drawable : 0;
+  }
+
+  /** Draws only a part (0 to 1) of the points. */
+  drawPart(part: number): void {
+    this.object.geometry.setDrawRange(0, Math.ceil(this.drawable * part));
   }
 
   setSize(pixels: number): void {

@@ -7,6 +7,7 @@ import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 import type { Theme } from "../theme";
 import { instanceMaterial } from "./materials";
 import { shapeGeometry, shapeIsLines, type ShapeName } from "./shapes";
+import { spreadOrder } from "./spread";
 import type { Vertices } from "./vertices";
 
 export class Poses {
@@ -16,17 +17,20 @@ export class Poses {
   private readonly orientations: InstancedBufferAttribute;
   private readonly visible: InstancedBufferAttribute;
   private readonly fixed: InstancedBufferAttribute;
+  /** The order of the vertices in the attributes. */
+  private readonly order: Uint32Array;
   private theme: Theme | null = null;
 
   constructor(readonly group: VertexGroup, structure: Structure, private shape: ShapeName) {
     const { first, count } = group;
+    this.order = spreadOrder(count).map((i) => first + i);
     const attribute = (items: number) =>
       new InstancedBufferAttribute(new Float32Array(items * count), items).setUsage(DynamicDrawUsage);
     this.positions = attribute(3);
     this.orientations = attribute(4);
     this.visible = attribute(1);
     this.fixed = attribute(1);
-    this.fixed.array.set(structure.fixed.subarray(first, first + count));
+    gather(structure.fixed, this.order, this.fixed);
     this.object = this.build();
   }
 
@@ -42,16 +46,22 @@ export class Poses {
   }
 
   update(frame: Frame, vertices: Vertices): void {
-    const { first, count } = this.group;
-    this.positions.array.set((vertices.positions.array as Float32Array).subarray(3 * first, 3 * (first + count)));
-    this.orientations.array.set(frame.orientations.subarray(4 * first, 4 * (first + count)));
-    this.positions.needsUpdate = true;
-    this.orientations.needsUpdate = true;
+    gather(vertices.positions.array, this.order, this.positions);
+    gather(frame.orientations, this.order, this.orientations);
   }
 
   updateVisible(vertices: Vertices): void {
-    this.visible.array.set(vertices.visible.subarray(this.group.first, this.group.first + this.group.count));
-    this.visible.needsUpdate = true;
+    gather(vertices.visible, this.order, this.visible);
+  }
+
+  /** The number of poses that are drawn if the budget allows it. */
+  get drawableCount(): number {
+    return this.object.visible ? this.group.count : 0;
+  }
+
+  /** Draws only a part (0 to 1) of the poses. */
+  drawPart(part: number): void {
+    this.object.geometry.instanceCount = Math.ceil(this.group.count * part);
   }
 
   setSize(size: number): void {
@@ -93,4 +103,13 @@ export class Poses {
     object.renderOrder = 2;
     return object;
   }
+}
+
+/** Fills `to` with the items of `from` in the given order. */
+function gather(from: ArrayLike<number>, order: Uint32Array, to: InstancedBufferAttribute): void {
+  const { array, itemSize } = to;
+  for (let i = 0; i < order.length; ++i) {
+    for (let k = 0; k < itemSize; ++k) array[itemSize * i + k] = from[itemSize * order[i]! + k]!;
+  }
+  to.needsUpdate = true;
 }

@@ -3,10 +3,10 @@
 import { LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
 import type { Frame, Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
+import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig } from "./camera_rig";
 import { type DisplayOptions, defaultOptions } from "./display_options";
 import { GraphScene } from "./graph_scene";
-import { LineBudget } from "./line_budget";
 import { shared } from "./materials";
 import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./statistics";
 
@@ -15,6 +15,8 @@ const FADE = 0.6;
 /** The view follows the graph if it grows by more than the margin, or shrinks by more than the rest. */
 const MARGIN = 0.04, SHRINKAGE = 0.3;
 const LARGEST_SPACING = 0.15;
+/** After this time without a movement, the whole graph is drawn. */
+const REST_MS = 180;
 
 export class SceneView {
   /** Called after another graph, or its first frame, came. */
@@ -25,7 +27,7 @@ export class SceneView {
   private readonly renderer: WebGLRenderer;
   private readonly world = new Scene();
   private readonly rig: CameraRig;
-  private readonly budget = new LineBudget();
+  private readonly budget = new AdaptiveBudget();
   private options = defaultOptions();
   private graph: GraphScene | null = null;
   private frame: Frame | null = null;
@@ -41,7 +43,7 @@ export class SceneView {
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
-    this.rig = new CameraRig(canvas, () => this.moved());
+    this.rig = new CameraRig(canvas, () => this.moved(), () => this.requestPicture());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     canvas.addEventListener("webglcontextrestored", () => this.requestPicture());
     onThemeChange(() => this.applyTheme());
@@ -96,20 +98,24 @@ export class SceneView {
     return bytes;
   }
 
+  private get isMoving(): boolean {
+    return this.rest_timer !== 0 || (this.rig.isHeld && !this.follows);
+  }
+
   private requestPicture(): void {
     if (this.request === 0) this.request = requestAnimationFrame((time) => this.animate(time));
   }
 
   private animate(time: number): void {
     this.request = 0;
-    this.budget.tick(time, this.rest_timer !== 0);
+    this.budget.tick(time, this.isMoving);
     this.draw();
   }
 
   private draw(): void {
     if (this.pending) this.show(this.pending);
     this.setFading();
-    this.graph?.limitLines(this.rest_timer !== 0 ? this.budget.lines : Infinity);
+    this.graph?.limit(this.isMoving ? this.budget.current : UNLIMITED);
     this.renderer.render(this.world, this.rig.camera);
     if (this.frame) {
       ++this.pictures;
@@ -172,7 +178,7 @@ export class SceneView {
     this.rest_timer = window.setTimeout(() => {
       this.rest_timer = 0;
       this.requestPicture();
-    }, 180);
+    }, REST_MS);
     this.requestPicture();
   }
 
