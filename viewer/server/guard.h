@@ -11,9 +11,9 @@ namespace boxplus::viewer {
 
 /// The parts of a request that decide whether it is accepted. Absent headers are empty.
 struct RequestFacts {
-  std::string_view method, path, host, origin, content_type;
-  std::string_view header_token;  ///< the header X-Boxplus-Token
-  std::string_view query_token;   ///< ?token=…
+  std::string_view method = {}, path = {}, host = {}, origin = {}, content_type = {};
+  std::string_view header_token = {};  ///< the header X-Boxplus-Token
+  std::string_view query_token = {};   ///< ?token=…
 };
 
 struct Refusal {

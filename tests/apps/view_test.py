@@ -1,0 +1,287 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tests the server of `boxplus view` as pages and attackers meet it: by its HTTP requests."""
+
+import contextlib
+import hashlib
+import http.client
+import json
+import re
+import signal
+import socket
+import struct
+import subprocess
+import time
+
+from command_case import BOXPLUS, TOWN, CommandCase, main, run
+
+STATE, STRUCTURE, FRAME = 1, 2, 3
+NUMBER_TYPES = {"f32": "f", "u32": "I", "u8": "B"}
+
+def arrays(payload):
+    """The header and the arrays of a structure or a frame."""
+    (size,) = struct.unpack_from("<I", payload)
+    header = json.loads(payload[4:4 + size])
+    return header, {name: struct.unpack_from(f"<{array['count']}{NUMBER_TYPES[array['type']]}", payload, 4 + size + array["offset"])
+                    for name, array in header["arrays"].items()}
+
+class Stream:
+    """The stream that a page reads."""
+
+    def __init__(self, viewer):
+        self.connection = http.client.HTTPConnection("127.0.0.1", viewer.port, timeout=20)
+        self.connection.request("GET", "/stream")
+        self.response = self.connection.getresponse()
+        self.rows, self.token, self.run = [], None, None
+        self.state = self.structure = self.frame = None
+
+    def read(self):
+        size, kind = struct.unpack("<II", self.response.read(8))
+        payload = self.response.read(size)
+        if kind == STATE:
+            self.state = json.loads(payload)
+            self.token = self.state.get("token", self.token)
+            self.run = self.state["run"]
+            if self.run:
+                self.rows[self.run["first_row"]:] = self.run["rows"]
+        elif kind == STRUCTURE:
+            self.structure = arrays(payload)
+        elif kind == FRAME:
+            self.frame = arrays(payload)
+        return kind
+
+    def read_until(self, is_reached):
+        deadline = time.monotonic() + 60
+        while not is_reached(self):
+            assert time.monotonic() < deadline, self.state
+            self.read()
+        return self
+
+    def close(self):
+        self.connection.close()
+        self.response.close()
+
+class Viewer:
+    """A running `boxplus view`."""
+
+    def __init__(self, path, *options):
+        self.process = subprocess.Popen([BOXPLUS, "view", str(path), *options], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True)
+        self.url = self.process.stdout.readline().strip()
+        self.port = int(re.search(r":(\d+)/", self.url).group(1))
+        self.streams = []
+
+    def stream(self):
+        self.streams.append(Stream(self))
+        return self.streams[-1].read_until(lambda s: s.frame)
+
+    def request(self, method, path, body=None, headers=None):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        with contextlib.closing(connection):
+            connection.request(method, path, body, headers or {})
+            response = connection.getresponse()
+            return response.status, response.read()
+
+    def command(self, token, **members):
+        headers = {"Content-Type": "application/json", "X-Boxplus-Token": token}
+        status, body = self.request("POST", "/command", json.dumps(members), headers)
+        return status, json.loads(body)
+
+    def end(self, how=signal.SIGINT):
+        """Ends the viewer, and returns its exit code and the seconds that it took."""
+        for stream in self.streams:
+            stream.close()
+        begin = time.monotonic()
+        self.process.send_signal(how)
+        self.process.communicate(timeout=30)
+        return self.process.returncode, time.monotonic() - begin
+
+class ViewCase(CommandCase):
+    def viewer(self, path=TOWN, *options):
+        viewer = Viewer(path, *options)
+        self.addCleanup(lambda: viewer.process.poll() is None and viewer.end())
+        return viewer
+
+    def long_run(self):
+        """A viewer whose graph takes many iterations."""
+        graph = self.path / "long.g2o"
+        self.assertEqual(run("simulate", "manhattan", "--poses", 20000, "-o", graph).returncode, 0)
+        return self.viewer(graph)
+
+class Page(ViewCase):
+    def test_is_served_at_the_url_that_is_printed(self):
+        viewer = self.viewer()
+        self.assertRegex(viewer.url, r"\Ahttp://127\.0\.0\.1:\d+/\Z")
+        status, body = viewer.request("GET", "/")
+        self.assertEqual((status, body[:2]), (200, b"\x1f\x8b"))
+        self.assertEqual(viewer.request("GET", "/favicon.ico")[0], 200)
+        self.assertEqual(viewer.request("GET", "/anything")[0], 404)
+
+    def test_gets_the_whole_graph_at_once(self):
+        stream = self.viewer().stream()
+        header, numbers = stream.structure
+        count = stream.state["file"]["vertices"]
+        self.assertEqual(sum(group["count"] for group in header["vertices"]), count)
+        self.assertEqual(sum(group["count"] for group in header["edges"]), len(numbers["edges"]) // 2)
+        self.assertTrue(all(vertex < count for vertex in numbers["edges"]))
+        self.assertEqual(len(stream.frame[1]["positions"]), 3 * count)
+
+class Commands(ViewCase):
+    def test_optimize_reaches_the_optimum_and_moves_the_vertices(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        before = stream.frame[1]["positions"]
+        self.assertEqual(viewer.command(stream.token, type="optimize"), (200, {"ok": True}))
+        stream.read_until(lambda s: s.run and s.run["status"] == "converged" and s.frame[0]["iteration"] > 0)
+        report = json.loads(run("optimize", TOWN, "--quiet", "--json", "-").stdout)
+        self.assertEqual(stream.state["chi2"], report["chi2_final"])
+        self.assertEqual([row["chi2"] for row in stream.rows], [record["chi2"] for record in report["records"]])
+        self.assertNotEqual(stream.frame[1]["positions"], before)
+
+    def test_reset_restores_the_estimates_of_the_file(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        before = stream.frame[1]["positions"]
+        for command in ("step", "step", "optimize", "reset"):
+            number = stream.run["number"] if stream.run else 0
+            self.assertEqual(viewer.command(stream.token, type=command)[0], 200, command)
+            stream.read_until(lambda s, n=number: s.run and s.run["number"] > n and not s.state["busy"])
+        stream.read_until(lambda s: s.frame[0]["iteration"] == 0)
+        self.assertEqual(stream.frame[1]["positions"], before)
+        self.assertEqual(stream.state["chi2"], stream.state["chi2_initial"])
+
+    def test_step_takes_one_iteration(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        viewer.command(stream.token, type="step")
+        stream.read_until(lambda s: s.run and s.run["status"] != "running")
+        self.assertEqual(len(stream.rows), 1)
+        self.assertLess(stream.state["chi2"], stream.state["chi2_initial"])
+
+    def test_are_refused_with_a_reason_if_they_are_malformed(self):
+        viewer = self.viewer()
+        token = viewer.stream().token
+        for members, text in (({"type": "explode"}, "another one"), ({}, "type"), ({"type": 3}, "type"),
+                              ({"type": "optimize", "iterations": 0}, "iterations"),
+                              ({"type": "optimize", "iterations": 10**12}, "iterations"),
+                              ({"type": "optimize", "iterations": "many"}, "whole number")):
+            status, answer = viewer.command(token, **members)
+            self.assertEqual(status, 400, members)
+            self.assertIn(text, answer["error"])
+        headers = {"Content-Type": "application/json", "X-Boxplus-Token": token}
+        for body in (b"", b"{", b"[]", b"[" * 60000, b"\xff\xfe", b'{"type": "step"'):
+            self.assertEqual(viewer.request("POST", "/command", body, headers)[0], 400, body[:10])
+
+    def test_show_all_pages_the_same(self):
+        viewer = self.viewer()
+        first, second = viewer.stream(), viewer.stream()
+        viewer.command(first.token, type="optimize")
+        for stream in (first, second):
+            stream.read_until(lambda s: s.run and s.run["status"] == "converged" and s.frame[0]["iteration"] > 0)
+        third = viewer.stream()  # as after a reload
+        for stream in (second, third):
+            self.assertEqual((stream.rows, stream.state["chi2"], stream.frame), (first.rows, first.state["chi2"], first.frame))
+
+class LongRuns(ViewCase):
+    def test_stop_on_request(self):
+        viewer = self.long_run()
+        stream = viewer.stream()
+        viewer.command(stream.token, type="optimize", iterations=10000)
+        self.assertEqual(viewer.command(stream.token, type="optimize")[0], 400)
+        viewer.command(stream.token, type="stop")
+        stream.read_until(lambda s: s.run and s.run["status"] != "running" and not s.state["busy"])
+        self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
+
+    def test_end_with_the_viewer_within_a_second_and_leave_the_file_alone(self):
+        viewer = self.long_run()
+        file = self.path / "long.g2o"
+        before = hashlib.sha256(file.read_bytes()).digest()
+        stream = viewer.stream()
+        viewer.command(stream.token, type="optimize", iterations=10000)
+        code, seconds = viewer.end()
+        self.assertEqual(code, 0)
+        self.assertLess(seconds, 5)  # one second on an idle machine
+        self.assertEqual(hashlib.sha256(file.read_bytes()).digest(), before)
+
+    def test_do_not_wait_for_pages_that_vanish_or_do_not_read(self):
+        viewer = self.long_run()
+        stream = viewer.stream()
+        for _ in range(5):
+            viewer.stream().close()
+        with socket.create_connection(("127.0.0.1", viewer.port)) as deaf:
+            deaf.sendall(f"GET /stream HTTP/1.1\r\nHost: 127.0.0.1:{viewer.port}\r\n\r\n".encode())
+            viewer.command(stream.token, type="optimize", iterations=20)
+            stream.read_until(lambda s: s.run and s.run["status"] != "running")
+            self.assertGreater(len(stream.rows), 0)
+
+class Attackers(ViewCase):
+    def test_are_refused_by_host_origin_token_and_type(self):
+        viewer = self.viewer()
+        token, own = viewer.stream().token, f"127.0.0.1:{viewer.port}"
+        body, right = b'{"type": "step"}', {"Content-Type": "application/json", "X-Boxplus-Token": token}
+        for method, path in (("GET", "/"), ("GET", "/stream"), ("POST", "/command")):
+            for headers in ({"Host": "evil.example"}, {"Host": f"evil.example:{viewer.port}"}, {"Host": "127.0.0.1"},
+                            {"Host": own, "Origin": "http://evil.example"}, {"Host": own, "Origin": "null"},
+                            {"Host": own, "Origin": f"https://{own}"}):
+                self.assertEqual(viewer.request(method, path, body, {**right, **headers})[0], 403, (path, headers))
+        for wrong in ({**right, "X-Boxplus-Token": ""}, {**right, "X-Boxplus-Token": token[:-1]},
+                      {"Content-Type": "application/json"}):
+            self.assertEqual(viewer.request("POST", "/command", body, wrong)[0], 403, wrong)
+        self.assertEqual(viewer.request("POST", "/command", body, {**right, "Content-Type": "text/plain"})[0], 415)
+        for method in ("PUT", "DELETE", "PATCH", "OPTIONS"):
+            self.assertIn(viewer.request(method, "/command", body, right)[0], (403, 404, 405))
+        self.assertEqual(viewer.request("POST", "/command", body, {**right, "Origin": f"http://{own}"})[0], 200)
+
+    def test_cannot_reach_files(self):
+        viewer = self.viewer()
+        for path in ("/../", "/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", f"/{TOWN}"):
+            self.assertEqual(viewer.request("GET", path)[0], 404, path)
+
+    def test_cannot_send_giant_or_broken_requests(self):
+        viewer = self.viewer()
+        token = viewer.stream().token
+        headers = {"Content-Type": "application/json", "X-Boxplus-Token": token}
+        with contextlib.suppress(OSError, http.client.HTTPException):  # the server may close the connection early
+            self.assertEqual(viewer.request("POST", "/command", b" " * 10_000_000, headers)[0], 413)
+        for text in (b"\0" * 1000, b"GET / HTTP/9.9\r\n\r\n", b"POST /command HTTP/1.1\r\nContent-Length: -5\r\n\r\n",
+                     b"GET /" + b"a" * 100_000 + b" HTTP/1.1\r\n\r\n"):
+            with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", viewer.port), timeout=5) as connection:
+                connection.sendall(text)
+        self.assertEqual(viewer.request("GET", "/")[0], 200)
+
+    def test_cannot_hold_the_server_with_connections(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        with contextlib.ExitStack() as stack:
+            for _ in range(200):
+                stack.enter_context(socket.create_connection(("127.0.0.1", viewer.port), timeout=10))
+            stream.read_until(lambda s: s.read() == 0)  # a heartbeat: the stream lives
+        viewer.command(stream.token, type="step")
+        stream.read_until(lambda s: s.run and s.run["status"] != "running")
+        with contextlib.ExitStack() as stack:
+            streams = [stack.enter_context(contextlib.closing(Stream(viewer))) for _ in range(17)]
+            self.assertEqual(streams[-1].response.status, 503)
+
+class Arguments(CommandCase):
+    def test_name_a_file_that_can_be_read(self):
+        self.assert_refused(run("view", self.path / "none.g2o"), "none.g2o")
+        broken = self.written("broken.g2o", "VERTEX_SE2 0 1 2\n")
+        self.assert_refused(run("view", broken), f"{broken}:1:")
+
+    def test_name_a_port_that_is_free(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            self.assert_refused(run("view", TOWN, "--port", taken.getsockname()[1]), "taken")
+
+class OtherAddresses(ViewCase):
+    def test_need_the_token_for_everything(self):
+        viewer = self.viewer(TOWN, "--host", "0.0.0.0")
+        token = re.fullmatch(r"http://0\.0\.0\.0:\d+/\?token=([0-9a-f]{32})", viewer.url).group(1)
+        self.assertEqual(viewer.request("GET", "/")[0], 403)
+        self.assertEqual(viewer.request("GET", "/stream")[0], 403)
+        self.assertEqual(viewer.request("GET", f"/?token={token}")[0], 200)
+        self.assertEqual(viewer.request("GET", "/", headers={"X-Boxplus-Token": token})[0], 200)
+
+if __name__ == "__main__":
+    main()

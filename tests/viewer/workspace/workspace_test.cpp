@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer/workspace/workspace.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "boxplus/base/error.h"
+
+namespace boxplus::viewer {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Json = nlohmann::json;
+
+GraphFile small_graph() {
+  return parse_graph(
+      "VERTEX_SE2 0 0 0 0\n"
+      "VERTEX_SE2 1 3 0 0\n"
+      "VERTEX_SE2 2 0 3 0\n"
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 0 2 2.5 0 0 1 0 0 1 0 1\n",
+      "small.g2o");
+}
+
+MessageKind kind_of(const Message& message) {
+  std::uint32_t kind = 0;
+  std::memcpy(&kind, message->data() + sizeof kind, sizeof kind);
+  return static_cast<MessageKind>(kind);
+}
+
+/// Reads until the worker waits, and returns the last state.
+Json settled(Workspace::Reader& reader) {
+  for (Json state; !reader.has_ended();) {
+    for (const Message& message : reader.wait(10s)) {
+      if (kind_of(message) == MessageKind::kState) state = Json::parse(message->substr(8));
+    }
+    if (!state.is_null() && !state["busy"].get<bool>()) return state;
+  }
+  return {};
+}
+
+TEST(Workspace, GivesANewReaderEverything) {
+  Workspace workspace(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, R"({"token": "x"})");
+  const std::vector<Message> messages = reader.wait(1s);
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(kind_of(messages[0]), MessageKind::kState);
+  EXPECT_EQ(kind_of(messages[1]), MessageKind::kStructure);
+  EXPECT_EQ(kind_of(messages[2]), MessageKind::kFrame);
+  const Json state = Json::parse(messages[0]->substr(8));
+  EXPECT_EQ(state["token"], "x");
+  EXPECT_TRUE(state["run"].is_null());
+  EXPECT_THAT(reader.wait(0ms), IsEmpty());
+}
+
+TEST(Workspace, OptimizesAsOptimizeDoes) {
+  Workspace workspace(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize(100);
+  const Json state = settled(reader);
+  EXPECT_EQ(state["run"]["status"], "converged");
+  GraphFile file = small_graph();
+  Options options;
+  options.start = Start::kAutomatic;
+  const Report report = optimize(file.graph, options);
+  EXPECT_EQ(state["chi2"].get<double>(), report.chi2_final);
+}
+
+TEST(Workspace, RestoresTheEstimatesOfTheFile) {
+  Workspace workspace(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  const double before = settled(reader)["chi2"].get<double>();
+  workspace.step();
+  EXPECT_LT(settled(reader)["chi2"].get<double>(), before);
+  workspace.reset();
+  EXPECT_EQ(settled(reader)["chi2"].get<double>(), before);
+}
+
+TEST(Workspace, RefusesNumbersOfIterationsThatMakeNoSense) {
+  Workspace workspace(small_graph(), "small.g2o");
+  for (const int iterations : {-1, 0, Workspace::kMostIterations + 1})
+    EXPECT_THROW(workspace.optimize(iterations), InvalidArgument);
+}
+
+TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
+  GraphFile file;
+  const auto vertex = file.graph.add_vertex(1.0);
+  file.graph.add_edge(
+      [](double x) {
+        if (x != 1.0) throw Error("the sensor is broken");
+        return x - 3;
+      },
+      vertex);
+  Workspace workspace(std::move(file), "own");
+  Workspace::Reader reader(workspace, "");
+  workspace.optimize(10);
+  const Json state = settled(reader);
+  EXPECT_EQ(state["run"]["status"], "failed");
+  EXPECT_THAT(state["run"]["headline"].get<std::string>(), HasSubstr("the sensor is broken"));
+}
+
+TEST(Workspace, WakesItsReadersWhenItEnds) {
+  Workspace workspace(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  reader.wait(1s);
+  workspace.end();
+  reader.wait(1h);
+  EXPECT_TRUE(reader.has_ended());
+  EXPECT_THROW(workspace.step(), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace boxplus::viewer
