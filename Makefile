@@ -7,7 +7,7 @@ FUZZ_SECONDS ?= 60
 BOXPLUS_DATA ?= ../shared/data
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz ci ci-full install clean
+.PHONY: help setup build demo test bench dev asan ubsan tsan sanitize tidy tidy-changes format check fuzz page page-check ci ci-full install clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 16
@@ -76,6 +76,14 @@ fuzz: setup ## feeds the readers mutated files for FUZZ_SECONDS (60) each
 	@cmake --preset sanitize
 	@cmake --build --preset sanitize --parallel $(JOBS) --target fuzzers
 	@fuzz/run.sh $(FUZZ_SECONDS)
+
+page: ## builds the viewer's page anew
+	@scripts/page_tools.sh
+	@npm --prefix viewer/page run --silent build
+
+page-check: ## checks the types of the viewer's page, and that its file is what the sources give
+	@scripts/page_tools.sh
+	@npm --prefix viewer/page run --silent check
 
 ci: ## everything that a change must pass
 	@.ci/run

@@ -2,7 +2,7 @@
 // How much of the graph is drawn while the camera moves. It adapts to the speed of the machine.
 
 /** The number of lines. Poses cost more, points cost less. */
-const LEAST = 4_000, FIRST = 100_000, MOST = 4_000_000;
+const LEAST = 16_000, FIRST = 100_000, MOST = 4_000_000;
 const LINES_PER_POSE = 4, LINES_PER_POINT = 0.5;
 /** The time from one picture to the next. */
 const SLOW_MS = 50, FAST_MS = 22;

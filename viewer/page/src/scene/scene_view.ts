@@ -21,9 +21,8 @@ const REST_MS = 180;
 export class SceneView {
   /** Called after another graph, or its first frame, came. */
   on_structure: (graph: GraphScene) => void = () => {};
-  /** The number of pictures that were drawn, and the newest frame in them. */
+  /** The number of pictures of graphs that were drawn. */
   pictures = 0;
-  sequence = -1;
   private readonly renderer: WebGLRenderer;
   private readonly world = new Scene();
   private readonly rig: CameraRig;
@@ -81,6 +80,11 @@ export class SceneView {
     this.requestPicture();
   }
 
+  /** chi2 of the newest frame in the picture. */
+  get chi2(): number | null {
+    return this.frame?.chi2 ?? null;
+  }
+
   /** Shows the whole graph, and follows it from now on. */
   fit(): void {
     this.follows = true;
@@ -117,10 +121,7 @@ export class SceneView {
     this.setFading();
     this.graph?.limit(this.isMoving ? this.budget.current : UNLIMITED);
     this.renderer.render(this.world, this.rig.camera);
-    if (this.frame) {
-      ++this.pictures;
-      this.sequence = this.frame.sequence;
-    }
+    if (this.frame) ++this.pictures;
   }
 
   private show(frame: Frame): void {
