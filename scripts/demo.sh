@@ -24,4 +24,7 @@ These files were written:
   $folder/sphere.g2o            the simulated graph; its estimates come from the odometry
   $folder/sphere_optimized.g2o  the optimized graph
   $folder/sphere.svg            the picture of the graph before and after the optimization
+
+To see the graph in a browser, and to optimize it there, type:
+  $boxplus view $folder/sphere.g2o
 END

@@ -31,7 +31,7 @@ class BadInputTest(CommandCase):
 
     def assert_bad(self, path, *texts):
         for words in (["optimize", path, "-o", self.output], ["convert", path, self.output], ["info", path],
-                      ["plot", path, "-o", self.picture]):
+                      ["plot", path, "-o", self.picture], ["view", path]):
             self.assert_refused(run(*words), *texts)
         self.assert_untouched()
 
