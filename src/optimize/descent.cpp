@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "optimize/edge_counts.h"
 #include "optimize/significance.h"
@@ -92,7 +93,7 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
     if (iteration >= most)
       return {Report::Status::kNotConverged, Report::Reason::kMaxIterations, chi2, iteration};
     IterationRecord record;
-    record.iteration = static_cast<int>(records_.size());
+    record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
     const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
@@ -110,6 +111,21 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
       return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};
     if (!goes_on) return {Report::Status::kNotConverged, Report::Reason::kCallback, chi2, iteration + 1};
   }
+}
+
+std::vector<IterationRecord> Descent::set_aside_records() {
+  uncounted_ += static_cast<int>(records_.size());
+  return std::exchange(records_, {});
+}
+
+void Descent::discard_records() {
+  uncounted_ += static_cast<int>(records_.size());
+  records_.clear();  // keeps its memory
+}
+
+void Descent::resume(std::vector<IterationRecord> records) {
+  records_ = std::move(records);
+  uncounted_ -= static_cast<int>(records_.size());
 }
 
 bool Descent::call_back(const IterationRecord& record) {

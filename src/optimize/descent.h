@@ -41,6 +41,12 @@ class Descent {
   const StopToken& stop() const { return stop_; }
   std::vector<IterationRecord>& records() { return records_; }
 
+  /// Removes the records, and returns them. Their iterations no longer count against the limit.
+  std::vector<IterationRecord> set_aside_records();
+  void discard_records();
+  /// Replaces the records by those that set_aside_records() returned. Their iterations count again.
+  void resume(std::vector<IterationRecord> records);
+
   /// Runs the algorithm from the current estimates. `chi2` is their chi2.
   RunResult run(double chi2);
   /// Like run(), but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
@@ -49,8 +55,8 @@ class Descent {
 
   /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
-  int iterations_left() const { return options_.max_iterations - iterations_; }
-  /// The number of iterations of all runs together.
+  int iterations_left() const { return options_.max_iterations - iterations_ + uncounted_; }
+  /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
   /// The number of rows of the enabled active edges minus the number of unknowns. If Ω is right, this is the
@@ -70,6 +76,7 @@ class Descent {
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;
   int iterations_ = 0, regularized_steps_ = 0;
+  int uncounted_ = 0;  // the iterations that do not count against the limit
 };
 
 }  // namespace boxplus

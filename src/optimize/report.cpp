@@ -60,6 +60,7 @@ void add_records(Text& text, const Report& report) {
   const bool has_lambda = report.records.front().lambda > 0;
   add(text, "\n  iter           chi2     decrease   |gradient|       |step|  {:>11}  tries   time [s]\n",
       has_lambda ? "lambda" : "radius");
+  add(text, "  {:4}  {:13.7g}\n", 0, without_sign_of_nan(report.chi2_start()));
   const std::size_t count = report.records.size();
   for (std::size_t k = 0; k < count; ++k) {
     if (count > kHeadRows + kTailRows && k == kHeadRows) {
@@ -94,6 +95,9 @@ void add_start(Text& text, const Report::StartReport& start) {
     add(text, ", {:.7g} after the initial guess", without_sign_of_nan(start.chi2_guess));
   if (start.ran_both)
     add(text, "; both were run, the other ended at {:.7g}", without_sign_of_nan(start.chi2_other_final));
+  if (start.other_iterations > 0)
+    add(text, "; {} iteration{} from the start that was not used", start.other_iterations,
+        start.other_iterations == 1 ? "" : "s");
   if (!start.note.empty()) add(text, " ({})", start.note);
   add(text, "\n");
 }

@@ -39,6 +39,7 @@ Json start_json(const Report::StartReport& start) {
           {"chi2_guess", unless_negative(start.chi2_guess)},
           {"ran_both", start.ran_both},
           {"chi2_other_final", unless_negative(start.chi2_other_final)},
+          {"other_iterations", start.other_iterations},
           {"note", start.note}};
 }
 

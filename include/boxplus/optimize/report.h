@@ -50,9 +50,11 @@ struct [[nodiscard]] Report {
     /// the predicted decrease; NaN if no step was tried.
     double first_step_kept = std::numeric_limits<double>::quiet_NaN();
     double chi2_guess = -1;        ///< chi2 of the initial guess; negative if none was made
-    bool ran_both = false;         ///< kAutomatic: both starts were run
+    bool ran_both = false;         ///< kAutomatic: both starts were run to their ends
     double chi2_other_final = -1;  ///< final chi2 of the run that was not kept; negative if none
-    std::string_view note;         ///< the reason why a guess could not be made, or empty
+    /// The number of iterations from starts that were given up, or whose results were not kept.
+    int other_iterations = 0;
+    std::string_view note;  ///< the reason why a guess could not be made, or empty
   };
 
   struct GaugeReport {
@@ -103,11 +105,11 @@ struct [[nodiscard]] Report {
   /// Options::stop ended the run before F was evaluated; the estimates are then unchanged.
   double chi2_initial = 0;
   double chi2_final = 0;  ///< F at the estimates after the run
-  int iterations = 0;     ///< total number in all runs of this call
+  int iterations = 0;     ///< the number of iterations that led from the start to the result
   StartReport start;
   GaugeReport gauge;
   RejectionReport rejection;
-  std::vector<IterationRecord> records;  ///< records of the run that was kept
+  std::vector<IterationRecord> records;  ///< one for each of these iterations
 
   std::string_view algorithm, linear_solver;
   /// The vertices that move: those of active edges, without fixed vertices and without the vertices
@@ -143,6 +145,8 @@ struct [[nodiscard]] Report {
   /// is 0. So with robust kernels, a ratio far above 1 has the same meaning, but a ratio below 1 says nothing
   /// about Ω.
   double chi2_per_degree() const;
+  /// F at the estimates from which the iterations started: those before the run, or an initial guess.
+  double chi2_start() const { return start.used == Start::kCurrent ? start.chi2_current : start.chi2_guess; }
   /// A sentence if chi2_per_degree() shows that the Ω and the errors do not fit together, and otherwise an
   /// empty text. There is a sentence if the run converged with at least ten degrees of freedom, and the ratio
   /// is above 4 or (unless edges have robust kernels) below 1/4.
