@@ -163,8 +163,9 @@ void add_notes(Text& text, const Report& report) {
   add_kernels(text, report);
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
-  if (const std::string_view remark = report.chi2_remark(); !remark.empty())
-    add(text, "  {:<16}{}\n", "note", remark);
+  for (const std::string_view remark : {report.start_remark(), report.chi2_remark()}) {
+    if (!remark.empty()) add(text, "  {:<16}{}\n", "note", remark);
+  }
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
   if (report.regularized_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
@@ -191,6 +192,12 @@ std::string_view Report::chi2_remark() const {
   if (ratio < kLeast && robust_edges == 0)
     return "chi2 per degree of freedom is below 1/4: Ω is too small for errors as small as these";
   return {};
+}
+
+std::string_view Report::start_remark() const {
+  constexpr double kTolerance = 1e-6;  // so that the same minimum does not count as higher
+  if (start.used == Start::kCurrent || !(chi2_final > (1 + kTolerance) * start.chi2_current)) return {};
+  return "chi2 ended above that of the given estimates: the start 'current' is better";
 }
 
 std::string to_string(const Report& report) {

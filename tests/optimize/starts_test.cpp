@@ -187,5 +187,45 @@ TEST(AutomaticStart, IsAsGoodAsTheBetterOfTheTwoStartsOnSimulatedGraphs) {
   EXPECT_EQ(used.size(), 2u) << "both starts must be used, or this test checks nothing";
 }
 
+/// Four poses with measurements that contradict each other, so that chi2 has several minima.
+Graph contradictory_graph() {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 4; ++k) poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+  graph.fix(poses[0]);
+  const auto add = [&](std::size_t a, std::size_t b, const SE2& measured) {
+    graph.add_edge(Between(measured), poses[a], poses[b]);
+  };
+  add(0, 1, SE2(-2, -1, -2.4));
+  add(0, 2, SE2(0, 0, -2.1));
+  add(0, 3, SE2(-3, -3, -0.6));
+  add(1, 2, SE2(-1, 3, 2.9));
+  add(1, 3, SE2(-3, -2, 0.1));
+  add(2, 3, SE2(-1, -1, 1.7));
+  return graph;
+}
+
+TEST(ExplicitStart, IsRemarkedOnIfItEndsAboveTheGivenEstimates) {
+  Graph graph = contradictory_graph();
+  const Report current = optimize(graph);
+  EXPECT_EQ(current.start_remark(), "");
+  graph.push();
+  const Report odometry = optimize(graph, {.start = Start::kOdometry});
+  EXPECT_TRUE(odometry.converged()) << odometry;
+  EXPECT_GT(odometry.chi2_final, 1.1 * current.chi2_final);
+  EXPECT_NE(odometry.start_remark(), "");
+  EXPECT_NE(to_string(odometry).find("the start 'current' is better"), std::string::npos) << odometry;
+  graph.pop();
+  const Report automatic = optimize(graph, kAutomaticStart);
+  EXPECT_EQ(automatic.start_remark(), "") << automatic;
+}
+
+TEST(ExplicitStart, IsNotRemarkedOnIfItEndsInTheSameMinimum) {
+  Graph graph;
+  add_noisy_circle(graph, 20);
+  ASSERT_TRUE(optimize(graph).converged());
+  EXPECT_EQ(optimize(graph, {.start = Start::kOdometry}).start_remark(), "");
+}
+
 }  // namespace
 }  // namespace boxplus

@@ -136,6 +136,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"degrees_of_freedom", report.degrees_of_freedom},
                      {"chi2_per_degree", unless_nan(report.chi2_per_degree())},
                      {"chi2_remark", unless_empty(report.chi2_remark())},
+                     {"start_remark", unless_empty(report.start_remark())},
                      {"jacobians", jacobians_json(report.jacobians)},
                      {"regularized_steps", report.regularized_steps},
                      {"time_s", time_json(report.time, facts)},

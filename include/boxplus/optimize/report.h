@@ -151,6 +151,9 @@ struct [[nodiscard]] Report {
   /// empty text. There is a sentence if the run converged with at least ten degrees of freedom, and the ratio
   /// is above 4 or (unless edges have robust kernels) below 1/4.
   std::string_view chi2_remark() const;
+  /// A sentence if the run started from an initial guess and ended above the chi2 of the estimates before the
+  /// run. Then Start::kCurrent is better. Otherwise, an empty text.
+  std::string_view start_remark() const;
 };
 
 std::string_view to_string(Report::Status status);
