@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "optimize/edge_counts.h"
+#include "optimize/flat_directions.h"
 #include "optimize/significance.h"
 
 namespace boxplus {
@@ -77,14 +78,23 @@ RunResult Descent::run(double chi2) {
 
 RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
+  RunResult result = iterate(wanted, chi2);
+  if (result.status != Report::Status::kConverged) return result;
+  const Displacement displacement = leave_flat_directions(system_, result.chi2);
+  if (displacement.directions == 0) return result;
+  displaced_directions_ += displacement.directions;
+  return iterate(wanted, displacement.chi2);
+}
+
+RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   algorithm_.reset(options_, system_.plan().scalars());
-  const RunResult result = iterate(wanted, chi2);
+  const RunResult result = iterate_to_end(wanted, chi2);
   iterations_ += result.iterations;
   regularized_steps_ += algorithm_.regularized_steps();
   return result;
 }
 
-RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
+RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
   double largest_step = 0;
   Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());

@@ -135,6 +135,7 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
   report.iterations = static_cast<int>(report.records.size());
   report.start.other_iterations = descent.iterations() - report.iterations;
   report.regularized_steps = descent.regularized_steps();
+  report.displaced_directions = descent.displaced_directions();
   return result;
 }
 

@@ -167,6 +167,10 @@ void add_notes(Text& text, const Report& report) {
     if (!remark.empty()) add(text, "  {:<16}{}\n", "note", remark);
   }
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
+  if (report.displaced_directions > 0) {
+    add(text, "  {:<16}displaced {} direction{} in which chi2 was stationary, but not at a minimum\n", "note",
+        report.displaced_directions, report.displaced_directions == 1 ? "" : "s");
+  }
   if (report.regularized_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
         report.regularized_steps);

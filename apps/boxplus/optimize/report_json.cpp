@@ -139,6 +139,7 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"start_remark", unless_empty(report.start_remark())},
                      {"jacobians", jacobians_json(report.jacobians)},
                      {"regularized_steps", report.regularized_steps},
+                     {"displaced_directions", report.displaced_directions},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};
   // Messages may contain text from the file, so bytes that are not valid UTF-8 are replaced.

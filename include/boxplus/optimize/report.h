@@ -128,7 +128,11 @@ struct [[nodiscard]] Report {
   std::int64_t degrees_of_freedom = 0;
   std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;
-  int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
+  int regularized_steps = 0;  ///< number of steps for which H had to be damped to be positive definite
+  /// The number of scalars that were displaced by about 0.01, because all their Jacobians were zero although
+  /// chi2 was not at a minimum: for example, where a Range connects positions that coincide, or where a
+  /// rotation differs from its measurement by 180°.
+  int displaced_directions = 0;
   int threads = 1;             ///< maximum number of threads that the options allow
   int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
   bool plan_reused = false;    ///< the structure has not changed since the last run
