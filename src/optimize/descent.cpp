@@ -105,9 +105,12 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     IterationRecord record;
     record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
+    system_.begin_iteration();
     const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
+    system_.describe_step(chi2, record);
     record.time_s = clock_.seconds();
     records_.push_back(record);
     const double before = chi2;
