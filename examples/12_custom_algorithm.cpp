@@ -7,10 +7,8 @@
 #include <boxplus/boxplus.h>
 #include <boxplus/optimize/algorithm.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstdio>
-#include <span>
 #include <vector>
 
 using namespace boxplus;
@@ -24,31 +22,20 @@ class LineSearch final : public Algorithm {
   IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
     if (!system.linearize()) return IterationOutcome::kNotFinite;
     if (system.solve({}, step_).status != LinearStatus::kOk) return IterationOutcome::kNotPositiveDefinite;
-    record.gradient_max = largest(system.gradient());
     for (std::size_t k = 0; k < step_.size(); ++k)
       record.predicted_decrease -= system.gradient()[k] * step_[k];
     for (record.tries = 1; record.tries < 30; ++record.tries) {
-      record.chi2 = system.try_step(step_);
-      record.chi2_decrease = chi2 - record.chi2;
-      if (record.chi2 < chi2) {
+      if (system.try_step(step_) < chi2) {
         system.accept();
-        record.step_max = largest(step_);
         return IterationOutcome::kAccepted;
       }
       system.reject();
       for (double& entry : step_) entry /= 2;
     }
-    record.chi2 = chi2;
     return IterationOutcome::kNoFurtherDecrease;
   }
 
  private:
-  static double largest(std::span<const double> entries) {
-    double result = 0;
-    for (const double entry : entries) result = std::max(result, std::abs(entry));
-    return result;
-  }
-
   std::vector<double> step_;
 };
 // [/algorithm]

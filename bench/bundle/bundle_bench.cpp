@@ -54,7 +54,7 @@ BundleRun run_ours(Graph& graph, int threads, double target) {
   options.max_iterations = 200;
   options.callback = [&](const IterationRecord& record) {
     run.seconds = record.time_s;
-    run.iterations = record.iteration + 1;
+    run.iterations = record.iteration;
     return record.chi2 / 2 > target;
   };
   graph.push();

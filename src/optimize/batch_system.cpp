@@ -412,7 +412,8 @@ double BatchSystem::try_step(std::span<const double> step) {
     for (const VertexList& list : plan_->vertices) {
       graph_->vertex_pools()[list.pool]->oplus(list.slots, list.offsets, step.data());
     }
-    return chi2();
+    trial_ = {chi2(), max_abs(step)};
+    return trial_.chi2;
   } catch (...) {
     take_back_step();
     throw;
@@ -422,6 +423,7 @@ double BatchSystem::try_step(std::span<const double> step) {
 void BatchSystem::accept() {
   order_.expect_trial("System::accept");
   order_.accepted();
+  accepted_ = trial_;
 }
 
 void BatchSystem::reject() {
@@ -433,6 +435,17 @@ void BatchSystem::take_back_step() {
   before_step_.put_back(*graph_, *plan_);
   last_chi2_ = model_chi2_;
   order_.rejected();
+}
+
+void BatchSystem::describe_step(double chi2, IterationRecord& record) const {
+  if (!accepted_)
+    throw InvalidArgument(
+        "Algorithm::iterate: expected a call of System::accept() before the outcome kAccepted or "
+        "kAcceptedShort");
+  record.chi2 = accepted_->chi2;
+  record.chi2_decrease = chi2 - record.chi2;
+  record.step_max = accepted_->step_max;
+  record.gradient_max = max_abs(gradient_);
 }
 
 void BatchSystem::expect_size(std::span<const double> vector, const char* function) const {

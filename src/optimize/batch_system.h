@@ -48,6 +48,11 @@ class BatchSystem final : public System {
   bool stopped() const override { return stopped_; }
   /// Throws InvalidArgument if an algorithm ended without accept() or reject() after its last try_step().
   void expect_no_trial() const { order_.expect_no_trial("Algorithm::iterate"); }
+  void begin_iteration() { accepted_.reset(); }
+  /// Fills chi2, chi2_decrease, step_max and gradient_max for the last step that was accepted since
+  /// begin_iteration(). `chi2` is the cost before the iteration. Throws InvalidArgument if there is no such
+  /// step.
+  void describe_step(double chi2, IterationRecord& record) const;
 
   const Plan& plan() const { return *plan_; }
   const Linearizer& linearizer() const { return linearizer_; }
@@ -67,6 +72,11 @@ class BatchSystem final : public System {
   const LinearizeOptions& linearize_options() const { return linearize_options_; }
 
  private:
+  /// The result of try_step().
+  struct Trial {
+    double chi2 = 0, step_max = 0;
+  };
+
   /// What linearize() has already computed for the next solve().
   struct Elimination {
     StepDamping damping;
@@ -111,6 +121,8 @@ class BatchSystem final : public System {
   std::vector<double> product_;  // of curvature(), if all columns are stored
   std::vector<std::uint32_t> elimination_bounds_;
   std::vector<double> elimination_s_;       // per slice
+  Trial trial_;                             // the last one
+  std::optional<Trial> accepted_;           // in this iteration, the last one
   std::optional<StepDamping> expected_;     // of the solve() after the next linearize()
   std::optional<Elimination> elimination_;  // of the current H
   double floor_ = 0;                        // diagonal_floor() of the last linearization

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "optimize/edge_counts.h"
+#include "optimize/flat_directions.h"
 #include "optimize/significance.h"
 
 namespace boxplus {
@@ -76,14 +78,23 @@ RunResult Descent::run(double chi2) {
 
 RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
+  RunResult result = iterate(wanted, chi2);
+  if (result.status != Report::Status::kConverged) return result;
+  const Displacement displacement = leave_flat_directions(system_, result.chi2);
+  if (displacement.directions == 0) return result;
+  displaced_directions_ += displacement.directions;
+  return iterate(wanted, displacement.chi2);
+}
+
+RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   algorithm_.reset(options_, system_.plan().scalars());
-  const RunResult result = iterate(wanted, chi2);
+  const RunResult result = iterate_to_end(wanted, chi2);
   iterations_ += result.iterations;
   regularized_steps_ += algorithm_.regularized_steps();
   return result;
 }
 
-RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
+RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   const int most = iterations_left();
   double largest_step = 0;
   Significance significance(options_.noise_tolerance, degrees_of_freedom_, system_.plan().free_scalars());
@@ -92,11 +103,14 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
     if (iteration >= most)
       return {Report::Status::kNotConverged, Report::Reason::kMaxIterations, chi2, iteration};
     IterationRecord record;
-    record.iteration = static_cast<int>(records_.size());
+    record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
+    system_.begin_iteration();
     const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
+    system_.describe_step(chi2, record);
     record.time_s = clock_.seconds();
     records_.push_back(record);
     const double before = chi2;
@@ -110,6 +124,21 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
       return {Report::Status::kConverged, Report::Reason::kCostTolerance, chi2, iteration + 1};
     if (!goes_on) return {Report::Status::kNotConverged, Report::Reason::kCallback, chi2, iteration + 1};
   }
+}
+
+std::vector<IterationRecord> Descent::set_aside_records() {
+  uncounted_ += static_cast<int>(records_.size());
+  return std::exchange(records_, {});
+}
+
+void Descent::discard_records() {
+  uncounted_ += static_cast<int>(records_.size());
+  records_.clear();  // keeps its memory
+}
+
+void Descent::resume(std::vector<IterationRecord> records) {
+  records_ = std::move(records);
+  uncounted_ -= static_cast<int>(records_.size());
 }
 
 bool Descent::call_back(const IterationRecord& record) {

@@ -41,7 +41,14 @@ class Descent {
   const StopToken& stop() const { return stop_; }
   std::vector<IterationRecord>& records() { return records_; }
 
-  /// Runs the algorithm from the current estimates. `chi2` is their chi2.
+  /// Removes the records, and returns them. Their iterations no longer count against the limit.
+  std::vector<IterationRecord> set_aside_records();
+  void discard_records();
+  /// Replaces the records by those that set_aside_records() returned. Their iterations count again.
+  void resume(std::vector<IterationRecord> records);
+
+  /// Runs the algorithm from the current estimates. `chi2` is their chi2. If it converges at a stationary
+  /// point that is no minimum, displaces the estimates and goes on (see leave_flat_directions()).
   RunResult run(double chi2);
   /// Like run(), but ends with Report::Reason::kCallback after the first iteration for which `wanted` returns
   /// false.
@@ -49,16 +56,19 @@ class Descent {
 
   /// Whether iterations are left and nothing has stopped the runs.
   bool may_go_on() const { return iterations_left() > 0 && !stop_.raised(); }
-  int iterations_left() const { return options_.max_iterations - iterations_; }
-  /// The number of iterations of all runs together.
+  int iterations_left() const { return options_.max_iterations - iterations_ + uncounted_; }
+  /// The number of iterations of all runs together, including those without records.
   int iterations() const { return iterations_; }
   int regularized_steps() const { return regularized_steps_; }
+  /// The number of scalars that leave_flat_directions() displaced.
+  int displaced_directions() const { return displaced_directions_; }
   /// The number of rows of the enabled active edges minus the number of unknowns. If Ω is right, this is the
   /// expected chi2.
   double degrees_of_freedom() const { return degrees_of_freedom_; }
 
  private:
   RunResult iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
+  RunResult iterate_to_end(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2);
   bool call_back(const IterationRecord& record);
 
   Graph& graph_;
@@ -69,7 +79,8 @@ class Descent {
   const Stopwatch& clock_;
   std::vector<IterationRecord>& records_;
   double degrees_of_freedom_ = 0;
-  int iterations_ = 0, regularized_steps_ = 0;
+  int iterations_ = 0, regularized_steps_ = 0, displaced_directions_ = 0;
+  int uncounted_ = 0;  // the iterations that do not count against the limit
 };
 
 }  // namespace boxplus

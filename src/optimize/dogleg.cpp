@@ -131,7 +131,6 @@ IterationOutcome Dogleg::iterate(System& system, double chi2, IterationRecord& r
   lower_regularization();
   system.expect({regularization_, Options::DampingScale::kDiagonal});
   if (!system.linearize()) return outcome_without_linearization(system);
-  record.gradient_max = max_abs(system.gradient());
   scale_from(system);
   const LinearStatus solved = solve_gauss_newton(system, record);
   if (solved != LinearStatus::kOk) return outcome_of(solved);

@@ -13,7 +13,6 @@ void GaussNewton::reset(const Options&, std::size_t scalars) {
 IterationOutcome GaussNewton::iterate(System& system, double chi2, IterationRecord& record) {
   system.expect({});
   if (!system.linearize()) return outcome_without_linearization(system);
-  record.gradient_max = max_abs(system.gradient());
   const StepResult solved = system.solve({}, step_);
   record.linear_iterations = solved.linear_iterations;
   if (solved.status != LinearStatus::kOk) return outcome_of(solved.status);

@@ -96,7 +96,6 @@ IterationOutcome LevenbergMarquardt::iterate(System& system, double chi2, Iterat
   if (started_) system.expect({lambda_, scale_});
   if (!system.linearize()) return outcome_without_linearization(system);
   if (!started_) start_damping(system);
-  record.gradient_max = max_abs(system.gradient());
   double largest_prediction = 0, largest_step = 0;
   bool largest_cut_short = false;
   LinearStatus last = LinearStatus::kOk;

@@ -131,9 +131,10 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
     return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
   Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
   const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
-  system.expect_no_trial();
-  report.iterations = descent.iterations();
+  report.iterations = static_cast<int>(report.records.size());
+  report.start.other_iterations = descent.iterations() - report.iterations;
   report.regularized_steps = descent.regularized_steps();
+  report.displaced_directions = descent.displaced_directions();
   return result;
 }
 

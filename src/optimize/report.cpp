@@ -60,6 +60,7 @@ void add_records(Text& text, const Report& report) {
   const bool has_lambda = report.records.front().lambda > 0;
   add(text, "\n  iter           chi2     decrease   |gradient|       |step|  {:>11}  tries   time [s]\n",
       has_lambda ? "lambda" : "radius");
+  add(text, "  {:4}  {:13.7g}\n", 0, without_sign_of_nan(report.chi2_start()));
   const std::size_t count = report.records.size();
   for (std::size_t k = 0; k < count; ++k) {
     if (count > kHeadRows + kTailRows && k == kHeadRows) {
@@ -94,6 +95,9 @@ void add_start(Text& text, const Report::StartReport& start) {
     add(text, ", {:.7g} after the initial guess", without_sign_of_nan(start.chi2_guess));
   if (start.ran_both)
     add(text, "; both were run, the other ended at {:.7g}", without_sign_of_nan(start.chi2_other_final));
+  if (start.other_iterations > 0)
+    add(text, "; {} iteration{} from the start that was not used", start.other_iterations,
+        start.other_iterations == 1 ? "" : "s");
   if (!start.note.empty()) add(text, " ({})", start.note);
   add(text, "\n");
 }
@@ -159,9 +163,14 @@ void add_notes(Text& text, const Report& report) {
   add_kernels(text, report);
   add_gauge(text, report.gauge);
   add_jacobians(text, report.jacobians);
-  if (const std::string_view remark = report.chi2_remark(); !remark.empty())
-    add(text, "  {:<16}{}\n", "note", remark);
+  for (const std::string_view remark : {report.start_remark(), report.chi2_remark()}) {
+    if (!remark.empty()) add(text, "  {:<16}{}\n", "note", remark);
+  }
   if (report.disabled_edges > 0) add(text, "  {:<16}{} disabled edge(s)\n", "note", report.disabled_edges);
+  if (report.displaced_directions > 0) {
+    add(text, "  {:<16}displaced {} direction{} in which chi2 was stationary, but not at a minimum\n", "note",
+        report.displaced_directions, report.displaced_directions == 1 ? "" : "s");
+  }
   if (report.regularized_steps > 0) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
         report.regularized_steps);
@@ -187,6 +196,12 @@ std::string_view Report::chi2_remark() const {
   if (ratio < kLeast && robust_edges == 0)
     return "chi2 per degree of freedom is below 1/4: Ω is too small for errors as small as these";
   return {};
+}
+
+std::string_view Report::start_remark() const {
+  constexpr double kTolerance = 1e-6;  // so that the same minimum does not count as higher
+  if (start.used == Start::kCurrent || !(chi2_final > (1 + kTolerance) * start.chi2_current)) return {};
+  return "chi2 ended above that of the given estimates: the start 'current' is better";
 }
 
 std::string to_string(const Report& report) {

@@ -20,11 +20,12 @@ GuessResult guess_by(Start start, Graph& graph, const Plan& plan, const GuessLim
                         std::to_string(static_cast<int>(start)));
 }
 
-/// Estimates from which to run, and their chi2.
+/// Estimates from which to run, their chi2, and the iterations that led to them.
 struct StartingPoint {
   Start start = Start::kCurrent;
   Estimates estimates;
   double chi2 = 0;
+  std::vector<IterationRecord> records;
 };
 
 /// A run and its result. Its final estimates are in the graph or in `estimates`.
@@ -95,7 +96,7 @@ class StartSearch {
     if (!stopped || !(result.chi2 > chi2_original_)) return result;
     fallback_.put_back(graph(), plan());
     report_.used = Start::kCurrent;
-    descent_.records().clear();
+    descent_.discard_records();
     result.chi2 = chi2_original_;
     return result;
   }
@@ -117,11 +118,10 @@ class StartSearch {
         chi2 = result.chi2;
       } else {
         fallback_.put_back(graph(), plan());
-        descent_.records().clear();
+        descent_.discard_records();
       }
     }
     if (!make_guess(Start::kChordal)) return descent_.run(chi2);
-    descent_.records().clear();
     return run_from_better(chi2);
   }
 
@@ -131,10 +131,10 @@ class StartSearch {
   RunResult try_current(bool& gave_up) {
     constexpr int kMostIterations = 9;
     const auto wanted = [&](const IterationRecord& step) {
-      if (step.iteration == 0) {
+      if (step.iteration == 1) {
         report_.first_step_kept = step.chi2_decrease / step.predicted_decrease;
         gave_up = !keeps_prediction(step);
-      } else if (step.iteration + 1 == kMostIterations) {
+      } else if (step.iteration == kMostIterations) {
         gave_up = true;
       }
       return !gave_up;
@@ -146,19 +146,21 @@ class StartSearch {
   }
 
   /// Runs from the better of two starts. One is the chordal guess, which is in the graph. The other is
-  /// fallback_, with the chi2 `chi2_current`. The guess counts as better if its chi2 is below the chi2 of the
-  /// original estimates. If the result is worse than the chi2 of the other start, also runs from the other
-  /// start. With robust kernels, chi2 does not show which start is in the better valley, and runs need many
-  /// iterations. So with robust kernels, the first run leaves half of the iterations for the second run.
+  /// fallback_, with the chi2 `chi2_current`; the records that lead to it are in place. The guess counts as
+  /// better if its chi2 is below the chi2 of the original estimates. If the result is worse than the chi2 of
+  /// the other start, also runs from the other start. With robust kernels, chi2 does not show which start is
+  /// in the better valley, and runs need many iterations. So with robust kernels, the first run leaves half
+  /// of the iterations for the second run.
   RunResult run_from_better(double chi2_current) {
     const double chi2_guess = report_.chi2_guess;
     const bool guess_first =
         std::isfinite(chi2_guess) && (chi2_guess < chi2_original_ || !std::isfinite(chi2_original_));
-    StartingPoint other{Start::kCurrent, {}, chi2_current};
+    StartingPoint other{Start::kCurrent, {}, chi2_current, {}};
     if (guess_first) {
       std::swap(other.estimates, fallback_);
+      other.records = descent_.set_aside_records();
     } else {
-      other = {Start::kChordal, Estimates(graph(), plan()), chi2_guess};
+      other = {Start::kChordal, Estimates(graph(), plan()), chi2_guess, {}};
       fallback_.put_back(graph(), plan());
     }
     report_.used = guess_first ? Start::kChordal : Start::kCurrent;
@@ -194,7 +196,7 @@ class StartSearch {
   RunResult compare_with_guess(const RunResult& first) {
     fallback_.take(graph(), plan());
     if (!make_guess(Start::kChordal)) return first;
-    StartingPoint guess{Start::kChordal, Estimates(graph(), plan()), report_.chi2_guess};
+    StartingPoint guess{Start::kChordal, Estimates(graph(), plan()), report_.chi2_guess, {}};
     fallback_.put_back(graph(), plan());
     return run_from_other(first, std::move(guess), descent_.iterations_left());
   }
@@ -205,6 +207,7 @@ class StartSearch {
     const Candidate first{report_.used, first_result, std::exchange(descent_.records(), {}),
                           Estimates(graph(), plan())};
     other.estimates.put_back(graph(), plan());
+    descent_.resume(std::move(other.records));
     const Candidate second{other.start, run_for(most, other.chi2), descent_.records(), {}};
     const bool keeps_second = second.is_better_than(first);
     const Candidate& better = keeps_second ? second : first;

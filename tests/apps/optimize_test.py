@@ -231,7 +231,7 @@ class OptimizeTest(CommandCase):
         lines = run("optimize", TOWN, "--start", "current", "--verbose").stderr.splitlines()
         self.assertGreater(len(lines), 2)
         self.assertEqual([line.split()[:3] for line in lines],
-                         [["iteration", str(k), "chi2"] for k in range(len(lines))])
+                         [["iteration", str(k + 1), "chi2"] for k in range(len(lines))])
 
     def on_a_terminal(self, *arguments):
         """The output of boxplus to stderr if stderr is a terminal."""

@@ -328,19 +328,21 @@ TEST_P(SystemContract, ReportsAModelThatIsNotFinite) {
 /// Linearizes, takes a step, and then breaks the contract.
 class CarelessAlgorithm final : public Algorithm {
  public:
-  enum class Mistake : std::uint8_t { kSolvesAfterAccept, kForgetsToAccept };
+  enum class Mistake : std::uint8_t { kSolvesAfterAccept, kForgetsToAccept, kRejects };
 
   explicit CarelessAlgorithm(Mistake mistake) : mistake_(mistake) {}
   std::string_view name() const override { return "careless"; }
   void reset(const Options&, std::size_t scalars) override { step_.assign(scalars, 0); }
-  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
+  IterationOutcome iterate(System& system, double /*chi2*/, IterationRecord& /*record*/) override {
     const StepDamping damping{1e-3, Options::DampingScale::kDiagonal};
     if (!system.linearize() || system.solve(damping, step_).status != LinearStatus::kOk)
       return IterationOutcome::kNotFinite;
-    record.gradient_max = max_abs(system.gradient());
-    record.chi2 = system.try_step(step_);
-    record.chi2_decrease = chi2 - record.chi2;
+    (void)system.try_step(step_);
     if (mistake_ == Mistake::kForgetsToAccept) return IterationOutcome::kAccepted;
+    if (mistake_ == Mistake::kRejects) {
+      system.reject();
+      return IterationOutcome::kAccepted;
+    }
     system.accept();
     (void)system.solve(damping, step_);
     return IterationOutcome::kAccepted;
@@ -357,11 +359,13 @@ TEST(CarelessAlgorithms, AreRefusedWhateverIsStored) {
     for (const int iterations : {1, 10}) {
       const Options options{.max_iterations = iterations, .triggs_correction = triggs_correction};
       Graph graph = large_bundle();
-      CarelessAlgorithm solves(kSolvesAfterAccept), forgets(kForgetsToAccept);
+      CarelessAlgorithm solves(kSolvesAfterAccept), forgets(kForgetsToAccept), rejects(kRejects);
       EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(solves); },
                   ThrowsMessage<InvalidArgument>(HasSubstr("System::solve: expected linearize()")));
       EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(forgets); },
                   ThrowsMessage<InvalidArgument>(HasSubstr("expected accept() or reject()")));
+      EXPECT_THAT([&] { std::ignore = Optimizer(graph, options).run(rejects); },
+                  ThrowsMessage<InvalidArgument>(HasSubstr("expected a call of System::accept()")));
     }
   }
 }

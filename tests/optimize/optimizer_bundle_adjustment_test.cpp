@@ -120,7 +120,7 @@ Graph make_graph(const BundleProblem& problem, Form form, Fixed fixed,
 /// The number of iterations until ½ chi2 ≤ (1 + 1e-6) cost, or a very large number if this is never reached.
 int iterations_to(const Report& report, double cost) {
   for (const IterationRecord& record : report.records) {
-    if (record.chi2 / 2 <= cost * (1 + 1e-6)) return record.iteration + 1;
+    if (record.chi2 / 2 <= cost * (1 + 1e-6)) return record.iteration;
   }
   return 1 << 20;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Linear solvers that a user implements.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -65,6 +66,58 @@ TEST(CustomLinearSolver, SolvesForSeveralGraphsInTurn) {
   EXPECT_NEAR(again.chi2_final, chi2, 1e-8 * chi2);
   EXPECT_EQ(solver->analyses, 3);
   EXPECT_NE(optimize(small).linear_solver, "counting") << "the solver is used only if the options contain it";
+}
+
+/// Never succeeds. factorize() or, if `in_solve`, solve() returns the failure.
+class FailingSolver final : public LinearSolver {
+ public:
+  FailingSolver(const FactorResult& failure, bool in_solve) : failure_(failure), in_solve_(in_solve) {}
+  std::string_view name() const override { return "failing"; }
+  Needs needs() const override { return Needs::kBlocks; }
+  void analyze(const BlockStructure&, const AnalyzeHints&, const StopToken&) override {}
+  FactorResult factorize(const BlockSystem&, const Damping&, const SolveControl&) override {
+    return in_solve_ ? FactorResult{} : failure_;
+  }
+  SolveResult solve(const double*, int, double*, const SolveControl&) override {
+    return {failure_.status, 0, false, failure_.failed_block, failure_.failed_scalar};
+  }
+
+ private:
+  FactorResult failure_;
+  bool in_solve_;
+};
+
+TEST(CustomLinearSolver, IsRefusedIfItNamesABlockOrAScalarThatDoesNotExist) {
+  using testing::HasSubstr;
+  using testing::ThrowsMessage;
+  constexpr std::uint32_t kBlocks = 19, kScalars = 57;  // of 20 poses, one of which the gauge holds
+  for (const bool in_solve : {false, true}) {
+    for (const bool eliminates : {false, true}) {
+      const auto run = [&](const FactorResult& failure) {
+        Graph graph;
+        const auto poses = add_noisy_circle(graph, 20);
+        if (eliminates) {
+          for (std::size_t k = 1; k < poses.size(); k += 2) graph.set_eliminated(poses[k], true);
+        }
+        Options options;
+        options.custom_linear_solver = std::make_shared<FailingSolver>(failure, in_solve);
+        return optimize(graph, options);
+      };
+      EXPECT_THAT(
+          [&] {
+            std::ignore = run({LinearStatus::kNotPositiveDefinite, kBlocks});
+          },
+          ThrowsMessage<InvalidArgument>(
+              HasSubstr("the linear solver 'failing' returned the failed_block 19: expected")));
+      EXPECT_THAT(
+          [&] {
+            std::ignore = run({LinearStatus::kNotPositiveDefinite, 0, kScalars});
+          },
+          ThrowsMessage<InvalidArgument>(HasSubstr("returned the failed_scalar 57: expected")));
+      EXPECT_EQ(run({LinearStatus::kNotPositiveDefinite, 0, 0}).status, Report::Status::kFailed);
+      EXPECT_EQ(run({LinearStatus::kNotPositiveDefinite}).status, Report::Status::kFailed);
+    }
+  }
 }
 
 /// Solves densely, then scales the solution so that its relative residual is as large as the tolerance

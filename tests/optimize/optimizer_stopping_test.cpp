@@ -63,8 +63,8 @@ TEST_P(EveryAlgorithm, StopsWhenTheCallbackReturnsFalse) {
   int calls = 0;
   options_.cost_tolerance = options_.gradient_tolerance = 0;
   options_.callback = [&](const IterationRecord& record) {
-    EXPECT_EQ(record.iteration, calls);
-    return ++calls < 2;
+    EXPECT_EQ(record.iteration, ++calls);
+    return calls < 2;
   };
   const Report report = optimize(graph, options_);
   EXPECT_EQ(report.reason, Report::Reason::kCallback);

@@ -114,27 +114,25 @@ TEST(Optimizer, ChecksItsOptionsInEachRun) {
   EXPECT_TRUE(optimizer.run().converged());
 }
 
-/// Steepest descent for a problem whose Hessian is the identity: each step is the negative gradient.
+/// Steepest descent for a problem whose Hessian is the identity: each step is the negative gradient times
+/// `length`. Fills nothing of the record.
 class SteepestDescent final : public Algorithm {
  public:
+  explicit SteepestDescent(double length) : length_(length) {}
   std::string_view name() const override { return "steepest descent"; }
   void reset(const Options&, std::size_t scalars) override { step_.assign(scalars, 0); }
-  IterationOutcome iterate(System& system, double chi2, IterationRecord& record) override {
+  IterationOutcome iterate(System& system, double /*chi2*/, IterationRecord& /*record*/) override {
     if (!system.linearize()) return IterationOutcome::kNotFinite;
     for (std::size_t k = 0; k < step_.size(); ++k) {
-      step_[k] = -system.gradient()[k];
-      record.gradient_max = std::max(record.gradient_max, std::abs(step_[k]));
-      record.predicted_decrease += step_[k] * step_[k];
+      step_[k] = -length_ * system.gradient()[k];
     }
-    record.step_max = record.gradient_max;
-    record.tries = 1;
-    record.chi2 = system.try_step(step_);
-    record.chi2_decrease = chi2 - record.chi2;
+    (void)system.try_step(step_);
     system.accept();
     return IterationOutcome::kAccepted;
   }
 
  private:
+  double length_;
   std::vector<double> step_;
 };
 
@@ -142,11 +140,27 @@ TEST(Optimizer, RunsACustomAlgorithm) {
   Graph graph;
   const auto x = graph.add_vertex(Vector2(5, -2));
   graph.add_edge([](const auto& p) { return p; }, x);
-  SteepestDescent algorithm;
+  SteepestDescent algorithm(1);
   const Report report = Optimizer(graph).run(algorithm);
   EXPECT_TRUE(report.converged()) << report;
   EXPECT_EQ(report.algorithm, "steepest descent");
   EXPECT_LT(graph.estimate(x).norm(), 1e-12);
+}
+
+TEST(Optimizer, DescribesTheStepsOfACustomAlgorithmByItself) {
+  Graph graph;
+  const auto x = graph.add_vertex(Vector2(5, -2));
+  graph.add_edge([](const auto& p) { return p; }, x);
+  SteepestDescent algorithm(0.5);
+  const Report report = Optimizer(graph).run(algorithm);
+  EXPECT_TRUE(report.converged()) << report;
+  ASSERT_GE(report.records.size(), 2u);
+  EXPECT_EQ(report.records[0].chi2, 29.0 / 4);
+  EXPECT_EQ(report.records[0].chi2_decrease, 29.0 * 3 / 4);
+  EXPECT_EQ(report.records[0].gradient_max, 5);
+  EXPECT_EQ(report.records[0].step_max, 2.5);
+  EXPECT_EQ(report.records[1].gradient_max, 2.5);
+  EXPECT_LT(report.chi2_final, 1e-9);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -132,6 +133,24 @@ TEST(DegreesOfFreedom, CountAFreeScaleAsUndetermined) {
   EXPECT_EQ(report.rows, 6u);
   EXPECT_EQ(report.scalars, 6u);
   EXPECT_EQ(report.degrees_of_freedom, 6 - 5);  // four points, up to position and scale
+}
+
+TEST(Report, HasALineForTheStartAndALineForEachIteration) {
+  Report report;
+  report.chi2_initial = report.start.chi2_current = 9;
+  report.start.chi2_guess = 7;
+  report.start.used = Start::kChordal;
+  report.start.other_iterations = 3;
+  report.records = {{.iteration = 1, .chi2 = 6}, {.iteration = 2, .chi2 = 5}};
+  report.iterations = 2;
+  report.chi2_final = 5;
+  const std::string text = to_string(report);
+  EXPECT_THAT(text, HasSubstr("chi2 9 → 5 in 2 iterations"));
+  EXPECT_THAT(text, HasSubstr("; 3 iterations from the start that was not used\n"));
+  const std::string table = text.substr(text.find("  iter "));
+  EXPECT_THAT(table, HasSubstr("\n     0              7\n     1              6  "));
+  EXPECT_THAT(table, HasSubstr("\n     2              5  "));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
 }
 
 TEST(Report, IsPrintedAsATable) {

@@ -20,9 +20,18 @@ double chi2_from_chordal(Graph& graph) {
   return optimize(graph, {.start = Start::kChordal}).chi2_final;
 }
 
-void expect_numbered_records(const Report& report) {
-  for (std::size_t k = 0; k < report.records.size(); ++k)
-    EXPECT_EQ(report.records[k].iteration, static_cast<int>(k));
+/// Checks that the records are those of the iterations from the start to the result, and all of them.
+void expect_complete_records(const Report& report) {
+  ASSERT_FALSE(report.records.empty());
+  EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
+  double chi2 = report.chi2_start();
+  for (std::size_t k = 0; k < report.records.size(); ++k) {
+    const IterationRecord& record = report.records[k];
+    EXPECT_EQ(record.iteration, static_cast<int>(k + 1));
+    EXPECT_NEAR(record.chi2 + record.chi2_decrease, chi2, 1e-12 * chi2);
+    chi2 = record.chi2;
+  }
+  EXPECT_NEAR(chi2, report.chi2_final, 1e-12 * chi2);
 }
 
 TEST(AutomaticStart, KeepsTheEstimatesIfTheFirstStepDecreasesChi2AsPredicted) {
@@ -34,8 +43,8 @@ TEST(AutomaticStart, KeepsTheEstimatesIfTheFirstStepDecreasesChi2AsPredicted) {
   EXPECT_GT(report.start.first_step_kept, 0.75);
   EXPECT_LT(report.start.chi2_guess, 0) << "no guess was needed";
   EXPECT_FALSE(report.start.ran_both);
-  EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
-  expect_numbered_records(report);
+  EXPECT_EQ(report.start.other_iterations, 0);
+  expect_complete_records(report);
 }
 
 TEST(AutomaticStart, UsesTheChordalGuessIfTheFirstStepDecreasesChi2LessThanPredicted) {
@@ -50,7 +59,8 @@ TEST(AutomaticStart, UsesTheChordalGuessIfTheFirstStepDecreasesChi2LessThanPredi
   EXPECT_GE(report.start.chi2_guess, 0);
   EXPECT_FALSE(std::isnan(report.start.first_step_kept));
   EXPECT_NEAR(report.chi2_final, chi2_from_chordal(other), 1e-9 * report.chi2_final);
-  expect_numbered_records(report);
+  EXPECT_GT(report.start.other_iterations, 0);
+  expect_complete_records(report);
 }
 
 TEST(AutomaticStart, TriesTheOtherStartTooIfTheFinalChi2IsFarAboveTheNoise) {
@@ -62,7 +72,8 @@ TEST(AutomaticStart, TriesTheOtherStartTooIfTheFinalChi2IsFarAboveTheNoise) {
   EXPECT_TRUE(report.start.ran_both);
   EXPECT_GT(report.start.first_step_kept, 0.75);
   EXPECT_NEAR(report.start.chi2_other_final, report.chi2_final, 1e-6 * report.chi2_final);
-  expect_numbered_records(report);
+  EXPECT_GT(report.start.other_iterations, 0);
+  expect_complete_records(report);
 }
 
 TEST(AutomaticStart, ContinuesFromItsFirstStepIfNoGuessCanBeMade) {
@@ -79,8 +90,8 @@ TEST(AutomaticStart, ContinuesFromItsFirstStepIfNoGuessCanBeMade) {
   EXPECT_EQ(report.start.used, Start::kCurrent);
   EXPECT_FALSE(report.start.note.empty());
   EXPECT_LT((graph.estimate(point) - Eigen::Vector2d(1, 1)).norm(), 1e-6);
-  EXPECT_EQ(report.iterations, static_cast<int>(report.records.size()));
-  expect_numbered_records(report);
+  EXPECT_EQ(report.start.other_iterations, 0);
+  expect_complete_records(report);
 }
 
 TEST(AutomaticStart, MakesNoGuessIfOnlyOneIterationIsAllowed) {
@@ -89,6 +100,23 @@ TEST(AutomaticStart, MakesNoGuessIfOnlyOneIterationIsAllowed) {
   const Report report = optimize(graph, {.start = Start::kAutomatic, .max_iterations = 1});
   EXPECT_EQ(report.iterations, 1);
   EXPECT_TRUE(std::isnan(report.start.first_step_kept));
+}
+
+TEST(AutomaticStart, DoesNotCountTheFirstIterationsFromAStartThatIsGivenUp) {
+  const auto report_after = [](int iterations) {
+    Graph graph;
+    int turn = 0;
+    for (const auto pose : add_noisy_circle(graph, 60)) graph.set_estimate(pose, SE2(0, 0, 2.0 * turn++));
+    return optimize(graph, {.start = Start::kAutomatic, .max_iterations = iterations});
+  };
+  const Report one = report_after(1), two = report_after(2);
+  EXPECT_EQ(one.start.other_iterations, 0);
+  EXPECT_GT(two.start.other_iterations, 0);
+  EXPECT_EQ(two.start.used, Start::kChordal);
+  EXPECT_EQ(two.iterations, 2);
+  EXPECT_LT(two.chi2_final, one.chi2_final);
+  expect_complete_records(one);
+  expect_complete_records(two);
 }
 
 TEST(AutomaticStart, CallsTheCallbackInItsFirstIterationAndStopsIfItReturnsFalse) {
@@ -122,7 +150,8 @@ TEST(AutomaticStart, LeavesIterationsForTheOtherStartUnderRobustKernels) {
   EXPECT_TRUE(automatic.start.ran_both);
   // This bound was measured for this graph only. The method does not guarantee it.
   EXPECT_LT(automatic.chi2_final, 1.0001 * current.chi2_final) << automatic;
-  EXPECT_LE(automatic.iterations, Options().max_iterations);
+  EXPECT_LE(automatic.iterations + automatic.start.other_iterations, Options().max_iterations);
+  expect_complete_records(automatic);
 }
 
 TEST(AutomaticStart, ContinuesIfTheGuessIsNotFinite) {
@@ -150,11 +179,52 @@ TEST(AutomaticStart, IsAsGoodAsTheBetterOfTheTwoStartsOnSimulatedGraphs) {
         const Report report = optimize(automatic, kAutomaticStart);
         const double best = std::min(optimize(current).chi2_final, chi2_from_chordal(chordal));
         EXPECT_LE(report.chi2_final, best * (1 + 1e-6)) << report;
+        expect_complete_records(report);
         used.insert(report.start.used);
       }
     }
   }
   EXPECT_EQ(used.size(), 2u) << "both starts must be used, or this test checks nothing";
+}
+
+/// Four poses with measurements that contradict each other, so that chi2 has several minima.
+Graph contradictory_graph() {
+  Graph graph;
+  std::vector<VertexHandle<SE2>> poses;
+  for (int k = 0; k < 4; ++k) poses.push_back(graph.add_vertex(SE2(k, 0, 0)));
+  graph.fix(poses[0]);
+  const auto add = [&](std::size_t a, std::size_t b, const SE2& measured) {
+    graph.add_edge(Between(measured), poses[a], poses[b]);
+  };
+  add(0, 1, SE2(-2, -1, -2.4));
+  add(0, 2, SE2(0, 0, -2.1));
+  add(0, 3, SE2(-3, -3, -0.6));
+  add(1, 2, SE2(-1, 3, 2.9));
+  add(1, 3, SE2(-3, -2, 0.1));
+  add(2, 3, SE2(-1, -1, 1.7));
+  return graph;
+}
+
+TEST(ExplicitStart, IsRemarkedOnIfItEndsAboveTheGivenEstimates) {
+  Graph graph = contradictory_graph();
+  const Report current = optimize(graph);
+  EXPECT_EQ(current.start_remark(), "");
+  graph.push();
+  const Report odometry = optimize(graph, {.start = Start::kOdometry});
+  EXPECT_TRUE(odometry.converged()) << odometry;
+  EXPECT_GT(odometry.chi2_final, 1.1 * current.chi2_final);
+  EXPECT_NE(odometry.start_remark(), "");
+  EXPECT_NE(to_string(odometry).find("the start 'current' is better"), std::string::npos) << odometry;
+  graph.pop();
+  const Report automatic = optimize(graph, kAutomaticStart);
+  EXPECT_EQ(automatic.start_remark(), "") << automatic;
+}
+
+TEST(ExplicitStart, IsNotRemarkedOnIfItEndsInTheSameMinimum) {
+  Graph graph;
+  add_noisy_circle(graph, 20);
+  ASSERT_TRUE(optimize(graph).converged());
+  EXPECT_EQ(optimize(graph, {.start = Start::kOdometry}).start_remark(), "");
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ Json start_json(const Report::StartReport& start) {
           {"chi2_guess", unless_negative(start.chi2_guess)},
           {"ran_both", start.ran_both},
           {"chi2_other_final", unless_negative(start.chi2_other_final)},
+          {"other_iterations", start.other_iterations},
           {"note", start.note}};
 }
 
@@ -135,8 +136,10 @@ std::string report_json(const Report& report, const RunFacts& facts) {
                      {"degrees_of_freedom", report.degrees_of_freedom},
                      {"chi2_per_degree", unless_nan(report.chi2_per_degree())},
                      {"chi2_remark", unless_empty(report.chi2_remark())},
+                     {"start_remark", unless_empty(report.start_remark())},
                      {"jacobians", jacobians_json(report.jacobians)},
                      {"regularized_steps", report.regularized_steps},
+                     {"displaced_directions", report.displaced_directions},
                      {"time_s", time_json(report.time, facts)},
                      {"records", records_json(report.records)}};
   // Messages may contain text from the file, so bytes that are not valid UTF-8 are replaced.

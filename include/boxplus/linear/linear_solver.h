@@ -29,6 +29,8 @@ enum class LinearStatus {
   kStopped               ///< SolveControl::stop was raised
 };
 
+/// If the status is not kOk, failed_block and failed_scalar must exist in the analyzed structure, or be
+/// kAbsent. Otherwise, optimize() throws InvalidArgument.
 struct FactorResult {
   LinearStatus status = LinearStatus::kOk;
   std::uint32_t failed_block =

@@ -28,8 +28,10 @@ class Algorithm {
   virtual ~Algorithm() = default;
   virtual std::string_view name() const = 0;
   virtual void reset(const Options& options, std::size_t scalars) = 0;
-  /// Linearizes at the current estimates, whose cost is `chi2`, finds a step and takes it. Fills all members
-  /// of the record except the number of the iteration and the time. record.chi2 is the cost after the step.
+  /// Linearizes at the current estimates, whose cost is `chi2`, finds a step and takes it. May fill these
+  /// members of the record: predicted_decrease, lambda, radius, tries and linear_iterations. The caller fills
+  /// the other ones from the last step that System::accept() accepted and the last linearization. If the
+  /// outcome is kAccepted or kAcceptedShort without a call of accept(), it throws InvalidArgument.
   virtual IterationOutcome iterate(System& system, double chi2, IterationRecord& record) = 0;
   /// The number of steps for which H had to be damped because it was not positive definite.
   virtual int regularized_steps() const { return 0; }

@@ -44,8 +44,8 @@ enum class Start : std::uint8_t {
 std::string_view to_string(Start start);
 
 struct IterationRecord {
-  int iteration = 0;
-  double chi2 = 0;  ///< after the iteration
+  int iteration = 0;  ///< its number, beginning with 1; if a start is given up, beginning with 1 again
+  double chi2 = 0;    ///< after the iteration
   double chi2_decrease = 0;
   double predicted_decrease = 0;  ///< decrease of chi2 that the model predicts for the accepted step
   double step_max = 0;            ///< largest absolute entry of the accepted step
@@ -76,7 +76,9 @@ struct Options {
   DampingScale damping = DampingScale::kDiagonal;
 
   /// The next options are the stopping criteria. A run stops as soon as one of them is met.
-  int max_iterations = 100;       ///< stops after this many iterations, counting all runs of one call
+  /// Stops after this many iterations. If Start::kAutomatic runs from both starts, the iterations of both
+  /// runs count. If it gives a start up after its first iterations (at most 9), they do not count.
+  int max_iterations = 100;
   double cost_tolerance = 1e-10;  ///< stops when chi2 fell by less than this fraction of itself
   /// Stops when the decrease of chi2 is small compared with the noise variance, which is chi2 / (rows −
   /// unknowns) (1 if all Ω are correct). If chi2 falls by one noise variance, the estimates move by one

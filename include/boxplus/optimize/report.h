@@ -50,9 +50,11 @@ struct [[nodiscard]] Report {
     /// the predicted decrease; NaN if no step was tried.
     double first_step_kept = std::numeric_limits<double>::quiet_NaN();
     double chi2_guess = -1;        ///< chi2 of the initial guess; negative if none was made
-    bool ran_both = false;         ///< kAutomatic: both starts were run
+    bool ran_both = false;         ///< kAutomatic: both starts were run to their ends
     double chi2_other_final = -1;  ///< final chi2 of the run that was not kept; negative if none
-    std::string_view note;         ///< the reason why a guess could not be made, or empty
+    /// The number of iterations from starts that were given up, or whose results were not kept.
+    int other_iterations = 0;
+    std::string_view note;  ///< the reason why a guess could not be made, or empty
   };
 
   struct GaugeReport {
@@ -103,11 +105,11 @@ struct [[nodiscard]] Report {
   /// Options::stop ended the run before F was evaluated; the estimates are then unchanged.
   double chi2_initial = 0;
   double chi2_final = 0;  ///< F at the estimates after the run
-  int iterations = 0;     ///< total number in all runs of this call
+  int iterations = 0;     ///< the number of iterations that led from the start to the result
   StartReport start;
   GaugeReport gauge;
   RejectionReport rejection;
-  std::vector<IterationRecord> records;  ///< records of the run that was kept
+  std::vector<IterationRecord> records;  ///< one for each of these iterations
 
   std::string_view algorithm, linear_solver;
   /// The vertices that move: those of active edges, without fixed vertices and without the vertices
@@ -126,7 +128,11 @@ struct [[nodiscard]] Report {
   std::int64_t degrees_of_freedom = 0;
   std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;
-  int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
+  int regularized_steps = 0;  ///< number of steps for which H had to be damped to be positive definite
+  /// The number of scalars that were displaced by about 0.01, because all their Jacobians were zero although
+  /// chi2 was not at a minimum: for example, where a Range connects positions that coincide, or where a
+  /// rotation differs from its measurement by 180°.
+  int displaced_directions = 0;
   int threads = 1;             ///< maximum number of threads that the options allow
   int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
   bool plan_reused = false;    ///< the structure has not changed since the last run
@@ -143,10 +149,15 @@ struct [[nodiscard]] Report {
   /// is 0. So with robust kernels, a ratio far above 1 has the same meaning, but a ratio below 1 says nothing
   /// about Ω.
   double chi2_per_degree() const;
+  /// F at the estimates from which the iterations started: those before the run, or an initial guess.
+  double chi2_start() const { return start.used == Start::kCurrent ? start.chi2_current : start.chi2_guess; }
   /// A sentence if chi2_per_degree() shows that the Ω and the errors do not fit together, and otherwise an
   /// empty text. There is a sentence if the run converged with at least ten degrees of freedom, and the ratio
   /// is above 4 or (unless edges have robust kernels) below 1/4.
   std::string_view chi2_remark() const;
+  /// A sentence if the run started from an initial guess and ended above the chi2 of the estimates before the
+  /// run. Then Start::kCurrent is better. Otherwise, an empty text.
+  std::string_view start_remark() const;
 };
 
 std::string_view to_string(Report::Status status);

@@ -7,8 +7,9 @@
 namespace boxplus {
 
 /// z measures the distance (meters) between the positions of a and b, each a pose or a point. Error: |b − a|
-/// − z. If a and b coincide, the error has no derivative, and the Jacobian is 0. So do not start from
-/// estimates that coincide.
+/// − z. If a and b coincide, the error has no derivative, and the Jacobian is 0. If nothing else moves
+/// them apart, optimize() displaces them in an arbitrary direction (Report::displaced_directions), so better
+/// start from other estimates.
 struct Range {
   static constexpr std::string_view kName = "Range";
   double measurement;

@@ -2,6 +2,7 @@
 #include "linear/schur/schur_solver.h"
 
 #include <algorithm>
+#include <string>
 
 #include "boxplus/base/error.h"
 #include "linear/column_inverse.h"
@@ -9,6 +10,27 @@
 #include "linear/schur/schur_inverse.h"
 
 namespace boxplus {
+namespace {
+
+/// Throws if an index is neither kAbsent nor below `count`.
+void check_index(std::uint32_t index, std::uint32_t count, const char* member, const LinearSolver& solver) {
+  if (index == BlockStructure::kAbsent || index < count) return;
+  throw InvalidArgument("the linear solver '" + std::string(solver.name()) + "' returned the " + member +
+                        " " + std::to_string(index) +
+                        ": expected BlockStructure::kAbsent or an index below " + std::to_string(count));
+}
+
+/// Returns the result of a solver for systems of this structure. If the result names a block or a scalar that
+/// does not exist, throws InvalidArgument.
+template <class Result>
+Result checked(const Result& result, const LinearSolver& solver, const BlockStructure& structure) {
+  if (result.status == LinearStatus::kOk) return result;
+  check_index(result.failed_block, structure.blocks(), "failed_block", solver);
+  check_index(result.failed_scalar, structure.scalars(), "failed_scalar", solver);
+  return result;
+}
+
+}  // namespace
 
 std::shared_ptr<LinearSolver> make_schur_solver(std::shared_ptr<LinearSolver> inner, SchurMode mode) {
   return std::make_shared<SchurSolver>(std::move(inner), mode);
@@ -53,7 +75,7 @@ void SchurSolver::move_to_full_numbering(std::uint32_t& block, std::uint32_t& sc
 FactorResult SchurSolver::factorize(const BlockSystem& system, const Damping& damping,
                                     const SolveControl& control) {
   if (!structure_) throw InvalidArgument("SchurSolver::factorize: expected an earlier call of analyze()");
-  if (!eliminates()) return inner_->factorize(system, damping, control);
+  if (!eliminates()) return checked(inner_->factorize(system, damping, control), *inner_, *structure_);
   factorized_ = false;
   reduced_for_ = nullptr;
   if (system.values().size() != structure_->nonzero_values())
@@ -81,7 +103,8 @@ FactorResult SchurSolver::factorize_reduced(std::span<const double> values, cons
                                             const SolveControl& control) {
   SolveControl inner_control = control;
   inner_control.right_hand_side = nullptr;
-  FactorResult result = inner_->factorize(*reduced_, schur_->reduced_damping(damping), inner_control);
+  FactorResult result = checked(inner_->factorize(*reduced_, schur_->reduced_damping(damping), inner_control),
+                                *inner_, schur_->reduced_structure());
   factorized_ = result.status == LinearStatus::kOk;
   if (factorized_) reduced_for_ = control.right_hand_side;
   move_to_full_numbering(result.failed_block, result.failed_scalar);
@@ -93,7 +116,7 @@ FactorResult SchurSolver::factorize_reduced(std::span<const double> values, cons
 }
 
 SolveResult SchurSolver::solve(const double* b, int columns, double* x, const SolveControl& control) {
-  if (!eliminates()) return inner_->solve(b, columns, x, control);
+  if (!eliminates()) return checked(inner_->solve(b, columns, x, control), *inner_, *structure_);
   if (!factorized_) throw InvalidArgument("SchurSolver::solve: expected an earlier successful factorize()");
   const std::size_t size = structure_->scalars();
   if (!all_finite(b, size * static_cast<std::size_t>(std::max(0, columns))))
@@ -125,7 +148,9 @@ SolveResult SchurSolver::solve_batch(const double* b, int columns, double* x, co
 
 /// Replaces the right-hand sides of the reduced system by their solutions.
 SolveResult SchurSolver::solve_reduced(int columns, const SolveControl& control) {
-  SolveResult result = inner_->solve(reduced_vectors_.data(), columns, reduced_vectors_.data(), control);
+  SolveResult result =
+      checked(inner_->solve(reduced_vectors_.data(), columns, reduced_vectors_.data(), control), *inner_,
+              schur_->reduced_structure());
   move_to_full_numbering(result.failed_block, result.failed_scalar);
   return result;
 }
