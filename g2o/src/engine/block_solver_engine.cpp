@@ -2,8 +2,11 @@
 #include "g2o/core/block_solver_engine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iomanip>
+#include <string>
+#include <utility>
 
 #include "boxplus/base/parallel.h"
 #include "engine/client_solver.h"
@@ -35,8 +38,9 @@ struct BlockSolverEngine::State {
   ClientSolver* client = nullptr;                 // the client's solver inside `measured`, or nullptr
   EngineSettings settings;
   std::vector<double> engine_b, engine_x;
-  bool ready = false;   // true if the solvers are analyzed for the structure
-  bool filled = false;  // true if H contains a linearization
+  bool ready = false;       // true if the solvers are analyzed for the structure
+  bool filled = false;      // true if H contains a linearization
+  bool complained = false;  // true if complain() has reported an error since buildStructure()
 
   std::vector<double>& values() const { return *memory; }
   std::uint32_t block_of(int hessian_index) const {
@@ -72,7 +76,9 @@ struct BlockSolverEngine::State {
   void map_pair(OptimizableGraph::Edge& edge, int i, int j);
   void make_solver(const EngineSettings& new_settings);
   bool factorize(double lambda);
-  bool complain(const boxplus::FactorResult& result) const;
+  double largest_diagonal() const;
+  bool complain(LinearStatus status, std::uint32_t failed_block, double lambda);
+  std::string reason(LinearStatus status, std::uint32_t failed_block) const;
 };
 
 BlockSolverEngine::BlockSolverEngine() = default;
@@ -165,7 +171,8 @@ void BlockSolverEngine::State::map_edges(const SparseOptimizer& optimizer) {
 }
 
 void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
-  const bool same_kind = new_settings.solver == settings.solver && new_settings.exact == settings.exact;
+  const bool same_kind = new_settings.solver == settings.solver && new_settings.exact == settings.exact &&
+                         new_settings.indefinite == settings.indefinite;
   settings = new_settings;
   if (same_kind && ready) {
     measured->set_settings(settings);
@@ -179,8 +186,7 @@ void BlockSolverEngine::State::make_solver(const EngineSettings& new_settings) {
     client = adapter.get();
     inner = std::move(adapter);
   } else {
-    inner =
-        boxplus::make_linear_solver(engine_kind(settings.solver), for_newton_steps(solver_options(settings)));
+    inner = make_engine_solver(settings, for_newton_steps(solver_options(settings)));
   }
   measured = std::make_shared<MeasuredSolver>(std::move(inner), settings);
   solver = boxplus::make_schur_solver(measured);
@@ -197,6 +203,7 @@ bool BlockSolverEngine::buildStructure(SparseOptimizer& optimizer, bool schur,
   }
   state_->revision = optimizer.structure_revision_;
   state_->filled = false;
+  state_->complained = false;
   optimizer.hessian_memory_ = state_->memory;
   state_->map_vertices(optimizer);
   state_->map_edges(optimizer);
@@ -234,17 +241,43 @@ bool BlockSolverEngine::isLinearized(const SparseOptimizer& optimizer) const {
   return isCurrent(optimizer) && state_->filled;
 }
 
-/// Prints why the factorization failed, with the vertex if it is known. Returns false.
-bool BlockSolverEngine::State::complain(const boxplus::FactorResult& result) const {
-  const char* what =
-      result.status == LinearStatus::kNotPositiveDefinite ? "is not positive definite" : "is not finite";
-  if (result.failed_block == BlockStructure::kAbsent) {
-    G2O_WARN("the linear system {}", what);
+double BlockSolverEngine::State::largest_diagonal() const {
+  double largest = 0;
+  for (std::uint32_t c = 0; c < structure.blocks(); ++c) {
+    const double* block = values().data() + structure.value_start[structure.column_start[c]];
+    const std::uint32_t dim = structure.dim(c);
+    for (std::uint32_t i = 0; i < dim; ++i) largest = std::max(largest, std::abs(block[i * (dim + 1)]));
+  }
+  return largest;
+}
+
+/// Says why the system cannot be solved, and at which vertex if this is known.
+std::string BlockSolverEngine::State::reason(LinearStatus status, std::uint32_t failed_block) const {
+  std::string text = "the linear system is ";
+  text += status != LinearStatus::kNotPositiveDefinite ? "not finite"
+          : settings.indefinite                        ? "singular"
+                                                       : "not positive definite";
+  if (failed_block == BlockStructure::kAbsent) return text;
+  const std::uint32_t h = failed_block < eliminated ? kept + failed_block : failed_block - eliminated;
+  return text + " (at vertex " + std::to_string(ids[h]) + ")";
+}
+
+/// Reports why the system cannot be solved: the first time as an error, which is shown by default. An
+/// algorithm that retries makes up for a singular H, but not for an indefinite one. Then even damping far
+/// above rounding leaves the system indefinite. Returns false.
+bool BlockSolverEngine::State::complain(LinearStatus status, std::uint32_t failed_block, double lambda) {
+  constexpr double kRounding = 1e-9;
+  const bool not_definite = status == LinearStatus::kNotPositiveDefinite;
+  if (not_definite && settings.retries && lambda <= kRounding * largest_diagonal()) {
+    G2O_WARN("{}", reason(status, failed_block));
     return false;
   }
-  const std::uint32_t block = result.failed_block;
-  const std::uint32_t h = block < eliminated ? kept + block : block - eliminated;
-  G2O_WARN("the linear system {} (at vertex {})", what, ids[h]);
+  const char* cure = not_definite && !settings.indefinite
+                         ? "; only Gauss-Newton with LinearSolverCholmod solves indefinite systems, such as "
+                           "those of equality constraints with Lagrange multipliers"
+                         : "";
+  const auto level = std::exchange(complained, true) ? logging::Level::kWarn : logging::Level::kError;
+  logging::format_and_log(level, "{}{}", reason(status, failed_block), cure);
   return false;
 }
 
@@ -256,7 +289,7 @@ bool BlockSolverEngine::State::factorize(double lambda) {
     if (eliminated > 0) statistics->timeSchurComplement += get_monotonic_time() - begin - solver_seconds;
     statistics->choleskyNNZ = solver->statistics().factor_nonzeros;
   }
-  return result.status == LinearStatus::kOk || complain(result);
+  return result.status == LinearStatus::kOk || complain(result.status, result.failed_block, lambda);
 }
 
 bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const EngineSettings& settings,
@@ -269,7 +302,8 @@ bool BlockSolverEngine::solve(double lambda, const double* b, double* x, const E
   const boxplus::SolveResult result = s.solver->solve(s.engine_b.data(), 1, s.engine_x.data());
   if (G2OBatchStatistics* statistics = G2OBatchStatistics::globalStats())
     statistics->iterationsLinearSolver = result.iterations;
-  if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged) return false;
+  if (result.status != LinearStatus::kOk && result.status != LinearStatus::kNotConverged)
+    return s.client == nullptr && s.complain(result.status, result.failed_block, lambda);
   s.from_engine(s.engine_x.data(), x);
   return true;
 }
@@ -294,13 +328,17 @@ bool BlockSolverEngine::inverse(const std::vector<std::pair<int, int>>& blockInd
     }
     wanted.push_back({s.block_of(i), s.block_of(j)});
   }
-  const auto solver =
-      boxplus::make_schur_solver(boxplus::make_linear_solver(boxplus::LinearSolverKind::kBlockCholesky));
+  EngineSettings settings{EngineSolver::kCholesky};
+  settings.indefinite = s.settings.indefinite;
+  const auto solver = boxplus::make_schur_solver(make_engine_solver(settings, {}));
   boxplus::AnalyzeHints hints = analyze_hints(s.eliminated);
   hints.may_be_singular = true;
   solver->analyze(s.structure, hints);
   const boxplus::FactorResult factor = solver->factorize(*s.full, {});
-  if (factor.status != LinearStatus::kOk) return s.complain(factor);
+  if (factor.status != LinearStatus::kOk) {
+    G2O_ERROR("computeMarginals: {}", s.reason(factor.status, factor.failed_block));
+    return false;
+  }
   boxplus::InverseBlocks blocks(s.structure, wanted);
   if (!blocks.compute(*solver)) return false;
   const std::vector<int> ends = s.block_ends();

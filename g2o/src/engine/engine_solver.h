@@ -2,8 +2,11 @@
 // Converts solver settings of the g2o API to solver settings of the engine.
 #pragma once
 
+#include <memory>
+
 #include "boxplus/base/parallel.h"
 #include "boxplus/linear/make_linear_solver.h"
+#include "engine/pivoting_solver.h"
 #include "g2o/core/linear_engine.h"
 
 namespace g2o {
@@ -26,6 +29,14 @@ inline boxplus::LinearSolverOptions solver_options(const EngineSettings& setting
   boxplus::LinearSolverOptions options;
   if (settings.exact) options.block_cholesky.precision = boxplus::Precision::kDouble;
   return options;
+}
+
+/// Makes the solver of `settings`, which must not be kNone.
+inline std::unique_ptr<boxplus::LinearSolver> make_engine_solver(
+    const EngineSettings& settings, const boxplus::LinearSolverOptions& options) {
+  auto solver = boxplus::make_linear_solver(engine_kind(settings.solver), options);
+  if (!settings.indefinite) return solver;
+  return std::make_unique<PivotingSolver>(std::move(solver));
 }
 
 inline boxplus::AnalyzeHints analyze_hints(std::uint32_t eliminated_blocks = 0) {

@@ -47,7 +47,7 @@ bool LinearEngine::factorize(const std::vector<int>& dims, const std::vector<Eng
   if (!(made == s.structure)) s.solver.reset();
   if (!s.solver) {
     s.structure = std::move(made);
-    s.solver = boxplus::make_linear_solver(engine_kind(s.settings.solver), solver_options(s.settings));
+    s.solver = make_engine_solver(s.settings, solver_options(s.settings));
     s.solver->analyze(s.structure, analyze_hints());
   }
   s.values.assign(s.structure.nonzero_values(), 0.0);

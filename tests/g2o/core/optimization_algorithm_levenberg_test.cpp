@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "g2o/core/small_graph.h"
+#include "g2o/stuff/logger.h"
 
 namespace {
 
@@ -47,6 +49,27 @@ TEST(Levenberg, StopsWhenChi2ChangesOnlyByRoundingErrors) {
     below_rounding += std::abs(record.chi2[i - 1] - record.chi2[i]) < 1e-13 * record.chi2[i];
   EXPECT_LE(below_rounding, 1) << "of " << done << " iterations";
   EXPECT_LT(record.chi2.back(), kMinimum * (1 + 1e-12));
+}
+
+TEST(Levenberg, PrintsNoErrorIfDampingMakesUpForAMissingGauge) {
+  g2o::SparseOptimizer optimizer;
+  add_contradiction(optimizer);
+  optimizer.vertex(0)->setFixed(false);
+  auto* algorithm = new g2o::OptimizationAlgorithmLevenberg(small_graph::make_solver());
+  algorithm->setUserLambdaInit(1e-30);
+  algorithm->setMaxTrialsAfterFailure(20);
+  optimizer.setAlgorithm(algorithm);
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  int warnings = 0, errors = 0;
+  g2o::logging::setSink([&](g2o::logging::Level level, const std::string&) {
+    ++(level == g2o::logging::Level::kError ? errors : warnings);
+  });
+  EXPECT_GT(optimizer.optimize(30), 0);
+  g2o::logging::setSink({});
+  EXPECT_GT(warnings, 0) << "the first λ is too small";
+  EXPECT_EQ(errors, 0);
+  optimizer.computeActiveErrors();
+  EXPECT_LT(optimizer.activeRobustChi2(), kMinimum * (1 + 1e-9));
 }
 
 TEST(Levenberg, ContinuesWhenStepsAreShortBecauseLambdaIsLarge) {

@@ -232,6 +232,16 @@ TEST_F(Misuse, AMessageNamesTheEdgeWhoseErrorIsNotFinite) {
   }
 }
 
+TEST_F(Misuse, AMessageNamesAVertexThatTheEdgesDoNotDetermine) {
+  add_pose(optimizer, 7, 0, 0, 0);
+  add_pose(optimizer, 8, 1, 0, 0);
+  small_graph::add_motion(optimizer, 7, 8, g2o::SE2(1, 0, 0));
+  optimizer.setAlgorithm(new g2o::OptimizationAlgorithmGaussNewton(make_solver()));
+  ASSERT_TRUE(optimizer.initializeOptimization());
+  EXPECT_EQ(optimizer.optimize(3), 0);
+  expect_message("the linear system is not positive definite (at vertex ");
+}
+
 TEST_F(Misuse, DoglegRefusesInvalidProperties) {
   add_square(optimizer);
   for (const char* text : {"initialDelta=0", "initialLambda=-1", "lambdaFactor=0"}) {

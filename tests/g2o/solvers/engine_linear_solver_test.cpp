@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "g2o/core/small_graph.h"
+#include "g2o/solvers/cholmod/linear_solver_cholmod.h"
 #include "g2o/solvers/dense/linear_solver_dense.h"
 #include "g2o/solvers/pcg/linear_solver_pcg.h"
 
@@ -14,6 +15,7 @@ using small_graph::add_square;
 using Matrix = g2o::SparseBlockMatrix<g2o::MatrixX>;
 using Pcg = g2o::LinearSolverPCG<g2o::MatrixX>;
 using Eigens = g2o::LinearSolverEigen<g2o::MatrixX>;
+using Cholmod = g2o::LinearSolverCholmod<g2o::MatrixX>;
 
 /// The upper triangle of a symmetric block-tridiagonal matrix with n × n blocks of 2 × 2.
 Matrix chain(int n) {
@@ -109,6 +111,46 @@ TEST(LinearSolvers, BlockAndScalarOrderingsFindTheSameMinimum) {
     chi2.push_back(optimizer.activeChi2());
   }
   EXPECT_NEAR(chi2[0], chi2[1], 1e-12);
+}
+
+/// chain(n), but every third block row has the weight 1e6, and every third diagonal block is 0, like that of
+/// a Lagrange multiplier.
+Matrix indefinite_chain(int n) {
+  Matrix A = chain(n);
+  for (int i = 0; i < n; ++i) {
+    if (i % 3 == 0) *A.block(i, i) *= 1e6;
+    if (i % 3 == 1) A.block(i, i)->setZero();
+  }
+  return A;
+}
+
+TEST(LinearSolvers, OnlyCholmodSolvesIndefiniteSystems) {
+  const Matrix A = indefinite_chain(60);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(120, 1, 2);
+  for (const bool blocks : {true, false}) {
+    Cholmod cholmod;
+    cholmod.setBlockOrdering(blocks);
+    EXPECT_LT(residual(A, solved(cholmod, A, b), b).norm(), 1e-9 * b.norm());
+    Matrix inverse;
+    ASSERT_TRUE(cholmod.solvePattern(inverse, {{0, 0}, {0, 1}}, A));
+    Eigen::VectorXd unit = Eigen::VectorXd::Zero(120);
+    unit[0] = 1;
+    const Eigen::VectorXd column = solved(cholmod, A, unit);
+    EXPECT_LT((inverse.block(0, 1)->row(0).transpose() - column.segment<2>(2)).norm(), 1e-12);
+  }
+  Eigens eigen;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(120), copy = b;
+  EXPECT_FALSE(eigen.solve(A, x.data(), copy.data()));
+}
+
+TEST(LinearSolvers, CholmodRefusesSingularSystems) {
+  Matrix A = indefinite_chain(4);
+  *A.block(3, 3) = Eigen::Matrix2d{{1, 2}, {2, 4}};
+  A.block(2, 3)->setZero();
+  Eigen::VectorXd b = Eigen::VectorXd::Ones(8), x = Eigen::VectorXd::Zero(8);
+  Cholmod cholmod;
+  EXPECT_FALSE(cholmod.solve(A, x.data(), b.data()));
+  EXPECT_EQ(x, Eigen::VectorXd::Zero(8));
 }
 
 }  // namespace

@@ -139,8 +139,11 @@ class BlockSolver : public BlockSolverBase {
  private:
   bool isDerived() const { return typeid(*this) != typeid(BlockSolver); }
   void copyHessian();
-  /// Returns the settings of the linear solver. Sets `exact` if the algorithm needs exact steps.
+  /// Returns the settings of the linear solver, changed to what the algorithm needs: exact steps if it does
+  /// not check them, and failures instead of steps by an indefinite matrix if it reacts to failures.
   internal::EngineSettings engineSettings() const;
+  /// Whether the algorithm adds damping and tries again if the system is not positive definite.
+  bool retries() const { return this->levenberg() || this->inexactSteps(); }
   using EngineBlocks = std::vector<internal::EngineBlock>;
   bool solveByLinearSolver(const std::vector<int>& dims, const EngineBlocks& blocks, double* x, double* b);
   bool layOutReducedMatrix(const std::vector<int>& dims, const EngineBlocks& blocks);

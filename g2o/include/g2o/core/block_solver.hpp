@@ -50,6 +50,8 @@ template <typename Traits>
 internal::EngineSettings BlockSolver<Traits>::engineSettings() const {
   internal::EngineSettings settings = _linearSolver->engine();
   settings.exact = settings.exact || !this->inexactSteps();
+  settings.retries = retries();
+  settings.indefinite = settings.indefinite && !settings.retries;
   return settings;
 }
 
@@ -82,7 +84,8 @@ template <typename Traits>
 bool BlockSolver<Traits>::solve() {
   if (this->_optimizer == nullptr || !engine_.isCurrent(*this->_optimizer)) return false;
   internal::EngineSettings settings = engineSettings();
-  if (isDerived() && _numLandmarks > 0) settings = {};  // makes the engine fill _Hschur
+  if (isDerived() && _numLandmarks > 0)
+    settings.solver = internal::EngineSolver::kNone;  // makes the engine fill _Hschur
   return engine_.solve(lambda_, this->_b, this->_x, settings,
                        [this](const std::vector<int>& dims, const EngineBlocks& blocks, double* x,
                               double* b) { return solveByLinearSolver(dims, blocks, x, b); });
@@ -120,7 +123,9 @@ bool BlockSolver<Traits>::solveByLinearSolver(const std::vector<int>& dims, cons
     to = Eigen::Map<const PoseMatrixType>(block.values, to.cols(), to.rows()).transpose();
   }
   if (_linearSolver->solve(*_Hschur, x, b)) return true;
-  G2O_WARN("the linear solver could not solve the system: it may not be positive definite");
+  const auto level = retries() ? logging::Level::kWarn : logging::Level::kError;
+  logging::format_and_log(level,
+                          "the linear solver could not solve the system: it may not be positive definite");
   return false;
 }
 

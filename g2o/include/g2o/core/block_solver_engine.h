@@ -46,9 +46,9 @@ class G2O_CORE_API BlockSolverEngine {
   size_t scalars() const;
   /// Linearizes the active edges and fills H and b.
   void buildSystem(SparseOptimizer& optimizer, double* b);
-  /// Computes x = (H + λI)⁻¹ b. Returns false if the matrix is not positive definite or not finite. If
-  /// settings.solver is EngineSolver::kNone, `client` solves the system that remains after the elimination of
-  /// marginalized vertices.
+  /// Computes x = (H + λI)⁻¹ b. Returns false, and logs why, if the matrix is singular, not finite, or not
+  /// positive definite (allowed if settings.indefinite). If settings.solver is EngineSolver::kNone, `client`
+  /// solves the system that remains after the elimination of marginalized vertices.
   bool solve(double lambda, const double* b, double* x, const EngineSettings& settings,
              const ClientLinearSolver& client);
   /// Computes dest = H · src.

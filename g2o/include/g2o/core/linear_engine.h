@@ -26,6 +26,9 @@ struct EngineSettings {
   bool absoluteTolerance = false;  ///< kPcg: also stop at an absolute residual of `tolerance`
   int maxIterations = 0;           ///< kPcg: the iteration limit (0: the default of the engine)
   bool exact = false;              ///< kCholesky: never use a single-precision factor
+  bool indefinite = false;         ///< kCholesky and kScalarCholesky: also solve indefinite systems
+  /// Whether the algorithm expects that systems cannot be solved, and then tries again with more damping.
+  bool retries = false;
 };
 
 /// A block of a symmetric matrix with row ≥ column. Its rows × cols values are stored by columns.

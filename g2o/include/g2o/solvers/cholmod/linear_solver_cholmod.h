@@ -12,9 +12,14 @@ namespace g2o {
 
 /// The same solver as LinearSolverEigen, under the name that clients of CHOLMOD use. It does not need CHOLMOD
 /// or any other third-party library. The algorithms of the library solver_cholmod (gn_var_cholmod, …) use it.
+///
+/// As in CHOLMOD, the matrix may be indefinite, for example if Lagrange multipliers of equality constraints
+/// are vertices. Levenberg-Marquardt and dogleg do not use this: they add damping until the matrix is
+/// positive definite.
 template <typename MatrixType>
 class LinearSolverCholmod : public LinearSolverEigen<MatrixType> {
  public:
+  LinearSolverCholmod() { this->settings_.indefinite = true; }
   internal::EngineSettings engine() const override {
     return typeid(*this) == typeid(LinearSolverCholmod) ? this->settings() : internal::EngineSettings();
   }
