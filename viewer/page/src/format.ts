@@ -9,12 +9,12 @@ export function general(value: MaybeNumber | undefined, digits: number): string 
   const text = is_small ? value.toExponential(digits - 1) : value.toPrecision(digits);
   const [mantissa, exponent] = text.split("e");
   const short = mantissa!.includes(".") ? mantissa!.replace(/\.?0+$/, "") : mantissa!;
-  return exponent === undefined ? short : `${short}e${exponent}`;
+  return exponent === undefined ? short : `${short}e${Number(exponent)}`;
 }
 
 export function scientific(value: MaybeNumber, digits: number): string {
   if (value === null) return "∞";
-  return value === 0 ? "0" : value.toExponential(digits);
+  return value === 0 ? "0" : value.toExponential(digits).replace("e+", "e");
 }
 
 export function count(value: number): string {

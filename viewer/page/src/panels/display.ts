@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the picture shows: sizes, types of vertices and edges, and the filter of points.
 import { count, counted, general } from "../format";
-import type { Structure } from "../protocol/messages";
+import { isSameKind, type Structure } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions } from "../scene/display_options";
 import type { GraphScene } from "../scene/graph_scene";
 import { isPoint } from "../scene/statistics";
@@ -10,6 +10,8 @@ import { byId, create, setText } from "./dom";
 
 /** With more points than this, each of them is small. */
 const MANY_POINTS = 5000;
+/** Roles that follow from the name of the type. */
+const OBVIOUS_ROLES = ["observation", "other"];
 const MOST_SCALE_EXPONENT = 4;
 const LEAST_ERROR_EXPONENT = -1, MOST_ERROR_EXPONENT = 2;
 
@@ -23,15 +25,18 @@ export class Display {
     view.on_structure = (graph) => this.show(graph);
   }
 
-  /** Builds the form anew if the structure is another one. */
+  /** Builds the form anew if the structure has other types. */
   private show(graph: GraphScene): void {
+    const { structure } = graph;
+    const is_known = this.structure !== null && isSameKind(structure, this.structure);
+    const is_new = this.graph !== graph;
     this.graph = graph;
-    if (graph.structure !== this.structure) {
-      this.options = startOptions(graph.structure, this.options);
-      this.structure = graph.structure;
-      this.build(graph.structure);
-      this.apply();
+    this.structure = structure;
+    if (!is_known) {
+      this.options = startOptions(structure, this.options);
+      this.build(structure);
     }
+    if (is_new) this.apply();
     this.updateFilterText();
   }
 
@@ -64,7 +69,7 @@ export class Display {
   private edgeBoxes(structure: Structure): HTMLElement | null {
     if (structure.edges.length === 0) return null;
     const boxes = structure.edges.map((group, i) => {
-      const name = group.role === "other" ? group.name : `${group.name}, ${group.role}`;
+      const name = OBVIOUS_ROLES.includes(group.role) ? group.name : `${group.name}, ${group.role}`;
       return this.checkBox(`edges-${i}`, group.role.replace(" ", "-"), name, group.count, this.options.hidden_edges, i);
     });
     if (structure.left_out > 0) {
@@ -166,7 +171,7 @@ export class Display {
   }
 }
 
-/** Keeps what the user chose if the structure has the same types. */
+/** Keeps the sizes that the user chose. */
 function startOptions(structure: Structure, previous: DisplayOptions): DisplayOptions {
   const points = structure.vertices.filter(isPoint).reduce((sum, group) => sum + group.count, 0);
   const options = {

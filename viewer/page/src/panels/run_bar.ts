@@ -16,6 +16,7 @@ export class RunBar {
     this.onClick("step", () => ({ type: "step" }));
     this.onClick("stop", () => ({ type: "stop" }));
     this.onClick("reset", () => ({ type: "reset" }));
+    byId("show-report").addEventListener("click", () => byId<HTMLDialogElement>("report").showModal());
     this.iterations.addEventListener("keydown", (event) => {
       if (event.key === "Enter") byId("optimize").click();
     });
@@ -48,7 +49,7 @@ export class RunBar {
     enable("stop", connection.connected && isBusy);
     enable("reset", has_graph && !isBusy);
     setText(byId("headline"), run?.headline ?? "");
-    byId("summary-box").hidden = !run?.summary;
+    byId("show-report").hidden = !run?.summary;
     setText(byId("summary"), run?.summary ?? "");
   }
 }

@@ -90,6 +90,13 @@ export interface Structure {
   track_lengths: Uint32Array | null;
 }
 
+/** True if the structures have the same types with the same numbers of vertices and edges. */
+export function isSameKind(a: Structure, b: Structure): boolean {
+  const kind = ({ dimension, is_bundle, vertices, edges }: Structure) =>
+    JSON.stringify([dimension, is_bundle, vertices, edges]);
+  return kind(a) === kind(b);
+}
+
 export interface Frame {
   structure: number;
   sequence: number;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The picture of the graph: draws when something changed, and only then.
 import { LinearSRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
-import type { Frame, Structure } from "../protocol/messages";
+import { type Frame, isSameKind, type Structure } from "../protocol/messages";
 import { currentTheme, onThemeChange } from "../theme";
 import { AdaptiveBudget, UNLIMITED } from "./budget";
 import { CameraRig } from "./camera_rig";
@@ -35,6 +35,7 @@ export class SceneView {
   private spacing = 0;
   /** True until the user moves the camera: the view then follows the graph. */
   private follows = true;
+  private keeps_camera = false;
   private rest_timer = 0;
   private request = 0;
 
@@ -50,7 +51,9 @@ export class SceneView {
     this.applyTheme();
   }
 
+  /** Keeps the camera if the structure is like the one before, as after a lost connection. */
   setStructure(structure: Structure): void {
+    this.keeps_camera = this.graph !== null && this.fitted !== null && isSameKind(structure, this.graph.structure);
     if (this.graph) {
       this.world.remove(this.graph.root);
       this.graph.dispose();
@@ -58,8 +61,12 @@ export class SceneView {
     this.graph = new GraphScene(structure);
     this.graph.setTheme(currentTheme());
     this.world.add(this.graph.root);
-    this.frame = this.pending = this.fitted = null;
+    this.frame = this.pending = null;
     this.spacing = 0;
+    if (!this.keeps_camera) {
+      this.fitted = null;
+      this.follows = true;
+    }
     this.requestPicture();
   }
 
@@ -132,7 +139,7 @@ export class SceneView {
     this.pending = null;
     graph.update(frame);
     if (is_first || brings_errors) graph.applyFilter(this.options);
-    if (is_first) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
+    if (is_first && !this.keeps_camera) this.rig.reset(graph.structure.dimension === 2, this.firstDirection(graph, frame));
     if (this.follows) this.followGraph();
     this.updateSpacing(graph, frame);
     if (is_first || frame.errors) this.on_structure(graph);
