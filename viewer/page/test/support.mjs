@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the end-to-end tests share: they start `boxplus view` and look at its page with chromium.
-import { spawn } from "node:child_process";
-import { accessSync, constants } from "node:fs";
+import { execFileSync, spawn } from "node:child_process";
+import { accessSync, constants, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { createInterface } from "node:readline";
 
@@ -20,15 +21,18 @@ export function fail(sentence) {
   throw new Error(sentence);
 }
 
-/** Runs a test whose arguments are the path of boxplus and the folder of the data; `file` is relative to the latter. */
-export async function runTest(file, test) {
+/**
+ * Runs a test whose arguments are the path of boxplus and the folder of the data. `makeFile` gets both, and returns the path of
+ * the graph.
+ */
+export async function runTest(makeFile, test) {
   const [boxplus, data] = process.argv.slice(2);
   if (!data) fail(`usage: node ${process.argv[1]} PATH_TO_BOXPLUS DATA_FOLDER`);
-  const path = join(data, file);
-  if (!isReadable(path)) skip(`the data file ${path} is missing`);
+  const file = makeFile(boxplus, data);
   const browser = await startBrowser();
-  const viewer = await startViewer(boxplus, path);
+  let viewer;
   try {
+    viewer = await startViewer(boxplus, file);
     await test(viewer.url, browser);
     await step("Ctrl-C ends the viewer with exit code 0", async () => {
       const code = await viewer.stop();
@@ -39,8 +43,28 @@ export async function runTest(file, test) {
     process.exitCode = 1;
   } finally {
     await browser.close();
-    await viewer.stop();
+    await viewer?.stop();
   }
+}
+
+/** For runTest(): the file of the data sets with this path. */
+export function dataFile(file) {
+  return (_, data) => {
+    const path = join(data, file);
+    if (!isReadable(path)) skip(`the data file ${path} is missing`);
+    return path;
+  };
+}
+
+/** For runTest(): the graph that `boxplus simulate` makes with these arguments, in a folder that is deleted at the end. */
+export function simulatedFile(...args) {
+  return (boxplus) => {
+    const folder = mkdtempSync(join(tmpdir(), "boxplus-"));
+    process.on("exit", () => rmSync(folder, { recursive: true }));
+    const path = join(folder, "graph.g2o");
+    execFileSync(boxplus, ["simulate", ...args, "-o", path], { stdio: ["ignore", "ignore", "inherit"] });
+    return path;
+  };
 }
 
 export async function step(sentence, action) {

@@ -2,11 +2,13 @@
 // Optimizes intel_1728.g2o on the page, as a user would.
 //
 //     node test/view_intel.mjs PATH_TO_BOXPLUS DATA_FOLDER      exit code 77: something is missing, so the test is skipped
-import { fail, openPage, picture, runTest, step, textOf, waitForPicture, waitForStatus, waitUntil } from "./support.mjs";
+import {
+  dataFile, fail, openPage, picture, runTest, step, textOf, waitForPicture, waitForStatus, waitUntil,
+} from "./support.mjs";
 
 const CHI2_INITIAL = "551.735731", CHI2_FINAL = "45.0046958";
 
-await runTest("posegraph2d/intel_1728.g2o", async (url, browser) => {
+await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
   const first = await openPage(browser, url);
   const { page } = first;
   let before;
