@@ -82,7 +82,7 @@ export class Chart {
           gap: 4,
           filter: labeled,
           grid: { ...axis.grid, filter: labeled },
-          values: (_, splits) => splits.map((value) => (value === null ? "" : general(value, 4))),
+          values: (_, splits, _axis, _space, increment) => labels(splits, increment),
         },
       ],
       series: [
@@ -96,6 +96,13 @@ export class Chart {
 function linearRange(least: number, most: number): [number, number] {
   const margin = 0.06 * (most - least) || 0.05 * Math.abs(most) || 1;
   return [least - margin, most + margin];
+}
+
+/** The values, with as many digits as their differences need. */
+function labels(splits: (number | null)[], increment: number): string[] {
+  const most = Math.max(...splits.map((value) => Math.abs(value ?? 0)));
+  const digits = increment > 0 && most > 0 ? Math.ceil(Math.log10(most / increment)) + 1 : 0;
+  return splits.map((value) => (value === null ? "" : general(value, Math.min(10, Math.max(6, digits)))));
 }
 
 /** Of the values of a logarithmic axis, the powers of 10; also 2 and 5 times them if the axis is short. */

@@ -14,7 +14,8 @@ import { type Extent, meanViewDirection, robustExtent, typicalSpacing } from "./
 const FADE = 0.6;
 /** The view follows the graph if it grows by more than the margin, or shrinks by more than the rest. */
 const MARGIN = 0.04, SHRINKAGE = 0.3;
-const LARGEST_SPACING = 0.15;
+/** Spacings that determine sizes, relative to the size of the graph. */
+const LEAST_CAMERA_SPACING = 0.015, DEFAULT_SPACING = 0.02, LARGEST_SPACING = 0.15;
 /** After this time without a movement, the whole graph is drawn. */
 const REST_MS = 180;
 
@@ -155,7 +156,9 @@ export class SceneView {
 
   private updateSpacing(graph: GraphScene, frame: Frame): void {
     const size = this.fitted ? this.fitted.box.getSize(new Vector3()).length() : 1;
-    const spacing = Math.min(typicalSpacing(graph.structure, frame) || 0.02 * size, LARGEST_SPACING * size);
+    const least = (graph.structure.is_bundle ? LEAST_CAMERA_SPACING : 0) * size;
+    const typical = typicalSpacing(graph.structure, frame) || DEFAULT_SPACING * size;
+    const spacing = Math.min(Math.max(typical, least), LARGEST_SPACING * size);
     // Small changes would only make the poses flicker.
     if (this.spacing > 0 && Math.abs(Math.log(spacing / this.spacing)) < Math.log(1.3)) return;
     this.spacing = spacing;
