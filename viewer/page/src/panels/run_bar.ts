@@ -34,7 +34,8 @@ export class RunBar {
       try {
         await this.connection.send(command());
       } catch (error) {
-        const text = error instanceof TypeError ? "the server does not answer" : (error as Error).message;
+        const is_silent = error instanceof TypeError || error instanceof DOMException;
+        const text = is_silent ? "boxplus does not answer" : (error as Error).message;
         this.on_error(`The command was not carried out: ${text}`);
       }
     });

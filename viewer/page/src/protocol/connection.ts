@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The connection to the server: reads the stream, tries again once per second after it broke, and sends commands.
+// The connection to the server: reads the stream, tries again once per second after it broke, and sends commands. A page that
+// is hidden for long gives its stream back, because browsers open only six connections to a server.
 import { decode } from "./decode";
 import { MessageReader } from "./framing";
 import type { Command, Message } from "./messages";
@@ -7,6 +8,8 @@ import type { Command, Message } from "./messages";
 const RETRY_MS = 1000;
 /** The server sends a heartbeat at least once per second, so after this time the connection is lost. */
 const SILENCE_MS = 6000;
+const ANSWER_MS = 10_000;
+const HIDDEN_MS = 30_000;
 
 export type ConnectionState = { connected: boolean; problem: string };
 
@@ -18,8 +21,15 @@ export interface Listener {
 export class Connection {
   private token = new URLSearchParams(location.search).get("token") ?? "";
   private readonly has_url_token = this.token !== "";
+  private abort = new AbortController();
 
-  constructor(private readonly listener: Listener) {}
+  constructor(private readonly listener: Listener) {
+    let timer = 0;
+    document.addEventListener("visibilitychange", () => {
+      clearTimeout(timer);
+      if (document.hidden) timer = window.setTimeout(() => this.abort.abort(), HIDDEN_MS);
+    });
+  }
 
   /** Reads streams as long as the page lives. */
   async run(): Promise<never> {
@@ -30,6 +40,10 @@ export class Connection {
       } catch (error) {
         if (error instanceof Refusal) problem = error.message;
         else if (!isNetworkError(error)) console.warn(error);
+      }
+      if (document.hidden) {
+        await untilVisible();
+        continue;
       }
       this.listener.onConnection({ connected: false, problem });
       await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
@@ -42,6 +56,7 @@ export class Connection {
       method: "POST",
       headers: { "Content-Type": "application/json", "X-Boxplus-Token": this.token },
       body: JSON.stringify(command),
+      signal: AbortSignal.timeout(ANSWER_MS),
     });
     if (response.ok) return;
     const answer: unknown = await response.json().catch(() => null);
@@ -50,7 +65,7 @@ export class Connection {
   }
 
   private async readStream(): Promise<void> {
-    const abort = new AbortController();
+    const abort = (this.abort = new AbortController());
     let alarm = setTimeout(() => abort.abort(), SILENCE_MS);
     try {
       const response = await fetch(this.has_url_token ? `/stream?token=${encodeURIComponent(this.token)}` : "/stream", {
@@ -81,6 +96,16 @@ export class Connection {
     }
     this.listener.onMessage(message);
   }
+}
+
+function untilVisible(): Promise<void> {
+  return new Promise((resolve) => {
+    document.addEventListener("visibilitychange", function listener() {
+      if (document.hidden) return;
+      document.removeEventListener("visibilitychange", listener);
+      resolve();
+    });
+  });
 }
 
 class Refusal extends Error {

@@ -3,7 +3,7 @@
 import { Box3, type Matrix3, Quaternion, Vector3 } from "three";
 import type { Frame, Structure, VertexGroup } from "../protocol/messages";
 
-const MOST_SAMPLES = 20_000;
+const MOST_SAMPLES = 10_000;
 const MOST_NEIGHBOR_QUERIES = 100;
 
 export interface Extent {
