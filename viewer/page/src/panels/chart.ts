@@ -102,7 +102,7 @@ function linearRange(least: number, most: number): [number, number] {
 function labels(splits: (number | null)[], increment: number): string[] {
   const most = Math.max(...splits.map((value) => Math.abs(value ?? 0)));
   const digits = increment > 0 && most > 0 ? Math.ceil(Math.log10(most / increment)) + 1 : 0;
-  return splits.map((value) => (value === null ? "" : general(value, Math.min(10, Math.max(6, digits)))));
+  return splits.map((value) => (value === null ? "" : general(value, Math.min(10, Math.max(5, digits)))));
 }
 
 /** Of the values of a logarithmic axis, the powers of 10; also 2 and 5 times them if the axis is short. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the picture shows: sizes, types of vertices and edges, and the filter of points.
 import { count, counted, general } from "../format";
-import { isSameKind, type Structure } from "../protocol/messages";
+import { type EdgeRole, isSameKind, type Structure } from "../protocol/messages";
 import { type DisplayOptions, defaultOptions } from "../scene/display_options";
 import type { GraphScene } from "../scene/graph_scene";
 import { isPoint } from "../scene/statistics";
@@ -10,10 +10,22 @@ import { byId, create, setText } from "./dom";
 
 /** With more points than this, each of them is small. */
 const MANY_POINTS = 5000;
-/** Roles that follow from the name of the type. */
-const OBVIOUS_ROLES = ["observation", "other"];
+const ROLE_NAMES: Record<EdgeRole, string> = {
+  odometry: "Odometry",
+  "loop closure": "Loop closures",
+  observation: "Observations",
+  other: "Others",
+};
 const MOST_SCALE_EXPONENT = 4;
 const LEAST_ERROR_EXPONENT = -1, MOST_ERROR_EXPONENT = 2;
+
+/** A line with a check box. */
+interface Entry {
+  swatch: string;
+  name: string;
+  type: string;
+  number: number;
+}
 
 export class Display {
   private options: DisplayOptions = defaultOptions();
@@ -55,13 +67,14 @@ export class Display {
 
   private vertexBoxes(structure: Structure): HTMLElement {
     const boxes = structure.vertices.map((group, i) => {
-      const kind = isPoint(group) ? "dot landmark" : group.shape === "pose" ? "triangle pose" : "triangle camera";
-      return this.checkBox(`vertices-${i}`, kind, group.name, group.count, this.options.hidden_vertices, i);
+      const swatch = isPoint(group) ? "dot landmark" : group.shape === "pose" ? "triangle pose" : "triangle camera";
+      const name = isPoint(group) ? (structure.is_bundle ? "Points" : "Landmarks") : group.shape === "pose" ? "Poses" : "Cameras";
+      return this.checkBox(`vertices-${i}`, { swatch, name, type: group.name, number: group.count }, this.options.hidden_vertices, i);
     });
     const fixed = structure.fixed.reduce((sum, flag) => sum + flag, 0);
     if (fixed > 0) {
       boxes.push(create("p", { className: "check" }, create("span", { className: "swatch ring" }),
-        create("span", { className: "name" }, "fixed"), create("span", { className: "number" }, count(fixed))));
+        "Fixed", create("span", { className: "number" }, count(fixed))));
     }
     return fieldset("Vertices", ...boxes);
   }
@@ -69,8 +82,9 @@ export class Display {
   private edgeBoxes(structure: Structure): HTMLElement | null {
     if (structure.edges.length === 0) return null;
     const boxes = structure.edges.map((group, i) => {
-      const name = OBVIOUS_ROLES.includes(group.role) ? group.name : `${group.name}, ${group.role}`;
-      return this.checkBox(`edges-${i}`, group.role.replace(" ", "-"), name, group.count, this.options.hidden_edges, i);
+      const swatch = group.role.replace(" ", "-");
+      const entry = { swatch, name: ROLE_NAMES[group.role], type: group.name, number: group.count };
+      return this.checkBox(`edges-${i}`, entry, this.options.hidden_edges, i);
     });
     if (structure.left_out > 0) {
       boxes.push(create("p", { className: "dim" }, `${counted(structure.left_out, "edge is", "edges are")} not drawn.`));
@@ -78,15 +92,16 @@ export class Display {
     return fieldset("Edges", ...boxes);
   }
 
-  private checkBox(id: string, swatch: string, name: string, number: number, hidden: Set<number>, i: number): HTMLElement {
+  private checkBox(id: string, entry: Entry, hidden: Set<number>, i: number): HTMLElement {
     const box = create("input", { type: "checkbox", id, checked: !hidden.has(i) });
     box.addEventListener("change", () => {
       if (box.checked) hidden.delete(i);
       else hidden.add(i);
       this.apply();
     });
-    return create("label", { className: "check", title: name }, box, create("span", { className: `swatch ${swatch}` }),
-      create("span", { className: "name" }, name), create("span", { className: "number" }, count(number)));
+    return create("label", { className: "check", title: `${entry.name}: ${entry.type}` },
+      box, create("span", { className: `swatch ${entry.swatch}` }), entry.name,
+      create("span", { className: "type" }, entry.type), create("span", { className: "number" }, count(entry.number)));
   }
 
   private sizes(structure: Structure): HTMLElement {
@@ -128,7 +143,7 @@ export class Display {
       this.options.poses_as_axes = box.checked;
       this.apply();
     });
-    return create("label", { className: "check" }, box, create("span", { className: "name" }, "Poses as axes (x orange, y green, z blue)"));
+    return create("label", { className: "check" }, box, "Poses as axes", create("span", { className: "type" }, "x orange, y green, z blue"));
   }
 
   private pointLimits(structure: Structure): HTMLElement | null {

@@ -16,6 +16,7 @@ const FADE = 0.6;
 const MARGIN = 0.04, SHRINKAGE = 0.3;
 /** Spacings that determine sizes, relative to the size of the graph. */
 const LEAST_CAMERA_SPACING = 0.015, DEFAULT_SPACING = 0.02, LARGEST_SPACING = 0.15;
+const MOST_OVERLAP = 3;
 /** After this time without a movement, the whole graph is drawn. */
 const REST_MS = 180;
 
@@ -156,8 +157,9 @@ export class SceneView {
 
   private updateSpacing(graph: GraphScene, frame: Frame): void {
     const size = this.fitted ? this.fitted.box.getSize(new Vector3()).length() : 1;
-    const least = (graph.structure.is_bundle ? LEAST_CAMERA_SPACING : 0) * size;
     const typical = typicalSpacing(graph.structure, frame) || DEFAULT_SPACING * size;
+    // Cameras of a long path stay visible, even if they overlap a little.
+    const least = graph.structure.is_bundle ? Math.min(LEAST_CAMERA_SPACING * size, MOST_OVERLAP * typical) : 0;
     const spacing = Math.min(Math.max(typical, least), LARGEST_SPACING * size);
     // Small changes would only make the poses flicker.
     if (this.spacing > 0 && Math.abs(Math.log(spacing / this.spacing)) < Math.log(1.3)) return;
