@@ -49,6 +49,14 @@ await runTest(dataFile("posegraph2d/intel_1728.g2o"), async (url, browser) => {
     if (after.hash !== before.hash) fail("the pixels differ");
   });
 
+  await step("a check box hides the poses", async () => {
+    await page.uncheck("#vertices-0");
+    const { drawn } = await picture(page);
+    if (!(drawn < before.drawn)) fail(`${drawn} of ${before.drawn} pixels are left`);
+    await page.check("#vertices-0");
+    if ((await picture(page)).hash !== before.hash) fail("the poses do not come back");
+  });
+
   await step("Step carries out one iteration", async () => {
     await page.click("#step");
     await waitUntil(page, () => document.querySelectorAll("#rows tr").length === 1);

@@ -28,7 +28,7 @@ export class Chart {
     if ((run?.rows ?? null) === this.shown_rows) return;
     this.shown_rows = run?.rows ?? null;
     const { values } = this.data();
-    const is_logarithmic = values.every((value) => value > 0) && Math.max(...values) > LARGE_FACTOR * Math.min(...values);
+    const is_logarithmic = Math.min(...values) > 0 && Math.max(...values) > LARGE_FACTOR * Math.min(...values);
     if (!this.plot || is_logarithmic !== this.is_logarithmic || values.length === 0) {
       this.is_logarithmic = is_logarithmic;
       this.rebuild();
@@ -64,6 +64,7 @@ export class Chart {
     const theme = currentTheme();
     const font = "11px system-ui, sans-serif";
     const labeled: uPlot.Axis.Filter = (plot, splits) => (this.is_logarithmic ? roundValues(plot, splits) : splits);
+    const points = { show: this.data().sequence.length < 60, size: 5, fill: theme.plot_line };
     const axis = { stroke: theme.plot_text, font, grid: { stroke: theme.plot_grid, width: 1 }, ticks: { show: false } };
     return {
       ...this.size(),
@@ -85,10 +86,7 @@ export class Chart {
           values: (_, splits, _axis, _space, increment) => labels(splits, increment),
         },
       ],
-      series: [
-        {},
-        { stroke: theme.plot_line, width: 1.5, points: { show: this.data().sequence.length < 60, size: 5, fill: theme.plot_line } },
-      ],
+      series: [{}, { stroke: theme.plot_line, width: 1.5, points }],
     };
   }
 }

@@ -51,7 +51,8 @@ export class Iterations {
     if (columns.length !== this.columns.length || columns.some((column, i) => column !== this.columns[i])) {
       this.columns = columns;
       this.shown = [];
-      this.head.replaceChildren(...columns.map((column) => create("th", { title: column.hint, scope: "col" }, column.title)));
+      const heads = columns.map(({ title, hint }) => create("th", { title: hint, scope: "col" }, title));
+      this.head.replaceChildren(...heads);
     }
     keepAtEnd(byId("iterations"), () => this.updateRows(rows));
   }

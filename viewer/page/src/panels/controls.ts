@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The controls that forms are made of.
+import { count } from "../format";
+import { create, setText } from "./dom";
+
+export interface Range {
+  min: number;
+  max: number;
+  step: number;
+  value: number;
+}
+
+/** `take` stores the value, and returns its text. */
+export function slider(id: string, name: string, range: Range, take: (value: number) => string): HTMLElement {
+  const input = create("input", { type: "range", id });
+  // The limits come first, because they limit the value.
+  for (const key of ["min", "max", "step", "value"] as const) input[key] = String(Math.min(range[key], range.max));
+  const output = create("output", {}, take(input.valueAsNumber));
+  input.addEventListener("input", () => setText(output, take(input.valueAsNumber)));
+  return create("label", { className: "slider" }, name, input, output);
+}
+
+/** A check box with a name, and details in a fainter color. */
+export function checkBox(
+  id: string, checked: boolean, label: (Node | string)[], details: string, take: (checked: boolean) => void,
+): HTMLElement {
+  const box = create("input", { type: "checkbox", id, checked });
+  box.addEventListener("input", () => take(box.checked));
+  return create("label", { className: "check", title: details }, box, ...label,
+    create("span", { className: "type" }, details));
+}
+
+/** The sign of a type in the picture; `kind` is the name of its color and shape in style.css. */
+export function swatch(kind: string): HTMLElement {
+  return create("span", { className: `swatch ${kind}` });
+}
+
+/** A number at the end of a line. */
+export function lineNumber(value: number): HTMLElement {
+  return create("span", { className: "number" }, count(value));
+}
+
+export function fieldset(title: string, children: HTMLElement[]): HTMLElement {
+  return create("fieldset", {}, create("legend", {}, title), ...children);
+}
