@@ -24,3 +24,9 @@ export function count(value: number): string {
 export function counted(value: number, one: string, many: string): string {
   return `${count(value)} ${value === 1 ? one : many}`;
 }
+
+/** A name as people write it: "Cost tolerance" for "cost-tolerance". */
+export function label(name: string): string {
+  const words = name.replaceAll("-", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

@@ -4,8 +4,11 @@ import { ColorManagement } from "three";
 import { Model } from "./model";
 import { Banners } from "./panels/banners";
 import { Chart } from "./panels/chart";
+import { Commands } from "./panels/commands";
 import { Display } from "./panels/display";
-import { byId, setText, setTextOrHide } from "./panels/dom";
+import { byId, setText } from "./panels/dom";
+import { Files } from "./panels/files";
+import { Guess } from "./panels/guess";
 import { Iterations } from "./panels/iterations";
 import { Log } from "./panels/log";
 import { RunBar } from "./panels/run_bar";
@@ -14,6 +17,8 @@ import { TopBar } from "./panels/top_bar";
 import { Connection } from "./protocol/connection";
 import type { Message } from "./protocol/messages";
 import { SceneView } from "./scene/scene_view";
+import { SettingValues } from "./settings/setting_values";
+import { SettingsForm } from "./settings/settings_form";
 
 declare global {
   interface Window {
@@ -25,14 +30,19 @@ declare global {
 function main(): void {
   ColorManagement.enabled = false;
   const model = new Model();
-  const view = createView();
+  const banners = new Banners(model);
+  const view = createView(banners);
   const connection = new Connection({
     onMessage: (message) => receive(message, model, view),
     onConnection: (state) => model.setConnection(state),
   });
-  const banners = new Banners(model);
+  const commands = new Commands(banners);
+  const values = new SettingValues();
   new TopBar(model);
-  new RunBar(model, connection, (text) => banners.showCommandError(text));
+  new Files(model, connection, commands, banners);
+  new RunBar(model, connection, values, commands);
+  new SettingsForm(model, values);
+  new Guess(model, connection, commands);
   new Chart(model);
   new Iterations(model);
   new Log(model);
@@ -43,6 +53,7 @@ function main(): void {
 
 function receive(message: Message, model: Model, view: SceneView | null): void {
   if (message.kind === "state") model.apply(message.state);
+  if (message.kind === "form") model.setForm(message.form);
   if (message.kind === "structure") {
     view?.setStructure(message.structure);
     setText(byId("hint"), hint(message.structure.dimension));
@@ -51,7 +62,7 @@ function receive(message: Message, model: Model, view: SceneView | null): void {
 }
 
 /** Without WebGL 2, the panels work and the picture is missing. */
-function createView(): SceneView | null {
+function createView(banners: Banners): SceneView | null {
   try {
     const view = new SceneView(byId<HTMLCanvasElement>("scene"));
     new Display(view);
@@ -64,7 +75,7 @@ function createView(): SceneView | null {
     console.warn(error);
     byId("scene").hidden = true;
     byId("fit").hidden = true;
-    setTextOrHide(byId("command-error"), "This browser has no WebGL 2, so there is no picture of the graph.");
+    banners.showCommandError("This browser has no WebGL 2, so there is no picture of the graph.");
     return null;
   }
 }

@@ -2,7 +2,7 @@
 // What the page knows: the server's newest state, with the rows and log lines that came in parts. The page never invents
 // any of it.
 import type { ConnectionState } from "./protocol/connection";
-import type { IterationRow, LogLine, RunMessage, StateMessage } from "./protocol/messages";
+import type { Form, IterationRow, LogLine, RunMessage, StateMessage } from "./protocol/messages";
 
 /** Older lines of the log leave the page. */
 const MOST_LOG_LINES = 5000;
@@ -19,6 +19,8 @@ export class Model {
   connection: ConnectionState = { connected: false, problem: "" };
   state: StateMessage | null = null;
   version = "";
+  /** What can be chosen for the graph. */
+  form: Form | null = null;
   run: Run | null = null;
   log: LogLine[] = [];
   /** The number of the first line in `log`. */
@@ -42,6 +44,16 @@ export class Model {
     this.run = state.run && mergedRun(this.run, state.run);
     this.appendLog(state.log.first, state.log.lines);
     this.notify();
+  }
+
+  setForm(form: Form): void {
+    this.form = form;
+    this.notify();
+  }
+
+  /** True if commands for a graph make sense. */
+  get hasGraph(): boolean {
+    return this.connection.connected && this.state !== null && this.state.file !== null;
   }
 
   get isBusy(): boolean {

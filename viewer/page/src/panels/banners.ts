@@ -1,25 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What went wrong, in plain text over the scene.
+// What went wrong, in plain text over the scene, and notices of what happened.
 import type { Model } from "../model";
 import { byId, setText, setTextOrHide } from "./dom";
 
 export class Banners {
-  private readonly command = byId("command-error");
+  /** The error of a file that the user closed. */
+  private dismissed = "";
 
   constructor(private readonly model: Model) {
-    this.command.querySelector("button")!.addEventListener("click", () => this.showCommandError(""));
+    this.onDismiss("command-error", () => this.showCommandError(""));
+    this.onDismiss("notice", () => this.showNotice(""));
+    this.onDismiss("file-error", () => {
+      this.dismissed = this.model.state?.error ?? "";
+      this.update();
+    });
     model.observe(() => this.update());
   }
 
   showCommandError(text: string): void {
-    setText(this.command.querySelector("span")!, text);
-    this.command.hidden = text === "";
+    show("command-error", text);
+  }
+
+  showNotice(text: string): void {
+    show("notice", text);
   }
 
   private update(): void {
     const { connection, state } = this.model;
+    const error = state?.error ?? "";
+    if (error === "") this.dismissed = "";
     setTextOrHide(byId("connection-error"), connection.connected ? "" : connection.problem);
-    setTextOrHide(byId("file-error"), state?.error ? `The file could not be read.\n${state.error}` : "");
-    setTextOrHide(byId("empty"), state && !state.file && !state.error && !state.busy ? "No file is open." : "");
+    show("file-error", error === "" || error === this.dismissed ? "" : `The file could not be read.\n${error}`);
   }
+
+  private onDismiss(id: string, dismiss: () => void): void {
+    byId(id).querySelector("button")!.addEventListener("click", dismiss);
+  }
+}
+
+function show(id: string, text: string): void {
+  setText(byId(id).querySelector("span")!, text);
+  byId(id).hidden = text === "";
 }

@@ -45,7 +45,7 @@ export class TopBar {
     }
     if (!state) return { status: "connecting", tone: "", text: "connecting" };
     if (state.busy) return { status: "busy", tone: "busy", text: activity(state.activity, run?.rows.length ?? 0) };
-    if (state.error) return { status: "error", tone: "bad", text: "file not read" };
+    if (state.error && !state.file) return { status: "error", tone: "bad", text: "file not read" };
     if (!run) return { status: "ready", tone: "", text: "ready" };
     const tones: Record<string, string> = { converged: "good", failed: "bad" };
     return { status: run.status, tone: tones[run.status] ?? "", text: run.status };

@@ -52,16 +52,28 @@ export class Connection {
 
   /** Throws an Error with the server's words if the server refuses the command. */
   async send(command: Command): Promise<void> {
-    const response = await fetch("/command", {
+    await answerTo("/command", {
       method: "POST",
       headers: { "Content-Type": "application/json", "X-Boxplus-Token": this.token },
       body: JSON.stringify(command),
       signal: AbortSignal.timeout(ANSWER_MS),
     });
-    if (response.ok) return;
-    const answer: unknown = await response.json().catch(() => null);
-    const text = (answer as { error?: unknown } | null)?.error;
-    throw new Error(typeof text === "string" ? text : `the server refused the command (status ${response.status})`);
+  }
+
+  /** Sends the file; the server reads it after the answer. Throws like send(). */
+  async openFile(file: File): Promise<void> {
+    await answerTo(`/open?name=${encodeURIComponent(file.name)}`, {
+      method: "POST",
+      headers: { "Content-Type": "application/octet-stream", "X-Boxplus-Token": this.token },
+      body: file,
+    });
+  }
+
+  /** Returns the graph as a file. Throws like send(). */
+  async graphFile(format: string): Promise<Blob> {
+    const url = `/graph?format=${encodeURIComponent(format)}`;
+    const response = await answerTo(url, { headers: { "X-Boxplus-Token": this.token }, cache: "no-store" });
+    return response.blob();
   }
 
   private async readStream(): Promise<void> {
@@ -96,6 +108,15 @@ export class Connection {
     }
     this.listener.onMessage(message);
   }
+}
+
+/** Throws an Error with the server's words if the status is not that of success. */
+async function answerTo(url: string, request: RequestInit): Promise<Response> {
+  const response = await fetch(url, request);
+  if (response.ok) return response;
+  const answer: unknown = await response.json().catch(() => null);
+  const text = (answer as { error?: unknown } | null)?.error;
+  throw new Error(typeof text === "string" ? text : `the server refused the request (status ${response.status})`);
 }
 
 function untilVisible(): Promise<void> {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns payloads into messages. The arrays are views of the payload; nothing is copied.
-import type { Frame, Message, StateMessage, Structure } from "./messages";
+import type { Form, Frame, Message, StateMessage, Structure } from "./messages";
 import type { RawMessage } from "./framing";
 
 interface ArrayEntry {
@@ -22,6 +22,8 @@ export function decode(message: RawMessage): Message | null {
       return { kind: "structure", structure: decodeStructure(message.payload) };
     case 3:
       return { kind: "frame", frame: decodeFrame(message.payload) };
+    case 4:
+      return { kind: "form", form: parseJson(message.payload) as Form };
     default:
       return null;
   }

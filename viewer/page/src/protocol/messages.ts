@@ -111,13 +111,48 @@ export interface Frame {
   errors: Float32Array | null;
 }
 
+/** A value that a setting can have; `unsuitable` is the reason why it makes no sense for this graph. */
+export interface Choice {
+  value: string;
+  unsuitable: string | null;
+}
+
+export interface Setting {
+  name: string;
+  group: string;
+  kind: "choice" | "whole number" | "number" | "kernel";
+  help: string;
+  /** "" means that nothing is sent. */
+  default: string;
+  unit?: string;
+  choices?: Choice[];
+  /** The setting has no meaning unless the other one has this value; "" stands for any value. */
+  needs?: { setting: string; value: string };
+}
+
+export interface FileFormat {
+  name: string;
+  extension: string;
+}
+
+/** What can be chosen for this graph. */
+export interface Form {
+  formats: FileFormat[];
+  settings: Setting[];
+}
+
 export type Message =
   | { kind: "state"; state: StateMessage }
+  | { kind: "form"; form: Form }
   | { kind: "structure"; structure: Structure }
   | { kind: "frame"; frame: Frame };
 
+/** The values of settings, by their names. */
+export type SettingTexts = Record<string, string>;
+
 export type Command =
-  | { type: "optimize"; iterations?: number }
-  | { type: "step" }
+  | { type: "optimize"; settings: SettingTexts }
+  | { type: "step"; settings: SettingTexts }
+  | { type: "guess"; start: string }
   | { type: "stop" }
   | { type: "reset" };

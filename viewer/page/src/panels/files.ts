@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens files, by a dialog or by drag and drop, and saves the graph as a download.
+import { askForFile, download, stem } from "../download";
+import type { Model } from "../model";
+import type { Connection } from "../protocol/connection";
+import type { FileFormat } from "../protocol/messages";
+import type { Banners } from "./banners";
+import type { Commands } from "./commands";
+import { byId, setText } from "./dom";
+import { DropTarget } from "./drop_target";
+import { Menu } from "./menu";
+
+/** The limit of the server. */
+const MOST_BYTES = 2 ** 30;
+
+export class Files {
+  private sending = "";
+
+  constructor(
+    private readonly model: Model, private readonly connection: Connection, private readonly commands: Commands,
+    private readonly banners: Banners,
+  ) {
+    const input = byId<HTMLInputElement>("file-input");
+    for (const id of ["open", "open-first"]) {
+      byId(id).addEventListener("click", () => askForFile(input, (file) => this.open(file)));
+    }
+    new DropTarget(() => this.whyNotNow(), {
+      take: (file) => this.open(file),
+      refuse: (sentence) => banners.showCommandError(sentence),
+    });
+    new Menu(byId("save"), () => (model.form?.formats ?? []).map((format) => ({
+      id: `save-${format.name}`,
+      text: `${format.name} (${format.extension})`,
+      choose: () => this.save(format),
+    })));
+    model.observe(() => this.update());
+  }
+
+  private open(file: File): void {
+    if (file.size > MOST_BYTES) {
+      this.banners.showCommandError(`${file.name} is larger than 1 GiB. Start boxplus view with this file instead.`);
+      return;
+    }
+    void this.commands.run(`${file.name} was not opened`, async () => {
+      this.setSending(`Sending ${file.name}…`);
+      try {
+        await this.connection.openFile(file);
+      } finally {
+        this.setSending("");
+      }
+    });
+  }
+
+  private save(format: FileFormat): void {
+    void this.commands.run("The graph was not saved", async () => {
+      const name = stem(this.model.state?.file?.name ?? "");
+      download(await this.connection.graphFile(format.name), `${name}${format.extension}`);
+    });
+  }
+
+  private setSending(text: string): void {
+    this.sending = text;
+    this.update();
+  }
+
+  /** The sentence why no file can be opened now, or "". */
+  private whyNotNow(): string {
+    if (!this.model.connection.connected) return "boxplus does not answer, so no file can be opened.";
+    return this.model.isBusy || this.sending !== "" ? "boxplus is busy. Stop it, or wait, before you open a file." : "";
+  }
+
+  private update(): void {
+    const { state, hasGraph, isBusy } = this.model;
+    const can_open = this.whyNotNow() === "";
+    byId<HTMLButtonElement>("open").disabled = byId<HTMLButtonElement>("open-first").disabled = !can_open;
+    byId<HTMLButtonElement>("save").disabled = !hasGraph || isBusy || !this.model.form;
+    const progress = this.sending || (state?.activity === "reading" ? "Reading the file…" : "");
+    setText(byId("progress"), progress);
+    byId("progress").hidden = progress === "";
+    byId("empty").hidden = state === null || state.file !== null || progress !== "" || !!state.error;
+  }
+}
