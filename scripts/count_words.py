@@ -82,7 +82,7 @@ def sources(path):
     files = [path] if path.is_file() else sorted(f for f in path.rglob("*") if f.is_file())
     for file in files:
         folders = file.relative_to(path).parts[:-1]
-        if not any(name == "build" or name.startswith(".") for name in folders):
+        if not any(name in ("build", "node_modules") or name.startswith(".") for name in folders):
             yield file
 
 

@@ -15,7 +15,8 @@ import time
 
 from command_case import BOXPLUS, TOWN, CommandCase, main, run
 
-STATE, STRUCTURE, FRAME = 1, 2, 3
+STATE, STRUCTURE, FRAME, FORM = 1, 2, 3, 4
+MANY_ITERATIONS = {"iterations": "10000", "cost-tolerance": "0", "step-tolerance": "0"}
 NUMBER_TYPES = {"f32": "f", "u32": "I", "u8": "B"}
 
 def arrays(payload):
@@ -33,7 +34,7 @@ class Stream:
         self.connection.request("GET", "/stream")
         self.response = self.connection.getresponse()
         self.rows, self.token, self.run = [], None, None
-        self.state = self.structure = self.frame = None
+        self.state = self.structure = self.frame = self.form = None
 
     def read(self):
         size, kind = struct.unpack("<II", self.response.read(8))
@@ -46,6 +47,8 @@ class Stream:
                 self.rows[self.run["first_row"]:] = self.run["rows"]
         elif kind == STRUCTURE:
             self.structure = arrays(payload)
+        elif kind == FORM:
+            self.form = json.loads(payload)
         elif kind == FRAME:
             self.frame = arrays(payload)
         return kind
@@ -86,6 +89,14 @@ class Viewer:
         headers = {"Content-Type": "application/json", "X-Boxplus-Token": token}
         status, body = self.request("POST", "/command", json.dumps(members), headers)
         return status, json.loads(body)
+
+    def open(self, token, name, content):
+        headers = {"Content-Type": "application/octet-stream", "X-Boxplus-Token": token}
+        status, body = self.request("POST", f"/open?name={name}", content, headers)
+        return status, json.loads(body)
+
+    def save(self, token, name):
+        return self.request("GET", f"/graph?format={name}", headers={"X-Boxplus-Token": token})
 
     def end(self, how=signal.SIGINT):
         """Ends the viewer, and returns its exit code and the seconds that it took."""
@@ -143,9 +154,9 @@ class Commands(ViewCase):
         stream = viewer.stream()
         before = stream.frame[1]["positions"]
         for command in ("step", "step", "optimize", "reset"):
-            number = stream.run["number"] if stream.run else 0
+            frame = stream.frame[0]["sequence"]
             self.assertEqual(viewer.command(stream.token, type=command)[0], 200, command)
-            stream.read_until(lambda s, n=number: s.run and s.run["number"] > n and not s.state["busy"])
+            stream.read_until(lambda s, f=frame: s.frame[0]["sequence"] > f and not s.state["busy"])
         stream.read_until(lambda s: s.frame[0]["iteration"] == 0)
         self.assertEqual(stream.frame[1]["positions"], before)
         self.assertEqual(stream.state["chi2"], stream.state["chi2_initial"])
@@ -161,10 +172,14 @@ class Commands(ViewCase):
     def test_are_refused_with_a_reason_if_they_are_malformed(self):
         viewer = self.viewer()
         token = viewer.stream().token
-        for members, text in (({"type": "explode"}, "another one"), ({}, "type"), ({"type": 3}, "type"),
-                              ({"type": "optimize", "iterations": 0}, "iterations"),
-                              ({"type": "optimize", "iterations": 10**12}, "iterations"),
-                              ({"type": "optimize", "iterations": "many"}, "whole number")):
+        for members, text in (({"type": "explode"}, "unknown"), ({}, "type"), ({"type": 3}, "type"),
+                              ({"type": "optimize", "settings": 3}, "settings: expected an object"),
+                              ({"type": "optimize", "settings": {"speed": "high"}}, "'speed' is unknown"),
+                              ({"type": "optimize", "settings": {"iterations": 3}}, "iterations: expected a text"),
+                              ({"type": "optimize", "settings": {"iterations": "-1"}}, "iterations: expected a whole number"),
+                              ({"type": "optimize", "settings": {"iterations": "10001"}}, "iterations: expected at most"),
+                              ({"type": "step", "settings": {"algorithm": "magic"}}, "algorithm: expected one of"),
+                              ({"type": "guess"}, "initial guess"), ({"type": "guess", "start": "current"}, "initial guess")):
             status, answer = viewer.command(token, **members)
             self.assertEqual(status, 400, members)
             self.assertIn(text, answer["error"])
@@ -182,12 +197,97 @@ class Commands(ViewCase):
         for stream in (second, third):
             self.assertEqual((stream.rows, stream.state["chi2"], stream.frame), (first.rows, first.state["chi2"], first.frame))
 
+    def test_use_the_settings(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        viewer.command(stream.token, type="optimize", settings={"algorithm": "levenberg-marquardt", "kernel": "huber", "iterations": "3"})
+        stream.read_until(lambda s: s.run and s.run["status"] != "running")
+        self.assertLessEqual(len(stream.rows), 3)
+        self.assertGreater(stream.rows[0]["lambda"], 0)
+        self.assertIn("rejected", stream.run["summary"])  # the line about kernels
+        number = stream.run["number"]
+        viewer.command(stream.token, type="reset")
+        stream.read_until(lambda s: s.run is None and not s.state["busy"])
+        self.assertEqual(viewer.command(stream.token, type="optimize")[0], 200)
+        stream.read_until(lambda s: s.run and s.run["number"] > number and s.run["status"] != "running")
+        self.assertNotIn("rejected", stream.run["summary"])
+
+    def test_guess_replaces_the_estimates(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        frame = stream.frame
+        self.assertEqual(viewer.command(stream.token, type="guess", start="chordal")[0], 200)
+        stream.read_until(lambda s: s.frame[0]["sequence"] > frame[0]["sequence"])
+        self.assertLess(stream.state["chi2"], stream.state["chi2_initial"])
+        self.assertNotEqual(stream.frame[1]["positions"], frame[1]["positions"])
+
+class Form(ViewCase):
+    def test_has_the_options_of_the_command(self):
+        form = self.viewer().stream().form
+        names = [setting["name"] for setting in form["settings"]]
+        text = run("optimize", "--help").stdout
+        for name in names:
+            self.assertIn(f"--{name}", text)
+        for name in ("start", "algorithm", "solver", "kernel", "gauge", "iterations"):
+            self.assertIn(name, names)
+        self.assertIn({"name": "g2o", "extension": ".g2o"}, form["formats"])
+
+    def test_gives_the_reason_why_a_choice_is_unsuitable(self):
+        def reason(form, name, value):
+            setting = next(setting for setting in form["settings"] if setting["name"] == name)
+            return next(choice["unsuitable"] for choice in setting["choices"] if choice["value"] == value)
+        town = self.viewer().stream().form
+        self.assertIsNone(reason(town, "start", "odometry"))
+        scene = self.path / "scene.bal"
+        run("simulate", "ba", "--cameras", 8, "--points", 40, "-o", scene)
+        bundle = self.viewer(scene).stream().form
+        self.assertIn("relative pose", reason(bundle, "start", "odometry"))
+        self.assertIn("loop closures", reason(bundle, "kernel-on", "loop-closures"))
+
+class Files(ViewCase):
+    def test_are_opened_instead_of_the_first(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        first = stream.structure[0]["structure"]
+        text = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 2 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+        self.assertEqual(viewer.open(stream.token, "small.g2o", text), (200, {"ok": True}))
+        stream.read_until(lambda s: s.structure[0]["structure"] > first and s.frame[0]["structure"] > first)
+        self.assertEqual((stream.state["file"]["name"], stream.state["file"]["vertices"]), ("small.g2o", 2))
+        viewer.command(stream.token, type="optimize")
+        stream.read_until(lambda s: s.run and s.run["status"] == "converged")
+        self.assertEqual(stream.state["chi2"], 0)
+
+    def test_that_are_malformed_leave_the_graph_and_show_the_message(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        for content, text in (("VERTEX_SE2 0 1 2\n", "bad.g2o:1:17: expected"), ("", "bad.g2o:1:1: expected")):
+            self.assertEqual(viewer.open(stream.token, "bad.g2o", content)[0], 200)
+            stream.read_until(lambda s, t=text: s.state["error"] and t in s.state["error"] and not s.state["busy"])
+        self.assertEqual(stream.state["file"]["name"], "01_town.g2o")
+        self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
+
+    def test_are_saved_with_the_estimates_that_are_shown(self):
+        viewer = self.viewer()
+        stream = viewer.stream()
+        viewer.command(stream.token, type="optimize")
+        stream.read_until(lambda s: s.run and s.run["status"] == "converged" and not s.state["busy"])
+        status, saved = viewer.save(stream.token, "g2o")
+        self.assertEqual(status, 200)
+        out = self.path / "out.g2o"
+        run("optimize", TOWN, "-o", out, "--quiet")
+        self.assertEqual(saved, out.read_bytes())
+        self.assertEqual(viewer.save(stream.token, "unheard")[0], 400)
+        self.assertEqual(viewer.save("", "g2o")[0], 403)
+
 class LongRuns(ViewCase):
     def test_stop_on_request(self):
         viewer = self.long_run()
         stream = viewer.stream()
-        viewer.command(stream.token, type="optimize", iterations=10000)
-        self.assertEqual(viewer.command(stream.token, type="optimize")[0], 400)
+        viewer.command(stream.token, type="optimize", settings=MANY_ITERATIONS)
+        for command in ("optimize", "step", "reset"):
+            self.assertEqual(viewer.command(stream.token, type=command)[0], 409, command)
+        self.assertEqual(viewer.open(stream.token, "other.g2o", TOWN.read_bytes())[0], 409)
+        self.assertEqual(viewer.save(stream.token, "g2o")[0], 409)
         viewer.command(stream.token, type="stop")
         stream.read_until(lambda s: s.run and s.run["status"] != "running" and not s.state["busy"])
         self.assertEqual(viewer.command(stream.token, type="step")[0], 200)
@@ -197,7 +297,7 @@ class LongRuns(ViewCase):
         file = self.path / "long.g2o"
         before = hashlib.sha256(file.read_bytes()).digest()
         stream = viewer.stream()
-        viewer.command(stream.token, type="optimize", iterations=10000)
+        viewer.command(stream.token, type="optimize", settings=MANY_ITERATIONS)
         code, seconds = viewer.end()
         self.assertEqual(code, 0)
         self.assertLess(seconds, 5)  # one second on an idle machine
@@ -210,7 +310,7 @@ class LongRuns(ViewCase):
             viewer.stream().close()
         with socket.create_connection(("127.0.0.1", viewer.port)) as deaf:
             deaf.sendall(f"GET /stream HTTP/1.1\r\nHost: 127.0.0.1:{viewer.port}\r\n\r\n".encode())
-            viewer.command(stream.token, type="optimize", iterations=20)
+            viewer.command(stream.token, type="optimize", settings={"iterations": "20"})
             stream.read_until(lambda s: s.run and s.run["status"] != "running")
             self.assertGreater(len(stream.rows), 0)
 

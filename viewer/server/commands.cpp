@@ -3,26 +3,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "boxplus/base/error.h"
+#include "viewer/settings/setting_table.h"
 
 namespace boxplus::viewer {
 namespace {
 
 using Json = nlohmann::json;
 
-int iterations_of(const Json& command) {
-  constexpr int kDefault = 100;
-  const auto found = command.find("iterations");
-  if (found == command.end()) return kDefault;
-  if (!found->is_number_integer())
-    throw InvalidArgument(fmt::format("iterations: expected a whole number, got {}", found->type_name()));
-  const auto number = found->get<std::int64_t>();
-  // optimize() refuses numbers outside of its range.
-  return number >= 0 && number <= Workspace::kMostIterations ? static_cast<int>(number) : -1;
+/// Reads the settings of a command. Throws InvalidArgument if one is unknown or has another value than the
+/// table accepts.
+RunSettings settings_of(const Json& command) {
+  RunSettings settings;
+  const auto found = command.find("settings");
+  if (found == command.end()) return settings;
+  if (!found->is_object()) throw InvalidArgument("settings: expected an object");
+  for (const auto& [name, value] : found->items()) {
+    const auto table = setting_table();
+    const auto setting =
+        std::find_if(table.begin(), table.end(), [&](const Setting& s) { return s.name == name; });
+    if (setting == table.end()) throw InvalidArgument(fmt::format("settings: '{}' is unknown", name));
+    if (!value.is_string()) throw InvalidArgument(fmt::format("{}: expected a text", name));
+    try {
+      setting->set(settings, value.get_ref<const std::string&>());
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(fmt::format("{}: {}", name, error.what()));
+    }
+  }
+  return settings;
 }
 
 struct Command {
@@ -32,10 +45,16 @@ struct Command {
 
 constexpr std::array kCommands{
     Command{"optimize",
-            [](Workspace& workspace, const Json& command) { workspace.optimize(iterations_of(command)); }},
-    Command{"step", [](Workspace& workspace, const Json&) { workspace.step(); }},
-    Command{"stop", [](Workspace& workspace, const Json&) { workspace.stop(); }},
+            [](Workspace& workspace, const Json& command) { workspace.optimize(settings_of(command)); }},
+    Command{"step", [](Workspace& workspace, const Json& command) { workspace.step(settings_of(command)); }},
+    Command{"guess",
+            [](Workspace& workspace, const Json& command) {
+              const auto start = command.find("start");
+              if (start == command.end()) throw InvalidArgument("expected the name of an initial guess");
+              workspace.guess(settings_of({{"settings", {{"start", *start}}}}));
+            }},
     Command{"reset", [](Workspace& workspace, const Json&) { workspace.reset(); }},
+    Command{"stop", [](Workspace& workspace, const Json&) { workspace.stop(); }},
 };
 
 /// Deeply nested arrays would exhaust the stack of a parser that calls itself; no command is nested.
@@ -63,7 +82,7 @@ void carry_out(std::string_view text, Workspace& workspace) {
     known.carry_out(workspace, command);
     return;
   }
-  throw InvalidArgument("expected a command \"optimize\", \"step\", \"stop\" or \"reset\", got another one");
+  throw InvalidArgument("the command is unknown");
 }
 
 }  // namespace boxplus::viewer

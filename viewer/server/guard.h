@@ -32,7 +32,7 @@ class Guard {
   /// - Host must be the server's own, so that another name that resolves to this machine (DNS rebinding) does
   ///   not work. If the server listens at all addresses, any Host is accepted, because the token protects it.
   /// - Origin, if present, must be the server's own.
-  /// - POST needs the token and JSON as its type, which no form and no other origin can send.
+  /// - POST needs the token and JSON as its type (/open: bytes), which no form and no other origin can send.
   std::optional<Refusal> check(const RequestFacts& request) const;
 
   const std::string& token() const { return token_; }

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "boxplus/io/file_format.h"
+#include "viewer/settings/setting_table.h"
+
 namespace boxplus::viewer {
 namespace {
 
@@ -81,6 +84,32 @@ const char* name_of(Shape shape) {
   }
 }
 
+const char* name_of(Setting::Kind kind) {
+  switch (kind) {
+    case Setting::Kind::kChoice:
+      return "choice";
+    case Setting::Kind::kWholeNumber:
+      return "whole number";
+    case Setting::Kind::kNumber:
+      return "number";
+    default:
+      return "kernel";
+  }
+}
+
+Json setting_json(const Graph& graph, const Setting& setting) {
+  Json json = {{"name", setting.name}, {"group", setting.group},          {"kind", name_of(setting.kind)},
+               {"help", setting.help}, {"default", setting.default_text}, {"unit", setting.unit}};
+  for (const std::string& word : setting.words) {
+    const std::string reason = why_unsuitable(graph, setting, word);
+    json["choices"].push_back(
+        {{"value", word}, {"unsuitable", reason.empty() ? Json(nullptr) : Json(reason)}});
+  }
+  if (!setting.needed_setting.empty())
+    json["needs"] = {{"setting", setting.needed_setting}, {"value", setting.needed_value}};
+  return json;
+}
+
 }  // namespace
 
 Message make_message(MessageKind kind, std::string_view payload) {
@@ -89,6 +118,16 @@ Message make_message(MessageKind kind, std::string_view payload) {
   append(*text, static_cast<std::uint32_t>(kind));
   text->append(payload);
   return text;
+}
+
+Message form_message(const Graph& graph) {
+  Json formats = Json::array(), settings = Json::array();
+  for (const FileFormat& format : default_formats().all()) {
+    if (format.can_write() && !format.is_folder())
+      formats.push_back({{"name", format.name}, {"extension", format.extension}});
+  }
+  for (const Setting& setting : setting_table()) settings.push_back(setting_json(graph, setting));
+  return make_message(MessageKind::kForm, Json{{"formats", formats}, {"settings", settings}}.dump());
 }
 
 Message structure_message(const Structure& structure, std::uint64_t number) {

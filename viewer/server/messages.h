@@ -12,12 +12,15 @@
 
 namespace boxplus::viewer {
 
-enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame };
+enum class MessageKind : std::uint32_t { kHeartbeat, kState, kStructure, kFrame, kForm };
 
 /// A message with its length and kind, as it is sent. Pages share it.
 using Message = std::shared_ptr<const std::string>;
 
 Message make_message(MessageKind kind, std::string_view payload);
+
+/// What the user can choose for this graph: settings and formats.
+Message form_message(const Graph& graph);
 
 /// `number` identifies the structure in later frames.
 Message structure_message(const Structure& structure, std::uint64_t number);

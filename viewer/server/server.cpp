@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
 constexpr int kMostStreams = 16, kThreads = kMostStreams + 16;
-constexpr std::size_t kLongestBody = 64 * 1024;
+constexpr std::size_t kLongestCommand = 64 * 1024, kLongestFile = std::size_t{1} << 30;
 /// A client that sends or takes nothing for so long loses its connection, so that it does not keep a thread.
 constexpr auto kPatience = 2s;
 /// Between two groups of messages to a page; 30 frames per second.
@@ -77,7 +77,7 @@ class Server::Implementation {
   Implementation(Workspace& workspace, const ServerOptions& options)
       : workspace_(workspace), guard_(options.host, bind(options), make_token()) {
     http_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-    http_.set_payload_max_length(kLongestBody);
+    http_.set_payload_max_length(kLongestFile);
     http_.set_read_timeout(kPatience);
     http_.set_write_timeout(kPatience);
     http_.set_keep_alive_timeout(kPatience.count());
@@ -96,8 +96,18 @@ class Server::Implementation {
       response.set_content(std::string(icon_svg()), "image/svg+xml");
     });
     http_.Get("/stream", [this](const auto&, auto& response) { send_stream(response); });
-    http_.Post("/command", [this](const httplib::Request& request, httplib::Response& response) {
-      carry_out(request.body, workspace_);
+    http_.Get("/graph", [this](const auto& request, auto& response) { send_graph(request, response); });
+    http_.Post("/command", [this](const auto& request, auto& response, const auto& content) {
+      const std::optional<std::string> body = read_body(request, response, content, kLongestCommand);
+      if (!body) return;
+      carry_out(*body, workspace_);
+      answer(response, 200, {{"ok", true}});
+    });
+    http_.Post("/open", [this](const auto& request, auto& response, const auto& content) {
+      std::optional<std::string> body = read_body(request, response, content, kLongestFile);
+      if (!body) return;
+      const std::string name = request.get_param_value("name");
+      workspace_.open(name.empty() ? "file" : name, std::move(*body));
       answer(response, 200, {{"ok", true}});
     });
     thread_ = std::thread([this] { http_.listen_after_bind(); });
@@ -136,9 +146,37 @@ class Server::Implementation {
     return httplib::Server::HandlerResponse::Handled;
   }
 
+  /// Reads the body of a request. If it is longer than `longest`, answers with status 413 and returns
+  /// nothing.
+  static std::optional<std::string> read_body(const httplib::Request& request, httplib::Response& response,
+                                              const httplib::ContentReader& content, std::size_t longest) {
+    std::string body;
+    bool fits = !request.is_multipart_form_data();
+    if (fits) {
+      content([&](const char* data, std::size_t size) {
+        fits = fits && size <= longest - body.size();
+        if (fits) body.append(data, size);
+        return fits;
+      });
+    }
+    if (fits) return body;
+    answer(response, 413, {{"error", "the request is too long"}});
+    return std::nullopt;
+  }
+
+  void send_graph(const httplib::Request& request, httplib::Response& response) {
+    if (request.get_header_value("X-Boxplus-Token") != guard_.token()) {
+      answer(response, 403, {{"error", "the token is missing or wrong"}});
+      return;
+    }
+    response.set_content(workspace_.formatted(request.get_param_value("format")), "application/octet-stream");
+  }
+
   static void fail(httplib::Response& response, std::exception_ptr error) {
     try {
       std::rethrow_exception(std::move(error));
+    } catch (const Busy& busy) {
+      answer(response, 409, {{"error", busy.what()}});
     } catch (const InvalidArgument& refused) {
       answer(response, 400, {{"error", refused.what()}});
     } catch (...) {

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 #include <utility>
 
 #include "boxplus/base/error.h"
+#include "boxplus/optimize/optimizer.h"
 
 namespace boxplus::viewer {
 namespace {
@@ -31,25 +33,7 @@ Json news_of(const std::vector<T>& items, std::size_t first, F&& json) {
 
 }  // namespace
 
-Workspace::Workspace(GraphFile file, std::string name)
-    : file_(std::move(file)), structure_(make_structure(file_.graph)), name_(std::move(name)) {
-  file_.graph.push();
-  chi2_ = chi2_initial_ = file_.graph.chi2();
-  structure_message_ = structure_message(structure_, structure_number_);
-  add_line("info", fmt::format("{}: {} vertices, {} edges", name_, file_.graph.vertex_count(),
-                               file_.graph.edge_count()));
-  constexpr std::size_t kMostNotes = 100;
-  for (std::size_t k = 0; k < std::min(file_.notes.size(), kMostNotes); ++k) {
-    const GraphFile::Note& note = file_.notes[k];
-    add_line("warning", note.line > 0 ? fmt::format("{}:{}: {}", name_, note.line, note.text)
-                                      : fmt::format("{}: {}", name_, note.text));
-  }
-  if (file_.notes.size() > kMostNotes)
-    add_line("warning", fmt::format("… and {} more notes", file_.notes.size() - kMostNotes));
-  if (structure_.left_out > 0)
-    add_line("warning", fmt::format("{} lines are not drawn, because there are more than {}",
-                                    structure_.left_out, Structure::kMostLines));
-  make_frame(0, chi2_, true);
+Workspace::Workspace() {
   worker_ = std::thread([this] { work(); });
 }
 
@@ -58,23 +42,64 @@ Workspace::~Workspace() {
   worker_.join();
 }
 
-void Workspace::optimize(int iterations) {
-  if (iterations < 1 || iterations > kMostIterations)
-    throw InvalidArgument(
-        fmt::format("iterations: expected a number from 1 to {}, got {}", kMostIterations, iterations));
-  request(Job::kOptimize, iterations);
+// ---- Commands ----
+
+void Workspace::optimize(RunSettings settings) {
+  if (settings.options.max_iterations > kMostIterations)
+    throw InvalidArgument(fmt::format("iterations: expected at most {}, got {}", kMostIterations,
+                                      settings.options.max_iterations));
+  request({.kind = Job::Kind::kRun, .settings = std::move(settings)});
 }
 
-void Workspace::step() {
-  request(Job::kStep, 1);
+void Workspace::step(RunSettings settings) {
+  settings.options.start = Start::kCurrent;
+  settings.options.max_iterations = 1;
+  request({.kind = Job::Kind::kRun, .settings = std::move(settings)});
+}
+
+void Workspace::guess(RunSettings settings) {
+  if (settings.options.start == Start::kCurrent || settings.options.start == Start::kAutomatic)
+    throw InvalidArgument("expected the name of an initial guess");
+  settings.options.max_iterations = 0;
+  request({.kind = Job::Kind::kGuess, .settings = std::move(settings)});
 }
 
 void Workspace::reset() {
-  request(Job::kReset, 0);
+  request({.kind = Job::Kind::kReset});
+}
+
+void Workspace::open(std::string name, std::string text) {
+  request({.kind = Job::Kind::kOpen, .name = std::move(name), .text = std::move(text)});
 }
 
 void Workspace::stop() {
   stop_ = true;
+}
+
+void Workspace::show(GraphFile file, const std::string& name) {
+  work_here(false, "reading", [&] { replace(std::move(file), name); });
+}
+
+std::string Workspace::formatted(const std::string& format) {
+  std::string text;
+  work_here(true, "saving", [&] { text = format_graph(*file_, {.format = format}); });
+  return text;
+}
+
+/// Works on the calling thread instead of the worker's.
+void Workspace::work_here(bool needs_graph, const char* activity, const std::function<void()>& work) {
+  {
+    const std::lock_guard lock(mutex_);
+    claim(needs_graph);
+    activity_ = activity;
+  }
+  try {
+    work();
+  } catch (...) {
+    release();
+    throw;
+  }
+  release();
 }
 
 void Workspace::end() {
@@ -85,82 +110,190 @@ void Workspace::end() {
   has_news_.notify_all();
 }
 
-void Workspace::request(Job job, int iterations) {
-  const std::lock_guard lock(mutex_);
+/// Makes the caller, who holds mutex_, the only one that uses the graph, until release().
+void Workspace::claim(bool needs_graph) {
   if (ending_) throw InvalidArgument("the viewer is ending");
-  if (is_busy_) throw InvalidArgument("a run is in progress: stop it first");
-  stop_ = false;
-  job_ = job;
-  iterations_ = iterations;
+  if (is_busy_) throw Busy("the viewer is busy: wait until the run ends, or stop it");
+  if (needs_graph && !file_) throw InvalidArgument("there is no graph: open a file first");
   is_busy_ = true;
-  if (job != Job::kReset) {
-    ++run_number_;
-    rows_.clear();
-    status_ = "running";
-    headline_.clear();
-    summary_.clear();
-  }
   ++version_;
-  has_job_.notify_all();
   has_news_.notify_all();
 }
+
+void Workspace::release() {
+  const std::lock_guard lock(mutex_);
+  is_busy_ = false;
+  activity_ = "";
+  ++version_;
+  has_news_.notify_all();
+}
+
+void Workspace::request(Job job) {
+  const std::lock_guard lock(mutex_);
+  claim(job.kind != Job::Kind::kOpen);
+  stop_ = false;
+  activity_ = job.kind == Job::Kind::kOpen ? "reading" : "optimizing";
+  job_ = std::move(job);
+  has_job_.notify_all();
+}
+
+// ---- The worker ----
 
 void Workspace::work() {
   for (;;) {
     Job job;
-    int iterations;
     {
       std::unique_lock lock(mutex_);
-      has_job_.wait(lock, [this] { return ending_ || job_ != Job::kNone; });
+      has_job_.wait(lock, [this] { return ending_ || job_.kind != Job::Kind::kNone; });
       if (ending_) return;
-      job = std::exchange(job_, Job::kNone);
-      iterations = iterations_;
+      job = std::exchange(job_, Job());
     }
     std::string failure;
     try {
-      job == Job::kReset ? restore() : run(job, iterations);
+      carry_out(job);
     } catch (const std::bad_alloc&) {
       failure = "not enough memory";
     } catch (const std::exception& error) {
       failure = error.what();
     }
-    if (!failure.empty()) add_line("error", failure);
-    const std::lock_guard lock(mutex_);
     if (!failure.empty()) {
-      status_ = "failed";
-      headline_ = failure;
+      add_line("error", failure);
+      const std::lock_guard lock(mutex_);
+      if (job.kind == Job::Kind::kOpen) {
+        error_ = failure;
+      } else {
+        status_ = "failed";
+        headline_ = failure;
+      }
     }
-    is_busy_ = false;
+    release();
+  }
+}
+
+void Workspace::carry_out(Job& job) {
+  switch (job.kind) {
+    case Job::Kind::kOpen:
+      return read(job);
+    case Job::Kind::kGuess:
+      return make_guess(job.settings);
+    case Job::Kind::kReset:
+      return restore();
+    default:
+      return finish(run(job.settings, true));
+  }
+}
+
+void Workspace::read(const Job& job) {
+  {
+    const std::lock_guard lock(mutex_);
+    error_.clear();
+  }
+  GraphFile file = parse_graph(job.text, job.name);
+  if (file.graph.vertex_count() == 0)
+    throw InputError(job.name, file.lines + 1, 1, "expected a vertex or an edge, got the end of the file");
+  if (file.vertices_created) {
+    Options options;
+    options.start = Start::kChordal;
+    options.max_iterations = 0;
+    std::ignore = boxplus::optimize(file.graph, options);
+  }
+  replace(std::move(file), job.name);
+}
+
+void Workspace::replace(GraphFile file, const std::string& name) {
+  Structure structure = make_structure(file.graph);
+  file.graph.push();
+  const double chi2 = file.graph.chi2();
+  const Message form = form_message(file.graph),
+                structure_text = structure_message(structure, structure_number_ + 1);
+  optimizer_.reset();  // before its graph
+  file_.emplace(std::move(file));
+  structure_ = std::move(structure);
+  has_kernels_ = false;
+  {
+    const std::lock_guard lock(mutex_);
+    ++structure_number_;
+    form_message_ = form;
+    structure_message_ = structure_text;
+    facts_ = {name, file_->format, file_->graph.vertex_count(), file_->graph.edge_count(),
+              structure_.dimension};
+    chi2_ = chi2_initial_ = chi2;
+    has_run_ = false;
+    rows_.clear();
+  }
+  make_frame(0, chi2, true);
+  add_line("info", fmt::format("{}: {} vertices, {} edges", name, file_->graph.vertex_count(),
+                               file_->graph.edge_count()));
+  constexpr std::size_t kMostNotes = 100;
+  for (std::size_t k = 0; k < std::min(file_->notes.size(), kMostNotes); ++k) {
+    const GraphFile::Note& note_of_file = file_->notes[k];
+    add_line("warning", note_of_file.line > 0
+                            ? fmt::format("{}:{}: {}", name, note_of_file.line, note_of_file.text)
+                            : fmt::format("{}: {}", name, note_of_file.text));
+  }
+  if (file_->notes.size() > kMostNotes)
+    add_line("warning", fmt::format("… and {} more notes", file_->notes.size() - kMostNotes));
+  if (structure_.left_out > 0)
+    add_line("warning", fmt::format("{} lines are not drawn, because there are more than {}",
+                                    structure_.left_out, Structure::kMostLines));
+}
+
+/// The rows of a run that is shown replace those of the last one.
+Report Workspace::run(const RunSettings& settings, bool is_shown) {
+  if (has_kernels_ || !settings.kernel.empty()) {
+    const KernelFacts facts = robustify(file_->graph, settings);
+    has_kernels_ = facts.edges > 0;
+    if (!facts.name.empty()) add_line("info", fmt::format("{} kernel on {} edges", facts.name, facts.edges));
+  }
+  if (is_shown) {
+    const std::lock_guard lock(mutex_);
+    has_run_ = true;
+    ++run_number_;
+    rows_.clear();
+    status_ = "running";
+    headline_.clear();
+    summary_.clear();
     ++version_;
     has_news_.notify_all();
   }
-}
-
-void Workspace::run(Job job, int iterations) {
-  Options options;
-  options.start = job == Job::kOptimize ? Start::kAutomatic : Start::kCurrent;
-  options.max_iterations = iterations;
+  Options options = settings.options;
   options.stop = &stop_;
-  options.callback = [this](const IterationRecord& record) { return note(record); };
+  if (is_shown) options.callback = [this](const IterationRecord& record) { return note(record); };
   if (optimizer_) {
     optimizer_->set_options(std::move(options));
   } else {
-    optimizer_ = std::make_unique<Optimizer>(file_.graph, std::move(options));
+    optimizer_ = std::make_unique<Optimizer>(file_->graph, std::move(options));
   }
   next_frame_ = {};
-  finish(optimizer_->run());
+  return optimizer_->run();
+}
+
+void Workspace::make_guess(const RunSettings& settings) {
+  const Report report = run(settings, false);
+  {
+    const std::lock_guard lock(mutex_);
+    chi2_ = report.chi2_final;
+  }
+  if (report.start.used != settings.options.start) {
+    add_line("warning", fmt::format("no initial guess {} was made: {}", to_string(settings.options.start),
+                                    report.start.note.empty() ? report.message : report.start.note));
+    return;
+  }
+  add_line("info", fmt::format("the initial guess {} has chi2 {:.9g}", to_string(report.start.used),
+                               report.chi2_final));
+  make_frame(0, report.chi2_final, true);
 }
 
 void Workspace::restore() {
-  file_.graph.pop();
-  file_.graph.push();
-  const double chi2 = file_.graph.chi2();
+  file_->graph.pop();
+  file_->graph.push();
+  const double chi2 = file_->graph.chi2();
   {
     const std::lock_guard lock(mutex_);
     chi2_ = chi2;
+    has_run_ = false;
     rows_.clear();
-    status_ = headline_ = summary_ = {};
-    run_number_ = run_number_ == 0 ? 0 : run_number_ + 1;
+    ++run_number_;
   }
   make_frame(0, chi2, true);
   add_line("info", "the estimates are those of the file");
@@ -207,9 +340,9 @@ void Workspace::add_line(const char* level, std::string text) {
 }
 
 void Workspace::make_frame(int iteration, double chi2, bool at_rest) {
-  const Positions positions = read_positions(file_.graph, structure_);
+  const Positions positions = read_positions(file_->graph, structure_);
   const std::vector<float> errors =
-      at_rest && structure_.is_bundle ? read_point_errors(file_.graph, structure_) : std::vector<float>();
+      at_rest && structure_.is_bundle ? read_point_errors(file_->graph, structure_) : std::vector<float>();
   const std::uint64_t sequence = sequence_ + 1;  // only this thread writes it
   Message message =
       frame_message({structure_number_, sequence, iteration, chi2}, structure_, positions, errors);
@@ -241,8 +374,10 @@ std::vector<Message> Workspace::Reader::wait(std::chrono::milliseconds patience)
   run_ = w.run_number_;
   rows_ = w.rows_.size();
   lines_ = w.log_.size();
-  if (std::exchange(structure_, w.structure_number_) != w.structure_number_)
+  if (std::exchange(structure_, w.structure_number_) != w.structure_number_) {
+    messages.push_back(w.form_message_);
     messages.push_back(w.structure_message_);
+  }
   if (std::exchange(frame_, w.sequence_) != w.sequence_) messages.push_back(w.frame_message_);
   return messages;
 }
@@ -251,16 +386,19 @@ std::string Workspace::Reader::state_json() const {
   const Workspace& w = workspace_;
   Json state = greeting_.empty() ? Json::object() : Json::parse(greeting_);
   state["busy"] = w.is_busy_;
-  state["activity"] = w.is_busy_ ? "optimizing" : "";
-  state["file"] = {{"name", w.name_},
-                   {"format", w.file_.format},
-                   {"vertices", w.file_.graph.vertex_count()},
-                   {"edges", w.file_.graph.edge_count()},
-                   {"dimension", w.structure_.dimension}};
+  state["activity"] = w.activity_;
+  state["error"] = w.error_.empty() ? Json(nullptr) : Json(w.error_);
+  state["file"] = nullptr;
+  if (w.facts_)
+    state["file"] = {{"name", w.facts_->name},
+                     {"format", w.facts_->format},
+                     {"vertices", w.facts_->vertices},
+                     {"edges", w.facts_->edges},
+                     {"dimension", w.facts_->dimension}};
   state["chi2"] = w.chi2_;
   state["chi2_initial"] = w.chi2_initial_;
-  state["can_step"] = !w.is_busy_ && w.file_.graph.edge_count() > 0;
-  if (w.run_number_ > 0) {
+  state["can_step"] = !w.is_busy_ && w.facts_ && w.facts_->edges > 0;
+  if (w.has_run_) {
     const std::size_t first = run_ == w.run_number_ ? rows_ : 0;
     state["run"] = {
         {"number", w.run_number_}, {"first_row", first},      {"rows", news_of(w.rows_, first, row_json)},

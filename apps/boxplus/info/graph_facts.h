@@ -63,9 +63,9 @@ struct GraphFacts {
   std::vector<EdgeFacts> worst;  ///< the edges with the largest chi2, the worst one first
   std::size_t vertices = 0, parameters = 0, edges = 0, unknowns = 0, rows = 0;
   double chi2 = 0;
-  KernelFacts kernel;        ///< the kernel of the command line; chi2 and `worst` are computed without it
-  std::size_t rejected = 0;  ///< edges to which this kernel gives a weight below Report::kRejectedWeight
-  int dimension = 0;         ///< the dimension of the world; 0 if no vertex has a position
+  viewer::KernelFacts kernel;  ///< the kernel of the command line; chi2 and `worst` are computed without it
+  std::size_t rejected = 0;    ///< edges to which this kernel gives a weight below Report::kRejectedWeight
+  int dimension = 0;           ///< the dimension of the world; 0 if no vertex has a position
   std::array<double, 3> extent{};  ///< the size of the box that contains all positions, in meters
 };
 

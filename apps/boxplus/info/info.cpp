@@ -19,15 +19,15 @@
 namespace boxplus::app {
 namespace {
 
-struct InfoArguments : KernelArguments {
+struct InfoArguments : viewer::RunSettings {
   std::string input, json;
   std::size_t worst = 5;
   ReadOptions reading;
 };
 
 /// Sets the kernel on its edges, and counts the edges that it rejects.
-void try_kernel(Graph& graph, const KernelArguments& arguments, GraphFacts& facts) {
-  facts.kernel = robustify(graph, arguments);
+void try_kernel(Graph& graph, const viewer::RunSettings& settings, GraphFacts& facts) {
+  facts.kernel = set_kernels(graph, settings);
   for (const EdgeRef& edge : graph.all_edges()) {
     if (graph.kernel(edge) != nullptr) facts.rejected += graph.weight(edge) < Report::kRejectedWeight;
   }

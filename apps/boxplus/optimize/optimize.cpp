@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
+#include <string>
 
 #include "boxplus/base/error.h"
 #include "command.h"
@@ -16,6 +17,7 @@
 #include "optimize/optimize_run.h"
 #include "optimize/progress.h"
 #include "optimize/report_json.h"
+#include "viewer/settings/setting_table.h"
 
 namespace boxplus::app {
 namespace {
@@ -37,12 +39,13 @@ int exit_code(Report::Status status) {
   }
 }
 
-void require_levenberg_marquardt(const CLI::App& command, const OptimizeArguments& arguments) {
-  if (arguments.options.algorithm == AlgorithmKind::kLevenbergMarquardt) return;
-  for (const char* option : {"--damping", "--lambda"}) {
-    if (command.count(option) > 0) {
-      throw CLI::RequiresError(option, "--algorithm levenberg-marquardt");
-    }
+/// Throws if an option is given that has no meaning, because another option has not the value that it needs.
+void require_needed_values(const CLI::App& command) {
+  for (const viewer::Setting& setting : viewer::setting_table()) {
+    if (setting.needed_value.empty() || command.count("--" + setting.name) == 0) continue;
+    const std::string needed = "--" + setting.needed_setting;
+    if (command.count(needed) == 0 || command.get_option(needed)->as<std::string>() != setting.needed_value)
+      throw CLI::RequiresError("--" + setting.name, needed + " " + setting.needed_value);
   }
 }
 
@@ -69,7 +72,7 @@ int optimize_file(const OptimizeArguments& arguments) {
   facts.edges = file.graph.edge_count();
   facts.skipped_lines = file.skipped;
   facts.load_s = seconds_since(begin);
-  facts.kernel = robustify(file.graph, arguments);
+  facts.kernel = set_kernels(file.graph, arguments);
 
   const Interrupt interrupt;
   const Report report = run_optimize(file.graph, arguments, progress);
@@ -97,7 +100,7 @@ void add_optimize(CLI::App& app, Action& action) {
       "Ctrl-C stops as soon as possible, writes the best estimate so far, and exits with code 1.\n"
       "A second Ctrl-C ends the command at once.");
   command->callback([&action, command, arguments] {
-    require_levenberg_marquardt(*command, *arguments);
+    require_needed_values(*command);
     action = [arguments] { return optimize_file(*arguments); };
   });
 }

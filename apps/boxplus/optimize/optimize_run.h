@@ -5,12 +5,12 @@
 #include "boxplus/optimize/report.h"
 #include "optimize/optimize_options.h"
 #include "optimize/progress.h"
-#include "optimize/report_json.h"
+#include "viewer/settings/run_settings.h"
 
 namespace boxplus::app {
 
 /// Sets the requested robust kernel on the chosen edges. Returns the facts about the kernel for the report.
-KernelFacts robustify(Graph& graph, const KernelArguments& arguments);
+viewer::KernelFacts set_kernels(Graph& graph, const viewer::RunSettings& settings);
 
 /// Optimizes the graph and shows progress, until the run ends or a signal raises the flag of Interrupt.
 Report run_optimize(Graph& graph, const OptimizeArguments& arguments, Progress& progress);

@@ -56,7 +56,7 @@ std::string title_of(const std::string& path) {
 
 Input read(const std::string& path, std::string title, const PlotArguments& arguments) {
   Input input{input_name(path), std::move(title), load_graph(path, arguments.reading).graph};
-  robustify(input.graph, arguments.kernel);
+  set_kernels(input.graph, arguments.kernel);
   return input;
 }
 

@@ -19,7 +19,7 @@ struct PlotArguments {
   double resolution = 2;
   bool has_ellipses = false;
   bool has_error_chart = false;
-  KernelArguments kernel;
+  viewer::RunSettings kernel;
   ReadOptions reading;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// boxplus view FILE: shows a graph in a browser.
+// boxplus view [FILE]: shows a graph in a browser.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -11,6 +11,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "boxplus/base/error.h"
 #include "command.h"
@@ -75,16 +77,17 @@ void open_browser(const std::string& url, const sigset_t& signals) {
 }
 
 std::string name_of(const std::string& path) {
+  if (path == kStandardStream) return input_name(path);
   const std::filesystem::path file(path);
   return (file.has_filename() ? file : file.parent_path()).filename().string();
 }
 
 int view_file(const ViewArguments& arguments) {
-  GraphFile file = load_graph(arguments.input, arguments.reading);
+  std::optional<GraphFile> file;
+  if (!arguments.input.empty()) file = load_graph(arguments.input, arguments.reading);
   const EndSignals signals;  // before the threads of the workspace and of the server
-  viewer::Workspace workspace(std::move(file), arguments.input == kStandardStream
-                                                   ? input_name(arguments.input)
-                                                   : name_of(arguments.input));
+  viewer::Workspace workspace;
+  if (file) workspace.show(std::move(*file), name_of(arguments.input));
   const viewer::Server server(workspace, arguments.server);
   fmt::print("{}\n", server.url());
   std::fflush(stdout);
@@ -99,7 +102,7 @@ int view_file(const ViewArguments& arguments) {
 void add_view(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", "Shows a graph in a browser, and optimizes it there");
-  command->add_option("FILE", arguments->input, graph_to_read())->required()->check(file_name());
+  command->add_option("FILE", arguments->input, graph_to_read())->check(file_name());
   command
       ->add_option("--port", arguments->server.port,
                    fmt::format("The port of the server; 0: {}, or any free port if it is taken",
@@ -116,7 +119,8 @@ void add_view(CLI::App& app, Action& action) {
   command->add_flag("--open", arguments->opens_browser, "Open the URL in the browser");
   add_reading_options(*command, arguments->reading);
   command->footer(
-      "Prints the URL of the viewer, and serves it until Ctrl-C. The viewer never writes to FILE.\n"
+      "Prints the URL of the viewer, and serves it until Ctrl-C. The viewer never writes to FILE. Without\n"
+      "FILE, open or drop a file on the page.\n"
       "\n"
       "On another machine, forward the port: ssh -L 8743:127.0.0.1:8743 machine\n"
       "\n"

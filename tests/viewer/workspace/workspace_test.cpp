@@ -46,13 +46,15 @@ Json settled(Workspace::Reader& reader) {
 }
 
 TEST(Workspace, GivesANewReaderEverything) {
-  Workspace workspace(small_graph(), "small.g2o");
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, R"({"token": "x"})");
   const std::vector<Message> messages = reader.wait(1s);
-  ASSERT_EQ(messages.size(), 3U);
+  ASSERT_EQ(messages.size(), 4U);
   EXPECT_EQ(kind_of(messages[0]), MessageKind::kState);
-  EXPECT_EQ(kind_of(messages[1]), MessageKind::kStructure);
-  EXPECT_EQ(kind_of(messages[2]), MessageKind::kFrame);
+  EXPECT_EQ(kind_of(messages[1]), MessageKind::kForm);
+  EXPECT_EQ(kind_of(messages[2]), MessageKind::kStructure);
+  EXPECT_EQ(kind_of(messages[3]), MessageKind::kFrame);
   const Json state = Json::parse(messages[0]->substr(8));
   EXPECT_EQ(state["token"], "x");
   EXPECT_TRUE(state["run"].is_null());
@@ -60,9 +62,10 @@ TEST(Workspace, GivesANewReaderEverything) {
 }
 
 TEST(Workspace, OptimizesAsOptimizeDoes) {
-  Workspace workspace(small_graph(), "small.g2o");
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
-  workspace.optimize(100);
+  workspace.optimize({});
   const Json state = settled(reader);
   EXPECT_EQ(state["run"]["status"], "converged");
   GraphFile file = small_graph();
@@ -73,19 +76,51 @@ TEST(Workspace, OptimizesAsOptimizeDoes) {
 }
 
 TEST(Workspace, RestoresTheEstimatesOfTheFile) {
-  Workspace workspace(small_graph(), "small.g2o");
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
   const double before = settled(reader)["chi2"].get<double>();
-  workspace.step();
+  workspace.step({});
   EXPECT_LT(settled(reader)["chi2"].get<double>(), before);
   workspace.reset();
   EXPECT_EQ(settled(reader)["chi2"].get<double>(), before);
 }
 
-TEST(Workspace, RefusesNumbersOfIterationsThatMakeNoSense) {
-  Workspace workspace(small_graph(), "small.g2o");
-  for (const int iterations : {-1, 0, Workspace::kMostIterations + 1})
-    EXPECT_THROW(workspace.optimize(iterations), InvalidArgument);
+TEST(Workspace, RefusesCommandsWithoutAGraphUntilOneIsOpened) {
+  Workspace workspace;
+  Workspace::Reader reader(workspace, "");
+  EXPECT_TRUE(settled(reader)["file"].is_null());
+  EXPECT_THROW(workspace.optimize({}), InvalidArgument);
+  EXPECT_THROW(workspace.formatted("g2o"), InvalidArgument);
+  workspace.open("small.g2o", format_graph(small_graph()));
+  EXPECT_EQ(settled(reader)["file"]["vertices"], 3);
+  workspace.optimize({});
+  EXPECT_EQ(settled(reader)["run"]["status"], "converged");
+}
+
+TEST(Workspace, MakesTheInitialGuessOfTheSettings) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  RunSettings settings;
+  settings.options.start = Start::kOdometry;
+  workspace.guess(settings);
+  const Json state = settled(reader);
+  EXPECT_NEAR(state["chi2"].get<double>(), 0.25, 1e-12);  // the closure measures 2.5 instead of 2
+  EXPECT_TRUE(state["run"].is_null());
+}
+
+TEST(Workspace, RemovesKernelsThatTheNextRunDoesNotWant) {
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
+  Workspace::Reader reader(workspace, "");
+  RunSettings settings;
+  settings.kernel = "Huber";
+  settings.kernel_width = 1e-3;
+  workspace.optimize(settings);
+  const double robust = settled(reader)["chi2"].get<double>();
+  workspace.optimize({});
+  EXPECT_GT(settled(reader)["chi2"].get<double>(), 2 * robust);
 }
 
 TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
@@ -97,22 +132,24 @@ TEST(Workspace, ReportsAnErrorFunctionThatThrows) {
         return x - 3;
       },
       vertex);
-  Workspace workspace(std::move(file), "own");
+  Workspace workspace;
+  workspace.show(std::move(file), "own");
   Workspace::Reader reader(workspace, "");
-  workspace.optimize(10);
+  workspace.optimize({});
   const Json state = settled(reader);
   EXPECT_EQ(state["run"]["status"], "failed");
   EXPECT_THAT(state["run"]["headline"].get<std::string>(), HasSubstr("the sensor is broken"));
 }
 
 TEST(Workspace, WakesItsReadersWhenItEnds) {
-  Workspace workspace(small_graph(), "small.g2o");
+  Workspace workspace;
+  workspace.show(small_graph(), "small.g2o");
   Workspace::Reader reader(workspace, "");
   reader.wait(1s);
   workspace.end();
   reader.wait(1h);
   EXPECT_TRUE(reader.has_ended());
-  EXPECT_THROW(workspace.step(), InvalidArgument);
+  EXPECT_THROW(workspace.step({}), InvalidArgument);
 }
 
 }  // namespace

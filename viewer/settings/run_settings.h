@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user chooses for a run.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "boxplus/graph/graph.h"
+#include "boxplus/optimize/options.h"
+
+namespace boxplus::viewer {
+
+enum class KernelScope : std::uint8_t { kAll, kLoopClosures };
+
+struct RunSettings {
+  RunSettings() { options.start = Start::kAutomatic; }
+
+  Options options;
+  std::string kernel;                  ///< the name of the robust kernel; empty if edges get no kernel
+  std::optional<double> kernel_width;  ///< if absent, the default for the rows of each edge
+  KernelScope kernel_scope = KernelScope::kAll;
+};
+
+/// What robustify() did. If the name is empty, there is no kernel.
+struct KernelFacts {
+  std::string name;
+  std::optional<double> width;  ///< the width that the user chose, if any
+  /// The default widths, if the user chose none. The key is the number of rows of an edge.
+  std::map<int, double> widths;
+  std::size_t edges = 0;  ///< the number of edges with this kernel
+};
+
+/// Sets the chosen kernel on the chosen edges, and removes the kernels of all other edges.
+KernelFacts robustify(Graph& graph, const RunSettings& settings);
+
+}  // namespace boxplus::viewer
