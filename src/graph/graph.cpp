@@ -81,6 +81,28 @@ void Graph::check_distinct(std::span<const VertexRef> vertices) const {
   }
 }
 
+void Graph::throw_misfit(const InvalidArgument& misfit, std::span<const VertexRef> vertices) const {
+  constexpr std::size_t kMostNames = 4;
+  std::string names;
+  for (const VertexRef& vertex : vertices.first(std::min(vertices.size(), kMostNames))) {
+    names += names.empty() ? "" : ", ";
+    names += vertex_pools_[vertex.pool]->parameter(vertex.slot) ? "parameter " : "vertex ";
+    names += std::to_string(id(vertex)) + " (size " + std::to_string(tangent_dim(vertex)) + ")";
+  }
+  if (vertices.size() > kMostNames) names += ", …";
+  throw InvalidArgument("edge of " + names + ": " + misfit.what());
+}
+
+void Graph::check_sizes_of_edges(VertexRef vertex) const {
+  for (const EdgeRef& edge : edges(vertex)) {
+    try {
+      (void)error(edge);
+    } catch (const InvalidArgument& misfit) {
+      throw_misfit(misfit, vertices(edge));
+    }
+  }
+}
+
 void Graph::mark_parameter(VertexRef vertex) {
   vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kParameter, true);
   vertex_pools_[vertex.pool]->set_flag(vertex.slot, detail::VertexPool::kFixed, true);
