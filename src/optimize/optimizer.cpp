@@ -30,6 +30,13 @@ void check(const Options& options) {
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
 }
 
+/// Throws if the optimizer has no `impl`, because it was moved from.
+template <class Impl>
+Impl& checked(const std::unique_ptr<Impl>& impl) {
+  if (!impl) throw InvalidArgument("Optimizer: it was moved from; use the Optimizer to which it was moved");
+  return *impl;
+}
+
 /// Marks a graph as being optimized during the lifetime of this object. Throws if the graph is already
 /// marked.
 class InUse {
@@ -144,19 +151,19 @@ Optimizer::Optimizer(Optimizer&&) noexcept = default;
 Optimizer& Optimizer::operator=(Optimizer&&) noexcept = default;
 
 const Options& Optimizer::options() const {
-  return impl_->options;
+  return checked(impl_).options;
 }
 
 void Optimizer::set_options(Options options) {
-  impl_->options = std::move(options);
+  checked(impl_).options = std::move(options);
 }
 
 void Optimizer::run(Report& report) {
-  impl_->run(nullptr, report);
+  checked(impl_).run(nullptr, report);
 }
 
 void Optimizer::run(Algorithm& algorithm, Report& report) {
-  impl_->run(&algorithm, report);
+  checked(impl_).run(&algorithm, report);
 }
 
 Report Optimizer::run() {
@@ -172,7 +179,7 @@ Report Optimizer::run(Algorithm& algorithm) {
 }
 
 Covariance Optimizer::covariance(std::span<const VertexRef> vertices) const {
-  return boxplus::covariance(impl_->checked_graph(), vertices, impl_->options);
+  return boxplus::covariance(checked(impl_).checked_graph(), vertices, checked(impl_).options);
 }
 
 Report optimize(Graph& graph, const Options& options) {
