@@ -190,22 +190,23 @@ class TypedEdgePool final : public EdgePool {
   }
 
  private:
-  /// An argument of the error function. A tail is copied into contiguous memory of the worker.
-  template <class A>
+  /// The I-th argument of the error function. A tail is copied into contiguous memory of the worker, which
+  /// nested calls do not touch: an error function may evaluate other edges of its own type.
+  template <class A, std::size_t I>
   struct Loaded {
-    const detail::ElementOf<A>* value;
-    std::size_t count;
-    detail::Argument<A> get() const {
-      if constexpr (kIsTail<A>) {
-        return {value, count};
-      } else {
-        return *value;
-      }
-    }
+    const A* value;
+    const A& get() const { return *value; }
   };
+  template <class T, std::size_t I>
+  struct Loaded<Tail<T>, I> {
+    Loaded(const TypedVertexPool<T>& pool, std::span<const std::uint32_t> slots) {
+      elements->clear();
+      for (const std::uint32_t slot : slots) elements->push_back(pool.value(slot));
+    }
+    std::span<const T> get() const { return *elements; }
 
-  template <std::size_t I>
-  struct GatheredTail;
+    BorrowedScratch<std::vector<T>, Loaded> elements;
+  };
 
   /// The slots of the I-th argument, which is a tail.
   template <std::size_t I>
@@ -218,15 +219,12 @@ class TypedEdgePool final : public EdgePool {
   }
 
   template <class A, std::size_t I>
-  Loaded<A> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
+  Loaded<A, I> load(std::span<const std::uint32_t> slots, std::span<const std::uint32_t> tail_sizes) const {
     const auto& pool = *std::get<I>(pools_);
     if constexpr (kIsTail<A>) {
-      auto& gathered = thread_scratch<std::vector<detail::ElementOf<A>>, GatheredTail<I>>();
-      gathered.clear();
-      for (std::uint32_t slot : slots_of_tail<I>(slots, tail_sizes)) gathered.push_back(pool.value(slot));
-      return {gathered.data(), gathered.size()};
+      return {pool, slots_of_tail<I>(slots, tail_sizes)};
     } else {
-      return {&pool.value(slots[I]), 1};
+      return {&pool.value(slots[I])};
     }
   }
 
