@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "graph/incidence.h"
@@ -71,6 +72,11 @@ std::optional<VertexRef> Graph::find_repetition(std::span<const VertexRef> verti
 
 void Graph::reserve_edges(EdgeRef like, std::size_t count) {
   check(like);
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (count > kMost) {
+    throw InvalidArgument("reserve_edges(): expected at most " + std::to_string(kMost) + " edges, got " +
+                          std::to_string(count));
+  }
   edge_pools_[like.pool]->reserve(count);
 }
 

@@ -13,10 +13,22 @@
 namespace boxplus {
 namespace {
 
+template <class E>
+void require_enumerator(E value, E last, const std::string& type) {
+  if (value > last) {
+    throw InvalidArgument("Options: expected one of the values of " + type + ", got " +
+                          std::to_string(static_cast<int>(value)));
+  }
+}
+
 void check(const Options& options) {
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw InvalidArgument(std::string("Options: expected ") + what);
   };
+  require_enumerator(options.precision, Precision::kMixed, "Precision");
+  require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
+  require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
+  require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");

@@ -230,6 +230,7 @@ class Graph {
   }
 
   /// Reserves memory for a total of `count` edges of the type of `like`. Saves time if you add many edges.
+  /// Throws InvalidArgument if `count` is above 2³² − 1, the largest number of edges of one type.
   void reserve_edges(EdgeRef like, std::size_t count);
 
   /// The error function (measurement) of an edge.
