@@ -13,10 +13,22 @@
 namespace boxplus {
 namespace {
 
+template <class E>
+void require_enumerator(E value, E last, const std::string& type) {
+  if (value > last) {
+    throw InvalidArgument("Options: expected one of the values of " + type + ", got " +
+                          std::to_string(static_cast<int>(value)));
+  }
+}
+
 void check(const Options& options) {
   const auto require = [](bool holds, const char* what) {
     if (!holds) throw InvalidArgument(std::string("Options: expected ") + what);
   };
+  require_enumerator(options.precision, Precision::kMixed, "Precision");
+  require_enumerator(options.gauge, GaugePolicy::kError, "GaugePolicy");
+  require_enumerator(options.schur, SchurMode::kImplicit, "SchurMode");
+  require_enumerator(options.damping, Options::DampingScale::kDiagonal, "DampingScale");
   require(options.max_iterations >= 0, "max_iterations ≥ 0");
   require(options.threads >= 0, "threads ≥ 0");
   require(options.cost_tolerance >= 0, "cost_tolerance ≥ 0");
@@ -28,6 +40,13 @@ void check(const Options& options) {
           "a finite initial_lambda ≥ 0");
   require(options.initial_radius >= 0, "initial_radius ≥ 0");
   require(!std::isnan(options.time_limit_s), "a time_limit_s that is a number");
+}
+
+/// Throws if the optimizer has no `impl`, because it was moved from.
+template <class Impl>
+Impl& checked(const std::unique_ptr<Impl>& impl) {
+  if (!impl) throw InvalidArgument("Optimizer: it was moved from; use the Optimizer to which it was moved");
+  return *impl;
 }
 
 /// Marks a graph as being optimized during the lifetime of this object. Throws if the graph is already
@@ -145,19 +164,19 @@ Optimizer::Optimizer(Optimizer&&) noexcept = default;
 Optimizer& Optimizer::operator=(Optimizer&&) noexcept = default;
 
 const Options& Optimizer::options() const {
-  return impl_->options;
+  return checked(impl_).options;
 }
 
 void Optimizer::set_options(Options options) {
-  impl_->options = std::move(options);
+  checked(impl_).options = std::move(options);
 }
 
 void Optimizer::run(Report& report) {
-  impl_->run(nullptr, report);
+  checked(impl_).run(nullptr, report);
 }
 
 void Optimizer::run(Algorithm& algorithm, Report& report) {
-  impl_->run(&algorithm, report);
+  checked(impl_).run(&algorithm, report);
 }
 
 Report Optimizer::run() {
@@ -173,7 +192,7 @@ Report Optimizer::run(Algorithm& algorithm) {
 }
 
 Covariance Optimizer::covariance(std::span<const VertexRef> vertices) const {
-  return boxplus::covariance(impl_->checked_graph(), vertices, impl_->options);
+  return boxplus::covariance(checked(impl_).checked_graph(), vertices, checked(impl_).options);
 }
 
 Report optimize(Graph& graph, const Options& options) {
