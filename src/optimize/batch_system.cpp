@@ -406,6 +406,9 @@ StepResult BatchSystem::factorize_and_solve(const StepDamping& damping, std::spa
 double BatchSystem::try_step(std::span<const double> step) {
   order_.expect_linearization("System::try_step");
   expect_size(step, "System::try_step");
+  double largest = 0;
+  for (std::size_t i = 0; i < step.size(); ++i) largest = std::max(largest, diagonal_[i] * step[i] * step[i]);
+  step_in_deviations_ = std::sqrt(largest);
   before_step_.take(*graph_, *plan_);
   order_.moved();
   try {

@@ -43,6 +43,9 @@ class BatchSystem final : public System {
   double curvature(std::span<const double> d) override;
   StepResult solve(const StepDamping& damping, std::span<double> step) override;
   double try_step(std::span<const double> step) override;
+  /// The largest entry of the last step of try_step(), in standard deviations: max √Hᵢᵢ |δᵢ|. An entry's
+  /// standard deviation is the one that it has if all other unknowns are known.
+  double step_in_deviations() const { return step_in_deviations_; }
   void accept() override;
   void reject() override;
   bool stopped() const override { return stopped_; }
@@ -121,6 +124,7 @@ class BatchSystem final : public System {
   GaugeTreatment treatment_;  // of the current solve()
   double last_chi2_ = 0;      // of the last chi2()
   double model_chi2_ = 0;     // at the estimates of the last linearization
+  double step_in_deviations_ = 0;
   bool stopped_ = false;      // of stopped()
   bool is_complete_ = false;  // whether the last linearization was not stopped
   LinearizeOptions linearize_options_;

@@ -49,7 +49,7 @@ std::int64_t degrees_of_freedom(const Report& report) {
 /// effect. The final estimates are then not at a minimum of the whole problem.
 bool may_be_swamped(const RunResult& result) {
   return result.status == Report::Status::kConverged || result.reason == Report::Reason::kMaxIterations ||
-         result.reason == Report::Reason::kNoStepFound ||
+         result.reason == Report::Reason::kNoStepFound || result.reason == Report::Reason::kRaisedChi2 ||
          result.reason == Report::Reason::kNotPositiveDefinite;
 }
 

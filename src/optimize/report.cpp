@@ -249,6 +249,8 @@ std::string_view to_string(Report::Reason reason) {
       return "the callback asked to stop";
     case Report::Reason::kNoStepFound:
       return "no step that lowers chi2 was found";
+    case Report::Reason::kRaisedChi2:
+      return "chi2 is above its start; dogleg and Levenberg-Marquardt take only steps that lower it";
     case Report::Reason::kNotPositiveDefinite:
       return "the linear system cannot be solved";
     case Report::Reason::kRejectedEdges:

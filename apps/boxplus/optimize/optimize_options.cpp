@@ -148,7 +148,7 @@ void add_stop_options(CLI::App& command, Options& options) {
       ->group("Stop");
   command
       .add_option("--step-tolerance", options.step_tolerance,
-                  "Converged if a step is smaller than this fraction of the largest step of the run")
+                  "Converged if no entry of a step is larger than this fraction of its standard deviation")
       ->check(number_from(0))
       ->type_name("X")
       ->capture_default_str()

@@ -88,7 +88,9 @@ struct Options {
   /// variance, and at most 5e-6 of chi2. With n > 100,000 unknowns, the fraction is multiplied by n /
   /// 100,000. 0 disables the criterion.
   double noise_tolerance = 2e-2;
-  /// Stops when no entry of the step exceeds this fraction of the largest step entry of the run.
+  /// Stops when no entry of the step exceeds this fraction of its standard deviation, which is √(noise
+  /// variance / Hᵢᵢ) if all other unknowns are known. So the criterion does not depend on units, and a vertex
+  /// that comes from far away does not make the steps of others negligible.
   double step_tolerance = 1e-12;
   double gradient_tolerance = 0;  ///< stops when no entry of the gradient exceeds this
   /// Stops when this much time has passed. The time limit and the flag `stop` apply in every phase of a run:

@@ -27,13 +27,14 @@ struct [[nodiscard]] Report {
     kCostTolerance,
     kStepTolerance,
     kGradientTolerance,
-    kNoFurtherDecrease,  ///< no step lowers chi2 any more, and the predicted decrease is below rounding error
+    kNoFurtherDecrease,  ///< no step lowers chi2 any more, except by rounding errors
     kNothingToOptimize,  ///< no active edge contains a vertex that may move
     kMaxIterations,
     kTimeLimit,
     kStopFlag,
     kCallback,
     kNoStepFound,          ///< every damped step raised chi2
+    kRaisedChi2,           ///< Gauss-Newton met a tolerance, but at a higher chi2 than that of its start
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
     kRejectedEdges,        ///< robust kernels reject edges that the result needs (see RejectionReport)
