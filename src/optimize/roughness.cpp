@@ -6,13 +6,13 @@
 namespace boxplus {
 namespace {
 
-/// |F(x ⊞ fraction · step) − F(x)|
-double change_by(System& system, std::span<double> step, double fraction, double chi2) {
+/// F(x) − F(x ⊞ fraction · step)
+double decrease_by(System& system, std::span<double> step, double fraction, double chi2) {
   for (double& entry : step) entry *= fraction;
-  const double change = std::abs(chi2 - system.try_step(step));
+  const double decrease = chi2 - system.try_step(step);
   system.reject();
   for (double& entry : step) entry /= fraction;
-  return change;
+  return decrease;
 }
 
 }  // namespace
@@ -21,12 +21,13 @@ bool is_rough(System& system, std::span<double> step, double predicted, double c
   if (!(predicted > 0)) return false;
   // Powers of two, so that the entries of the step have the same bits afterwards. The first fraction finds
   // steps of less than 1e-12 of the estimates. The others are for functions that are smooth only nearby.
-  double expected = 1;  // then the slope at the last fraction, because wrong Jacobians predict a wrong slope
+  double previous = 0;  // wrong Jacobians predict a wrong slope, but the slope is the same at two fractions
   for (const double fraction : {0x1p-13, 0x1p-24, 0x1p-36}) {
-    const double slope = change_by(system, step, fraction, chi2) / (2 * fraction * predicted);
-    const auto is_near = [slope](double value) { return slope > value / 2 && slope < value * 2; };
-    if (!std::isfinite(slope) || is_near(1) || is_near(expected)) return false;
-    expected = slope;
+    const double slope = decrease_by(system, step, fraction, chi2) / (2 * fraction * predicted);
+    const bool is_predicted = slope > 0.5 && slope < 2;
+    const bool is_constant = std::abs(slope - previous) < std::abs(previous) / 8;
+    if (!std::isfinite(slope) || is_predicted || is_constant) return false;
+    previous = slope;
   }
   return true;
 }
