@@ -62,7 +62,7 @@ Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const 
                  const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
     : graph_(graph),
       system_(system),
-      algorithm_(algorithm),
+      algorithm_(&algorithm),
       options_(options),
       stop_(stop),
       clock_(clock),
@@ -76,10 +76,10 @@ RunResult Descent::run(double chi2) {
 
 RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
   if (!std::isfinite(chi2)) return {Report::Status::kFailed, Report::Reason::kNotFinite, chi2, 0};
-  algorithm_.reset(options_, system_.plan().scalars());
+  algorithm_->reset(options_, system_.plan().scalars());
   const RunResult result = iterate(wanted, chi2);
   iterations_ += result.iterations;
-  regularized_steps_ += algorithm_.regularized_steps();
+  regularized_steps_ += algorithm_->regularized_steps();
   return result;
 }
 
@@ -94,7 +94,7 @@ RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wan
     IterationRecord record;
     record.iteration = static_cast<int>(records_.size());
     record.chi2 = chi2;
-    const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);
     record.time_s = clock_.seconds();

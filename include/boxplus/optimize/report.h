@@ -37,8 +37,10 @@ struct [[nodiscard]] Report {
     kNotPositiveDefinite,  ///< H is singular or indefinite; `message` names the vertex
     kNotFinite,            ///< an error, a Jacobian, or a sum of them is NaN or Inf; `message` names the edge
     kRejectedEdges,        ///< robust kernels reject edges that the result needs (see RejectionReport)
-    kWeightSpan,           ///< an Ω is so large that rounding in H loses other edges; see `message`
-    kGaugeFreedom          ///< the gauge of a component is free, and the policy is GaugePolicy::kError
+    /// An Ω is so large, at least in some direction, that other edges are lost by rounding. The estimates are
+    /// not at a minimum, and no step improves them. `message` names the edge.
+    kWeightSpan,
+    kGaugeFreedom  ///< the gauge of a component is free, and the policy is GaugePolicy::kError
   };
 
   /// The requested start, the start that was used, and how the starts compared.
@@ -126,7 +128,10 @@ struct [[nodiscard]] Report {
   std::int64_t degrees_of_freedom = 0;
   std::vector<EdgeJacobians> jacobians;  ///< the source for each edge type that takes part
   LinearStatistics linear;
-  int regularized_steps = 0;   ///< number of steps for which H had to be damped to be positive definite
+  int regularized_steps = 0;  ///< number of steps for which H had to be damped to be positive definite
+  /// The number of steps that were computed with 32 digits. Such steps are slow. They are needed if an Ω is,
+  /// in some direction, more than about 1e10 times as large as others.
+  int precise_steps = 0;
   int threads = 1;             ///< maximum number of threads that the options allow
   int workers = 1;             ///< number of threads that linearize or factorize; small problems use fewer
   bool plan_reused = false;    ///< the structure has not changed since the last run
