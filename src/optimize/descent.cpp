@@ -75,7 +75,7 @@ Descent::Descent(Graph& graph, BatchSystem& system, Algorithm& algorithm, const 
                  const StopToken& stop, const Stopwatch& clock, std::vector<IterationRecord>& records)
     : graph_(graph),
       system_(system),
-      algorithm_(algorithm),
+      algorithm_(&algorithm),
       options_(options),
       stop_(stop),
       clock_(clock),
@@ -98,14 +98,14 @@ RunResult Descent::run_while(detail::FunctionRef<bool(const IterationRecord&)> w
 }
 
 RunResult Descent::iterate(detail::FunctionRef<bool(const IterationRecord&)> wanted, double chi2) {
-  algorithm_.reset(options_, system_.plan().scalars());
+  algorithm_->reset(options_, system_.plan().scalars());
   RunResult result = iterate_to_end(wanted, chi2);
   if (result.status == Report::Status::kConverged && is_above(chi2, result.chi2, system_.gradient().size())) {
     result.status = Report::Status::kNotConverged;
     result.reason = Report::Reason::kRaisedChi2;
   }
   iterations_ += result.iterations;
-  regularized_steps_ += algorithm_.regularized_steps();
+  regularized_steps_ += algorithm_->regularized_steps();
   return result;
 }
 
@@ -120,7 +120,7 @@ RunResult Descent::iterate_to_end(detail::FunctionRef<bool(const IterationRecord
     record.iteration = static_cast<int>(records_.size()) + 1;
     record.chi2 = chi2;
     system_.begin_iteration();
-    const IterationOutcome outcome = algorithm_.iterate(system_, chi2, record);
+    const IterationOutcome outcome = algorithm_->iterate(system_, chi2, record);
     system_.expect_no_trial();
     const bool cut_short = outcome == IterationOutcome::kAcceptedShort;
     if (outcome != IterationOutcome::kAccepted && !cut_short) return ended(outcome, stop_, chi2, iteration);

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "boxplus/optimize/algorithm_table.h"
+#include "linearize/stiff_edge.h"
 #include "optimize/fill_report.h"
+#include "optimize/finish_stiff.h"
 #include "optimize/planned_system.h"
 #include "optimize/starts.h"
 
@@ -85,7 +87,7 @@ struct Optimizer::Impl {
   std::shared_ptr<detail::LifeState> life;  // tells whether `graph` still exists
   Options options;
   PlannedSystem planned;
-  Estimates memory;  // scratch memory of minimize_from_starts()
+  Estimates memory;  // scratch memory of minimize_from_starts() and finish_stiff()
   std::map<AlgorithmKind, std::unique_ptr<Algorithm>> algorithms;
 };
 
@@ -149,10 +151,14 @@ RunResult Optimizer::Impl::minimize(Algorithm& algorithm, Report& report, const 
   if (options.gauge == GaugePolicy::kError && system.is_free())
     return {Report::Status::kFailed, Report::Reason::kGaugeFreedom, chi2, 0};
   Descent descent(*graph, system, algorithm, options, stop, clock, report.records);
-  const RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
+  const bool may_be_stiff = information_is_stiff(*graph, system.plan());
+  if (may_be_stiff) descent.leave(iterations_to_finish(options));
+  RunResult result = minimize_from_starts(descent, report.start, report.time.start_s, memory);
+  if (may_be_stiff || system.precise_steps() > 0) result = finish_stiff(descent, algorithm, result, memory);
   report.iterations = static_cast<int>(report.records.size());
   report.start.other_iterations = descent.iterations() - report.iterations;
   report.regularized_steps = descent.regularized_steps();
+  report.precise_steps = system.precise_steps();
   report.displaced_directions = descent.displaced_directions();
   return result;
 }

@@ -175,6 +175,10 @@ void add_notes(Text& text, const Report& report) {
     add(text, "  {:<16}H was not positive definite in {} step(s) and was damped\n", "note",
         report.regularized_steps);
   }
+  if (report.precise_steps > 0) {
+    add(text, "  {:<16}an Ω is so large that {} step(s) were computed with 32 digits\n", "note",
+        report.precise_steps);
+  }
 }
 
 }  // namespace
