@@ -46,7 +46,7 @@ constexpr double kChi2Rounding = 1e-13;
 /// predicts a further decrease for the next step.
 bool is_exact(const IterationRecord& record, double chi2_before, std::size_t unknowns) {
   constexpr double kFallsFast = 0.25;
-  return record.chi2 <= kExact * static_cast<double>(unknowns) && record.chi2 > kFallsFast * chi2_before;
+  return record.chi2 <= kExact * static_cast<double>(unknowns) && record.chi2 >= kFallsFast * chi2_before;
 }
 
 /// Whether both the decrease of chi2 and the predicted decrease are at most `fraction` times chi2.
